@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The only file that includes CLI11: it takes seconds to compile.
+#include "app/cli/arguments.h"
+
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command_line.h"
+#include "core/base/version.h"
+#include "core/pipeline/pipeline.h"
+
+namespace toile {
+namespace {
+
+constexpr const char* kUnits = "mm|cm|m|in";
+
+/// The strings CLI11 fills, before they become typed values.
+struct Typed {
+    std::vector<std::string> inputs, outputs;
+    std::string unit, method = "wang2005", solver = "newton", report, screenshot;
+};
+
+void addUnit(CLI::App& command, Typed& typed) {
+    command.add_option("--unit", typed.unit, "Unit of the input's coordinates")
+        ->type_name(kUnits)
+        ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+}
+
+CLI::App* addFlatten(CLI::App& app, Typed& typed) {
+    CLI::App* flatten = app.add_subcommand("flatten", "Flatten every piece of a garment");
+    flatten->add_option("INPUT", typed.inputs, "Garment mesh: .obj, .off, .ply or .stl")
+        ->required()
+        ->type_name("FILE...");
+    flatten
+        ->add_option("-o,--output", typed.outputs,
+                     "File to write, by its ending: .svg, .dxf, .obj (input with the pattern as "
+                     "its UV map) or .json (report). May be given several times")
+        ->type_name("FILE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    flatten->add_option("--method", typed.method, "Flattening method")
+        ->type_name("natural|wang2005")
+        ->check(CLI::IsMember({"natural", "wang2005"}))
+        ->capture_default_str();
+    flatten->add_option("--boundary-solver", typed.solver, "Solver of the boundary problem")
+        ->type_name("newton|slcp")
+        ->check(CLI::IsMember({"newton", "slcp"}))
+        ->capture_default_str();
+    addUnit(*flatten, typed);
+    flatten->add_option("--report", typed.report, "Write the JSON report (the same as -o FILE.json)")
+        ->type_name("FILE.json");
+    return flatten;
+}
+
+CLI::App* addInfo(CLI::App& app, Typed& typed) {
+    CLI::App* info = app.add_subcommand("info", "Tell what a garment file holds");
+    info->add_option("INPUT", typed.inputs, "Garment mesh: .obj, .off, .ply or .stl")
+        ->required()
+        ->type_name("FILE...");
+    addUnit(*info, typed);
+    return info;
+}
+
+Arguments message(std::string text, int status) {
+    Arguments arguments;
+    arguments.command = Arguments::Command::Message;
+    arguments.message = std::move(text);
+    arguments.status = status;
+    return arguments;
+}
+
+/// CLI11's own wording for help, version and usage errors.
+Arguments fromParseError(const CLI::App& app, const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const bool asked = app.exit(error, out, err) == 0;
+    return message(asked ? out.str() : err.str(), asked ? kExitDone : kExitUsage);
+}
+
+}  // namespace
+
+Arguments parseArguments(int argc, const char* const* argv) {
+    CLI::App app{"Toile: sewing patterns from 3D garments.\n"
+                 "Without a command it opens the window.\n"};
+    app.name("toile");
+    app.set_version_flag("--version", "toile " + std::string(version()));
+    app.footer("\nExit status: 0 all pieces done, 1 some piece failed (the rest is written),\n"
+               "2 wrong usage, 3 a file cannot be read or written.");
+    app.require_subcommand(0, 1);
+
+    Typed typed;
+    Arguments arguments;
+    const CLI::App* flatten = addFlatten(app, typed);
+    const CLI::App* info = addInfo(app, typed);
+    // A window's files stand where a command could: `toile dress.obj`.
+    app.add_option("FILE", typed.inputs, "Garment to open in the window")->type_name("FILE...");
+    app.add_option("--screenshot", typed.screenshot,
+                   "Open the window, save a picture of it as PNG and end")
+        ->type_name("FILE.png");
+    addUnit(app, typed);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return fromParseError(app, error);
+    }
+
+    arguments.command = flatten->parsed() ? Arguments::Command::Flatten
+                        : info->parsed()  ? Arguments::Command::Info
+                                          : Arguments::Command::Window;
+    arguments.inputs.assign(typed.inputs.begin(), typed.inputs.end());
+    arguments.outputs.assign(typed.outputs.begin(), typed.outputs.end());
+    arguments.screenshot = typed.screenshot;
+    arguments.unit = parseLengthUnit(typed.unit);
+    arguments.options.method = parseMethod(typed.method).value_or(Method::Wang2005);
+    arguments.options.boundarySolver =
+        parseBoundarySolver(typed.solver).value_or(BoundarySolver::Newton);
+    if (!typed.report.empty()) {
+        if (std::filesystem::path(typed.report).extension() != ".json") {
+            return message("toile: the report's name must end in .json, not \"" + typed.report +
+                               "\".\n",
+                           kExitUsage);
+        }
+        arguments.outputs.emplace_back(typed.report);
+    }
+    for (const auto& output : arguments.outputs) {
+        if (!canExport(output)) {
+            return message("toile: \"" + output.string() +
+                               "\" has an ending that Toile does not write; use .svg, .dxf, .obj "
+                               "or .json.\n",
+                           kExitUsage);
+        }
+    }
+    return arguments;
+}
+
+}  // namespace toile

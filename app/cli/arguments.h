@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/length_unit.h"
+#include "core/flatten/flatten.h"
+
+namespace toile {
+
+/// What the user typed, parsed and checked.
+struct Arguments {
+    enum class Command {
+        Window,   ///< no command, perhaps files: open the window
+        Flatten,
+        Info,
+        Message,  ///< help, version or a usage error: print `message` and end with `status`
+    };
+
+    Command command = Command::Window;
+    std::vector<std::filesystem::path> inputs;
+    std::vector<std::filesystem::path> outputs;
+    std::optional<LengthUnit> unit;
+    FlattenOptions options;
+    std::filesystem::path screenshot;  ///< window: save a picture of itself and end
+
+    std::string message;
+    int status = 0;
+};
+
+/// Parses the command line. Never exits and never throws; wrong usage comes back as a Message with
+/// status 2. Cost: negligible.
+Arguments parseArguments(int argc, const char* const* argv);
+
+}  // namespace toile

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <ostream>
+
+#include "app/cli/arguments.h"
+#include "app/cli/command_line.h"
+#include "app/cli/commands.h"
+#include "app/cli/table.h"
+#include "core/base/text.h"
+#include "core/pipeline/pipeline.h"
+
+namespace toile {
+namespace {
+
+constexpr double kSquareMillimetresPerSquareCentimetre = 100;
+constexpr double kMillimetresPerCentimetre = 10;
+
+/// A boundary error spans ten powers of ten: two digits and the power say it best.
+std::string scientific(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.0e", value);
+    return text;
+}
+
+std::string percent(const std::optional<double>& fraction) {
+    return fraction ? fixed(100 * *fraction, 2) : "-";
+}
+
+std::vector<std::string> rowOf(const PieceResult& result) {
+    const Piece& piece = *result.piece;
+    std::vector<std::string> row{piece.name, std::to_string(piece.mesh.F.rows())};
+    if (!result.quality) {
+        row.insert(row.end(), {"-", "-", "-", "-", "-", "-", "-", "failed"});
+        return row;
+    }
+    const PieceQuality& q = *result.quality;
+    row.insert(row.end(), {fixed(q.area2d / kSquareMillimetresPerSquareCentimetre, 1),
+                           fixed(q.perimeter2d / kMillimetresPerCentimetre, 1),
+                           scientific(q.maxBoundaryLengthError), percent(q.strainMeanAbs),
+                           percent(q.strainMax), std::to_string(q.flippedTriangles),
+                           std::to_string(q.outlineCrossings), fixed(result.seconds, 3) + " s"});
+    return row;
+}
+
+void printTable(const PieceResults& results, std::ostream& out) {
+    Table table({"piece", "triangles", "area cm2", "outline cm", "length error", "strain % mean",
+                 "max", "flips", "crossings", "time"});
+    for (const auto& result : results) {
+        table.add(rowOf(*result));
+    }
+    table.print(out);
+}
+
+/// Every note and failure on its own line.
+void printProblems(const Garment& garment, const PieceResults& results, std::ostream& err) {
+    for (const auto& file : garment.files) {
+        for (const Error& problem : file->problems) {
+            err << "toile: " << sentence(problem) << '\n';
+        }
+    }
+    for (const auto& result : results) {
+        if (result->error) {
+            err << "toile: " << sentence(*result->error) << '\n';
+        }
+    }
+}
+
+}  // namespace
+
+int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+    Progress progress;
+    const auto garment = loadGarment(arguments.inputs, {arguments.unit}, progress);
+    if (!garment) {
+        err << "toile: " << sentence(garment.error()) << '\n';
+        return kExitUnreadable;
+    }
+    const PieceResults results = flattenGarment(*garment, arguments.options, progress);
+    printTable(results, out);
+    printProblems(*garment, results, err);
+    int status = kExitDone;
+    for (const auto& result : results) {
+        status = result->error ? kExitSomeFailed : status;
+    }
+    for (const auto& output : arguments.outputs) {
+        const auto written = exportFile(output, *garment, results);
+        if (written) {
+            out << "wrote " << output.string() << '\n';
+        } else {
+            err << "toile: " << sentence(written.error()) << '\n';
+            status = kExitUnreadable;
+        }
+    }
+    return status;
+}
+
+}  // namespace toile

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/arguments.h"
+#include "app/cli/command_line.h"
+#ifdef TOILE_GUI
+#include "app/run_window.h"
+#endif
+
+int main(int argc, char** argv) {
+    const toile::Arguments arguments = toile::parseArguments(argc, argv);
+#ifdef TOILE_GUI
+    if (arguments.command == toile::Arguments::Command::Window) {
+        return toile::runWindow(argc, argv,
+                                {arguments.inputs, arguments.unit, arguments.screenshot});
+    }
+#endif
+    return toile::runCommand(arguments);
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_window.h"
+
+#include <cstdio>
+
+#include <QApplication>
+#include <QIcon>
+#include <QTimer>
+
+#include "app/main_window.h"
+#include "app/render/gl_support.h"
+#include "app/settings/preferences.h"
+#include "app/views/view_area.h"
+#include "app/widgets/banner.h"
+#include "core/base/version.h"
+
+// A static library's resources are left out by the linker unless asked for; the macro needs to
+// stand outside of any namespace.
+static void initResources() { Q_INIT_RESOURCE(toile); }
+
+namespace toile {
+
+namespace {
+
+constexpr int kPollMilliseconds = 50;
+/// Exit statuses, as the command line's.
+constexpr int kFailed = 1, kUnreadable = 3;
+
+QStringList toStrings(const std::vector<std::filesystem::path>& paths) {
+    QStringList list;
+    for (const auto& path : paths)
+        list << QString::fromStdU16String(path.u16string());
+    return list;
+}
+
+void complain(const QString& sentence) {
+    std::fputs(qPrintable("toile: " + sentence + '\n'), stderr);
+}
+
+/// Waits until the views show the result, then writes the picture and leaves the event loop.
+class Photographer : public QObject {
+public:
+    Photographer(MainWindow& window, QString path) : window_(window), path_(std::move(path)) {
+        connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+        timer_.start(kPollMilliseconds);
+    }
+
+private:
+    void look() {
+        Workspace& workspace = window_.workspace();
+        if (workspace.jobs().isBusy())
+            return;
+        if (!window_.banner().isHidden()) {
+            complain(window_.banner().sentence());
+            QApplication::exit(kUnreadable);
+            return;
+        }
+        const bool empty = workspace.document().garment() == nullptr;
+        if (!empty && !window_.views().isUpToDate())
+            return;
+        // One more round lets layouts and the window's other parts settle.
+        if (++quietRounds_ < 4)
+            return;
+        timer_.stop();
+        const bool written = window_.grab().save(path_);
+        if (!written)
+            complain(QApplication::translate("RunWindow", "could not write %1").arg(path_));
+        QApplication::exit(written ? 0 : kFailed);
+    }
+
+    MainWindow& window_;
+    QString path_;
+    QTimer timer_;
+    int quietRounds_ = 0;
+};
+
+}  // namespace
+
+int runWindow(int argc, char** argv, const WindowOptions& options) {
+    initResources();
+    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
+    QApplication application(argc, argv);
+    const std::string_view number = version();
+    QApplication::setApplicationName("Toile");
+    QApplication::setApplicationVersion(
+        QString::fromUtf8(number.data(), static_cast<qsizetype>(number.size())));
+    QApplication::setWindowIcon(QIcon(":/icons/toile.svg"));
+
+    const bool photograph = !options.screenshot.empty();
+    // A picture must not depend on, nor change, what a person has set.
+    Preferences forgetful{QString()};
+    Preferences own;
+    MainWindow window(photograph ? forgetful : own);
+    if (photograph)
+        window.resize(options.width, options.height);
+    window.workspace().setUnit(options.unit);
+    window.workspace().document().setOverlay(options.overlay);
+    window.show();
+    if (!options.files.empty())
+        window.openFiles(toStrings(options.files));
+    std::optional<Photographer> photographer;
+    if (photograph)
+        photographer.emplace(window, QString::fromStdU16String(options.screenshot.u16string()));
+    return QApplication::exec();
+}
+
+}  // namespace toile

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "app/document/view_state.h"
+#include "core/base/length_unit.h"
+
+namespace toile {
+
+struct WindowOptions {
+    std::vector<std::filesystem::path> files;  ///< opened as one garment
+    std::optional<LengthUnit> unit;            ///< guessed where not given
+    /// Where set: load, flatten, wait for the views, write a picture of the whole window, leave.
+    std::filesystem::path screenshot;
+    Overlay overlay = Overlay::Checker;
+    int width = 1600, height = 1000;  ///< of the screenshot, logical pixels
+};
+
+/// Runs the window until it is closed. Needs a display.
+/// @return exit status: 0; with `screenshot` also 3 where the garment could not be read and 1
+///         where the picture could not be made or written
+int runWindow(int argc, char** argv, const WindowOptions& options);
+
+}  // namespace toile

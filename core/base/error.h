@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace toile {
+
+/// Everything that can be expected to go wrong, or that a user should know about. The kebab-case
+/// `name` of a code is what the JSON report prints, so a code once released keeps its name.
+enum class ErrorCode {
+    // Files
+    FileUnreadable,
+    FileUnwritable,
+    UnknownFormat,
+    MalformedFile,
+    NoGeometry,
+    // Reading: the file is taken in, with a note
+    UnitGuessed,
+    IndexOutOfRange,
+    NonFinitePosition,
+    DegenerateFaceRecord,
+    PolygonNotSimple,
+    UnusedVertices,
+    OutputDiffers,
+    // Pieces
+    ClosedSurface,
+    SeveralLoops,
+    Handle,
+    NonManifoldEdge,
+    NonManifoldVertex,
+    OpposedWinding,
+    NotOrientable,
+    DuplicateFace,
+    DegenerateFace,
+    ZeroLengthEdge,
+    // Solving
+    NoClosedOutline,
+    BoundaryNotConverged,
+    FactorisationFailed,
+    NotFinite,
+    Cancelled,
+};
+
+/// One past the last code; codes are contiguous from 0.
+inline constexpr int kErrorCodeCount = static_cast<int>(ErrorCode::Cancelled) + 1;
+
+/// An expected failure or a note: what, where, and the particulars. Never thrown.
+struct Error {
+    ErrorCode code;
+    std::string where;   ///< the piece or file it is about; empty where it is about everything
+    std::string detail;  ///< the particulars: counts, places, numbers
+};
+
+using Problems = std::vector<Error>;
+
+/// Stable kebab-case name, for example "several-loops".
+std::string_view name(ErrorCode code);
+/// What happened, in plain words, without a full stop.
+std::string_view describe(ErrorCode code);
+/// What the user can do about it, as a sentence without a full stop; empty where nothing is needed.
+std::string_view advice(ErrorCode code);
+/// True where the code only informs: the data was taken in and work goes on.
+bool isNote(ErrorCode code);
+/// One sentence for a person: "front: the piece has several boundary loops (2 loops). Cut it ...".
+std::string sentence(const Error& error);
+
+}  // namespace toile

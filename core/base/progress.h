@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+
+namespace toile {
+
+/// The string between a long call and whoever waits for it: the worker reports, any thread may
+/// read the fraction or cancel. Cancelling is sticky; the call then returns `ErrorCode::Cancelled`
+/// at its next check (once per piece and solver iteration). Thread-safe.
+class Progress {
+public:
+    void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+    bool isCancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+
+    /// Declares how much work there is, in any unit; `advance` counts against it.
+    void start(double total) {
+        total_.store(total > 0 ? total : 1.0, std::memory_order_relaxed);
+        done_.store(0.0, std::memory_order_relaxed);
+    }
+
+    void advance(double amount) { done_.fetch_add(amount, std::memory_order_relaxed); }
+
+    /// Fraction done, in [0, 1].
+    double fraction() const {
+        return std::clamp(done_.load(std::memory_order_relaxed) /
+                              total_.load(std::memory_order_relaxed),
+                          0.0, 1.0);
+    }
+
+private:
+    std::atomic<bool> cancelled_{false};
+    std::atomic<double> total_{1.0};
+    std::atomic<double> done_{0.0};
+};
+
+}  // namespace toile

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace toile {
+namespace {
+
+// 17 significant digits, sign, point and exponent need 24; fixed notation of 1e308 needs 310 more.
+constexpr int kDigits = 400;
+
+bool isZero(std::string_view digits) {
+    return digits.find_first_not_of("-0.") == std::string_view::npos;
+}
+
+}  // namespace
+
+void appendShortest(std::string& out, double value) {
+    char buffer[kDigits];
+    const auto end = std::to_chars(buffer, buffer + kDigits, value);
+    out.append(buffer, end.ptr);
+}
+
+std::string shortest(double value) {
+    std::string out;
+    appendShortest(out, value);
+    return out;
+}
+
+void appendFixed(std::string& out, double value, int decimals) {
+    char buffer[kDigits];
+    const auto end =
+        std::to_chars(buffer, buffer + kDigits, value, std::chars_format::fixed, decimals);
+    std::string_view digits(buffer, static_cast<std::size_t>(end.ptr - buffer));
+    if (!digits.empty() && digits.front() == '-' && isZero(digits)) {
+        digits.remove_prefix(1);  // a rounded -0.00001 is no negative number to a reader
+    }
+    out.append(digits);
+}
+
+std::string fixed(double value, int decimals) {
+    std::string out;
+    appendFixed(out, value, decimals);
+    return out;
+}
+
+std::string counted(long long count, std::string_view noun) {
+    std::string out = std::to_string(count) + " " + std::string(noun);
+    if (count == 1) {
+        return out;
+    }
+    if (noun.ends_with("tex")) {  // vertex, vertices
+        out.replace(out.size() - 2, 2, "ices");
+        return out;
+    }
+    return out + "s";
+}
+
+std::string slug(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        const bool upper = c >= 'A' && c <= 'Z';
+        if (upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
+            out += upper ? static_cast<char>(c - 'A' + 'a') : c;
+        } else if (!out.empty() && out.back() != '-') {
+            out += '-';
+        }
+    }
+    while (!out.empty() && out.back() == '-') {
+        out.pop_back();
+    }
+    return out.empty() ? "piece" : out;
+}
+
+}  // namespace toile

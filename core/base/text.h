@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace toile {
+
+/// Numbers and names as text, independent of the user's locale. All functions are pure.
+
+/// Shortest digits that read back to the same double, for example "0.1".
+std::string shortest(double value);
+/// Appends `shortest(value)` to `out` without a temporary.
+void appendShortest(std::string& out, double value);
+/// Fixed decimals, rounded to nearest; never "-0.0000".
+std::string fixed(double value, int decimals);
+void appendFixed(std::string& out, double value, int decimals);
+/// "1 face", "2 faces": the noun gets an s where the count asks for it.
+std::string counted(long long count, std::string_view noun);
+/// Lower case ASCII letters, digits and single hyphens, for ids and file names; never empty.
+std::string slug(std::string_view text);
+
+}  // namespace toile

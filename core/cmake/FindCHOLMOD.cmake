@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Debian's SuiteSparse carries no CMake configuration. Defines the target CHOLMOD::CHOLMOD.
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+find_library(CHOLMOD_LIBRARY cholmod)
+find_library(SUITESPARSECONFIG_LIBRARY suitesparseconfig)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(CHOLMOD
+    REQUIRED_VARS CHOLMOD_LIBRARY SUITESPARSECONFIG_LIBRARY CHOLMOD_INCLUDE_DIR)
+mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY SUITESPARSECONFIG_LIBRARY)
+if(CHOLMOD_FOUND AND NOT TARGET CHOLMOD::CHOLMOD)
+    add_library(CHOLMOD::CHOLMOD UNKNOWN IMPORTED)
+    set_target_properties(CHOLMOD::CHOLMOD PROPERTIES
+        IMPORTED_LOCATION "${CHOLMOD_LIBRARY}"
+        INTERFACE_INCLUDE_DIRECTORIES "${CHOLMOD_INCLUDE_DIR}"
+        INTERFACE_LINK_LIBRARIES "${SUITESPARSECONFIG_LIBRARY}")
+endif()

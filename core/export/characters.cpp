@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/characters.h"
+
+#include <array>
+
+namespace toile {
+namespace {
+
+constexpr char32_t kUnknown = 0xFFFD;
+
+/// Takes the first character off `text`; kUnknown, and one byte, where it is no UTF-8.
+char32_t takeCharacter(std::string_view& text) {
+    const auto byte = [&text](std::size_t i) {
+        return static_cast<char32_t>(static_cast<unsigned char>(text[i]));
+    };
+    const char32_t lead = byte(0);
+    const std::size_t length = lead < 0x80           ? 1
+                               : (lead >> 5) == 0x06 ? 2
+                               : (lead >> 4) == 0x0E ? 3
+                               : (lead >> 3) == 0x1E ? 4
+                                                     : 0;
+    char32_t value = length < 2 ? lead : lead & (0x7Fu >> length);
+    bool good = length > 0 && length <= text.size();
+    for (std::size_t i = 1; good && i < length; ++i) {
+        good = (byte(i) >> 6) == 0x02;
+        value = (value << 6) | (byte(i) & 0x3F);
+    }
+    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+    good = good && value >= kLeast[length] && value <= 0x10FFFF && (value >> 11) != 0x1B &&
+           (value & ~char32_t{1}) != 0xFFFE;
+    text.remove_prefix(good ? length : 1);
+    return good ? value : kUnknown;
+}
+
+bool isControl(char32_t c) {
+    return c < 0x20 || (c >= 0x7F && c < 0xA0);
+}
+
+/// Plain letters for U+00C0 to U+017F, one each; '*' where several or none are needed.
+constexpr std::string_view kLatin =
+    "AAAAAA*CEEEEIIIIDNOOOOOxOUUUUY**"
+    "aaaaaa*ceeeeiiiidnooooo*ouuuuy*y"
+    "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGg"
+    "GgGgHhHhIiIiIiIiIi**JjKkkLlLlLlL"
+    "lLlNnNnNnnNnOoOoOo**RrRrRrSsSsSs"
+    "SsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
+static_assert(kLatin.size() == 0x180 - 0xC0);
+
+std::string_view severalLetters(char32_t c) {
+    switch (c) {
+        case 0xC6:
+            return "AE";
+        case 0xDE:
+            return "Th";
+        case 0xDF:
+            return "ss";
+        case 0xE6:
+            return "ae";
+        case 0xFE:
+            return "th";
+        case 0x132:
+            return "IJ";
+        case 0x133:
+            return "ij";
+        case 0x152:
+            return "OE";
+        case 0x153:
+            return "oe";
+        case 0x2013:  // dashes
+        case 0x2014:
+            return "-";
+        case 0x2019:  // apostrophe
+            return "'";
+        case 0xA0:  // blank that does not break
+            return " ";
+        case 0x1E9E:
+            return "SS";
+        default:
+            return "_";
+    }
+}
+
+bool isCombiningMark(char32_t c) {
+    return c >= 0x300 && c < 0x370;
+}
+
+}  // namespace
+
+std::size_t characterCount(std::string_view text) {
+    std::size_t count = 0;
+    for (; !text.empty(); ++count) {
+        takeCharacter(text);
+    }
+    return count;
+}
+
+std::string cleanText(std::string_view text) {
+    std::string out;
+    out.reserve(text.size());
+    while (!text.empty()) {
+        const std::string_view rest = text;
+        const char32_t c = takeCharacter(text);
+        if (isControl(c)) {
+            out += ' ';
+        } else if (c == kUnknown) {
+            out += "\xEF\xBF\xBD";
+        } else {
+            out.append(rest.substr(0, rest.size() - text.size()));
+        }
+    }
+    return out;
+}
+
+std::string asciiText(std::string_view text) {
+    std::string out;
+    out.reserve(text.size());
+    while (!text.empty()) {
+        const char32_t c = takeCharacter(text);
+        if (c >= 0x20 && c < 0x7F) {
+            out += static_cast<char>(c);
+        } else if (c >= 0xC0 && c < 0x180 && kLatin[c - 0xC0] != '*') {
+            out += kLatin[c - 0xC0];
+        } else if (!isCombiningMark(c)) {
+            out += severalLetters(c);
+        }
+    }
+    return out;
+}
+
+}  // namespace toile

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh_arrays.h"
+#include "core/pattern/pattern.h"
+#include "core/sheet/sheet.h"
+
+namespace toile {
+
+/// What a drawing's layer holds; each writer knows its name and colour for it.
+enum class LayerKind { Cut, Text, Check };
+
+/// Every kind, in the order in which layers are written.
+inline constexpr std::array kLayerKinds{LayerKind::Cut, LayerKind::Text, LayerKind::Check};
+
+/// From one baseline of a text to the next, in heights of a capital letter.
+inline constexpr double kLineSpacing = 1.7;
+/// Width of a character, in heights of a capital letter: a fair average of usual fonts.
+inline constexpr double kCharacterWidth = 0.8;
+
+struct DrawnPath {
+    std::string id;  ///< unique in the drawing
+    LayerKind layer;
+    Points2 points;  ///< mm, y up; closed, first point not repeated
+};
+
+struct DrawnText {
+    std::string id;
+    LayerKind layer;
+    Eigen::Vector2d position;  ///< middle of the first line, mm, y up; lines are centred on it
+    double height;             ///< of a capital letter, mm
+    std::vector<std::string> lines;
+};
+
+/// The one picture of a pattern that every writer turns into its format: true scale, millimetres,
+/// y up, in [0, width] x [0, height].
+struct Drawing {
+    std::string title;
+    double width = 0, height = 0;
+    std::vector<DrawnPath> paths;
+    std::vector<DrawnText> texts;
+};
+
+/// Draws every piece's net outline, its name with "net outline, no allowance", and a 100 mm check
+/// square to the right of the pieces, with a margin of 10 mm around all. Width and height are whole
+/// millimetres. Ids: `piece-<id>-cut`, `piece-<id>-name`, `check-square`, `check-square-text`.
+/// Cost: that of placeLabel (label.h) per piece.
+Drawing draw(const Pattern& pattern, const Sheet& sheet);
+
+}  // namespace toile

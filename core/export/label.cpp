@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/label.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/export/characters.h"
+#include "core/export/drawing.h"
+
+namespace toile {
+namespace {
+
+constexpr std::array kHeights{6.0, 5.0, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5};  // mm, tried in turn
+constexpr int kLevels = 41;       // tried from bottom to top; odd, so that the middle is one
+constexpr double kClearance = 1;  // capital heights kept free beside and above the block together
+constexpr double kClearlyWider = 1.02;  // times another chord
+
+/// A horizontal range; inside an outline, the free one.
+struct Range {
+    double left = 0, right = 0;
+
+    double width() const { return right - left; }
+};
+
+/// What an edge takes away from a horizontal band.
+struct Blocked {
+    Range range;
+    bool crossesMiddle;
+};
+
+/// The part of edge a-b within the band, if any, as seen from above.
+std::optional<Blocked> blockedBy(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double low,
+                                 double high) {
+    const double yMin = std::min(a.y(), b.y()), yMax = std::max(a.y(), b.y());
+    if (yMax < low || yMin > high) {
+        return std::nullopt;
+    }
+    const auto xAt = [&](double y) {
+        const double t = yMax > yMin ? std::clamp((y - a.y()) / (b.y() - a.y()), 0.0, 1.0) : 0.0;
+        return a.x() + t * (b.x() - a.x());
+    };
+    double x0 = a.x(), x1 = b.x();
+    if (yMax > yMin) {
+        x0 = xAt(std::max(yMin, low));
+        x1 = xAt(std::min(yMax, high));
+    }
+    const double middle = 0.5 * (low + high);
+    return Blocked{{std::min(x0, x1), std::max(x0, x1)}, (a.y() > middle) != (b.y() > middle)};
+}
+
+/// The widest range over which the whole band from `low` to `high` lies inside the outline.
+Range widestFree(const Points2& outline, double low, double high) {
+    std::vector<Blocked> blocked;
+    const Eigen::Index n = outline.rows();
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Eigen::Index next = i + 1 < n ? i + 1 : 0;
+        if (const auto part = blockedBy(outline.row(i), outline.row(next), low, high)) {
+            blocked.push_back(*part);
+        }
+    }
+    std::sort(blocked.begin(), blocked.end(),
+              [](const Blocked& a, const Blocked& b) { return a.range.left < b.range.left; });
+    Range best;
+    bool inside = false;  // of the gap to the right of all edges seen so far
+    double reach = 0;
+    for (std::size_t i = 0; i < blocked.size(); ++i) {
+        const Range& range = blocked[i].range;
+        if (inside && range.left - reach > best.width()) {
+            best = {reach, range.left};
+        }
+        reach = i == 0 ? range.right : std::max(reach, range.right);
+        inside = inside != blocked[i].crossesMiddle;
+    }
+    return best;
+}
+
+/// The height of level k of kLevels between two heights.
+double levelHeight(double low, double high, int k) {
+    return low + (high - low) * k / (kLevels - 1);
+}
+
+/// Middle of a place where a block of this size lies inside the outline: of the levels at which it
+/// fits, the run nearest to the outline's middle, and the middle of that run.
+std::optional<Eigen::Vector2d> findRoom(const Points2& outline, const Eigen::Vector2d& size) {
+    const double low = outline.col(1).minCoeff() + 0.5 * size.y();
+    const double high = outline.col(1).maxCoeff() - 0.5 * size.y();
+    if (low > high) {
+        return std::nullopt;
+    }
+    std::array<Range, kLevels> free;
+    const auto fits = [&](int k) { return k >= 0 && k < kLevels && free[k].width() >= size.x(); };
+    for (int k = 0; k < kLevels; ++k) {
+        const double y = levelHeight(low, high, k);
+        free[k] = widestFree(outline, y - 0.5 * size.y(), y + 0.5 * size.y());
+    }
+    for (int distance = 0; distance <= kLevels / 2; ++distance) {
+        for (const int nearest : {kLevels / 2 + distance, kLevels / 2 - distance}) {
+            if (!fits(nearest)) {
+                continue;
+            }
+            int first = nearest, last = nearest;
+            while (fits(first - 1)) {
+                --first;
+            }
+            while (fits(last + 1)) {
+                ++last;
+            }
+            const int k = (first + last) / 2;
+            return Eigen::Vector2d(0.5 * (free[k].left + free[k].right), levelHeight(low, high, k));
+        }
+    }
+    return std::nullopt;
+}
+
+/// Of chords about equally wide, the one nearest to the outline's middle.
+Eigen::Vector2d middleOfWidestChord(const Points2& outline) {
+    const Eigen::Vector2d low = outline.colwise().minCoeff().transpose();
+    const Eigen::Vector2d high = outline.colwise().maxCoeff().transpose();
+    Eigen::Vector2d middle = 0.5 * (low + high);
+    double width = 0;
+    for (int distance = 0; distance <= kLevels / 2; ++distance) {
+        for (const int k : {kLevels / 2 + distance, kLevels / 2 - distance}) {
+            const double y = levelHeight(low.y(), high.y(), k);
+            const Range free = widestFree(outline, y, y);
+            if (free.width() > kClearlyWider * width) {
+                width = free.width();
+                middle = {0.5 * (free.left + free.right), y};
+            }
+        }
+    }
+    return middle;
+}
+
+}  // namespace
+
+Eigen::Vector2d textExtent(const std::vector<std::string>& lines, double height) {
+    std::size_t longest = 1;
+    for (const std::string& line : lines) {
+        longest = std::max(longest, characterCount(line));
+    }
+    const double rows = lines.empty() ? 1 : static_cast<double>(lines.size());
+    return height * Eigen::Vector2d(kCharacterWidth * static_cast<double>(longest),
+                                    1 + kLineSpacing * (rows - 1));
+}
+
+LabelPlace placeLabel(const Points2& outline, const std::vector<std::string>& lines) {
+    double height = kHeights.back();
+    std::optional<Eigen::Vector2d> middle;
+    if (outline.rows() > 0) {
+        for (const double trial : kHeights) {
+            const Eigen::Vector2d clearance = Eigen::Vector2d::Constant(kClearance * trial);
+            middle = findRoom(outline, textExtent(lines, trial) + clearance);
+            if (middle) {
+                height = trial;
+                break;
+            }
+        }
+    }
+    if (!middle) {
+        middle = outline.rows() > 0 ? middleOfWidestChord(outline) : Eigen::Vector2d(0, 0);
+    }
+    middle->y() += 0.5 * (textExtent(lines, height).y() - height);  // to the first line's middle
+    return {*middle, height};
+}
+
+}  // namespace toile

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// Where a block of text goes and how high its capital letters are, mm.
+struct LabelPlace {
+    Eigen::Vector2d position;  ///< middle of the first line
+    double height;
+};
+
+/// Width and height of a block of centred lines whose capitals are `height` high, by an average
+/// character; never empty.
+Eigen::Vector2d textExtent(const std::vector<std::string>& lines, double height);
+
+/// Finds room for horizontal lines of text inside an outline, concave or narrow ones too: the
+/// largest height from 6 mm down to 1.5 mm for which the block fits, in the middle of the room that
+/// is nearest to the outline's middle. Where even the smallest does not fit it is centred on the
+/// outline's widest chord.
+/// @param outline  mm, closed, first point not repeated; either winding
+/// Cost: 41 passes over the outline per height tried, with a sort of the edges met.
+LabelPlace placeLabel(const Points2& outline, const std::vector<std::string>& lines);
+
+}  // namespace toile

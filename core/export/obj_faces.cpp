@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/obj_faces.h"
+
+#include <charconv>
+#include <span>
+
+namespace toile {
+namespace {
+
+constexpr int kNoPiece = -1;
+
+struct PieceTriangle {
+    int piece, triangle;
+};
+
+/// The triangles that came of each face, all in one array.
+class FaceTriangles {
+public:
+    FaceTriangles(const Garment& garment, int file, int faceCount)
+        : start_(static_cast<std::size_t>(faceCount) + 1, 0) {
+        visit(garment, file, [this](int face, PieceTriangle) {
+            if (face >= 0) {
+                ++start_[face + 1];
+            }
+        });
+        for (std::size_t i = 1; i < start_.size(); ++i) {
+            start_[i] += start_[i - 1];
+        }
+        triangles_.resize(start_.back());
+        std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+        visit(garment, file, [&](int face, PieceTriangle triangle) {
+            if (face >= 0) {
+                triangles_[next[face]++] = triangle;
+            } else {
+                added_.push_back(triangle);
+            }
+        });
+    }
+
+    std::span<const PieceTriangle> of(int face) const {
+        return {triangles_.data() + start_[face], start_[face + 1] - start_[face]};
+    }
+
+    std::span<const PieceTriangle> added() const { return added_; }
+
+private:
+    template <class Use>
+    static void visit(const Garment& garment, int file, Use use) {
+        for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+            const Piece& piece = *garment.pieces[p];
+            if (piece.file != file) {
+                continue;
+            }
+            for (std::size_t t = 0; t < piece.sourceFace.size(); ++t) {
+                use(piece.sourceFace[t], {static_cast<int>(p), static_cast<int>(t)});
+            }
+        }
+    }
+
+    std::vector<std::size_t> start_;
+    std::vector<PieceTriangle> triangles_, added_;
+};
+
+/// The vertex of these triangles of one piece that stands for a position of the file, or -1.
+int vertexFor(const Piece& piece, std::span<const PieceTriangle> triangles, int position) {
+    for (const PieceTriangle& t : triangles) {
+        for (int k = 0; k < 3; ++k) {
+            const int vertex = piece.mesh.F(t.triangle, k);
+            if (piece.sourceVertex[vertex] == position) {
+                return vertex;
+            }
+        }
+    }
+    return -1;
+}
+
+class FaceWriter {
+public:
+    FaceWriter(std::string& out, const Garment& garment, int file, const ObjIndices& indices)
+        : out_(out), garment_(garment), indices_(indices), file_(file) {}
+
+    /// Writes a face of the input; false where it is not as it was.
+    bool face(std::span<const int> corners, std::span<const PieceTriangle> triangles) {
+        if (triangles.empty()) {
+            enter(kNoPiece);
+            out_ += 'f';
+            for (const int corner : corners) {
+                integer(' ', indices_.firstVertex[file_] + corner);
+            }
+            out_ += '\n';
+            return true;
+        }
+        if (!isWhole(corners, triangles)) {
+            for (const PieceTriangle& t : triangles) {
+                triangle(t);
+            }
+            return false;
+        }
+        const int p = triangles.front().piece;
+        enter(p);
+        out_ += 'f';
+        for (const int corner : corners) {
+            vertex(p, vertexFor(*garment_.pieces[p], triangles, corner));
+        }
+        out_ += '\n';
+        return true;
+    }
+
+    void triangle(const PieceTriangle& t) {
+        enter(t.piece);
+        out_ += 'f';
+        for (int k = 0; k < 3; ++k) {
+            vertex(t.piece, garment_.pieces[t.piece]->mesh.F(t.triangle, k));
+        }
+        out_ += '\n';
+    }
+
+private:
+    /// Whether the triangles are still a division of the polygon: in one piece, on its corners
+    /// only, and every corner one vertex.
+    bool isWhole(std::span<const int> corners, std::span<const PieceTriangle> triangles) const {
+        const int p = triangles.front().piece;
+        const Piece& piece = *garment_.pieces[p];
+        for (const PieceTriangle& t : triangles) {
+            if (t.piece != p) {
+                return false;
+            }
+            for (int k = 0; k < 3; ++k) {
+                const int v = piece.mesh.F(t.triangle, k);
+                const int position = piece.sourceVertex[v];
+                if (position < 0 || vertexFor(piece, triangles, position) != v) {
+                    return false;
+                }
+            }
+        }
+        for (const int corner : corners) {
+            if (vertexFor(piece, triangles, corner) < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    void enter(int piece) {
+        if (piece != current_ || first_) {
+            out_ += "g ";
+            out_ += piece == kNoPiece ? kUnassignedGroup : indices_.group[piece];
+            out_ += '\n';
+        }
+        current_ = piece;
+        first_ = false;
+    }
+
+    void vertex(int p, int v) {
+        const int position = garment_.pieces[p]->sourceVertex[v];
+        integer(' ', position >= 0 ? indices_.firstVertex[file_] + position
+                                   : indices_.addedVertex[p][v]);
+        if (indices_.firstUv[p] > 0) {
+            integer('/', indices_.firstUv[p] + v);
+        }
+    }
+
+    void integer(char before, int value) {
+        char digits[12];
+        const auto end = std::to_chars(digits, digits + sizeof digits, value);
+        out_ += before;
+        out_.append(digits, end.ptr);
+    }
+
+    std::string& out_;
+    const Garment& garment_;
+    const ObjIndices& indices_;
+    int file_;
+    int current_ = kNoPiece;
+    bool first_ = true;  // the first face of a file always gets its `g`
+};
+
+}  // namespace
+
+int appendFaces(std::string& out, const Garment& garment, int file, const ObjIndices& indices) {
+    const PolygonSoup& soup = garment.files[file]->soup;
+    const FaceTriangles triangles(garment, file, soup.faceCount());
+    FaceWriter writer(out, garment, file, indices);
+    int changed = 0;
+    for (int face = 0; face < soup.faceCount(); ++face) {
+        const std::span corners(soup.corners.data() + soup.faceStart[face],
+                                static_cast<std::size_t>(soup.cornerCount(face)));
+        changed += writer.face(corners, triangles.of(face)) ? 0 : 1;
+    }
+    for (const PieceTriangle& added : triangles.added()) {
+        writer.triangle(added);
+    }
+    return changed;
+}
+
+}  // namespace toile

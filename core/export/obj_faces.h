@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/garment/garment.h"
+
+namespace toile {
+
+/// Where the vertices and texture vertices of a garment stand in its OBJ, counted from 1.
+struct ObjIndices {
+    std::vector<std::string> group;  ///< per piece: its name as a `g` line takes it, unique
+    std::vector<int> firstVertex;    ///< per file: index of its first input vertex
+    std::vector<int> firstUv;        ///< per piece: index of its first vt; 0 where it has none
+    std::vector<std::vector<int>> addedVertex;  ///< per piece, per vertex: index of its own `v`
+                                                ///< line, 0 where the input has it; may be empty
+};
+
+/// The name of faces that lie in no piece because they could not be used.
+inline constexpr const char* kUnassignedGroup = "unassigned";
+
+/// Appends the `g` and `f` lines of one file, in its face order. A polygon is kept whole as long as
+/// its corners still stand for it; a face that cleaning divided (over pieces, or with vertices of
+/// its own) is written as the triangles it became, and triangles that come from no face follow at
+/// the end. Corners take their vt from the piece that holds the face.
+/// @return how many faces of the input are not written as they were
+/// Cost: linear in triangles; quadratic in the corners of one polygon.
+int appendFaces(std::string& out, const Garment& garment, int file, const ObjIndices& indices);
+
+}  // namespace toile

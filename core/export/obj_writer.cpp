@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <set>
+
+#include "core/base/text.h"
+#include "core/base/version.h"
+#include "core/export/characters.h"
+#include "core/export/obj_faces.h"
+#include "core/export/problems.h"
+#include "core/export/writers.h"
+
+// The bad coordinates of a position that is not finite are written as 0, because no reader takes
+// "nan", and a comment says so. No face of a piece uses such a position.
+
+namespace toile {
+namespace {
+
+constexpr std::size_t kVertexBytes = 64;  // of a usual line, to reserve once
+constexpr std::size_t kFaceBytes = 48;
+
+/// One word without blanks, as a `g` line needs it: readers take several words as several groups.
+std::string groupWord(const std::string& pieceName) {
+    std::string word = cleanText(pieceName);
+    for (char& c : word) {
+        c = c == ' ' ? '_' : c;
+    }
+    return word.empty() ? "piece" : word;
+}
+
+std::vector<std::string> groupNames(const Garment& garment) {
+    std::set<std::string> taken{kUnassignedGroup};
+    std::vector<std::string> names;
+    for (const auto& piece : garment.pieces) {
+        const std::string word = groupWord(piece->name);
+        std::string unique = word;
+        for (int n = 2; !taken.insert(unique).second; ++n) {
+            unique = word + "_" + std::to_string(n);
+        }
+        names.push_back(std::move(unique));
+    }
+    return names;
+}
+
+void appendNumbers(std::string& out, const char* keyword, std::initializer_list<double> values) {
+    out += keyword;
+    for (const double value : values) {
+        out += ' ';
+        appendShortest(out, std::isfinite(value) ? value : 0.0);
+    }
+    out += '\n';
+}
+
+/// The file's own text of a position on one line, without a comment.
+void appendOwnText(std::string& out, std::string_view text) {
+    text = text.substr(0, text.find('#'));
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    const std::size_t end = text.find_last_not_of(" \t\r\n\\");
+    out += "v ";
+    for (std::size_t i = begin; i != std::string_view::npos && i <= end; ++i) {
+        const char c = text[i];
+        out += c == '\\' || c == '\r' || c == '\n' ? ' ' : c;  // of a continued line
+    }
+    out += '\n';
+}
+
+/// Appends the `v` lines of a file's own positions; returns how many needed a 0 for a number that
+/// is none.
+int appendPositions(std::string& out, const PolygonSoup& soup) {
+    int replaced = 0;
+    out.reserve(out.size() + soup.positions.size() * kVertexBytes);
+    for (std::size_t i = 0; i < soup.positions.size(); ++i) {
+        const Eigen::Vector3d& p = soup.positions[i];
+        const bool hasText = i < soup.positionText.size() && soup.positionText[i].length > 0;
+        if (hasText && soup.text && p.allFinite()) {
+            const TextSpan span = soup.positionText[i];
+            appendOwnText(out, std::string_view(*soup.text).substr(span.offset, span.length));
+            continue;
+        }
+        replaced += p.allFinite() ? 0 : 1;
+        appendNumbers(out, "v", {p.x(), p.y(), p.z()});
+    }
+    return replaced;
+}
+
+/// Appends a `v` line for each vertex that no position of the file stands for; returns how many.
+int appendAddedVertices(std::string& out, const Garment& garment, int file, int nextIndex,
+                        ObjIndices& indices) {
+    const double unit = millimetresPer(garment.files[file]->unit);
+    int count = 0;
+    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+        const Piece& piece = *garment.pieces[p];
+        for (std::size_t v = 0; piece.file == file && v < piece.sourceVertex.size(); ++v) {
+            if (piece.sourceVertex[v] >= 0) {
+                continue;
+            }
+            const auto row = piece.mesh.V.row(static_cast<Eigen::Index>(v));
+            appendNumbers(out, "v", {row.x() / unit, row.y() / unit, row.z() / unit});
+            indices.addedVertex[p].resize(piece.sourceVertex.size(), 0);
+            indices.addedVertex[p][v] = nextIndex + count++;
+        }
+    }
+    return count;
+}
+
+void appendUvs(std::string& out, const FlatPiece& flat, const Eigen::Vector2d& offset) {
+    out.reserve(out.size() + static_cast<std::size_t>(flat.Q.rows()) * kVertexBytes);
+    for (Eigen::Index v = 0; v < flat.Q.rows(); ++v) {
+        appendNumbers(out, "vt", {flat.Q(v, 0) + offset.x(), flat.Q(v, 1) + offset.y()});
+    }
+}
+
+void comment(std::string& out, const std::string& text) {
+    out += "# " + cleanText(text) + "\n";
+}
+
+/// What a file gave, and what is not as it was.
+struct FileNotes {
+    int first = 1, vertices = 0, added = 0, replaced = 0, changedFaces = 0;
+};
+
+void appendFileHead(std::string& out, const SourceFile& file, const FileNotes& notes) {
+    std::string line = "v " + std::to_string(notes.first) + " to " +
+                       std::to_string(notes.first + notes.vertices - 1) + ": " +
+                       pathText(file.path.filename()) + ", in " + std::string(symbol(file.unit));
+    comment(out, line);
+    for (const Error& error : problemsOf(file)) {
+        if (changesOutput(error.code)) {
+            comment(out, sentence(error));
+        }
+    }
+    if (notes.added > 0) {
+        comment(out, "differs from the input: " + counted(notes.added, "vertex") +
+                         " added after the file's own");
+    }
+    if (notes.replaced > 0) {
+        comment(out, "differs from the input: " + counted(notes.replaced, "vertex") +
+                         " without a finite position written with 0");
+    }
+    if (notes.changedFaces > 0) {
+        comment(out, "differs from the input: " + counted(notes.changedFaces, "face") +
+                         " written as the triangles used");
+    }
+}
+
+}  // namespace
+
+std::string writeObj(const Garment& garment, const PieceResults& results,
+                     const std::vector<Eigen::Vector2d>& offsets) {
+    ObjIndices indices{groupNames(garment), {}, {}, {}};
+    indices.addedVertex.resize(garment.pieces.size());
+    std::vector<FileNotes> notes(garment.files.size());
+    std::string vertices;
+    int next = 1;
+    for (std::size_t f = 0; f < garment.files.size(); ++f) {
+        const PolygonSoup& soup = garment.files[f]->soup;
+        const int file = static_cast<int>(f), own = static_cast<int>(soup.positions.size());
+        indices.firstVertex.push_back(next);
+        notes[f].first = next;
+        notes[f].vertices = own;
+        notes[f].replaced = appendPositions(vertices, soup);
+        notes[f].added = appendAddedVertices(vertices, garment, file, next + own, indices);
+        next += own + notes[f].added;
+    }
+    int nextUv = 1;
+    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+        const bool flat = results[p]->flat.has_value();
+        indices.firstUv.push_back(flat ? nextUv : 0);
+        if (flat) {
+            appendUvs(vertices, *results[p]->flat, offsets[p]);
+            nextUv += static_cast<int>(results[p]->flat->Q.rows());
+        }
+    }
+    std::string faces;
+    for (std::size_t f = 0; f < garment.files.size(); ++f) {
+        const SourceFile& file = *garment.files[f];
+        faces.reserve(faces.size() + static_cast<std::size_t>(file.soup.faceCount()) * kFaceBytes);
+        notes[f].changedFaces = appendFaces(faces, garment, static_cast<int>(f), indices);
+    }
+
+    std::string out;
+    comment(out, "Toile " + std::string(version()) + ": a garment with its pattern as UV map");
+    comment(out, "vt in mm, y up, true scale; g names the piece; faces without vt are not flat");
+    comment(out, "Not repeated: normals, materials, and the input's own UV map and groups");
+    for (std::size_t f = 0; f < garment.files.size(); ++f) {
+        appendFileHead(out, *garment.files[f], notes[f]);
+    }
+    out.reserve(out.size() + vertices.size() + faces.size());
+    return out.append(vertices).append(faces);
+}
+
+}  // namespace toile

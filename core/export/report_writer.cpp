@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/version.h"
+#include "core/export/problems.h"
+#include "core/export/writers.h"
+
+namespace toile {
+namespace {
+
+using Json = nlohmann::ordered_json;  // fields in the order of docs/report.md
+
+constexpr int kReportVersion = 1;  // of the fields: grows when one changes its meaning or goes
+constexpr int kIndent = 2;
+
+/// The one way of a number into the report: JSON has no NaN and no infinity.
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json number(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
+
+Json text(std::string_view words) {
+    return Json(std::string(words));
+}
+
+Json problemJson(const Error& error, const Json& piece) {
+    return {{"code", text(name(error.code))}, {"piece", piece}, {"message", sentence(error)}};
+}
+
+/// The problem's place as a piece's name, or null where it is about the file.
+Json pieceOf(const Error& error, const Garment& garment, int file) {
+    for (const auto& piece : garment.pieces) {
+        if (piece->file == file && piece->name == error.where) {
+            return Json(piece->name);
+        }
+    }
+    return nullptr;
+}
+
+Json fileJson(const Garment& garment, const PieceResults& results, int index) {
+    const SourceFile& file = *garment.files[index];
+    Json problems = Json::array();
+    for (const Error& error : problemsOf(file)) {
+        problems.push_back(problemJson(error, pieceOf(error, garment, index)));
+    }
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const Piece& piece = *garment.pieces[i];
+        if (piece.file == index && results[i]->error) {
+            problems.push_back(problemJson(*results[i]->error, Json(piece.name)));
+        }
+    }
+    return {{"path", pathText(file.path)},
+            {"unit", text(symbol(file.unit))},
+            {"unit_reason", file.unitReason.empty() ? Json(nullptr) : Json(file.unitReason)},
+            {"vertices", file.soup.positions.size()},
+            {"faces", file.soup.faceCount()},
+            {"seconds_read", number(file.readSeconds)},
+            {"problems", std::move(problems)}};
+}
+
+/// Figures of a flat piece; all null for one that is not.
+void addQuality(Json& json, const PieceQuality* q) {
+    const auto put = [&json, q](const char* key, auto member) {
+        json[key] = q ? number(q->*member) : Json(nullptr);
+    };
+    const auto putCount = [&json, q](const char* key, int PieceQuality::*member) {
+        json[key] = q ? Json(q->*member) : Json(nullptr);
+    };
+    put("area_3d", &PieceQuality::area3d);
+    put("area_2d", &PieceQuality::area2d);
+    put("perimeter_3d", &PieceQuality::perimeter3d);
+    put("perimeter_2d", &PieceQuality::perimeter2d);
+    put("pi_theta", &PieceQuality::piTheta);
+    put("pi_l", &PieceQuality::piL);
+    put("pi_e", &PieceQuality::piE);
+    put("pi_a", &PieceQuality::piA);
+    put("max_boundary_length_error", &PieceQuality::maxBoundaryLengthError);
+    put("symmetric_dirichlet", &PieceQuality::symmetricDirichlet);
+    put("quasi_conformal_mean", &PieceQuality::quasiConformalMean);
+    put("quasi_conformal_max", &PieceQuality::quasiConformalMax);
+    put("strain_min", &PieceQuality::strainMin);
+    put("strain_max", &PieceQuality::strainMax);
+    put("strain_mean_abs", &PieceQuality::strainMeanAbs);
+    putCount("flipped_triangles", &PieceQuality::flippedTriangles);
+    putCount("outline_crossings", &PieceQuality::outlineCrossings);
+}
+
+/// What the solver says; the boundary figures only where the method solves a boundary problem.
+void addDiagnostics(Json& json, const PieceResult& result) {
+    const bool boundary = result.flat && result.options.method == Method::Wang2005;
+    json["boundary_iterations"] = boundary ? Json(result.flat->boundaryIterations) : Json(nullptr);
+    json["closure_gap"] = boundary ? number(result.flat->closureGap) : Json(nullptr);
+    json["angle_energy"] = boundary ? number(result.flat->angleEnergy) : Json(nullptr);
+}
+
+Json secondsJson(const PieceResult& result, double readSeconds) {
+    const FlatPiece* flat = result.flat ? &*result.flat : nullptr;
+    return {{"read", number(readSeconds)},
+            {"boundary", flat ? number(flat->boundarySeconds) : Json(nullptr)},
+            {"interior", flat ? number(flat->interiorSeconds) : Json(nullptr)},
+            {"total", number(result.seconds)}};
+}
+
+Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& result) {
+    const SourceFile& file = *garment.files[piece.file];
+    const bool solves = result.options.method == Method::Wang2005;
+    Json json{
+        {"name", piece.name},
+        {"file", pathText(file.path)},
+        {"method", text(name(result.options.method))},
+        {"boundary_solver", solves ? text(name(result.options.boundarySolver)) : Json(nullptr)},
+        {"status", result.flat ? "flat" : "failed"},
+        {"error", nullptr},
+        {"vertices", piece.mesh.V.rows()},
+        {"triangles", piece.mesh.F.rows()},
+        {"boundary_edges", nullptr}};
+    if (result.error) {
+        json["error"] = {{"code", text(name(result.error->code))},
+                         {"message", sentence(*result.error)}};
+    }
+    if (!piece.defect) {
+        json["boundary_edges"] = piece.boundary.size();
+    }
+    addQuality(json, result.flat && result.quality ? &*result.quality : nullptr);
+    addDiagnostics(json, result);
+    json["seconds"] = secondsJson(result, file.readSeconds);
+    return json;
+}
+
+}  // namespace
+
+std::string writeReport(const Garment& garment, const PieceResults& results) {
+    Json report{{"version", kReportVersion}, {"toile", text(version())}};
+    report["files"] = Json::array();
+    for (std::size_t i = 0; i < garment.files.size(); ++i) {
+        report["files"].push_back(fileJson(garment, results, static_cast<int>(i)));
+    }
+    report["pieces"] = Json::array();
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        report["pieces"].push_back(pieceJson(garment, *garment.pieces[i], *results[i]));
+    }
+    // Names come from files: bytes that are no UTF-8 become U+FFFD instead of an exception.
+    return report.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace toile

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/export/drawing.h"
+#include "core/flatten/piece_result.h"
+#include "core/garment/garment.h"
+
+namespace toile {
+
+/// Each writer makes the whole file as bytes; the same input gives the same bytes. Numbers never
+/// follow the user's locale.
+
+/// SVG in true millimetres: width and height in mm, a viewBox in mm, one layer per kind, closed
+/// paths ending in Z, no transforms, ids kept. 4 decimals.
+std::string writeSvg(const Drawing& drawing);
+
+/// DXF R12 ASCII, profile "plain": LTYPE and LAYER tables, no blocks, closed POLYLINEs on named
+/// coloured layers (CUT, TEXT, CHECK), millimetres, y up, CRLF. 4 decimals. Texts become ASCII.
+std::string writeDxf(const Drawing& drawing);
+
+/// The input again as OBJ with the pattern as its UV map: `v` lines with the file's own digits,
+/// faces in file order, polygons kept, one `vt` per (piece, vertex) in mm (shortest digits that
+/// read back exactly), faces of failed pieces without `vt`, `g` naming the piece. With several
+/// files, their vertices follow each other. Comments at the head list what differs from the input.
+/// @param results  one per piece of the garment, in its order
+/// @param offsets  per piece: what places its flat points on the sheet
+/// Cost: linear; about a third of a second per million triangles.
+std::string writeObj(const Garment& garment, const PieceResults& results,
+                     const std::vector<Eigen::Vector2d>& offsets);
+
+/// The JSON report of docs/report.md. Never NaN or Infinity: null.
+std::string writeReport(const Garment& garment, const PieceResults& results);
+
+}  // namespace toile

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/boundary_problem.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/text.h"
+#include "core/base/tolerances.h"
+
+namespace toile {
+
+namespace detail {
+
+Eigen::VectorXd spreadDeficit(const Eigen::VectorXd& angles) {
+    const auto n = static_cast<double>(angles.size());
+    return angles.array() + ((n - 2) * std::numbers::pi - angles.sum()) / n;
+}
+
+FlatBoundary closeOutline(const BoundaryProblem& problem, const Eigen::VectorXd& directions,
+                          int iterations) {
+    const int n = static_cast<int>(directions.size());
+    FlatBoundary flat;
+    flat.iterations = iterations;
+    flat.points.resize(n, 2);
+    flat.angles.resize(n);
+    Eigen::RowVector2d at(0, 0);
+    for (int i = 0; i < n; ++i) {
+        flat.points.row(i) = at;
+        at += problem.lengths[i] *
+              Eigen::RowVector2d(std::cos(directions[i]), std::sin(directions[i]));
+        const double before = i > 0 ? directions[i - 1] : directions[n - 1] - 2 * std::numbers::pi;
+        flat.angles[i] = std::numbers::pi - directions[i] + before;
+    }
+    flat.closureGap = at.norm() / problem.lengths.sum();
+    flat.energy = 0.5 * (flat.angles - problem.angles).squaredNorm();
+    return flat;
+}
+
+}  // namespace detail
+
+Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolver solver,
+                                   const Progress& progress) {
+    const double perimeter = problem.lengths.sum();
+    if (!std::isfinite(perimeter) || !problem.angles.allFinite()) {
+        return Error{ErrorCode::NotFinite, "", "boundary lengths or angles are not finite"};
+    }
+    const double longest = problem.lengths.maxCoeff();
+    if (!(longest < 0.5 * perimeter)) {
+        return Error{ErrorCode::NoClosedOutline, "",
+                     "the edge is " + fixed(longest, 2) + " mm long, the others together " +
+                         fixed(perimeter - longest, 2) + " mm"};
+    }
+    // Lengths relative to the perimeter: one set of tolerances fits every scale.
+    const BoundaryProblem scaled{problem.lengths / perimeter, problem.angles};
+    auto solved = solver == BoundarySolver::Newton ? solveBoundaryNewton(scaled, progress)
+                                                   : solveBoundarySlcp(scaled, progress);
+    if (!solved) {
+        return solved.error();
+    }
+    if (!solved->points.allFinite() || !(solved->closureGap <= kClosureTolerance)) {
+        return Error{ErrorCode::BoundaryNotConverged, "",
+                     "closing gap " + shortest(solved->closureGap) + " of the perimeter"};
+    }
+    solved->points *= perimeter;
+    return solved;
+}
+
+}  // namespace toile

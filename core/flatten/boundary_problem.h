@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/flatten/flatten.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// The boundary problem of [Wang05] eq. (9): of all closed planar outlines with the given edge
+/// lengths, turning once, find one whose inner angles theta differ least from the wanted angles,
+///   minimise 1/2 sum (theta_i - alpha_i)^2.
+/// Edge i runs from vertex i to vertex i+1, anti-clockwise; vertex i is the start of edge i.
+struct BoundaryProblem {
+    Eigen::VectorXd lengths;  ///< n, any unit, positive
+    Eigen::VectorXd angles;   ///< n, radians: alpha
+};
+
+/// A closed outline with the problem's lengths.
+struct FlatBoundary {
+    Points2 points;           ///< n x 2, unit of the lengths; the first vertex at the origin
+    Eigen::VectorXd angles;   ///< n, radians: theta, not reduced modulo 2 pi
+    int iterations = 0;
+    double closureGap = 0;    ///< relative to the perimeter
+    double energy = 0;        ///< 1/2 sum (theta - alpha)^2
+};
+
+/// Full Newton on the edge directions phi, where the objective is a tridiagonal quadratic form and
+/// the constraints' second derivatives are diagonal: O(n) per step. Globalised: the curvature of
+/// the constraints is faded out where the Hessian would have the wrong inertia, and a merit
+/// function accepts the step.
+/// Preconditions: n >= 3, positive finite lengths, finite angles.
+/// Errors: NoClosedOutline, BoundaryNotConverged, NotFinite, Cancelled. Re-entrant.
+Result<FlatBoundary> solveBoundaryNewton(const BoundaryProblem& problem, const Progress& progress);
+
+/// Sequential linearly constrained programming, [Wang05] eq. (14) to (22), O(n) per step, started
+/// from alpha with the angle deficit spread evenly. Same preconditions and errors.
+Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Progress& progress);
+
+/// Chooses the solver, after checking that a closed outline exists.
+Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolver solver,
+                                   const Progress& progress);
+
+namespace detail {
+
+/// Wanted angles plus the evenly spread deficit ((n-2) pi - sum alpha) / n: the start from which
+/// both solvers work on strongly curved pieces too.
+Eigen::VectorXd spreadDeficit(const Eigen::VectorXd& angles);
+
+/// The outline walked along directions phi (phi_n included); what is left at the end is the gap.
+/// The last edge takes up the gap, which is at rounding level once a solver has converged.
+FlatBoundary closeOutline(const BoundaryProblem& problem, const Eigen::VectorXd& directions,
+                          int iterations);
+
+}  // namespace detail
+
+}  // namespace toile

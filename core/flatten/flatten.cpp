@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/flatten.h"
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/flatten/methods/methods.h"
+#include "core/garment/garment.h"
+
+namespace toile {
+namespace {
+
+/// A piece whose height in the garment changes by less than this per unit of flat length lies
+/// level: a waistband or the top of a cap. "Up" says nothing there.
+constexpr double kLevelSlope = 0.2;
+
+Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
+                            const Progress& progress) {
+    switch (options.method) {
+        case Method::Natural:
+            return flattenNatural(piece, options, progress);
+        case Method::Wang2005:
+            return flattenWang2005(piece, options, progress);
+    }
+    return Error{ErrorCode::NotFinite, piece.name, "unknown method"};
+}
+
+/// The flat direction in which the garment's y rises fastest (least squares over the vertices); for
+/// a level piece the direction across its longer axis.
+Eigen::Vector2d upDirection(const Points3& V, const Points2& Q) {
+    const Eigen::RowVector2d middle = Q.colwise().mean();
+    const Points2 centred = Q.rowwise() - middle;
+    const Eigen::VectorXd height = V.col(1).array() - V.col(1).mean();
+    const Eigen::Matrix2d spread = centred.transpose() * centred;
+    const Eigen::Vector2d slope = spread.fullPivLu().solve(centred.transpose() * height);
+    if (slope.allFinite() && slope.norm() > kLevelSlope) {
+        return slope.normalized();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+    const Eigen::Vector2d across = axes.eigenvectors().col(0);
+    return across.dot(slope) < 0 ? Eigen::Vector2d(-across) : across;
+}
+
+/// Turns the piece so that its up direction is +y and its box starts at the origin. A rotation, so
+/// that lengths and orientation stay.
+void standUpright(const Points3& V, Points2& Q) {
+    const Eigen::Vector2d up = upDirection(V, Q);
+    const Eigen::Vector2d right(up.y(), -up.x());
+    Eigen::Matrix2d turn;
+    turn << right, up;
+    Q = (Q * turn).eval();
+    Q.rowwise() -= Q.colwise().minCoeff().eval();
+}
+
+}  // namespace
+
+Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options, Progress& progress) {
+    if (piece.defect) {
+        return *piece.defect;
+    }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, piece.name, ""};
+    }
+    auto flat = runMethod(piece, options, progress);
+    if (!flat) {
+        Error error = flat.error();
+        error.where = piece.name;
+        return error;
+    }
+    standUpright(piece.mesh.V, flat->Q);
+    if (!flat->Q.allFinite()) {
+        return Error{ErrorCode::NotFinite, piece.name, "flat positions"};
+    }
+    return flat;
+}
+
+std::string_view name(Method method) {
+    switch (method) {
+        case Method::Natural:
+            return "natural";
+        case Method::Wang2005:
+            return "wang2005";
+    }
+    return "";
+}
+
+std::string_view name(BoundarySolver solver) {
+    switch (solver) {
+        case BoundarySolver::Newton:
+            return "newton";
+        case BoundarySolver::Slcp:
+            return "slcp";
+    }
+    return "";
+}
+
+std::optional<Method> parseMethod(std::string_view text) {
+    for (const Method method : {Method::Natural, Method::Wang2005}) {
+        if (text == name(method)) {
+            return method;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<BoundarySolver> parseBoundarySolver(std::string_view text) {
+    for (const BoundarySolver solver : {BoundarySolver::Newton, BoundarySolver::Slcp}) {
+        if (text == name(solver)) {
+            return solver;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace toile

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+class TriMesh;
+
+/// A part of the garment that is cut from one piece of cloth. Immutable once made.
+struct Piece {
+    std::string name;               ///< unique within the garment
+    int file = 0;                   ///< index into Garment::files
+    MeshArrays mesh;                ///< millimetres, the file's axes
+    std::vector<int> sourceVertex;  ///< per vertex: position index in the file's soup, or -1
+    std::vector<int> sourceFace;    ///< per triangle: face index in the file's soup
+    EdgeTable table;                ///< edges, and the three of each triangle
+
+    /// What follows is there only where the piece is a disk (defect is empty).
+    std::shared_ptr<const TriMesh> halfedges;  ///< same vertex and face indices as `mesh`
+    std::vector<int> boundary;    ///< the one loop, surface on its left; starts at its least index
+    std::optional<Error> defect;  ///< why the piece cannot be flattened as it is
+};
+
+/// Checks the mesh and builds its half-edges, or names the defect. The mapping back to a file is
+/// left empty. @param mesh  one connected component, mm  Cost: linear. Pure.
+Piece makePiece(std::string name, MeshArrays mesh);
+
+}  // namespace toile

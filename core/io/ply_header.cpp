@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/ply_header.h"
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "core/io/text_cursor.h"
+
+namespace toile {
+namespace {
+
+struct TypeName {
+    std::string_view name;
+    PlyType type;
+};
+
+constexpr std::array<TypeName, 16> kTypeNames{{
+    {"char", PlyType::Int8},
+    {"int8", PlyType::Int8},
+    {"uchar", PlyType::UInt8},
+    {"uint8", PlyType::UInt8},
+    {"short", PlyType::Int16},
+    {"int16", PlyType::Int16},
+    {"ushort", PlyType::UInt16},
+    {"uint16", PlyType::UInt16},
+    {"int", PlyType::Int32},
+    {"int32", PlyType::Int32},
+    {"uint", PlyType::UInt32},
+    {"uint32", PlyType::UInt32},
+    {"float", PlyType::Float32},
+    {"float32", PlyType::Float32},
+    {"double", PlyType::Float64},
+    {"float64", PlyType::Float64},
+}};
+
+std::optional<PlyType> parseType(std::string_view text) {
+    for (const TypeName& known : kTypeNames) {
+        if (known.name == text) {
+            return known.type;
+        }
+    }
+    return std::nullopt;
+}
+
+bool isWhole(PlyType type) {
+    return type != PlyType::Float32 && type != PlyType::Float64;
+}
+
+class HeaderReader {
+public:
+    HeaderReader(std::string_view bytes, const std::string& name)
+        : bytes_(bytes), name_(name), cursor_(bytes) {}
+
+    Result<PlyHeader> read() {
+        if (word() != "ply") {
+            return malformed("the file does not begin with \"ply\"");
+        }
+        bool hasFormat = false;
+        for (cursor_.nextLine(); !cursor_.atEnd(); cursor_.nextLine()) {
+            const std::string_view keyword = word();
+            if (keyword == "end_header") {
+                if (!hasFormat) {
+                    return malformed("the header names no format");
+                }
+                return finish();
+            }
+            Result<void> line;
+            if (keyword == "format") {
+                line = readFormat();
+                hasFormat = true;
+            } else if (keyword == "element") {
+                line = readElement();
+            } else if (keyword == "property") {
+                line = readProperty();
+            } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+                line = malformed("an unknown keyword in the header");
+            }
+            if (!line) {
+                return line.error();
+            }
+        }
+        return malformed("the header has no end");
+    }
+
+private:
+    std::string_view word() {
+        cursor_.skipBlanks();
+        return cursor_.token();
+    }
+
+    Result<void> readFormat() {
+        const std::string_view format = word();
+        if (format == "ascii") {
+            header_.format = PlyFormat::Ascii;
+        } else if (format == "binary_little_endian") {
+            header_.format = PlyFormat::LittleEndian;
+        } else if (format == "binary_big_endian") {
+            header_.format = PlyFormat::BigEndian;
+        } else {
+            return malformed("an unknown format");
+        }
+        return {};
+    }
+
+    Result<void> readElement() {
+        PlyElement element;
+        element.name = word();
+        const std::string_view count = word();
+        const char* end = count.data() + count.size();
+        const auto [last, status] = std::from_chars(count.data(), end, element.count);
+        if (count.empty() || status != std::errc() || last != end) {
+            return malformed("an element without a count");
+        }
+        header_.elements.push_back(std::move(element));
+        return {};
+    }
+
+    Result<void> readProperty() {
+        std::optional<PlyType> countType;
+        std::string_view type = word();
+        if (type == "list") {
+            countType = parseType(word());
+            if (!countType || !isWhole(*countType)) {
+                return malformed("a list whose count has no whole type");
+            }
+            type = word();
+        }
+        const std::optional<PlyType> known = parseType(type);
+        const std::string_view name = word();
+        if (!known || name.empty() || header_.elements.empty()) {
+            return malformed("a property that cannot be read");
+        }
+        header_.elements.back().properties.push_back({std::string(name), *known, countType});
+        return {};
+    }
+
+    Result<PlyHeader> finish() {
+        skipLastLineEnd();
+        header_.bodyOffset = cursor_.offset();
+        header_.bodyLine = cursor_.line();
+        for (const PlyElement& element : header_.elements) {
+            const std::size_t least = leastBytes(element);
+            if (least > 0 && element.count > (cursor_.bytesLeft() + 1) / least) {
+                return malformed("the header promises " + std::to_string(element.count) + " x \"" +
+                                 element.name + "\", " + std::to_string(cursor_.bytesLeft()) +
+                                 " bytes follow");
+            }
+        }
+        return std::move(header_);
+    }
+
+    /// Where lines end in CR alone, a byte 10 after the last one is data.
+    void skipLastLineEnd() {
+        const std::size_t firstEnd = bytes_.find_first_of("\r\n");
+        const bool crAlone =
+            bytes_[firstEnd] == '\r' && bytes_.substr(firstEnd + 1, 1) != std::string_view("\n");
+        if (crAlone && cursor_.at('\r')) {
+            cursor_.skip('\r');
+        } else {
+            cursor_.nextLine();
+        }
+    }
+
+    /// Least size of one record: the bytes of its numbers, or a digit and a blank for each.
+    std::size_t leastBytes(const PlyElement& element) const {
+        std::size_t bytes = 0;
+        for (const PlyProperty& property : element.properties) {
+            bytes += header_.format == PlyFormat::Ascii
+                         ? 2
+                         : sizeOf(property.countType.value_or(property.type));
+        }
+        return bytes;
+    }
+
+    Error malformed(const std::string& what) const {
+        return {ErrorCode::MalformedFile, name_,
+                "line " + std::to_string(cursor_.line()) + ": " + what};
+    }
+
+    std::string_view bytes_;
+    const std::string& name_;
+    TextCursor cursor_;
+    PlyHeader header_;
+};
+
+}  // namespace
+
+std::size_t sizeOf(PlyType type) {
+    switch (type) {
+        case PlyType::Int8:
+        case PlyType::UInt8:
+            return 1;
+        case PlyType::Int16:
+        case PlyType::UInt16:
+            return 2;
+        case PlyType::Int32:
+        case PlyType::UInt32:
+        case PlyType::Float32:
+            return 4;
+        case PlyType::Float64:
+            return 8;
+    }
+    return 1;
+}
+
+Result<PlyHeader> readPlyHeader(std::string_view bytes, const std::string& name) {
+    return HeaderReader(bytes, name).read();
+}
+
+}  // namespace toile

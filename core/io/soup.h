@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+
+namespace toile {
+
+/// Where a stretch of the file's text lies.
+struct TextSpan {
+    std::uint64_t offset = 0;
+    std::uint32_t length = 0;
+};
+
+/// What a mesh file says, before anything is divided or checked: polygons over shared positions,
+/// with names. All indices count from 0 and are in range; records that could not be kept are listed
+/// in `problems` with their line numbers. Face i has the corners faceStart[i] .. faceStart[i+1]-1.
+struct PolygonSoup {
+    std::vector<Eigen::Vector3d> positions;  ///< in the file's unit; may be non-finite
+    std::vector<Eigen::Vector2d> uvs;
+
+    std::vector<int> faceStart{0};  ///< #faces + 1
+    std::vector<int> corners;       ///< position index per corner; at least 3 per face
+    std::vector<int> cornerUvs;     ///< uv index per corner or -1; empty where the file has no uvs
+
+    /// Per face: index into the lists of names below, or -1. A list is empty where the file names
+    /// none; then the per-face vector is empty too. A name used twice is one entry.
+    std::vector<int> faceObject, faceGroup, faceMaterial;
+    std::vector<std::string> objects, groups, materials;
+
+    /// The file's own text of each position (all that follows the keyword, for example
+    /// "1.50 2.25 0.1"), so that an export can repeat the file's digits. Empty for binary files and
+    /// for formats without such lines; an entry of length 0 means: print the numbers.
+    std::vector<TextSpan> positionText;
+    std::shared_ptr<const std::string> text;  ///< the file, where positionText is used
+
+    Problems problems;
+
+    int faceCount() const { return static_cast<int>(faceStart.size()) - 1; }
+
+    int cornerCount(int face) const { return faceStart[face + 1] - faceStart[face]; }
+};
+
+/// Reads OBJ, OFF, PLY (ASCII, binary) or STL (ASCII, binary) by the file's ending; STL, whose
+/// triangles repeat their corners, gets equal positions merged. Positions are read as doubles.
+/// Errors: FileUnreadable, UnknownFormat, MalformedFile, NoGeometry, Cancelled.
+/// Cost: linear, one pass. Re-entrant.
+Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progress);
+
+/// The readers behind `readSoup`, on a file already in memory. `name` is used in messages only.
+Result<PolygonSoup> readObj(std::shared_ptr<const std::string> text, const std::string& name,
+                            Progress& progress);
+Result<PolygonSoup> readOff(std::shared_ptr<const std::string> text, const std::string& name,
+                            Progress& progress);
+Result<PolygonSoup> readPly(std::shared_ptr<const std::string> text, const std::string& name,
+                            Progress& progress);
+Result<PolygonSoup> readStl(std::shared_ptr<const std::string> text, const std::string& name,
+                            Progress& progress);
+
+}  // namespace toile

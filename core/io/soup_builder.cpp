@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/soup_builder.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/io/text_cursor.h"
+
+namespace toile {
+namespace {
+
+bool inRange(int index, std::size_t count) {
+    return static_cast<std::size_t>(static_cast<unsigned>(index)) < count;
+}
+
+bool allInRange(const int* first, const int* last, std::size_t count) {
+    return std::all_of(first, last, [count](int index) { return inRange(index, count); });
+}
+
+}  // namespace
+
+SoupBuilder::SoupBuilder(std::string name, std::string_view placeWord)
+    : name_(std::move(name)), tally_(placeWord) {}
+
+void SoupBuilder::addUnreadablePosition(std::string_view text, int place) {
+    const std::string_view what =
+        hasDecimalComma(text) ? "with decimal commas; numbers need decimal points" : "not readable";
+    tally_.add(ErrorCode::NonFinitePosition, "vertex", what, place);
+    soup_.positions.push_back(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+}
+
+bool SoupBuilder::endFace(int place) {
+    const std::size_t first = static_cast<std::size_t>(soup_.faceStart.back());
+    if (soup_.corners.size() - first < 3) {
+        takeBackCorners();
+        tally_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: fewer than three corners",
+                   place);
+        return false;
+    }
+    soup_.faceStart.push_back(static_cast<int>(soup_.corners.size()));
+    facePlaces_.push_back(place);
+    return true;
+}
+
+void SoupBuilder::dropUnreadableFace(int place) {
+    takeBackCorners();
+    tally_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: not readable", place);
+}
+
+void SoupBuilder::takeBackCorners() {
+    const std::size_t first = static_cast<std::size_t>(soup_.faceStart.back());
+    soup_.corners.resize(first);
+    soup_.cornerUvs.resize(std::min(first, soup_.cornerUvs.size()));
+}
+
+Error SoupBuilder::malformed(std::string detail) const {
+    return {ErrorCode::MalformedFile, name_, std::move(detail)};
+}
+
+void SoupBuilder::leaveOutFacesOutOfRange() {
+    PolygonSoup& s = soup_;
+    const std::size_t count = s.positions.size();
+    if (allInRange(s.corners.data(), s.corners.data() + s.corners.size(), count)) {
+        return;
+    }
+    int kept = 0, corner = 0;
+    for (int face = 0, first = 0; face < s.faceCount(); ++face) {
+        const int last = s.faceStart[face + 1];
+        const bool keep = allInRange(s.corners.data() + first, s.corners.data() + last, count);
+        if (!keep) {
+            tally_.add(ErrorCode::IndexOutOfRange, "face",
+                       "left out: a corner's index is out of range", facePlaces_[face]);
+        }
+        for (; keep && first < last; ++first, ++corner) {
+            s.corners[corner] = s.corners[first];
+            if (!s.cornerUvs.empty()) {
+                s.cornerUvs[corner] = s.cornerUvs[first];
+            }
+        }
+        if (keep) {
+            for (std::vector<int>* perFace : {&s.faceObject, &s.faceGroup, &s.faceMaterial}) {
+                if (!perFace->empty()) {
+                    (*perFace)[kept] = (*perFace)[face];
+                }
+            }
+            facePlaces_[kept] = facePlaces_[face];
+            s.faceStart[++kept] = corner;
+        }
+        first = last;
+    }
+    s.faceStart.resize(kept + 1);
+    s.corners.resize(corner);
+    s.cornerUvs.resize(s.cornerUvs.empty() ? 0 : corner);
+    for (std::vector<int>* perFace : {&s.faceObject, &s.faceGroup, &s.faceMaterial}) {
+        perFace->resize(perFace->empty() ? 0 : kept);
+    }
+}
+
+void SoupBuilder::clearUvsOutOfRange() {
+    PolygonSoup& s = soup_;
+    if (s.cornerUvs.empty()) {
+        return;
+    }
+    for (int face = 0; face < s.faceCount(); ++face) {
+        for (int corner = s.faceStart[face]; corner < s.faceStart[face + 1]; ++corner) {
+            int& uv = s.cornerUvs[corner];
+            if (uv != kNoUv && !inRange(uv, s.uvs.size())) {
+                uv = kNoUv;
+                tally_.add(ErrorCode::IndexOutOfRange, "corner",
+                           "without texture coordinate: its index is out of range",
+                           facePlaces_[face]);
+            }
+        }
+    }
+    if (s.uvs.empty()) {
+        s.cornerUvs.clear();
+    }
+}
+
+Result<PolygonSoup> SoupBuilder::finish() {
+    leaveOutFacesOutOfRange();
+    clearUvsOutOfRange();
+    if (soup_.faceCount() == 0) {
+        std::string detail =
+            counted(static_cast<long long>(soup_.positions.size()), "vertex") + ", no faces";
+        if (!tally_.empty()) {
+            detail += "; " + tally_.summary();
+        }
+        return Error{ErrorCode::NoGeometry, name_, std::move(detail)};
+    }
+    soup_.problems = tally_.problems(name_);
+    return std::move(soup_);
+}
+
+std::optional<Error> refuseTooLarge(const std::string& bytes, const std::string& name) {
+    if (bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+        return std::nullopt;
+    }
+    return Error{ErrorCode::MalformedFile, name, "larger than 2 GiB"};
+}
+
+}  // namespace toile

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace toile {
+
+inline bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+inline bool isNewline(char c) {
+    return c == '\n' || c == '\r';
+}
+
+/// A place in a text file held in memory, for readers that pass over it once. Lines end in LF, CRLF
+/// or CR; a backslash before a line's end joins it with the next. Numbers never follow the locale.
+/// The text must outlive the cursor.
+class TextCursor {
+public:
+    /// Starts at the first byte after a byte order mark, in line 1.
+    explicit TextCursor(std::string_view text);
+
+    bool atEnd() const { return p_ == end_; }
+
+    bool atLineEnd() const { return p_ == end_ || isNewline(*p_); }
+
+    bool at(char c) const { return p_ != end_ && *p_ == c; }
+
+    int line() const { return line_; }
+
+    /// Bytes from the start of the text, and from here to its end.
+    std::size_t offset() const { return static_cast<std::size_t>(p_ - begin_); }
+
+    std::size_t bytesLeft() const { return static_cast<std::size_t>(end_ - p_); }
+
+    /// Passes blanks and joined line ends.
+    void skipBlanks() {
+        while (p_ != end_ && (isBlank(*p_) || (*p_ == '\\' && skipJoinedLineEnd()))) {
+            if (isBlank(*p_)) {
+                ++p_;
+            }
+        }
+    }
+
+    /// Passes blanks and line ends.
+    void skipSpace() {
+        for (skipBlanks(); p_ != end_ && isNewline(*p_); skipBlanks()) {
+            skipLineEnd();
+        }
+    }
+
+    /// Passes blanks, line ends and comments (from `#` to the line's end).
+    void skipSpaceAndComments();
+    /// Goes to the start of the next line.
+    void nextLine();
+
+    /// Passes one character, if it is there.
+    bool skip(char c) { return at(c) && (++p_, true); }
+
+    /// Passes what stands up to the next blank or line end.
+    std::string_view token();
+    /// What stands from here to the line's end, without blanks at either side; does not move.
+    std::string_view restOfLine() const;
+
+    /// Reads a number ("1.5", "+1e-3", "nan", "-inf") that a blank or the line's end follows. Too
+    /// large ones are infinite, too small ones zero. Stays where it is where there is no number.
+    bool readDouble(double& value);
+    /// `count` numbers of this line with blanks before each; false at the first that is none.
+    bool readDoubles(double* values, int count);
+
+    enum class IntStatus { Ok, TooLarge, NotANumber };
+    /// Reads a whole number; whatever follows stays. Moves past it also where it is too large.
+    IntStatus readInt(int& value);
+
+    /// True at a blank, a line's end, the text's end or a backslash.
+    bool atTokenEnd() const { return p_ == end_ || isBlank(*p_) || isNewline(*p_) || *p_ == '\\'; }
+
+private:
+    bool skipJoinedLineEnd();
+
+    void skipLineEnd() {
+        p_ += (*p_ == '\r' && p_ + 1 != end_ && p_[1] == '\n') ? 2 : 1;
+        ++line_;
+    }
+
+    const char* begin_;
+    const char* p_;
+    const char* end_;
+    int line_ = 1;
+};
+
+/// True where a digit, a comma and a digit follow each other: the mark of numbers written with
+/// decimal commas.
+bool hasDecimalComma(std::string_view text);
+
+/// True where `text` is `word` but for the case of ASCII letters; `word` is given in lower case.
+bool equalsIgnoringCase(std::string_view text, std::string_view word);
+
+}  // namespace toile

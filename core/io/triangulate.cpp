@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/triangulate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "core/base/tolerances.h"
+#include "core/io/ear_clipping.h"
+#include "core/io/problem_tally.h"
+
+namespace toile {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// A larger polygon is fanned: clipping its ears would take seconds, and no garment has one.
+constexpr int kMaxEarCorners = 4000;
+
+/// A diagonal's worth in a quad: the worse shape of the two triangles (signed height relative to
+/// the longest edge). Corners a, b, c, d with the diagonal from a to c.
+double diagonalShape(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d,
+                     const Vector3d& normal) {
+    const auto shape = [&](const Vector3d& p, const Vector3d& q, const Vector3d& r) {
+        const double longest2 =
+            std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()});
+        return longest2 > 0 ? (q - p).cross(r - p).dot(normal) / longest2 : 0.0;
+    };
+    return std::min(shape(a, b, c), shape(a, c, d));
+}
+
+class Triangulator {
+public:
+    Triangulator(const PolygonSoup& soup, std::string name) : soup_(soup), name_(std::move(name)) {
+        const std::size_t faces = static_cast<std::size_t>(soup.faceCount());
+        const std::size_t triangles = soup.corners.size() - 2 * faces;
+        result_.F.resize(static_cast<Eigen::Index>(triangles), 3);
+        result_.sourceFace.reserve(triangles);
+    }
+
+    Triangulation run() {
+        for (face_ = 0; face_ < soup_.faceCount(); ++face_) {
+            if (isUsable()) {
+                divide();
+            }
+        }
+        result_.F.conservativeResize(static_cast<Eigen::Index>(result_.sourceFace.size()), 3);
+        result_.problems = tally_.problems(name_);
+        return std::move(result_);
+    }
+
+private:
+    int cornerCount() const { return soup_.cornerCount(face_); }
+
+    int vertex(int corner) const { return soup_.corners[soup_.faceStart[face_] + corner]; }
+
+    const Vector3d& position(int corner) const { return soup_.positions[vertex(corner)]; }
+
+    bool isUsable() {
+        for (int i = 0; i < cornerCount(); ++i) {
+            if (!position(i).allFinite()) {
+                tally_.add(ErrorCode::NonFinitePosition, "face", "left out", face_ + 1);
+                return false;
+            }
+        }
+        if (repeatsCorner()) {
+            tally_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: a corner is repeated",
+                       face_ + 1);
+            return false;
+        }
+        return true;
+    }
+
+    bool repeatsCorner() {
+        if (cornerCount() == 3) {
+            return vertex(0) == vertex(1) || vertex(1) == vertex(2) || vertex(2) == vertex(0);
+        }
+        sorted_.assign(soup_.corners.begin() + soup_.faceStart[face_],
+                       soup_.corners.begin() + soup_.faceStart[face_ + 1]);
+        std::sort(sorted_.begin(), sorted_.end());
+        return std::adjacent_find(sorted_.begin(), sorted_.end()) != sorted_.end();
+    }
+
+    void divide() {
+        if (cornerCount() == 3) {
+            add(0, 1, 2);
+        } else if (cornerCount() > kMaxEarCorners) {
+            fan("divided as a fan: more corners than can be divided with care");
+        } else {
+            localise();
+            cornerCount() == 4 ? divideQuad() : divideLarger();
+        }
+    }
+
+    /// Positions relative to the first corner, scaled to extents of about 1 by a power of two: far
+    /// from the origin and at any scale the rest loses no digits.
+    void localise() {
+        local_.clear();
+        double extent = 0;
+        for (int i = 0; i < cornerCount(); ++i) {
+            local_.push_back(position(i) - position(0));
+            extent = std::max(extent, local_.back().cwiseAbs().maxCoeff());
+        }
+        const int exponent = extent > 0 ? std::ilogb(extent) : 0;
+        for (Vector3d& p : local_) {
+            p = p.unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); });
+        }
+    }
+
+    /// Newell's normal, of length 1; 0 where the polygon has no area.
+    Vector3d normal() const {
+        Vector3d sum = Vector3d::Zero();
+        double size = 0;
+        for (std::size_t i = 1; i + 1 < local_.size(); ++i) {
+            const Vector3d part = local_[i].cross(local_[i + 1]);
+            sum += part;
+            size += part.norm();
+        }
+        return sum.norm() > kDegenerateHeight * size ? sum.normalized() : Vector3d::Zero();
+    }
+
+    void divideQuad() {
+        const Vector3d n = normal();
+        const double s02 = diagonalShape(local_[0], local_[1], local_[2], local_[3], n);
+        const double s13 = diagonalShape(local_[1], local_[2], local_[3], local_[0], n);
+        const bool shorter02 = local_[2].squaredNorm() <= (local_[3] - local_[1]).squaredNorm();
+        const bool bothInside = std::min(s02, s13) > kDegenerateHeight;
+        if (n.isZero(0) || std::max(s02, s13) < -kDegenerateHeight) {
+            fan(kCrossing);
+        } else if (bothInside ? shorter02 : s02 >= s13) {
+            add(0, 1, 2);
+            add(0, 2, 3);
+        } else {
+            add(0, 1, 3);
+            add(1, 2, 3);
+        }
+    }
+
+    void divideLarger() {
+        const Vector3d n = normal();
+        const EarTriangles triangles = n.isZero(0) ? EarTriangles{} : clipEars(projected(n));
+        if (triangles.empty()) {
+            fan(kCrossing);
+        }
+        for (const auto& [a, b, c] : triangles) {
+            add(a, b, c);
+        }
+    }
+
+    /// The polygon along the axis nearest to its normal, anti-clockwise: coordinates are left out,
+    /// not computed, so corners on a line stay on a line.
+    std::vector<Vector2d> projected(const Vector3d& n) const {
+        int axis = 0;
+        n.cwiseAbs().maxCoeff(&axis);
+        int x = (axis + 1) % 3, y = (axis + 2) % 3;
+        if (n[axis] < 0) {
+            std::swap(x, y);
+        }
+        std::vector<Vector2d> points;
+        points.reserve(local_.size());
+        for (const Vector3d& p : local_) {
+            points.emplace_back(p[x], p[y]);
+        }
+        return points;
+    }
+
+    void fan(std::string_view why) {
+        tally_.add(ErrorCode::PolygonNotSimple, "face", why, face_ + 1);
+        for (int i = 1; i + 1 < cornerCount(); ++i) {
+            add(0, i, i + 1);
+        }
+    }
+
+    void add(int a, int b, int c) {
+        const auto row = static_cast<Eigen::Index>(result_.sourceFace.size());
+        result_.F.row(row) << vertex(a), vertex(b), vertex(c);
+        result_.sourceFace.push_back(face_);
+    }
+
+    static constexpr std::string_view kCrossing =
+        "divided as a fan: it crosses itself or has no area";
+
+    const PolygonSoup& soup_;
+    std::string name_;
+    ProblemTally tally_{"face"};
+    Triangulation result_;
+    int face_ = 0;
+    std::vector<int> sorted_;
+    std::vector<Vector3d> local_;
+};
+
+}  // namespace
+
+Triangulation triangulate(const PolygonSoup& soup, const std::string& name) {
+    return Triangulator(soup, name).run();
+}
+
+}  // namespace toile

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/result.h"
+
+namespace toile {
+
+/// Lower triangle of a sparse symmetric matrix, column by column, rows ascending, the diagonal
+/// entry first in each column and always present.
+struct SymmetricMatrix {
+    int size = 0;
+    std::vector<int> columnStart;  ///< size + 1
+    std::vector<int> row;
+    std::vector<double> value;
+};
+
+/// Collects entries (duplicates are summed) into a SymmetricMatrix. Entries above the diagonal are
+/// taken as their mirror image; add each off-diagonal pair once. Cost: linear.
+class SymmetricBuilder {
+public:
+    explicit SymmetricBuilder(int size) : size_(size) {}
+
+    void reserve(std::size_t entries) { entries_.reserve(entries); }
+    void add(int i, int j, double value);
+    SymmetricMatrix build() const;
+
+private:
+    struct Entry {
+        int row, column;
+        double value;
+    };
+
+    int size_;
+    std::vector<Entry> entries_;
+};
+
+/// A kept Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD: simplicial for
+/// small systems, supernodal for large ones, minimum-degree ordering).
+/// Thread-safety: one object per thread; separate objects are independent.
+class SparseCholesky {
+public:
+    SparseCholesky();
+    ~SparseCholesky();
+    SparseCholesky(SparseCholesky&&) noexcept;
+    SparseCholesky& operator=(SparseCholesky&&) noexcept;
+
+    /// Errors: FactorisationFailed with the reason (not positive definite, out of memory).
+    Result<void> factorise(const SymmetricMatrix& matrix);
+
+    /// Solves for every column of B at once. Precondition: factorise succeeded.
+    /// Errors: FactorisationFailed.
+    Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& B);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace toile

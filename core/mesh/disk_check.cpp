@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/disk_check.h"
+
+#include <algorithm>
+
+#include <Eigen/Geometry>
+
+#include "core/base/text.h"
+#include "core/base/tolerances.h"
+#include "core/mesh/disjoint_sets.h"
+
+namespace toile {
+namespace {
+
+/// Counts a fault over the mesh and remembers where it was seen first.
+struct Fault {
+    int count = 0;
+    int firstVertex = -1;
+
+    void see(int vertex) {
+        if (count++ == 0) {
+            firstVertex = vertex;
+        }
+    }
+};
+
+class Checker {
+public:
+    Checker(const MeshArrays& mesh, const std::string& name, DiskCheck& result)
+        : mesh_(mesh), name_(name), table_(result.table), result_(result) {}
+
+    void run() {
+        if (checkFinite() && checkFaces() && checkOrientation() && checkFans() && checkLoops()) {
+            checkShapes();
+        }
+    }
+
+private:
+    int vertexCount() const { return static_cast<int>(mesh_.V.rows()); }
+    int faceCount() const { return static_cast<int>(mesh_.F.rows()); }
+    int edgeCount() const { return static_cast<int>(table_.edges.rows()); }
+    int uses(int e) const { return table_.useStart[e + 1] - table_.useStart[e]; }
+    int tail(int use) const { return mesh_.F(use / 3, use % 3); }
+    int head(int use) const { return mesh_.F(use / 3, (use % 3 + 1) % 3); }
+    int opposite(int use) const { return mesh_.F(use / 3, (use % 3 + 2) % 3); }
+    const int* firstUse(int e) const { return table_.use.data() + table_.useStart[e]; }
+
+    std::string place(int vertex) const {
+        const auto p = mesh_.V.row(vertex);
+        return "at " + fixed(p.x(), 1) + ", " + fixed(p.y(), 1) + ", " + fixed(p.z(), 1) + " mm";
+    }
+
+    bool fail(ErrorCode code, const std::string& detail) {
+        result_.defect = Error{code, name_, detail};
+        return false;
+    }
+
+    bool fail(ErrorCode code, const Fault& fault, std::string_view noun) {
+        return fail(code, counted(fault.count, noun) + ", " +
+                              (fault.count > 1 ? "the first " : "") + place(fault.firstVertex));
+    }
+
+    bool checkFinite() {
+        return mesh_.V.allFinite() ||
+               fail(ErrorCode::NonFinitePosition, "a vertex of the piece is not finite");
+    }
+
+    /// Repeated corners, faces on the same three vertices, edges with more than two faces.
+    bool checkFaces() {
+        Fault repeated;
+        Fault doubled;
+        Fault crowded;
+        for (int f = 0; f < faceCount(); ++f) {
+            const auto t = mesh_.F.row(f);
+            if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+                repeated.see(t[0]);
+            }
+        }
+        if (repeated.count > 0) {
+            return fail(ErrorCode::DegenerateFace, repeated, "triangle");
+        }
+        for (int e = 0; e < edgeCount(); ++e) {
+            const int n = uses(e);
+            for (int i = 0; i < n; ++i) {
+                for (int j = i + 1; j < n; ++j) {
+                    // Seen from each of its three edges: count it at one.
+                    if (opposite(firstUse(e)[i]) == opposite(firstUse(e)[j]) &&
+                        opposite(firstUse(e)[i]) > table_.edges(e, 1)) {
+                        doubled.see(table_.edges(e, 0));
+                    }
+                }
+            }
+            if (n > 2) {
+                crowded.see(table_.edges(e, 0));
+            }
+        }
+        if (doubled.count > 0) {
+            return fail(ErrorCode::DuplicateFace, doubled, "face");
+        }
+        return crowded.count == 0 || fail(ErrorCode::NonManifoldEdge, crowded, "edge");
+    }
+
+    /// Tells a winding that can be turned (flood fill by parity) from a one-sided surface.
+    bool checkOrientation() {
+        Fault opposed;
+        DisjointSets sides(2 * faceCount());  // a face as it is, and the face turned over
+        for (int e = 0; e < edgeCount(); ++e) {
+            if (uses(e) != 2) {
+                continue;
+            }
+            const int a = firstUse(e)[0];
+            const int b = firstUse(e)[1];
+            const int same = tail(a) == tail(b) ? 1 : 0;  // both run the same way: opposed
+            sides.join(2 * (a / 3), 2 * (b / 3) + same);
+            sides.join(2 * (a / 3) + 1, 2 * (b / 3) + 1 - same);
+            if (same != 0) {
+                opposed.see(table_.edges(e, 0));
+            }
+        }
+        if (opposed.count == 0) {
+            return true;
+        }
+        for (int f = 0; f < faceCount(); ++f) {
+            if (sides.root(2 * f) == sides.root(2 * f + 1)) {
+                return fail(ErrorCode::NotOrientable, place(mesh_.F(f, 0)));
+            }
+        }
+        return fail(ErrorCode::OpposedWinding, opposed, "edge");
+    }
+
+    /// The faces around a vertex must hang together by edges.
+    bool checkFans() {
+        DisjointSets corners(3 * faceCount());
+        const auto cornerAt = [this](int use, int vertex) {
+            return tail(use) == vertex ? use : 3 * (use / 3) + (use % 3 + 1) % 3;
+        };
+        for (int e = 0; e < edgeCount(); ++e) {
+            if (uses(e) == 2) {
+                for (const int v : {table_.edges(e, 0), table_.edges(e, 1)}) {
+                    corners.join(cornerAt(firstUse(e)[0], v), cornerAt(firstUse(e)[1], v));
+                }
+            }
+        }
+        Fault pinched;
+        std::vector<int> fan(vertexCount(), -1);
+        for (int c = 0; c < 3 * faceCount(); ++c) {
+            const int v = mesh_.F(c / 3, c % 3);
+            const int root = corners.root(c);
+            if (fan[v] < 0) {
+                fan[v] = root;
+            } else if (fan[v] != root && root == c) {
+                pinched.see(v);
+            }
+        }
+        return pinched.count == 0 || fail(ErrorCode::NonManifoldVertex, pinched, "vertex");
+    }
+
+    bool checkLoops() {
+        std::vector<int> next(vertexCount(), -1);
+        int boundaryEdges = 0;
+        for (int e = 0; e < edgeCount(); ++e) {
+            if (uses(e) == 1) {
+                next[tail(firstUse(e)[0])] = head(firstUse(e)[0]);
+                ++boundaryEdges;
+            }
+        }
+        if (boundaryEdges == 0) {
+            return fail(ErrorCode::ClosedSurface, counted(faceCount(), "face"));
+        }
+        std::vector<char> seen(vertexCount(), 0);
+        int loops = 0;
+        for (int v = 0; v < vertexCount(); ++v) {
+            if (next[v] < 0 || seen[v] != 0) {
+                continue;
+            }
+            ++loops;
+            for (int w = v; seen[w] == 0; w = next[w]) {
+                seen[w] = 1;
+                if (loops == 1) {
+                    result_.boundary.push_back(w);
+                }
+            }
+        }
+        if (loops > 1) {
+            result_.boundary.clear();
+            return fail(ErrorCode::SeveralLoops, counted(loops, "loop"));
+        }
+        if (vertexCount() - edgeCount() + faceCount() != 1) {
+            const int handles = (1 - (vertexCount() - edgeCount() + faceCount())) / 2;
+            result_.boundary.clear();
+            return fail(ErrorCode::Handle, counted(handles, "handle"));
+        }
+        return true;
+    }
+
+    bool checkShapes() {
+        Fault flat;
+        for (int f = 0; f < faceCount(); ++f) {
+            const Eigen::Vector3d a = mesh_.V.row(mesh_.F(f, 1)) - mesh_.V.row(mesh_.F(f, 0));
+            const Eigen::Vector3d b = mesh_.V.row(mesh_.F(f, 2)) - mesh_.V.row(mesh_.F(f, 0));
+            const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
+            if (!(a.cross(b).norm() > kDegenerateHeight * longest * longest)) {
+                flat.see(mesh_.F(f, 0));
+            }
+        }
+        if (flat.count > 0) {
+            return fail(ErrorCode::DegenerateFace, flat, "triangle");
+        }
+        double perimeter = 0;
+        const int n = static_cast<int>(result_.boundary.size());
+        const auto length = [this, n](int i) {
+            return (mesh_.V.row(result_.boundary[(i + 1) % n]) - mesh_.V.row(result_.boundary[i]))
+                .norm();
+        };
+        for (int i = 0; i < n; ++i) {
+            perimeter += length(i);
+        }
+        Fault none;
+        for (int i = 0; i < n; ++i) {
+            if (length(i) < kZeroLengthEdge * perimeter) {
+                none.see(result_.boundary[i]);
+            }
+        }
+        return none.count == 0 || fail(ErrorCode::ZeroLengthEdge, none, "edge");
+    }
+
+    const MeshArrays& mesh_;
+    const std::string& name_;
+    const EdgeTable& table_;
+    DiskCheck& result_;
+};
+
+}  // namespace
+
+DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name) {
+    DiskCheck result;
+    result.table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+    Checker(mesh, name, result).run();
+    if (result.defect) {
+        result.boundary.clear();
+    }
+    return result;
+}
+
+}  // namespace toile

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// What a flattenable mesh needs to be, checked on plain arrays so that the fault can be named
+/// before a half-edge structure would tear or refuse the faces.
+struct DiskCheck {
+    std::optional<Error> defect;  ///< the first fault found, with counts and a place; else none
+    std::vector<int> boundary;    ///< the boundary loop, surface on its left, where it is a disk
+    EdgeTable table;              ///< the edges, always there
+};
+
+/// Checks a connected mesh for: non-finite positions, repeated or zero-height triangles, duplicate
+/// faces, edges with more than two faces, opposed windings (or no orientation at all), pinched
+/// vertices, no or several boundary loops, handles, boundary edges without length.
+/// `name` is the piece for the message; places are given as coordinates in mm.
+/// Errors in `defect`: any of the piece codes of ErrorCode. Cost: one sort of 3 #F half-edges.
+DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name);
+
+}  // namespace toile

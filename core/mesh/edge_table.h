@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// The edges of a triangle mesh and how triangles use them. Works on any triangles, manifold or
+/// not. Because edges are sorted by (smaller, larger) vertex, they are at the same time the rows of
+/// a symmetric sparse matrix on the vertices.
+struct EdgeTable {
+    Edges edges;                ///< #E x 2, sorted
+    Triangles faceEdges;        ///< #F x 3: edge from corner k to corner k+1
+    std::vector<int> useStart;  ///< #E + 1: uses of edge e are use[useStart[e]] .. use[useStart[e+1]-1]
+    std::vector<int> use;       ///< 3 * face + k, in face order
+};
+
+/// @param vertexCount  all indices of F lie in [0, vertexCount)
+/// Cost: linear (buckets by vertex, tiny sorts inside). Pure.
+EdgeTable buildEdgeTable(const Triangles& F, int vertexCount);
+
+/// Label of the connected component (by shared vertices) of each face, numbered by first face.
+std::vector<int> faceComponents(const Triangles& F, int vertexCount);
+
+}  // namespace toile

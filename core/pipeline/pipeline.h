@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/flatten/flatten.h"
+#include "core/flatten/piece_result.h"
+#include "core/garment/garment.h"
+#include "core/pattern/pattern.h"
+#include "core/sheet/sheet.h"
+
+namespace toile {
+
+/// The whole way from files to flat pieces as three calls, for the command line, the window's jobs
+/// and tests. All functions are re-entrant; the garment and the results are immutable and may be
+/// shared between threads.
+
+struct LoadOptions {
+    std::optional<LengthUnit> unit;  ///< of all files; guessed per file where not given
+};
+
+/// Reads files into one garment. With several files piece names are prefixed by the file's stem.
+/// Errors: those of readSoup, for the first file that cannot be read; nothing is loaded then.
+Result<Garment> loadGarment(const std::vector<std::filesystem::path>& paths,
+                            const LoadOptions& options, Progress& progress);
+
+/// Flattens and measures every piece, in parallel over pieces; a piece that fails leaves the
+/// others alone. Same input, same numbers, whatever the number of threads.
+/// @return one result per piece, in the garment's order; after a cancel the unfinished ones carry
+///         ErrorCode::Cancelled
+PieceResults flattenGarment(const Garment& garment, const FlattenOptions& options,
+                            Progress& progress);
+
+/// The pattern of the pieces that are flat, in garment order, and where each comes from.
+struct LaidOutPattern {
+    Pattern pattern;
+    Sheet sheet;
+    std::vector<Eigen::Vector2d> offsets;  ///< per piece of the garment; zero where not flat
+};
+
+LaidOutPattern layOut(const Garment& garment, const PieceResults& results);
+
+/// True where `exportFile` knows the path's ending.
+bool canExport(const std::filesystem::path& path);
+
+/// Writes one file in the format of its ending (.svg, .dxf, .obj, .json).
+/// Errors: UnknownFormat, FileUnwritable.
+Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
+                        const PieceResults& results);
+
+}  // namespace toile

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/measures.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+namespace toile {
+namespace {
+
+/// Angle between two vectors by atan2: exact digits for thin triangles, where acos loses half.
+double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+double cross2(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+template <class Points>
+Eigen::VectorXd loopLengths(const Points& P, const std::vector<int>& boundary) {
+    const int n = static_cast<int>(boundary.size());
+    Eigen::VectorXd lengths(n);
+    for (int i = 0; i < n; ++i) {
+        lengths[i] = (P.row(boundary[(i + 1) % n]) - P.row(boundary[i])).norm();
+    }
+    return lengths;
+}
+
+template <class Points>
+Eigen::VectorXd lengthsOf(const Points& P, const Edges& edges) {
+    Eigen::VectorXd lengths(edges.rows());
+    for (int e = 0; e < edges.rows(); ++e) {
+        lengths[e] = (P.row(edges(e, 1)) - P.row(edges(e, 0))).norm();
+    }
+    return lengths;
+}
+
+}  // namespace
+
+Eigen::VectorXd boundaryAngles3d(const MeshArrays& mesh, const std::vector<int>& boundary) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.V.rows());
+    std::vector<char> wanted(static_cast<std::size_t>(mesh.V.rows()), 0);
+    for (const int v : boundary) {
+        wanted[v] = 1;
+    }
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const int v = mesh.F(f, k);
+            if (wanted[v] != 0) {
+                sum[v] += angleBetween(mesh.V.row(mesh.F(f, (k + 1) % 3)) - mesh.V.row(v),
+                                       mesh.V.row(mesh.F(f, (k + 2) % 3)) - mesh.V.row(v));
+            }
+        }
+    }
+    Eigen::VectorXd angles(boundary.size());
+    for (int i = 0; i < angles.size(); ++i) {
+        angles[i] = sum[boundary[i]];
+    }
+    return angles;
+}
+
+Eigen::VectorXd boundaryAngles2d(const Points2& Q, const std::vector<int>& boundary) {
+    const int n = static_cast<int>(boundary.size());
+    Eigen::VectorXd angles(n);
+    for (int i = 0; i < n; ++i) {
+        const Eigen::RowVector2d at = Q.row(boundary[i]);
+        const Eigen::RowVector2d forward = Q.row(boundary[(i + 1) % n]) - at;
+        const Eigen::RowVector2d backward = Q.row(boundary[(i + n - 1) % n]) - at;
+        const double angle = std::atan2(cross2(forward, backward), forward.dot(backward));
+        angles[i] = angle < 0 ? angle + 2 * std::numbers::pi : angle;
+    }
+    return angles;
+}
+
+Eigen::VectorXd boundaryLengths3d(const Points3& V, const std::vector<int>& boundary) {
+    return loopLengths(V, boundary);
+}
+
+Eigen::VectorXd boundaryLengths2d(const Points2& Q, const std::vector<int>& boundary) {
+    return loopLengths(Q, boundary);
+}
+
+Eigen::VectorXd edgeLengths3d(const Points3& V, const Edges& edges) {
+    return lengthsOf(V, edges);
+}
+
+Eigen::VectorXd edgeLengths2d(const Points2& Q, const Edges& edges) {
+    return lengthsOf(Q, edges);
+}
+
+Eigen::VectorXd triangleAreas3d(const MeshArrays& mesh) {
+    Eigen::VectorXd areas(mesh.F.rows());
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        const Eigen::Vector3d a = mesh.V.row(mesh.F(f, 1)) - mesh.V.row(mesh.F(f, 0));
+        const Eigen::Vector3d b = mesh.V.row(mesh.F(f, 2)) - mesh.V.row(mesh.F(f, 0));
+        areas[f] = 0.5 * a.cross(b).norm();
+    }
+    return areas;
+}
+
+Eigen::VectorXd triangleAreas2d(const Points2& Q, const Triangles& F) {
+    Eigen::VectorXd areas(F.rows());
+    for (int f = 0; f < F.rows(); ++f) {
+        areas[f] = 0.5 * cross2(Q.row(F(f, 1)) - Q.row(F(f, 0)), Q.row(F(f, 2)) - Q.row(F(f, 0)));
+    }
+    return areas;
+}
+
+Eigen::MatrixX3d cornerAngles3d(const MeshArrays& mesh) {
+    Eigen::MatrixX3d angles(mesh.F.rows(), 3);
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const auto at = mesh.V.row(mesh.F(f, k));
+            angles(f, k) = angleBetween(mesh.V.row(mesh.F(f, (k + 1) % 3)) - at,
+                                        mesh.V.row(mesh.F(f, (k + 2) % 3)) - at);
+        }
+    }
+    return angles;
+}
+
+Eigen::MatrixX3d cornerAngles2d(const Points2& Q, const Triangles& F) {
+    Eigen::MatrixX3d angles(F.rows(), 3);
+    for (int f = 0; f < F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::RowVector2d a = Q.row(F(f, (k + 1) % 3)) - Q.row(F(f, k));
+            const Eigen::RowVector2d b = Q.row(F(f, (k + 2) % 3)) - Q.row(F(f, k));
+            angles(f, k) = std::atan2(std::abs(cross2(a, b)), a.dot(b));
+        }
+    }
+    return angles;
+}
+
+Eigen::MatrixX2d singularValues(const MeshArrays& mesh, const Points2& Q) {
+    Eigen::MatrixX2d values(mesh.F.rows(), 2);
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        const Eigen::Vector3d e1 = mesh.V.row(mesh.F(f, 1)) - mesh.V.row(mesh.F(f, 0));
+        const Eigen::Vector3d e2 = mesh.V.row(mesh.F(f, 2)) - mesh.V.row(mesh.F(f, 0));
+        const Eigen::Vector2d d1 = Q.row(mesh.F(f, 1)) - Q.row(mesh.F(f, 0));
+        const Eigen::Vector2d d2 = Q.row(mesh.F(f, 2)) - Q.row(mesh.F(f, 0));
+        // The triangle laid out in its own plane, e1 along x; then the map's two columns.
+        const double x1 = e1.norm();
+        const double x2 = e1.dot(e2) / x1;
+        const double y2 = e1.cross(e2).norm() / x1;
+        const Eigen::Vector2d u = d1 / x1;
+        const Eigen::Vector2d v = (d2 - x2 * u) / y2;
+        const double uu = u.squaredNorm();
+        const double vv = v.squaredNorm();
+        const double larger = std::sqrt((uu + vv + std::hypot(uu - vv, 2 * u.dot(v))) / 2);
+        const double determinant = std::abs(u.x() * v.y() - u.y() * v.x());
+        values(f, 0) = larger;
+        values(f, 1) = larger > 0 ? determinant / larger : 0.0;
+    }
+    return values;
+}
+
+double piL(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d) {
+    return (lengths2d - lengths3d).cwiseAbs().mean();
+}
+
+double piTheta(const Eigen::VectorXd& alpha, const Eigen::VectorXd& theta) {
+    return (theta - alpha).cwiseAbs().mean();
+}
+
+double piE(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d) {
+    return (lengths2d / lengths2d.sum() - lengths3d / lengths3d.sum()).cwiseAbs().sum();
+}
+
+double piA(const Eigen::VectorXd& areas3d, const Eigen::VectorXd& areas2d) {
+    const Eigen::VectorXd unsignedAreas = areas2d.cwiseAbs();
+    return (unsignedAreas / unsignedAreas.sum() - areas3d / areas3d.sum()).cwiseAbs().sum();
+}
+
+double maxRelativeLengthError(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d) {
+    return (lengths2d.cwiseQuotient(lengths3d).array() - 1).abs().maxCoeff();
+}
+
+std::optional<double> symmetricDirichlet(const Eigen::MatrixX2d& singular,
+                                         const Eigen::VectorXd& areas3d,
+                                         const Eigen::VectorXd& areas2d) {
+    if (flippedTriangles(areas2d) > 0) {
+        return std::nullopt;
+    }
+    const auto squares = singular.array().square();
+    const double energy =
+        (areas3d.array() * (squares + squares.inverse()).rowwise().sum()).sum() / areas3d.sum() / 4;
+    return std::isfinite(energy) ? std::optional(energy) : std::nullopt;
+}
+
+QuasiConformal quasiConformal(const Eigen::MatrixX2d& singular, const Eigen::VectorXd& areas3d) {
+    const Eigen::ArrayXd ratio = singular.col(0).array() / singular.col(1).array();
+    if (!ratio.isFinite().all()) {
+        return {};
+    }
+    return {(areas3d.array() * ratio).sum() / areas3d.sum(), ratio.maxCoeff()};
+}
+
+Eigen::VectorXd edgeStrain(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d) {
+    return lengths3d.cwiseQuotient(lengths2d).array() - 1;
+}
+
+int flippedTriangles(const Eigen::VectorXd& areas2d) {
+    return static_cast<int>((areas2d.array() <= 0).count());
+}
+
+}  // namespace toile

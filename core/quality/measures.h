@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// Measures of a flattening: pure functions of the 3D mesh and its planar points Q (#V x 2), the
+/// same unit on both sides. [Wang05] eq. (1), (2), (24), (25). Angles in radians. All are linear in
+/// the mesh but for the outline crossings (sweep, about n log n).
+
+/// Inner angle of each boundary vertex in 3D: the sum of its triangle angles ("alpha").
+Eigen::VectorXd boundaryAngles3d(const MeshArrays& mesh, const std::vector<int>& boundary);
+/// Inner angle of each vertex of a planar loop, in [0, 2 pi) ("theta").
+Eigen::VectorXd boundaryAngles2d(const Points2& Q, const std::vector<int>& boundary);
+/// Length of each boundary edge (from loop vertex i to i+1), in 3D and in the plane.
+Eigen::VectorXd boundaryLengths3d(const Points3& V, const std::vector<int>& boundary);
+Eigen::VectorXd boundaryLengths2d(const Points2& Q, const std::vector<int>& boundary);
+/// Length of each edge, in 3D and in the plane.
+Eigen::VectorXd edgeLengths3d(const Points3& V, const Edges& edges);
+Eigen::VectorXd edgeLengths2d(const Points2& Q, const Edges& edges);
+/// Area of each triangle: in 3D, and signed in the plane (positive: anti-clockwise).
+Eigen::VectorXd triangleAreas3d(const MeshArrays& mesh);
+Eigen::VectorXd triangleAreas2d(const Points2& Q, const Triangles& F);
+/// Corner angles of each triangle, #F x 3.
+Eigen::MatrixX3d cornerAngles3d(const MeshArrays& mesh);
+Eigen::MatrixX3d cornerAngles2d(const Points2& Q, const Triangles& F);
+
+/// Singular values s1 >= s2 >= 0 of each triangle's 3D-to-plane map, #F x 2.
+Eigen::MatrixX2d singularValues(const MeshArrays& mesh, const Points2& Q);
+
+/// Mean |l0 - l| over matching edges, in their unit. Eq. (1).
+double piL(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
+/// Mean |theta - alpha| over boundary vertices. Eq. (2).
+double piTheta(const Eigen::VectorXd& alpha, const Eigen::VectorXd& theta);
+/// Sum over edges of | |q|/sum|q| - |v|/sum|v| |, in [0, 2]. Eq. (24), normalised.
+double piE(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
+/// Sum over triangles of | A/sum A - A'/sum A' | with unsigned areas, in [0, 2]. Eq. (25).
+double piA(const Eigen::VectorXd& areas3d, const Eigen::VectorXd& areas2d);
+/// Largest |l/l0 - 1|.
+double maxRelativeLengthError(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
+
+/// Mean of (s1^2 + s2^2 + s1^-2 + s2^-2) / 4 weighted by 3D area: 1 where isometric. Nothing where
+/// a triangle is flipped or collapsed: the energy is infinite there.
+std::optional<double> symmetricDirichlet(const Eigen::MatrixX2d& singular,
+                                         const Eigen::VectorXd& areas3d,
+                                         const Eigen::VectorXd& areas2d);
+
+/// s1/s2 over the triangles: mean weighted by 3D area, and largest; nothing where s2 = 0 somewhere.
+struct QuasiConformal {
+    std::optional<double> mean, max;
+};
+
+QuasiConformal quasiConformal(const Eigen::MatrixX2d& singular, const Eigen::VectorXd& areas3d);
+
+/// Fabric strain of each edge: L3D/L2D - 1, what the cloth must do to take the 3D shape
+/// (0.02 = must stretch by 2 %). Infinite where the flat edge has no length.
+Eigen::VectorXd edgeStrain(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
+
+/// Triangles that are not positive in the plane.
+int flippedTriangles(const Eigen::VectorXd& areas2d);
+/// Pairs of non-adjacent outline edges that cross each other.
+int outlineCrossings(const Points2& Q, const std::vector<int>& boundary);
+
+}  // namespace toile

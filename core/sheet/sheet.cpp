@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sheet/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toile {
+namespace {
+
+constexpr double kLargestGap = 20;    // mm
+constexpr double kRelativeGap = 0.1;  // of the largest side of a piece
+constexpr double kBestAspect = 1.25;  // width over height: between a square and 3 to 2
+constexpr int kWidthTrials = 24;
+constexpr double kTrialStep = 1.0 / 16;  // of the width a perfect packing would have
+
+struct Box {
+    Eigen::Vector2d corner = Eigen::Vector2d::Zero();  // lower left
+    Eigen::Vector2d size = Eigen::Vector2d::Zero();
+};
+
+Box boundingBox(const Points2& outline) {
+    Box box;
+    if (outline.rows() > 0) {
+        box.corner = outline.colwise().minCoeff().transpose();
+        box.size = outline.colwise().maxCoeff().transpose() - box.corner;
+    }
+    return box;
+}
+
+/// A row takes pieces first .. last-1 and is as high as the highest of them.
+struct Row {
+    std::size_t first = 0, last = 0;
+    double width = 0, height = 0;
+};
+
+/// Fills rows from left to right; a row ends where the next piece would pass `limit`.
+std::vector<Row> fillRows(const std::vector<Box>& boxes, double gap, double limit) {
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Eigen::Vector2d& size = boxes[i].size;
+        if (rows.empty() || rows.back().width + gap + size.x() > limit) {
+            rows.push_back({i, i + 1, size.x(), size.y()});
+            continue;
+        }
+        Row& row = rows.back();
+        row.last = i + 1;
+        row.width += gap + size.x();
+        row.height = std::max(row.height, size.y());
+    }
+    return rows;
+}
+
+Eigen::Vector2d extent(const std::vector<Row>& rows, double gap) {
+    Eigen::Vector2d size(0, 0);
+    for (const Row& row : rows) {
+        size.x() = std::max(size.x(), row.width);
+        size.y() += row.height + (&row == rows.data() ? 0.0 : gap);
+    }
+    return size;
+}
+
+/// How far a sheet is from the best aspect, 1 being best, alike for too wide and too high.
+double awkwardness(const Eigen::Vector2d& size) {
+    if (!(size.x() > 0) || !(size.y() > 0)) {
+        return HUGE_VAL;
+    }
+    const double ratio = size.x() / (size.y() * kBestAspect);
+    return std::max(ratio, 1 / ratio);
+}
+
+/// Tries row widths from that of a packing without waste upwards and keeps the first of the best.
+std::vector<Row> chooseRows(const std::vector<Box>& boxes, double gap) {
+    double area = 0, widest = 0;
+    for (const Box& box : boxes) {
+        area += (box.size.x() + gap) * (box.size.y() + gap);
+        widest = std::max(widest, box.size.x());
+    }
+    const double ideal = std::sqrt(area * kBestAspect);
+    std::vector<Row> best;
+    double least = 0;
+    for (int trial = 0; trial < kWidthTrials; ++trial) {
+        const double limit = std::max(widest, ideal * (1 + kTrialStep * trial));
+        std::vector<Row> rows = fillRows(boxes, gap, limit);
+        const double cost = awkwardness(extent(rows, gap));
+        if (trial == 0 || cost < least) {
+            best = std::move(rows);
+            least = cost;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+Sheet layOutInRows(const Pattern& pattern) {
+    std::vector<Box> boxes;
+    boxes.reserve(pattern.pieces.size());
+    double largest = 0;
+    for (const PatternPiece& piece : pattern.pieces) {
+        boxes.push_back(boundingBox(piece.outline));
+        largest = std::max(largest, boxes.back().size.maxCoeff());
+    }
+    const double gap = std::min(kLargestGap, kRelativeGap * largest);
+    const std::vector<Row> rows = chooseRows(boxes, gap);
+    const Eigen::Vector2d size = extent(rows, gap);
+
+    Sheet sheet;
+    sheet.width = size.x();
+    sheet.height = size.y();
+    sheet.offset.resize(boxes.size(), Eigen::Vector2d::Zero());
+    double top = size.y();  // the first row is the upper one, as in writing
+    for (const Row& row : rows) {
+        Eigen::Vector2d place(0, std::max(0.0, top - row.height));
+        for (std::size_t i = row.first; i < row.last; ++i) {
+            sheet.offset[i] = place - boxes[i].corner;
+            place.x() += boxes[i].size.x() + gap;
+        }
+        top -= row.height + gap;
+    }
+    return sheet;
+}
+
+}  // namespace toile

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/arguments.h"
+
+#include <gtest/gtest.h>
+
+#include "app/cli/command_line.h"
+
+namespace toile {
+namespace {
+
+using Command = Arguments::Command;
+
+Arguments parse(std::vector<const char*> typed) {
+    typed.insert(typed.begin(), "toile");
+    return parseArguments(static_cast<int>(typed.size()), typed.data());
+}
+
+TEST(Arguments, NothingOrAFileOpensTheWindow) {
+    EXPECT_EQ(parse({}).command, Command::Window);
+    const Arguments file = parse({"dress.obj", "belt.obj", "--unit", "cm"});
+    EXPECT_EQ(file.command, Command::Window);
+    EXPECT_EQ(file.inputs.size(), 2U);
+    EXPECT_EQ(file.unit, LengthUnit::Centimetre);
+    EXPECT_EQ(parse({"dress.obj", "--screenshot", "a.png"}).screenshot, "a.png");
+}
+
+TEST(Arguments, FlattenTakesManyInputsAndOutputs) {
+    const Arguments a = parse({"flatten", "a.obj", "b.ply", "-o", "x.svg", "-o", "x.DXF", "--method",
+                               "natural", "--boundary-solver", "slcp", "--report", "r.json"});
+    EXPECT_EQ(a.command, Command::Flatten);
+    EXPECT_EQ(a.inputs.size(), 2U);
+    ASSERT_EQ(a.outputs.size(), 3U);
+    EXPECT_EQ(a.outputs[2], "r.json");
+    EXPECT_EQ(a.options.method, Method::Natural);
+    EXPECT_EQ(a.options.boundarySolver, BoundarySolver::Slcp);
+    EXPECT_FALSE(a.unit);
+}
+
+TEST(Arguments, AnOutputMayComeBeforeTheInput) {
+    const Arguments a = parse({"flatten", "-o", "x.svg", "a.obj", "b.obj"});
+    EXPECT_EQ(a.inputs.size(), 2U);
+    EXPECT_EQ(a.outputs.size(), 1U);
+}
+
+TEST(Arguments, DefaultsAreTheLengthPreservedBoundaryByNewton) {
+    const Arguments a = parse({"flatten", "a.obj"});
+    EXPECT_EQ(a.options.method, Method::Wang2005);
+    EXPECT_EQ(a.options.boundarySolver, BoundarySolver::Newton);
+    EXPECT_TRUE(a.outputs.empty());
+}
+
+TEST(Arguments, HelpAndVersionAreMessages) {
+    const Arguments help = parse({"--help"});
+    EXPECT_EQ(help.command, Command::Message);
+    EXPECT_EQ(help.status, kExitDone);
+    EXPECT_NE(help.message.find("flatten"), std::string::npos);
+    EXPECT_NE(parse({"flatten", "--help"}).message.find("--boundary-solver"), std::string::npos);
+    EXPECT_NE(parse({"--version"}).message.find(TOILE_VERSION), std::string::npos);
+}
+
+TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
+    const std::vector<std::vector<const char*>> wrong = {
+        {"flatten"},
+        {"flatten", "a.obj", "-o", "a.pdf"},
+        {"flatten", "a.obj", "--unit", "ell"},
+        {"flatten", "a.obj", "--method", "magic"},
+        {"flatten", "a.obj", "--report", "r.txt"},
+        {"flatten", "a.obj", "--nonsense"},
+        {"flatten", "a.obj", "-o"},
+        {"info"},
+        {"--nonsense"},
+    };
+    for (const auto& typed : wrong) {
+        const Arguments a = parse(typed);
+        EXPECT_EQ(a.command, Command::Message);
+        EXPECT_EQ(a.status, kExitUsage);
+        EXPECT_FALSE(a.message.empty());
+    }
+}
+
+}  // namespace
+}  // namespace toile

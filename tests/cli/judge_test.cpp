@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Our report against an independent judge of OBJ files with UV, where that stands beside the
+// project and Python with numpy is there to run it.
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+struct Case {
+    const char* name;
+    const char* file;
+    const char* unit;
+    const char* millimetres;
+};
+
+class Judge : public testing::TestWithParam<std::tuple<Case, const char*>> {};
+
+/// A Python that has numpy: the one on the path may be another than the system's.
+std::string pythonWithNumpy() {
+    for (const char* python : {"python3", "/usr/bin/python3"}) {
+        if (test::run(python, {"-c", "import numpy"}).status == 0) {
+            return python;
+        }
+    }
+    return "";
+}
+
+void expectSame(const nlohmann::json& ours, const nlohmann::json& theirs, double tolerance = 1e-6) {
+    const double a = ours.get<double>();
+    const double b = theirs.get<double>();
+    EXPECT_LE(std::abs(a - b), tolerance * std::max(std::abs(a), std::abs(b)) + 1e-12)
+        << a << " and " << b;
+}
+
+TEST_P(Judge, AgreesWithTheReport) {
+    const auto& [garment, method] = GetParam();
+    const auto judge = test::sharedFile("../tools/evaluate.py");
+    const auto input = test::sharedFile(garment.file);
+    TOILE_NEEDS_SHARED(judge);
+    TOILE_NEEDS_SHARED(input);
+    const std::string python = pythonWithNumpy();
+    if (python.empty()) {
+        GTEST_SKIP() << "needs python3 with numpy";
+    }
+    const test::TemporaryFolder folder;
+    const std::string obj = (folder / "flat.obj").string();
+    const auto flatten = test::run(TOILE_PROGRAM, {"flatten", input.string(), "--unit", garment.unit,
+                                                   "--method", method, "-o", obj, "--report",
+                                                   (folder / "report.json").string()});
+    ASSERT_EQ(flatten.status, 0) << flatten.err;
+    const auto judged = test::run(python, {judge.string(), obj, "--pieces", "--v-scale",
+                                              garment.millimetres, "--json"});
+    ASSERT_EQ(judged.status, 0) << judged.err;
+    const auto verdict = nlohmann::json::parse(judged.out);
+    const auto report = nlohmann::json::parse(folder.read("report.json"));
+    ASSERT_EQ(verdict.size(), report["pieces"].size());
+    for (std::size_t k = 0; k < verdict.size(); ++k) {
+        const auto& ours = report["pieces"][k];
+        const auto& theirs = verdict[k];
+        SCOPED_TRACE(ours["name"].get<std::string>());
+        ASSERT_FALSE(theirs.contains("bad")) << theirs["bad"];
+        EXPECT_FALSE(theirs["mirrored"].get<bool>());
+        expectSame(ours["pi_theta"], theirs["Pi_theta"]);
+        expectSame(ours["pi_e"], theirs["Pi_E"]);
+        expectSame(ours["pi_a"], theirs["Pi_A"]);
+        expectSame(ours["quasi_conformal_mean"], theirs["qc_mean"]);
+        EXPECT_EQ(ours["flipped_triangles"], theirs["flipped"]);
+        EXPECT_EQ(ours["outline_crossings"], theirs["crossings"]);
+        if (ours["symmetric_dirichlet"].is_null()) {
+            EXPECT_GT(theirs["flipped"].get<int>(), 0);
+        } else {
+            expectSame(4 * ours["symmetric_dirichlet"].get<double>(), theirs["SD"]);
+        }
+        if (std::string(method) == "wang2005") {  // both at rounding level, differently rounded
+            EXPECT_LE(ours["max_boundary_length_error"].get<double>(), 1e-9);
+            EXPECT_LE(theirs["bl_raw_max"].get<double>(), 1e-9);
+        } else {
+            expectSame(ours["max_boundary_length_error"], theirs["bl_raw_max"]);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shared, Judge,
+    testing::Combine(
+        testing::Values(Case{"tee", "garments/tee_sim_pieces.obj", "cm", "10"},
+                        Case{"polo", "garments/polo_pieces.obj", "cm", "10"},
+                        Case{"dress14", "garments/dress14_pieces.obj", "m", "1000"},
+                        Case{"skirt", "garments/skirt_clo.obj", "mm", "1"},
+                        Case{"face", "disks/face.obj", "m", "1000"},
+                        Case{"hemisphere", "disks/hemisphere.obj", "m", "1000"},
+                        Case{"tiny", "nasty/panel_tiny.obj", "cm", "10"},
+                        Case{"far", "nasty/panel_far.obj", "cm", "10"}),
+        testing::Values("wang2005", "natural")),
+    [](const auto& shown) {
+        return std::string(std::get<0>(shown.param).name) + "_" + std::get<1>(shown.param);
+    });
+
+}  // namespace
+}  // namespace toile

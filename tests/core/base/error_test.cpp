@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/error.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace toile {
+namespace {
+
+TEST(Error, EveryCodeHasItsOwnNameAndWords) {
+    std::set<std::string_view> names;
+    for (int k = 0; k < kErrorCodeCount; ++k) {
+        const auto code = static_cast<ErrorCode>(k);
+        EXPECT_TRUE(names.insert(name(code)).second) << name(code);
+        EXPECT_NE(name(code), "unknown");
+        EXPECT_EQ(name(code).find_first_not_of("abcdefghijklmnopqrstuvwxyz-"),
+                  std::string_view::npos);
+        EXPECT_FALSE(describe(code).empty());
+        EXPECT_NE(describe(code).back(), '.');
+        if (!isNote(code) && code != ErrorCode::Cancelled) {
+            EXPECT_FALSE(advice(code).empty()) << name(code);
+        }
+    }
+}
+
+TEST(Error, ASentenceNamesPlacePieceAndNextStep) {
+    EXPECT_EQ(sentence({ErrorCode::SeveralLoops, "sleeve", "2 loops"}),
+              "sleeve: the piece has several boundary loops (2 loops). Cut it from loop to loop, "
+              "or close the holes that are no openings.");
+    EXPECT_EQ(sentence({ErrorCode::Cancelled, "", ""}), "cancelled.");
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/drawing.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/export/label.h"
+#include "tests/core/export/export_fixtures.h"
+
+namespace toile {
+namespace {
+
+struct Box {
+    Eigen::Vector2d low, high;
+
+    bool overlaps(const Box& o) const {
+        return (low.array() < o.high.array()).all() && (o.low.array() < high.array()).all();
+    }
+};
+
+Box boxOf(const DrawnPath& path) {
+    return {path.points.colwise().minCoeff().transpose(),
+            path.points.colwise().maxCoeff().transpose()};
+}
+
+Box boxOf(const DrawnText& text) {
+    const Eigen::Vector2d size = textExtent(text.lines, text.height);
+    const Eigen::Vector2d top = text.position + Eigen::Vector2d(0, 0.5 * text.height);
+    return {{top.x() - 0.5 * size.x(), top.y() - size.y()}, {top.x() + 0.5 * size.x(), top.y()}};
+}
+
+void expectOnPage(const Box& box, const Drawing& drawing, double margin) {
+    EXPECT_GE(box.low.minCoeff(), margin - 1e-9);
+    EXPECT_LE(box.high.x(), drawing.width - margin + 1e-9);
+    EXPECT_LE(box.high.y(), drawing.height - margin + 1e-9);
+}
+
+TEST(Draw, KeepsOutlinesApartAndWithinTheMargin) {
+    const Drawing drawing = test::sewingDrawing();
+    ASSERT_EQ(drawing.paths.size(), 5u);
+    for (std::size_t i = 0; i < drawing.paths.size(); ++i) {
+        expectOnPage(boxOf(drawing.paths[i]), drawing, 10);
+        for (std::size_t j = 0; j < i; ++j) {
+            EXPECT_FALSE(boxOf(drawing.paths[i]).overlaps(boxOf(drawing.paths[j]))) << i << j;
+        }
+    }
+}
+
+TEST(Draw, KeepsEveryEdgeLength) {
+    const Pattern pattern = test::sewingPattern();
+    const Drawing drawing = draw(pattern, layOutInRows(pattern));
+    for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
+        const Eigen::VectorXd is = test::edgeLengths(drawing.paths[i].points);
+        const Eigen::VectorXd should = test::edgeLengths(pattern.pieces[i].outline);
+        EXPECT_LT((is - should).cwiseAbs().maxCoeff(), 1e-11) << i;
+    }
+}
+
+TEST(Draw, NamesPiecesAndSaysThatThereIsNoAllowance) {
+    const Drawing drawing = test::sewingDrawing();
+    ASSERT_EQ(drawing.texts.size(), 5u);
+    EXPECT_EQ(drawing.texts[1].lines,
+              (std::vector<std::string>{"前身頃", "net outline, no allowance"}));
+    EXPECT_EQ(drawing.texts[1].layer, LayerKind::Text);
+    EXPECT_EQ(drawing.paths[1].layer, LayerKind::Cut);
+    std::set<std::string> ids;
+    for (const DrawnPath& path : drawing.paths) {
+        EXPECT_TRUE(ids.insert(path.id).second) << path.id;
+    }
+    for (const DrawnText& text : drawing.texts) {
+        EXPECT_TRUE(ids.insert(text.id).second) << text.id;
+    }
+    EXPECT_TRUE(ids.contains("piece-aermel-cut") && ids.contains("piece-cuff-2-name"));
+}
+
+TEST(Draw, HasACheckSquareOfAHundredMillimetresWithItsTextInside) {
+    for (const Drawing& drawing : {test::sewingDrawing(), draw(Pattern{}, Sheet{})}) {
+        const DrawnPath& square = drawing.paths.back();
+        EXPECT_EQ(square.id, "check-square");
+        EXPECT_EQ(square.layer, LayerKind::Check);
+        EXPECT_EQ(test::edgeLengths(square.points), Eigen::VectorXd::Constant(4, 100));
+        const DrawnText& text = drawing.texts.back();
+        EXPECT_EQ(text.lines, std::vector<std::string>{"check square 100 mm x 100 mm"});
+        const Box inner = boxOf(text), outer = boxOf(square);
+        EXPECT_GT((inner.low - outer.low).minCoeff(), 5);
+        EXPECT_GT((outer.high - inner.high).minCoeff(), 5);
+    }
+}
+
+TEST(Draw, TakesAPatternWithoutPieces) {
+    const Drawing drawing = draw(Pattern{}, layOutInRows(Pattern{}));
+    EXPECT_EQ(drawing.width, 120);
+    EXPECT_EQ(drawing.height, 120);
+    EXPECT_EQ(drawing.paths.size(), 1u);
+    EXPECT_FALSE(drawing.title.empty());
+}
+
+TEST(Draw, KeepsTextsOnThePageAtAnyScale) {
+    for (const double scale : {1e-7, 1e-3, 1.0, 1e4}) {
+        Pattern pattern = test::sewingPattern();
+        for (PatternPiece& piece : pattern.pieces) {
+            piece.outline *= scale;
+        }
+        const Drawing drawing = draw(pattern, layOutInRows(pattern));
+        for (const DrawnText& text : drawing.texts) {
+            expectOnPage(boxOf(text), drawing, 0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/label.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/export/drawing.h"
+#include "tests/core/export/export_fixtures.h"
+
+namespace toile {
+namespace {
+
+using test::curvedPanel;
+using test::horseshoe;
+using test::rectangle;
+
+const std::vector<std::string> kLines{"front", "net outline, no allowance"};
+
+bool isInside(const Points2& outline, const Eigen::Vector2d& p) {
+    bool inside = false;
+    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
+        const Eigen::Vector2d a = outline.row(i), b = outline.row((i + 1) % outline.rows());
+        if ((a.y() > p.y()) != (b.y() > p.y()) &&
+            p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+/// Whether points all along the rim of the text block are inside.
+bool blockIsInside(const Points2& outline, const LabelPlace& place) {
+    const Eigen::Vector2d size = textExtent(kLines, place.height);
+    const Eigen::Vector2d topLeft =
+        place.position + Eigen::Vector2d(-0.5 * size.x(), 0.5 * place.height);
+    for (int i = 0; i <= 100; ++i) {
+        const double t = i / 100.0;
+        for (const Eigen::Vector2d& p :
+             {Eigen::Vector2d(t * size.x(), 0), Eigen::Vector2d(t * size.x(), -size.y()),
+              Eigen::Vector2d(0, -t * size.y()), Eigen::Vector2d(size.x(), -t * size.y())}) {
+            if (!isInside(outline, topLeft + p)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+Points2 turned(const Points2& points, double angle) {
+    Eigen::Matrix2d rotation;
+    rotation << std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle);
+    return points * rotation;
+}
+
+/// Half a ring, as a neckband lies: a thin arch.
+Points2 arch(double radius, double width) {
+    constexpr int kHalf = 60;
+    Points2 points(2 * kHalf, 2);
+    for (int i = 0; i < kHalf; ++i) {
+        const double t = M_PI * i / (kHalf - 1);
+        points.row(i) << radius * std::cos(t), radius * std::sin(t);
+        points.row(2 * kHalf - 1 - i) << (radius - width) * std::cos(t),
+            (radius - width) * std::sin(t);
+    }
+    return points;
+}
+
+TEST(PlaceLabel, IsFullSizeInTheMiddleOfAWidePiece) {
+    const LabelPlace place = placeLabel(rectangle(-50, 900, 400, 300), kLines);
+    EXPECT_DOUBLE_EQ(place.height, 6);
+    EXPECT_DOUBLE_EQ(place.position.x(), 150);
+    EXPECT_NEAR(place.position.y(), 1050, 6);
+}
+
+TEST(PlaceLabel, StaysInsideConcaveTurnedAndNarrowPieces) {
+    const std::vector<Points2> outlines{horseshoe(0, 0, 300, 60),
+                                        turned(horseshoe(0, 0, 300, 40), 3.14159),
+                                        rectangle(0, 0, 420, 22),
+                                        rectangle(0, 0, 45, 500),
+                                        curvedPanel(300, 180),
+                                        curvedPanel(37, 40),
+                                        arch(200, 60),
+                                        turned(rectangle(0, 0, 500, 60), 0.7),
+                                        turned(horseshoe(0, 0, 200, 45), 1.1)};
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        const LabelPlace place = placeLabel(outlines[i], kLines);
+        EXPECT_TRUE(blockIsInside(outlines[i], place)) << i << ": " << place.height;
+        EXPECT_GE(place.height, 1.5);
+        EXPECT_LE(place.height, 6);
+    }
+}
+
+TEST(PlaceLabel, DoesNotDependOnWinding) {
+    const Points2 outline = horseshoe(10, 20, 300, 60);
+    const LabelPlace a = placeLabel(outline, kLines);
+    const LabelPlace b = placeLabel(outline.colwise().reverse(), kLines);
+    EXPECT_EQ(a.height, b.height);
+    EXPECT_NEAR((a.position - b.position).norm(), 0, 1e-9);
+}
+
+TEST(PlaceLabel, IsAtLeastLegibleWhereNothingFits) {
+    const LabelPlace tiny = placeLabel(rectangle(5, 5, 1e-4, 1e-4), kLines);
+    EXPECT_DOUBLE_EQ(tiny.height, 1.5);
+    EXPECT_NEAR(tiny.position.x(), 5, 1e-3);
+    const LabelPlace band = placeLabel(rectangle(0, 0, 10, 400), kLines);
+    EXPECT_DOUBLE_EQ(band.height, 1.5);
+    EXPECT_NEAR(band.position.x(), 5, 1e-9);
+    EXPECT_NEAR(band.position.y(), 200, 5);
+    const LabelPlace strap = placeLabel(horseshoe(0, 0, 90, 4), kLines);
+    EXPECT_DOUBLE_EQ(strap.height, 1.5);
+    EXPECT_TRUE(strap.position.allFinite());
+    EXPECT_TRUE(placeLabel(Points2(0, 2), kLines).position.allFinite());
+}
+
+}  // namespace
+}  // namespace toile

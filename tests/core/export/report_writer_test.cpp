@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/file.h"
+#include "core/base/version.h"
+#include "core/export/writers.h"
+#include "tests/core/export/export_fixtures.h"
+
+namespace toile {
+namespace {
+
+using Json = nlohmann::json;
+
+Json report(const test::GarmentAndResults& all) {
+    return Json::parse(writeReport(all.garment, all.results));
+}
+
+TEST(WriteReport, NamesItsVersionFilesAndPieces) {
+    const Json json = report(test::handmadeGarment());
+    EXPECT_EQ(json["version"], 1);
+    EXPECT_EQ(json["toile"], std::string(version()));
+    ASSERT_EQ(json["files"].size(), 1u);
+    const Json& file = json["files"][0];
+    EXPECT_EQ(file["path"], "made/by hand.obj");
+    EXPECT_EQ(file["unit"], "cm");
+    EXPECT_EQ(file["unit_reason"], "largest extent 10: read as centimetres");
+    EXPECT_EQ(file["vertices"], 11);
+    EXPECT_EQ(file["faces"], 5);
+    EXPECT_EQ(file["seconds_read"], 0.5);
+    ASSERT_EQ(json["pieces"].size(), 3u);
+    EXPECT_EQ(json["pieces"][0]["name"], "front 1");
+    EXPECT_EQ(json["pieces"][0]["file"], "made/by hand.obj");
+}
+
+TEST(WriteReport, GivesTheFiguresOfAFlatPiece) {
+    const Json piece = report(test::handmadeGarment())["pieces"][0];
+    EXPECT_EQ(piece["status"], "flat");
+    EXPECT_TRUE(piece["error"].is_null());
+    EXPECT_EQ(piece["method"], "wang2005");
+    EXPECT_EQ(piece["boundary_solver"], "newton");
+    EXPECT_EQ(piece["vertices"], 5);
+    EXPECT_EQ(piece["triangles"], 3);
+    EXPECT_EQ(piece["boundary_edges"], 5);
+    EXPECT_EQ(piece["area_3d"], 187.5);
+    EXPECT_EQ(piece["pi_theta"], 0.125);
+    EXPECT_EQ(piece["symmetric_dirichlet"], 1.0625);
+    EXPECT_EQ(piece["flipped_triangles"], 0);
+    EXPECT_EQ(piece["boundary_iterations"], 4);
+    EXPECT_EQ(piece["closure_gap"], 1.5e-14);
+    EXPECT_EQ(piece["angle_energy"], 0.25);
+    EXPECT_EQ(piece["seconds"],
+              (Json{{"read", 0.5}, {"boundary", 0.001}, {"interior", 0.002}, {"total", 0.004}}));
+    for (const char* key : {"area_2d", "perimeter_3d", "perimeter_2d", "pi_l", "pi_e", "pi_a",
+                            "max_boundary_length_error", "outline_crossings"}) {
+        EXPECT_TRUE(piece[key].is_number()) << key;
+    }
+    for (const char* key : {"quasi_conformal_mean", "quasi_conformal_max", "strain_min",
+                            "strain_max", "strain_mean_abs"}) {
+        EXPECT_TRUE(piece.contains(key)) << key;
+    }
+}
+
+TEST(WriteReport, WritesNullForWhatIsNotThereOrNotFinite) {
+    const Json natural = report(test::handmadeGarment())["pieces"][2];
+    for (const char* key : {"boundary_solver", "boundary_iterations", "closure_gap", "angle_energy",
+                            "symmetric_dirichlet", "pi_e", "strain_max"}) {
+        EXPECT_TRUE(natural.at(key).is_null()) << key;
+    }
+    EXPECT_EQ(natural["method"], "natural");
+}
+
+TEST(WriteReport, SaysWhyAPieceFailedAndKeepsItsCounts) {
+    const Json json = report(test::handmadeGarment());
+    const Json& ring = json["pieces"][1];
+    EXPECT_EQ(ring["status"], "failed");
+    EXPECT_EQ(ring["error"]["code"], "several-loops");
+    EXPECT_NE(ring["error"]["message"].get<std::string>().find("2 loops"), std::string::npos);
+    EXPECT_EQ(ring["vertices"], 3);
+    EXPECT_EQ(ring["triangles"], 1);
+    for (const auto& [key, value] : json["pieces"][0].items()) {
+        ASSERT_TRUE(ring.contains(key)) << "every piece has every field: " << key;
+    }
+    for (const char* key : {"boundary_edges", "area_3d", "pi_a", "flipped_triangles",
+                            "outline_crossings", "boundary_iterations", "angle_energy"}) {
+        EXPECT_TRUE(ring[key].is_null()) << key;
+    }
+    EXPECT_TRUE(ring["seconds"]["boundary"].is_null());
+}
+
+TEST(WriteReport, ListsEachProblemOnceWithItsPiece) {
+    const Json problems = report(test::handmadeGarment())["files"][0]["problems"];
+    std::vector<std::string> codes;
+    for (const Json& problem : problems) {
+        codes.push_back(problem["code"]);
+        EXPECT_TRUE(problem["message"].is_string());
+    }
+    EXPECT_EQ(codes, (std::vector<std::string>{"output-differs", "unit-guessed",
+                                               "degenerate-face-record", "several-loops"}));
+    EXPECT_TRUE(problems[0]["piece"].is_null());
+    EXPECT_EQ(problems[3]["piece"], "ring");
+}
+
+TEST(WriteReport, TakesNamesThatAreNoText) {
+    test::GarmentAndResults all = test::handmadeGarment();
+    auto piece = std::make_shared<Piece>(*all.garment.pieces[0]);
+    piece->name = "\xC4rmel \"1\"\n";
+    all.garment.pieces[0] = piece;
+    EXPECT_EQ(report(all)["pieces"][0]["name"], "\xEF\xBF\xBDrmel \"1\"\n");
+}
+
+void expectDocumented(const Json& json, const std::string& page) {
+    for (const auto& [key, value] : json.items()) {
+        if (json.is_object()) {
+            EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
+        }
+        if (value.is_structured()) {
+            expectDocumented(value, page);
+        }
+    }
+}
+
+TEST(WriteReport, HasNoFieldThatIsNotInItsDocumentation) {
+    const auto page = readFile(TOILE_SOURCE_DIR "/docs/report.md");
+    ASSERT_TRUE(page);
+    expectDocumented(report(test::handmadeGarment()), *page);
+}
+
+TEST(WriteReport, GivesTheSameBytesTwiceAndInAnyLocale) {
+    const test::GarmentAndResults all = test::handmadeGarment();
+    const std::string bytes = writeReport(all.garment, all.results);
+    EXPECT_TRUE(bytes.ends_with("}\n"));
+    EXPECT_EQ(bytes, writeReport(all.garment, all.results));
+    const test::CommaLocale comma;
+    EXPECT_EQ(bytes, writeReport(all.garment, all.results));
+}
+
+TEST(WriteReport, TakesAGarmentWithoutPieces) {
+    const Json json = Json::parse(writeReport({}, {}));
+    EXPECT_TRUE(json["files"].is_array() && json["files"].empty());
+    EXPECT_TRUE(json["pieces"].is_array() && json["pieces"].empty());
+}
+
+}  // namespace
+}  // namespace toile

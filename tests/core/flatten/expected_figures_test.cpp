@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real meshes against the figures of an independent prototype. The data stands beside the project.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/pipeline/pipeline.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+nlohmann::json expectedFigures() {
+    std::ifstream file(test::sharedFile("../expected.json"));
+    return nlohmann::json::parse(file);
+}
+
+std::vector<std::string> disksAndDress() {
+    return {"disks/cylinder_locally_refined.off",
+            "disks/face.obj",
+            "disks/hemisphere.obj",
+            "disks/lion-head.off",
+            "disks/mannequin-devil.off",
+            "disks/maxface.obj",
+            "disks/maze.obj",
+            "disks/nefertiti.off",
+            "disks/patch-30.off",
+            "disks/three_peaks.off",
+            "garments/dress14_pieces.obj",
+            "garments/tee_sim_pieces.obj",
+            "garments/polo_pieces.obj"};
+}
+
+/// The entry of a piece: by its number, or, for the garments whose panels were put apart (in
+/// another order than the welded file lists them), the one of the same size and nearest Pi_theta.
+nlohmann::json entryOf(const nlohmann::json& all, const std::string& file, std::size_t number,
+                       const PieceResult& result, std::size_t pieces) {
+    if (pieces == 1) {
+        return all.at(file);
+    }
+    if (file.find("dress14") != std::string::npos) {
+        return all.at(file + "#" + std::to_string(number));
+    }
+    std::string welded = file;
+    welded.erase(welded.find("_pieces"), std::string("_pieces").size());
+    nlohmann::json best;
+    for (std::size_t k = 0; k < pieces; ++k) {
+        const nlohmann::json& entry = all.at(welded + "#" + std::to_string(k));
+        const auto distance = [&](const nlohmann::json& of) {
+            return std::abs(of["wang2005"]["pi_theta"].get<double>() - result.quality->piTheta);
+        };
+        if (entry["faces"] == result.piece->mesh.F.rows() &&
+            (best.is_null() || distance(entry) < distance(best))) {
+            best = entry;
+        }
+    }
+    return best;
+}
+
+class ExpectedFigures
+    : public testing::TestWithParam<std::tuple<std::string, BoundarySolver>> {};
+
+TEST_P(ExpectedFigures, AreMet) {
+    const auto& [file, solver] = GetParam();
+    TOILE_NEEDS_SHARED(test::sharedFile(file.c_str()));
+    TOILE_NEEDS_SHARED(test::sharedFile("../expected.json"));
+    const nlohmann::json all = expectedFigures();
+    Progress progress;
+    const auto garment =
+        loadGarment({test::sharedFile(file.c_str())}, {LengthUnit::Metre}, progress);
+    ASSERT_TRUE(garment) << sentence(garment.error());
+    const PieceResults results = flattenGarment(*garment, {Method::Wang2005, solver}, progress);
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        SCOPED_TRACE(results[k]->piece->name);
+        ASSERT_TRUE(results[k]->flat) << sentence(*results[k]->error);
+        const nlohmann::json entry = entryOf(all, file, k, *results[k], results.size());
+        ASSERT_TRUE(entry.contains("wang2005"));
+        const nlohmann::json& expected = entry["wang2005"];
+        const PieceQuality& quality = *results[k]->quality;
+        ASSERT_EQ(results[k]->piece->mesh.F.rows(), entry["faces"].get<int>());
+        ASSERT_EQ(results[k]->piece->boundary.size(), entry["boundary"].get<std::size_t>());
+        EXPECT_NEAR(quality.piTheta, expected["pi_theta"].get<double>(), 1e-5);
+        EXPECT_NEAR(quality.piE, expected["pi_e"].get<double>(), 1e-5);
+        EXPECT_NEAR(quality.piA, expected["pi_a"].get<double>(), 1e-5);
+        EXPECT_EQ(quality.flippedTriangles, expected["flipped"].get<int>());
+        EXPECT_EQ(quality.outlineCrossings, expected["crossings"].get<int>());
+        EXPECT_NEAR(results[k]->flat->angleEnergy, expected["angle_energy"].get<double>(), 1e-6);
+        EXPECT_LE(results[k]->flat->closureGap, 1e-10);
+        EXPECT_LE(quality.maxBoundaryLengthError, 1e-9);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shared, ExpectedFigures,
+    testing::Combine(testing::ValuesIn(disksAndDress()),
+                     testing::Values(BoundarySolver::Newton, BoundarySolver::Slcp)),
+    [](const auto& shown) {
+        std::string text = std::get<0>(shown.param) + "_" + std::string(name(std::get<1>(shown.param)));
+        std::replace_if(text.begin(), text.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+        return text;
+    });
+
+TEST(RealGarments, BothSolversAgreeOnEveryPiece) {
+    for (const char* file : {"garments/dress14_pieces.obj", "garments/tee_sim_pieces.obj",
+                             "garments/polo_pieces.obj", "garments/skirt_clo.obj"}) {
+        TOILE_NEEDS_SHARED(test::sharedFile(file));
+        Progress progress;
+        const auto garment = loadGarment({test::sharedFile(file)}, {LengthUnit::Metre}, progress);
+        ASSERT_TRUE(garment);
+        const auto newton =
+            flattenGarment(*garment, {Method::Wang2005, BoundarySolver::Newton}, progress);
+        const auto slcp =
+            flattenGarment(*garment, {Method::Wang2005, BoundarySolver::Slcp}, progress);
+        for (std::size_t k = 0; k < newton.size(); ++k) {
+            SCOPED_TRACE(std::string(file) + " " + newton[k]->piece->name);
+            ASSERT_EQ(newton[k]->flat.has_value(), slcp[k]->flat.has_value());
+            if (newton[k]->flat) {
+                EXPECT_LE((newton[k]->flat->Q - slcp[k]->flat->Q).cwiseAbs().maxCoeff(),
+                          1e-9 * newton[k]->quality->perimeter3d);
+            }
+        }
+    }
+}
+
+TEST(RealGarments, TheTeeHasItsMeanEdgeError) {
+    const auto file = test::sharedFile("garments/tee_sim_pieces.obj");
+    TOILE_NEEDS_SHARED(file);
+    Progress progress;
+    const auto garment = loadGarment({file}, {LengthUnit::Centimetre}, progress);
+    ASSERT_TRUE(garment);
+    double mean = 0;
+    for (const auto& result : flattenGarment(*garment, {}, progress)) {
+        ASSERT_TRUE(result->flat);
+        EXPECT_EQ(result->quality->flippedTriangles, 0);
+        mean += result->quality->piE / 6;
+    }
+    EXPECT_EQ(garment->pieces.size(), 6U);
+    EXPECT_NEAR(mean, 0.0211, 0.02 * 0.0211);
+}
+
+TEST(RealGarments, ATinyAndAFarPanelAreFlattenedExactly) {
+    for (const char* file : {"nasty/panel_tiny.obj", "nasty/panel_far.obj"}) {
+        TOILE_NEEDS_SHARED(test::sharedFile(file));
+        Progress progress;
+        const auto garment = loadGarment({test::sharedFile(file)}, {LengthUnit::Centimetre}, progress);
+        ASSERT_TRUE(garment);
+        for (const BoundarySolver solver : {BoundarySolver::Newton, BoundarySolver::Slcp}) {
+            const auto results = flattenGarment(*garment, {Method::Wang2005, solver}, progress);
+            ASSERT_TRUE(results.front()->flat) << sentence(*results.front()->error);
+            EXPECT_LE(results.front()->quality->maxBoundaryLengthError, 1e-9) << file;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace toile

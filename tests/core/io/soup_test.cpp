@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/soup.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/core/io/soup_checks.h"
+
+namespace toile::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReadSoup : public testing::Test {
+protected:
+    ReadSoup() {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(testing::TempDir()) / ("toile_" + std::string(info->name()));
+        fs::create_directories(folder_);
+    }
+
+    ~ReadSoup() override { fs::remove_all(folder_); }
+
+    Result<PolygonSoup> readAs(const std::string& fileName, const std::string& bytes) {
+        std::ofstream(folder_ / fileName, std::ios::binary) << bytes;
+        Progress progress;
+        return readSoup(folder_ / fileName, progress);
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(ReadSoup, ChoosesTheReaderByTheEnding) {
+    const std::pair<const char*, std::string> files[] = {
+        {"a.obj", sampleObj()},       {"a.OFF", sampleOff()},      {"a.b.Ply", samplePlyAscii()},
+        {"b.ply", samplePlyBinary()}, {"a.stl", sampleStlAscii()}, {"b.STL", sampleStlBinary()}};
+    for (const auto& [fileName, bytes] : files) {
+        const Result<PolygonSoup> soup = readAs(fileName, bytes);
+        ASSERT_TRUE(soup) << fileName;
+        EXPECT_EQ(soup->positions.size(), 4u) << fileName;
+        expectSound(*soup);
+    }
+}
+
+TEST_F(ReadSoup, RefusesOtherEndings) {
+    for (const char* fileName : {"a.fbx", "obj", "a.obj.txt", ".obj"}) {
+        const Result<PolygonSoup> soup = readAs(fileName, sampleObj());
+        ASSERT_FALSE(soup) << fileName;
+        EXPECT_EQ(soup.error().code, ErrorCode::UnknownFormat) << fileName;
+        EXPECT_EQ(soup.error().where, fileName);
+    }
+}
+
+TEST_F(ReadSoup, RefusesWhatCannotBeRead) {
+    Progress progress;
+    const Result<PolygonSoup> soup = readSoup(folder_ / "missing.obj", progress);
+    ASSERT_FALSE(soup);
+    EXPECT_EQ(soup.error().code, ErrorCode::FileUnreadable);
+}
+
+TEST_F(ReadSoup, NamesTheFileInMessages) {
+    const Result<PolygonSoup> soup = readAs("blouse.obj", "v 0 0 0\n");
+    ASSERT_FALSE(soup);
+    EXPECT_EQ(soup.error().where, "blouse.obj");
+}
+
+}  // namespace
+}  // namespace toile::test

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/support/shapes.h"
+#include "tests/core/support/temporary_folder.h"
+
+namespace toile {
+namespace {
+
+const std::filesystem::path kSamples =
+    std::filesystem::path(TOILE_SOURCE_DIR) / "resources" / "samples";
+
+constexpr const char* kTriangle = "v 0 0 0\nv 300 0 0\nv 0 400 0\no flap\nf 1 2 3\n";
+
+Garment load(const std::vector<std::filesystem::path>& paths,
+             std::optional<LengthUnit> unit = LengthUnit::Millimetre) {
+    Progress progress;
+    auto garment = loadGarment(paths, {unit}, progress);
+    EXPECT_TRUE(garment) << (garment ? "" : sentence(garment.error()));
+    return garment ? *garment : Garment{};
+}
+
+TEST(Pipeline, SeveralFilesBecomeOneGarmentWithPrefixedNames) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "other");
+    const Garment garment = load({folder.write("left.obj", kTriangle),
+                                  folder.write("right.obj", kTriangle),
+                                  folder.write("other/left.obj", kTriangle)});
+    ASSERT_EQ(garment.pieces.size(), 3U);
+    EXPECT_EQ(garment.pieces[0]->name, "left/flap");
+    EXPECT_EQ(garment.pieces[1]->name, "right/flap");
+    EXPECT_EQ(garment.pieces[2]->name, "left 2/flap");
+    EXPECT_EQ(garment.pieces[2]->file, 2);
+}
+
+TEST(Pipeline, GuessesTheUnitWithAReasonAndAsksWhereInDoubt) {
+    const test::TemporaryFolder folder;
+    const Garment sure = load({folder.write("a.obj", "v 0 0 0\nv 1.2 0 0\nv 0 1 0\nf 1 2 3\n")},
+                              std::nullopt);
+    EXPECT_EQ(sure.files[0]->unit, LengthUnit::Metre);
+    EXPECT_FALSE(sure.files[0]->unitReason.empty());
+    EXPECT_TRUE(sure.files[0]->problems.empty());
+    const Garment doubt = load({folder.write("b.obj", "v 0 0 0\nv 200 0 0\nv 0 9 0\nf 1 2 3\n")},
+                               std::nullopt);
+    ASSERT_EQ(doubt.files[0]->problems.size(), 1U);
+    EXPECT_EQ(doubt.files[0]->problems[0].code, ErrorCode::UnitGuessed);
+    const Garment stated = load({folder / "b.obj"}, LengthUnit::Inch);
+    EXPECT_TRUE(stated.files[0]->problems.empty());
+    EXPECT_NEAR(stated.pieces[0]->mesh.V.maxCoeff(), 200 * 25.4, 1e-9);
+}
+
+TEST(Pipeline, TellsWhichFileCannotBeRead) {
+    const test::TemporaryFolder folder;
+    Progress progress;
+    const auto garment = loadGarment({folder.write("a.obj", kTriangle), folder / "no.obj"}, {},
+                                     progress);
+    ASSERT_FALSE(garment);
+    EXPECT_EQ(garment.error().code, ErrorCode::FileUnreadable);
+    EXPECT_NE(garment.error().where.find("no.obj"), std::string::npos);
+}
+
+TEST(Pipeline, FlattensEverySampleWithoutFlips) {
+    for (const char* sample : {"tshirt.obj", "bodice.obj", "trousers.obj", "cap.obj"}) {
+        SCOPED_TRACE(sample);
+        const Garment garment = load({kSamples / sample});
+        Progress progress;
+        const PieceResults results = flattenGarment(garment, {}, progress);
+        EXPECT_GE(results.size(), 5U);
+        for (const auto& result : results) {
+            SCOPED_TRACE(result->piece->name);
+            ASSERT_TRUE(result->flat) << sentence(*result->error);
+            EXPECT_EQ(result->quality->flippedTriangles, 0);
+            EXPECT_EQ(result->quality->outlineCrossings, 0);
+            EXPECT_LE(result->quality->maxBoundaryLengthError, 1e-9);
+        }
+        EXPECT_DOUBLE_EQ(progress.fraction(), 1);
+    }
+}
+
+TEST(Pipeline, ABadPieceFailsAloneAndIsExportedAround) {
+    const test::TemporaryFolder folder;
+    const Garment garment = load({folder.write(
+        "mixed.obj", std::string(kTriangle) + "v 0 0 5\nv 1 0 5\nv 0 1 5\nv 0 0 6\n"
+                                              "o ball\nf 4 5 6\nf 4 7 5\nf 5 7 6\nf 4 6 7\n")});
+    Progress progress;
+    const PieceResults results = flattenGarment(garment, {}, progress);
+    ASSERT_EQ(results.size(), 2U);
+    EXPECT_TRUE(results[0]->flat);
+    ASSERT_TRUE(results[1]->error);
+    EXPECT_EQ(results[1]->error->code, ErrorCode::ClosedSurface);
+    for (const char* out : {"out.svg", "out.dxf", "out.obj", "out.json", "OUT2.SVG"}) {
+        EXPECT_TRUE(canExport(folder / out));
+        const auto written = exportFile(folder / out, garment, results);
+        EXPECT_TRUE(written) << sentence(written.error());
+        EXPECT_FALSE(folder.read(out).empty());
+        EXPECT_EQ(folder.read(out).find("nan"), std::string::npos);
+    }
+    EXPECT_FALSE(canExport("out.pdf"));
+    EXPECT_EQ(exportFile(folder / "out.pdf", garment, results).error().code,
+              ErrorCode::UnknownFormat);
+    EXPECT_EQ(exportFile(folder / "none" / "out.svg", garment, results).error().code,
+              ErrorCode::FileUnwritable);
+}
+
+TEST(Pipeline, CancellingMarksWhatIsNotDone) {
+    const Garment garment = load({kSamples / "tshirt.obj"});
+    Progress progress;
+    progress.cancel();
+    for (const auto& result : flattenGarment(garment, {}, progress)) {
+        ASSERT_TRUE(result->error);
+        EXPECT_EQ(result->error->code, ErrorCode::Cancelled);
+    }
+}
+
+TEST(Pipeline, GivesTheSameFilesAgain) {
+    const test::TemporaryFolder folder;
+    for (const char* run : {"a", "b"}) {
+        const Garment garment = load({kSamples / "cap.obj"});
+        Progress progress;
+        const PieceResults results = flattenGarment(garment, {}, progress);
+        for (const char* ending : {".svg", ".dxf", ".obj"}) {
+            ASSERT_TRUE(exportFile(folder / (std::string(run) + ending), garment, results));
+        }
+    }
+    for (const char* ending : {".svg", ".dxf", ".obj"}) {
+        EXPECT_EQ(folder.read(std::string("a") + ending), folder.read(std::string("b") + ending));
+    }
+}
+
+}  // namespace
+}  // namespace toile

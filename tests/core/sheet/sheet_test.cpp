@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sheet/sheet.h"
+
+#include <gtest/gtest.h>
+
+namespace toile {
+namespace {
+
+Points2 box(double x, double y, double width, double height) {
+    Points2 points(4, 2);
+    points << x, y, x + width, y, x + width, y + height, x, y + height;
+    return points;
+}
+
+/// Pieces of many shapes and places; the same ones every time.
+Pattern mixedPattern(int count, double scale) {
+    Pattern pattern;
+    for (int i = 0; i < count; ++i) {
+        const double width = 100 + 37 * (i * 7 % 11), height = 60 + 53 * (i * 5 % 13);
+        pattern.pieces.push_back({"p", "p", scale * box(-40.0 * i, 25.0 * i - 90, width, height)});
+    }
+    return pattern;
+}
+
+struct Placed {
+    Eigen::Vector2d low, high;
+};
+
+Placed place(const Pattern& pattern, const Sheet& sheet, std::size_t i) {
+    const Points2& outline = pattern.pieces[i].outline;
+    return {outline.colwise().minCoeff().transpose() + sheet.offset[i],
+            outline.colwise().maxCoeff().transpose() + sheet.offset[i]};
+}
+
+void expectGood(const Pattern& pattern, const Sheet& sheet, double gap) {
+    ASSERT_EQ(sheet.offset.size(), pattern.pieces.size());
+    const double tolerance = 1e-12 * (sheet.width + sheet.height);
+    for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
+        const Placed a = place(pattern, sheet, i);
+        EXPECT_GE(a.low.minCoeff(), -tolerance);
+        EXPECT_LE(a.high.x(), sheet.width + tolerance);
+        EXPECT_LE(a.high.y(), sheet.height + tolerance);
+        for (std::size_t j = 0; j < i; ++j) {
+            const Placed b = place(pattern, sheet, j);
+            const Eigen::Vector2d apart =
+                (a.low - b.high).cwiseMax(b.low - a.high);  // per axis, negative where they overlap
+            EXPECT_GE(apart.maxCoeff(), gap - tolerance) << i << " and " << j;
+        }
+    }
+}
+
+TEST(LayOutInRows, KeepsPiecesApartAtAnyScale) {
+    for (const double scale : {1e-7, 1e-3, 1.0, 1e3, 1e6}) {
+        SCOPED_TRACE(scale);
+        const Pattern pattern = mixedPattern(23, scale);
+        const double largest = 60 + 53 * 12;
+        expectGood(pattern, layOutInRows(pattern), std::min(20.0, 0.1 * largest * scale));
+    }
+}
+
+TEST(LayOutInRows, IsBetweenASquareAndThreeToTwoForManyPieces) {
+    for (const int count : {8, 23, 60, 200}) {
+        const Sheet sheet = layOutInRows(mixedPattern(count, 1));
+        EXPECT_GE(sheet.width / sheet.height, 0.95) << count;
+        EXPECT_LE(sheet.width / sheet.height, 1.55) << count;
+    }
+}
+
+TEST(LayOutInRows, StacksLongPiecesInsteadOfQueueingThem) {
+    Pattern pattern;
+    for (int i = 0; i < 6; ++i) {
+        pattern.pieces.push_back({"band", "band", box(0, 0, 900, 40)});
+    }
+    const Sheet sheet = layOutInRows(pattern);
+    EXPECT_DOUBLE_EQ(sheet.width, 900);
+    EXPECT_DOUBLE_EQ(sheet.height, 6 * 40 + 5 * 20);
+    EXPECT_GT(sheet.offset[0].y(), sheet.offset[1].y());  // the first piece comes first
+}
+
+TEST(LayOutInRows, FitsOnePieceExactly) {
+    Pattern pattern;
+    pattern.pieces.push_back({"one", "one", box(-300, 1000, 420, 650)});
+    const Sheet sheet = layOutInRows(pattern);
+    EXPECT_DOUBLE_EQ(sheet.width, 420);
+    EXPECT_DOUBLE_EQ(sheet.height, 650);
+    EXPECT_EQ(sheet.offset[0], Eigen::Vector2d(300, -1000));
+}
+
+TEST(LayOutInRows, TakesNothingAndPiecesOfNoSize) {
+    const Sheet empty = layOutInRows(Pattern{});
+    EXPECT_EQ(empty.width, 0);
+    EXPECT_EQ(empty.height, 0);
+    EXPECT_TRUE(empty.offset.empty());
+
+    Pattern points;
+    points.pieces.push_back({"none", "none", Points2(0, 2)});
+    points.pieces.push_back({"dot", "dot", box(5, 5, 0, 0)});
+    const Sheet sheet = layOutInRows(points);
+    EXPECT_EQ(sheet.offset.size(), 2u);
+    EXPECT_TRUE(sheet.offset[0].allFinite() && sheet.offset[1].allFinite());
+}
+
+TEST(LayOutInRows, GivesTheSameSheetTwice) {
+    const Pattern pattern = mixedPattern(40, 1.7);
+    EXPECT_EQ(layOutInRows(pattern).offset, layOutInRows(pattern).offset);
+}
+
+}  // namespace
+}  // namespace toile
