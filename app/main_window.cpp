@@ -176,6 +176,9 @@ void MainWindow::makeToolBar() {
     exports->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     exports->setPopupMode(QToolButton::InstantPopup);
     exports->setMenu(menuBar()->findChild<QMenu*>("exportMenu"));
+    const QAction& exportAction = actions_[ActionId::ExportSvg];
+    connect(&exportAction, &QAction::enabledChanged, exports, &QWidget::setEnabled);
+    exports->setEnabled(exportAction.isEnabled());
     bar.addWidget(exports);
     bar.addSeparator();
     bar.addAction(&actions_[ActionId::FlattenAgain]);

@@ -9,14 +9,11 @@
 
 #include "app/main_window.h"
 #include "app/render/gl_support.h"
+#include "app/resources.h"
 #include "app/settings/preferences.h"
 #include "app/views/view_area.h"
 #include "app/widgets/banner.h"
 #include "core/base/version.h"
-
-// A static library's resources are left out by the linker unless asked for; the macro needs to
-// stand outside of any namespace.
-static void initResources() { Q_INIT_RESOURCE(toile); }
 
 namespace toile {
 
@@ -77,7 +74,7 @@ private:
 }  // namespace
 
 int runWindow(int argc, char** argv, const WindowOptions& options) {
-    initResources();
+    loadResources();
     QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
     QApplication application(argc, argv);
     const std::string_view number = version();

@@ -37,8 +37,7 @@ CLI::App* addFlatten(CLI::App& app, Typed& typed) {
                      "File to write, by its ending: .svg, .dxf, .obj (input with the pattern as "
                      "its UV map) or .json (report). May be given several times")
         ->type_name("FILE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->allow_extra_args(false);  // so that inputs may follow
     flatten->add_option("--method", typed.method, "Flattening method")
         ->type_name("natural|wang2005")
         ->check(CLI::IsMember({"natural", "wang2005"}))
@@ -48,7 +47,8 @@ CLI::App* addFlatten(CLI::App& app, Typed& typed) {
         ->check(CLI::IsMember({"newton", "slcp"}))
         ->capture_default_str();
     addUnit(*flatten, typed);
-    flatten->add_option("--report", typed.report, "Write the JSON report (the same as -o FILE.json)")
+    flatten
+        ->add_option("--report", typed.report, "Write the JSON report (the same as -o FILE.json)")
         ->type_name("FILE.json");
     return flatten;
 }
@@ -81,12 +81,14 @@ Arguments fromParseError(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 Arguments parseArguments(int argc, const char* const* argv) {
-    CLI::App app{"Toile: sewing patterns from 3D garments.\n"
-                 "Without a command it opens the window.\n"};
+    CLI::App app{
+        "Toile: sewing patterns from 3D garments.\n"
+        "Without a command it opens the window.\n"};
     app.name("toile");
     app.set_version_flag("--version", "toile " + std::string(version()));
-    app.footer("\nExit status: 0 all pieces done, 1 some piece failed (the rest is written),\n"
-               "2 wrong usage, 3 a file cannot be read or written.");
+    app.footer(
+        "\nExit status: 0 all pieces done, 1 some piece failed (the rest is written),\n"
+        "2 wrong usage, 3 a file cannot be read or written.");
     app.require_subcommand(0, 1);
 
     Typed typed;
@@ -117,9 +119,9 @@ Arguments parseArguments(int argc, const char* const* argv) {
         parseBoundarySolver(typed.solver).value_or(BoundarySolver::Newton);
     if (!typed.report.empty()) {
         if (std::filesystem::path(typed.report).extension() != ".json") {
-            return message("toile: the report's name must end in .json, not \"" + typed.report +
-                               "\".\n",
-                           kExitUsage);
+            return message(
+                "toile: the report's name must end in .json, not \"" + typed.report + "\".\n",
+                kExitUsage);
         }
         arguments.outputs.emplace_back(typed.report);
     }

@@ -15,7 +15,7 @@ namespace toile {
 /// What the user typed, parsed and checked.
 struct Arguments {
     enum class Command {
-        Window,   ///< no command, perhaps files: open the window
+        Window,  ///< no command, perhaps files: open the window
         Flatten,
         Info,
         Message,  ///< help, version or a usage error: print `message` and end with `status`

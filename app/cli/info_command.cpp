@@ -25,7 +25,8 @@ void printFile(const SourceFile& file, std::ostream& out) {
 }
 
 std::vector<std::string> rowOf(const Piece& piece) {
-    const auto size = (piece.mesh.V.colwise().maxCoeff() - piece.mesh.V.colwise().minCoeff()).eval();
+    const auto size =
+        (piece.mesh.V.colwise().maxCoeff() - piece.mesh.V.colwise().minCoeff()).eval();
     return {piece.name,
             std::to_string(piece.mesh.V.rows()),
             std::to_string(piece.mesh.F.rows()),

@@ -83,7 +83,8 @@ Words wordsOf(ErrorCode code) {
                     "outline has these lengths",
                     "Refine the boundary or move the seam"};
         case ErrorCode::BoundaryNotConverged:
-            return {"boundary-not-converged", "no closed outline near the surface's angles was found",
+            return {"boundary-not-converged",
+                    "no closed outline near the surface's angles was found",
                     "Cut the piece where it curves most, or choose the other boundary solver"};
         case ErrorCode::FactorisationFailed:
             return {"factorisation-failed", "the interior's equations could not be solved",

@@ -32,8 +32,8 @@ std::string_view symbol(LengthUnit unit) {
 }
 
 std::optional<LengthUnit> parseLengthUnit(std::string_view text) {
-    for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre,
-                                  LengthUnit::Inch}) {
+    for (const LengthUnit unit :
+         {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
         if (text == symbol(unit)) {
             return unit;
         }

@@ -24,9 +24,9 @@ public:
 
     /// Fraction done, in [0, 1].
     double fraction() const {
-        return std::clamp(done_.load(std::memory_order_relaxed) /
-                              total_.load(std::memory_order_relaxed),
-                          0.0, 1.0);
+        return std::clamp(
+            done_.load(std::memory_order_relaxed) / total_.load(std::memory_order_relaxed), 0.0,
+            1.0);
     }
 
 private:

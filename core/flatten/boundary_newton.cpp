@@ -88,8 +88,8 @@ public:
     /// Diagonal of the constraints' part of the Lagrangian's Hessian.
     Vector constraintCurvature(const Iterate& at) const {
         const auto lengths = problem_.lengths.head(unknowns_).array();
-        return -lengths * (at.lambda.x() * at.phi.array().cos() +
-                           at.lambda.y() * at.phi.array().sin());
+        return -lengths *
+               (at.lambda.x() * at.phi.array().cos() + at.lambda.y() * at.phi.array().sin());
     }
 
 private:
@@ -193,8 +193,8 @@ Vector searchAlong(const NewtonProblem& problem, const KktSystem& system, const 
     const double before = merit(phi);
     const double slope = gradient.dot(step) - weight * closure.lpNorm<1>();
     const auto decreases = [&](const Vector& trial, double share) {
-        return merit(trial) <= before + kSufficientDecrease * share * std::min(slope, 0.0) +
-                                   1e-15 * before;
+        return merit(trial) <=
+               before + kSufficientDecrease * share * std::min(slope, 0.0) + 1e-15 * before;
     };
     if (decreases(phi + step, 1.0)) {
         return phi + step;
@@ -215,8 +215,7 @@ Vector searchAlong(const NewtonProblem& problem, const KktSystem& system, const 
 
 }  // namespace
 
-Result<FlatBoundary> solveBoundaryNewton(const BoundaryProblem& problem,
-                                         const Progress& progress) {
+Result<FlatBoundary> solveBoundaryNewton(const BoundaryProblem& problem, const Progress& progress) {
     const NewtonProblem newton(problem);
     Iterate at{newton.start(), Eigen::Vector2d::Zero()};
     Iterate best = at;

@@ -21,11 +21,11 @@ struct BoundaryProblem {
 
 /// A closed outline with the problem's lengths.
 struct FlatBoundary {
-    Points2 points;           ///< n x 2, unit of the lengths; the first vertex at the origin
-    Eigen::VectorXd angles;   ///< n, radians: theta, not reduced modulo 2 pi
+    Points2 points;          ///< n x 2, unit of the lengths; the first vertex at the origin
+    Eigen::VectorXd angles;  ///< n, radians: theta, not reduced modulo 2 pi
     int iterations = 0;
-    double closureGap = 0;    ///< relative to the perimeter
-    double energy = 0;        ///< 1/2 sum (theta - alpha)^2
+    double closureGap = 0;  ///< relative to the perimeter
+    double energy = 0;      ///< 1/2 sum (theta - alpha)^2
 };
 
 /// Full Newton on the edge directions phi, where the objective is a tridiagonal quadratic form and

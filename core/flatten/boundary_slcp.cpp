@@ -77,8 +77,7 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
         // Eq. (20): A A^T dlambda = A B_theta - B_lambda with B_lambda = -c. The orthogonal
         // decomposition stands a rank of two (collinear outlines).
         const Eigen::Matrix3d AAt = A * A.transpose();
-        const Eigen::Vector3d step =
-            AAt.completeOrthogonalDecomposition().solve(A * gradient + c);
+        const Eigen::Vector3d step = AAt.completeOrthogonalDecomposition().solve(A * gradient + c);
         theta += gradient - A.transpose() * step;  // eq. (21)
         lambda += step;
     }

@@ -83,8 +83,8 @@ Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
         }
     }
     SparseCholesky cholesky;
-    const auto factorised = cholesky.factorise(interiorLaplacian(
-        table, weights, interiorIndex, static_cast<int>(interior.size())));
+    const auto factorised = cholesky.factorise(
+        interiorLaplacian(table, weights, interiorIndex, static_cast<int>(interior.size())));
     if (!factorised) {
         return factorised.error();
     }

@@ -16,7 +16,6 @@ namespace toile {
 /// `defect`.
 /// Cost: linear but for one sort of the edges. `problems` receives what triangulating had to say.
 std::vector<std::shared_ptr<const Piece>> divide(const SourceFile& file, int fileIndex,
-                                                 const std::string& namePrefix,
-                                                 Problems& problems);
+                                                 const std::string& namePrefix, Problems& problems);
 
 }  // namespace toile

@@ -35,6 +35,7 @@ struct SparseCholesky::State {
 };
 
 SparseCholesky::SparseCholesky() : state_(std::make_unique<State>()) {}
+
 SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;

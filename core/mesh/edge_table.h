@@ -11,10 +11,11 @@ namespace toile {
 /// not. Because edges are sorted by (smaller, larger) vertex, they are at the same time the rows of
 /// a symmetric sparse matrix on the vertices.
 struct EdgeTable {
-    Edges edges;                ///< #E x 2, sorted
-    Triangles faceEdges;        ///< #F x 3: edge from corner k to corner k+1
-    std::vector<int> useStart;  ///< #E + 1: uses of edge e are use[useStart[e]] .. use[useStart[e+1]-1]
-    std::vector<int> use;       ///< 3 * face + k, in face order
+    Edges edges;          ///< #E x 2, sorted
+    Triangles faceEdges;  ///< #F x 3: edge from corner k to corner k+1
+    std::vector<int>
+        useStart;          ///< #E + 1: uses of edge e are use[useStart[e]] .. use[useStart[e+1]-1]
+    std::vector<int> use;  ///< 3 * face + k, in face order
 };
 
 /// @param vertexCount  all indices of F lie in [0, vertexCount)

@@ -14,9 +14,9 @@ struct FlatPiece;
 /// One flat piece as a pattern maker knows it. Millimetres, y up, the fabric's right side facing
 /// the reader, never mirrored.
 struct PatternPiece {
-    std::string name;   ///< as in the garment
-    std::string id;     ///< unique slug, stable for the same garment
-    Points2 outline;    ///< net outline (seam line), anti-clockwise, first vertex not repeated
+    std::string name;  ///< as in the garment
+    std::string id;    ///< unique slug, stable for the same garment
+    Points2 outline;   ///< net outline (seam line), anti-clockwise, first vertex not repeated
 };
 
 struct Pattern {

@@ -30,8 +30,7 @@ LaidOutPattern layOut(const Garment& garment, const PieceResults& results) {
     laid.sheet = layOutInRows(laid.pattern);
     std::size_t placed = 0;
     for (const auto& result : results) {
-        laid.offsets.push_back(result->flat ? laid.sheet.offset[placed++]
-                                            : Eigen::Vector2d(0, 0));
+        laid.offsets.push_back(result->flat ? laid.sheet.offset[placed++] : Eigen::Vector2d(0, 0));
     }
     return laid;
 }

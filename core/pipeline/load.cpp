@@ -48,8 +48,7 @@ void noteUnusedVertices(SourceFile& file) {
     const auto unused = std::count(used.begin(), used.end(), 0);
     if (unused > 0) {
         file.problems.push_back({ErrorCode::UnusedVertices, file.path.filename().string(),
-                                 counted(unused, "vertex") + " of " +
-                                     std::to_string(used.size())});
+                                 counted(unused, "vertex") + " of " + std::to_string(used.size())});
     }
 }
 

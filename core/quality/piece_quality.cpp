@@ -24,8 +24,8 @@ PieceQuality measure(const Piece& piece, const Points2& Q) {
     quality.area2d = areas2d.sum();
     quality.perimeter3d = outline3d.sum();
     quality.perimeter2d = outline2d.sum();
-    quality.piTheta = piTheta(boundaryAngles3d(mesh, piece.boundary),
-                              boundaryAngles2d(Q, piece.boundary));
+    quality.piTheta =
+        piTheta(boundaryAngles3d(mesh, piece.boundary), boundaryAngles2d(Q, piece.boundary));
     quality.piL = piL(outline3d, outline2d);
     quality.piE = piE(edges3d, edges2d);
     quality.piA = piA(areas3d, areas2d);
@@ -48,14 +48,11 @@ PieceQuality measure(const Piece& piece, const Points2& Q) {
 DistortionFields distortionFields(const Piece& piece, const Points2& Q) {
     const MeshArrays& mesh = piece.mesh;
     DistortionFields fields;
-    fields.areaChange =
-        triangleAreas2d(Q, mesh.F).cwiseQuotient(triangleAreas3d(mesh)).array() - 1;
-    fields.angleChange = (cornerAngles2d(Q, mesh.F) - cornerAngles3d(mesh))
-                             .cwiseAbs()
-                             .rowwise()
-                             .maxCoeff();
-    fields.edgeStrain = edgeStrain(edgeLengths3d(mesh.V, piece.table.edges),
-                                   edgeLengths2d(Q, piece.table.edges));
+    fields.areaChange = triangleAreas2d(Q, mesh.F).cwiseQuotient(triangleAreas3d(mesh)).array() - 1;
+    fields.angleChange =
+        (cornerAngles2d(Q, mesh.F) - cornerAngles3d(mesh)).cwiseAbs().rowwise().maxCoeff();
+    fields.edgeStrain =
+        edgeStrain(edgeLengths3d(mesh.V, piece.table.edges), edgeLengths2d(Q, piece.table.edges));
     fields.faceStrain.resize(mesh.F.rows());
     for (int f = 0; f < mesh.F.rows(); ++f) {
         double worst = 0;

@@ -25,8 +25,9 @@ TEST(Arguments, NothingOrAFileOpensTheWindow) {
 }
 
 TEST(Arguments, FlattenTakesManyInputsAndOutputs) {
-    const Arguments a = parse({"flatten", "a.obj", "b.ply", "-o", "x.svg", "-o", "x.DXF", "--method",
-                               "natural", "--boundary-solver", "slcp", "--report", "r.json"});
+    const Arguments a =
+        parse({"flatten", "a.obj", "b.ply", "-o", "x.svg", "-o", "x.DXF", "--method", "natural",
+               "--boundary-solver", "slcp", "--report", "r.json"});
     EXPECT_EQ(a.command, Command::Flatten);
     EXPECT_EQ(a.inputs.size(), 2U);
     ASSERT_EQ(a.outputs.size(), 3U);

@@ -14,8 +14,9 @@ namespace {
 const std::string kSample = std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.obj";
 
 constexpr const char* kTriangle = "v 0 0 0\nv 300 0 0\nv 0 400 0\no flap\nf 1 2 3\n";
-constexpr const char* kBall = "v 0 0 5\nv 1 0 5\nv 0 1 5\nv 0 0 6\n"
-                              "o ball\nf -4 -3 -2\nf -4 -1 -3\nf -3 -1 -2\nf -4 -2 -1\n";
+constexpr const char* kBall =
+    "v 0 0 5\nv 1 0 5\nv 0 1 5\nv 0 0 6\n"
+    "o ball\nf -4 -3 -2\nf -4 -1 -3\nf -3 -1 -2\nf -4 -2 -1\n";
 
 test::ProgramRun toileRun(const std::vector<std::string>& arguments) {
     return test::run(TOILE_PROGRAM, arguments);
@@ -30,9 +31,10 @@ TEST(Contract, HelpAndVersionNeedNoDisplay) {
 
 TEST(Contract, FlattenWritesEveryFormatAndPrintsATable) {
     const test::TemporaryFolder folder;
-    const auto run = toileRun({"flatten", kSample, "--unit", "mm", "-o", (folder / "a.svg").string(),
-                               "-o", (folder / "a.dxf").string(), "-o", (folder / "a.obj").string(),
-                               "--report", (folder / "a.json").string()});
+    const auto run =
+        toileRun({"flatten", kSample, "--unit", "mm", "-o", (folder / "a.svg").string(), "-o",
+                  (folder / "a.dxf").string(), "-o", (folder / "a.obj").string(), "--report",
+                  (folder / "a.json").string()});
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     for (const char* piece : {"front", "back", "sleeve_left", "sleeve_right", "neckband"}) {
@@ -69,8 +71,8 @@ TEST(Contract, TheReportHasEveryPromisedField) {
 TEST(Contract, AFailedPieceIsStatusOneAndTheRestIsWritten) {
     const test::TemporaryFolder folder;
     const auto input = folder.write("mixed.obj", std::string(kTriangle) + kBall);
-    const auto run = toileRun({"flatten", input.string(), "--unit", "mm", "-o",
-                               (folder / "out.svg").string()});
+    const auto run =
+        toileRun({"flatten", input.string(), "--unit", "mm", "-o", (folder / "out.svg").string()});
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.err.find("ball"), std::string::npos) << run.err;
     EXPECT_NE(folder.read("out.svg").find("piece-flap-cut"), std::string::npos);
@@ -118,10 +120,9 @@ TEST(Contract, NastyInputNeverCrashes) {
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(nasty)) {
         SCOPED_TRACE(entry.path().filename());
-        const auto run = toileRun({"flatten", entry.path().string(), "--unit", "mm", "-o",
-                                   (folder / "out.obj").string(), "-o",
-                                   (folder / "out.svg").string(), "--report",
-                                   (folder / "out.json").string()});
+        const auto run = toileRun(
+            {"flatten", entry.path().string(), "--unit", "mm", "-o", (folder / "out.obj").string(),
+             "-o", (folder / "out.svg").string(), "--report", (folder / "out.json").string()});
         EXPECT_TRUE(run.status == 0 || run.status == 1 || run.status == 3) << run.status << run.err;
         EXPECT_TRUE(run.status == 0 || !run.err.empty());
         if (run.status != 3) {

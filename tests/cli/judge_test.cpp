@@ -2,6 +2,7 @@
 // Our report against an independent judge of OBJ files with UV, where that stands beside the
 // project and Python with numpy is there to run it.
 #include <cmath>
+#include <regex>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -50,14 +51,16 @@ TEST_P(Judge, AgreesWithTheReport) {
     }
     const test::TemporaryFolder folder;
     const std::string obj = (folder / "flat.obj").string();
-    const auto flatten = test::run(TOILE_PROGRAM, {"flatten", input.string(), "--unit", garment.unit,
-                                                   "--method", method, "-o", obj, "--report",
-                                                   (folder / "report.json").string()});
+    const auto flatten = test::run(
+        TOILE_PROGRAM, {"flatten", input.string(), "--unit", garment.unit, "--method", method, "-o",
+                        obj, "--report", (folder / "report.json").string()});
     ASSERT_EQ(flatten.status, 0) << flatten.err;
-    const auto judged = test::run(python, {judge.string(), obj, "--pieces", "--v-scale",
-                                              garment.millimetres, "--json"});
+    const auto judged = test::run(
+        python, {judge.string(), obj, "--pieces", "--v-scale", garment.millimetres, "--json"});
     ASSERT_EQ(judged.status, 0) << judged.err;
-    const auto verdict = nlohmann::json::parse(judged.out);
+    // The judge writes Infinity for the energy of a flipped triangle, which no JSON parser takes.
+    const std::string finite = std::regex_replace(judged.out, std::regex("-?Infinity|NaN"), "null");
+    const auto verdict = nlohmann::json::parse(finite);
     const auto report = nlohmann::json::parse(folder.read("report.json"));
     ASSERT_EQ(verdict.size(), report["pieces"].size());
     for (std::size_t k = 0; k < verdict.size(); ++k) {
@@ -88,16 +91,15 @@ TEST_P(Judge, AgreesWithTheReport) {
 
 INSTANTIATE_TEST_SUITE_P(
     Shared, Judge,
-    testing::Combine(
-        testing::Values(Case{"tee", "garments/tee_sim_pieces.obj", "cm", "10"},
-                        Case{"polo", "garments/polo_pieces.obj", "cm", "10"},
-                        Case{"dress14", "garments/dress14_pieces.obj", "m", "1000"},
-                        Case{"skirt", "garments/skirt_clo.obj", "mm", "1"},
-                        Case{"face", "disks/face.obj", "m", "1000"},
-                        Case{"hemisphere", "disks/hemisphere.obj", "m", "1000"},
-                        Case{"tiny", "nasty/panel_tiny.obj", "cm", "10"},
-                        Case{"far", "nasty/panel_far.obj", "cm", "10"}),
-        testing::Values("wang2005", "natural")),
+    testing::Combine(testing::Values(Case{"tee", "garments/tee_sim_pieces.obj", "cm", "10"},
+                                     Case{"polo", "garments/polo_pieces.obj", "cm", "10"},
+                                     Case{"dress14", "garments/dress14_pieces.obj", "m", "1000"},
+                                     Case{"skirt", "garments/skirt_clo.obj", "mm", "1"},
+                                     Case{"face", "disks/face.obj", "m", "1000"},
+                                     Case{"hemisphere", "disks/hemisphere.obj", "m", "1000"},
+                                     Case{"tiny", "nasty/panel_tiny.obj", "cm", "10"},
+                                     Case{"far", "nasty/panel_far.obj", "cm", "10"}),
+                     testing::Values("wang2005", "natural")),
     [](const auto& shown) {
         return std::string(std::get<0>(shown.param).name) + "_" + std::get<1>(shown.param);
     });

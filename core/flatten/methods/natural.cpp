@@ -126,9 +126,9 @@ Result<FlatPiece> flattenNatural(const Piece& piece, const FlattenOptions& /*opt
     const double scale = boundaryLengths3d(mesh.V, piece.boundary).sum() /
                          boundaryLengths2d(*points, piece.boundary).sum();
     flat.Q = scale * *points;
-    flat.angleEnergy = 0.5 * (boundaryAngles2d(flat.Q, piece.boundary) -
-                              boundaryAngles3d(mesh, piece.boundary))
-                                 .squaredNorm();
+    flat.angleEnergy =
+        0.5 * (boundaryAngles2d(flat.Q, piece.boundary) - boundaryAngles3d(mesh, piece.boundary))
+                  .squaredNorm();
     flat.interiorSeconds = time.seconds();
     return flat;
 }

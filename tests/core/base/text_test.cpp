@@ -35,8 +35,8 @@ TEST(Text, CountsAndSlugs) {
 }
 
 TEST(LengthUnits, ReadBackTheirSymbols) {
-    for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre,
-                                  LengthUnit::Inch}) {
+    for (const LengthUnit unit :
+         {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
         EXPECT_EQ(parseLengthUnit(symbol(unit)), unit);
     }
     EXPECT_DOUBLE_EQ(millimetresPer(LengthUnit::Inch), 25.4);

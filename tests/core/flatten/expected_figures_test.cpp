@@ -61,8 +61,7 @@ nlohmann::json entryOf(const nlohmann::json& all, const std::string& file, std::
     return best;
 }
 
-class ExpectedFigures
-    : public testing::TestWithParam<std::tuple<std::string, BoundarySolver>> {};
+class ExpectedFigures : public testing::TestWithParam<std::tuple<std::string, BoundarySolver>> {};
 
 TEST_P(ExpectedFigures, AreMet) {
     const auto& [file, solver] = GetParam();
@@ -99,8 +98,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::ValuesIn(disksAndDress()),
                      testing::Values(BoundarySolver::Newton, BoundarySolver::Slcp)),
     [](const auto& shown) {
-        std::string text = std::get<0>(shown.param) + "_" + std::string(name(std::get<1>(shown.param)));
-        std::replace_if(text.begin(), text.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+        std::string text =
+            std::get<0>(shown.param) + "_" + std::string(name(std::get<1>(shown.param)));
+        std::replace_if(
+            text.begin(), text.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
         return text;
     });
 
@@ -146,7 +147,8 @@ TEST(RealGarments, ATinyAndAFarPanelAreFlattenedExactly) {
     for (const char* file : {"nasty/panel_tiny.obj", "nasty/panel_far.obj"}) {
         TOILE_NEEDS_SHARED(test::sharedFile(file));
         Progress progress;
-        const auto garment = loadGarment({test::sharedFile(file)}, {LengthUnit::Centimetre}, progress);
+        const auto garment =
+            loadGarment({test::sharedFile(file)}, {LengthUnit::Centimetre}, progress);
         ASSERT_TRUE(garment);
         for (const BoundarySolver solver : {BoundarySolver::Newton, BoundarySolver::Slcp}) {
             const auto results = flattenGarment(*garment, {Method::Wang2005, solver}, progress);

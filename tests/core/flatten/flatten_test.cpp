@@ -38,9 +38,10 @@ TEST(Flatten, KeepsBoundaryLengthsOfACap) {
     EXPECT_EQ(exact.flippedTriangles, 0);
     EXPECT_EQ(exact.outlineCrossings, 0);
     // Pi_theta can never be below |total interior curvature| / n; on a round cap it is just that.
-    const double bound = std::abs(boundaryAngles3d(cap->mesh, cap->boundary).sum() -
-                                  (static_cast<double>(cap->boundary.size()) - 2) * std::numbers::pi) /
-                         static_cast<double>(cap->boundary.size());
+    const double bound =
+        std::abs(boundaryAngles3d(cap->mesh, cap->boundary).sum() -
+                 (static_cast<double>(cap->boundary.size()) - 2) * std::numbers::pi) /
+        static_cast<double>(cap->boundary.size());
     EXPECT_NEAR(exact.piTheta, bound, 1e-12);
     EXPECT_NEAR(measure(*cap, natural->Q).perimeter2d, exact.perimeter3d, 1e-9);
 }

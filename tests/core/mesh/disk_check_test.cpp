@@ -98,15 +98,15 @@ TEST(DiskCheck, NamesAnEdgeOfThreeFaces) {
 }
 
 TEST(DiskCheck, NamesAPinchedVertex) {
-    expectDefect(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
-                        {{0, 1, 2}, {0, 3, 4}}),
-                 ErrorCode::NonManifoldVertex);
+    expectDefect(
+        meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}),
+        ErrorCode::NonManifoldVertex);
 }
 
 TEST(DiskCheck, NamesADoubledFace) {
-    expectDefect(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
-                        {{0, 1, 2}, {1, 3, 2}, {1, 2, 0}}),
-                 ErrorCode::DuplicateFace);
+    expectDefect(
+        meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}, {1, 2, 0}}),
+        ErrorCode::DuplicateFace);
 }
 
 TEST(DiskCheck, NamesATriangleWithoutArea) {

@@ -25,9 +25,9 @@ Garment load(const std::vector<std::filesystem::path>& paths,
 TEST(Pipeline, SeveralFilesBecomeOneGarmentWithPrefixedNames) {
     const test::TemporaryFolder folder;
     std::filesystem::create_directory(folder / "other");
-    const Garment garment = load({folder.write("left.obj", kTriangle),
-                                  folder.write("right.obj", kTriangle),
-                                  folder.write("other/left.obj", kTriangle)});
+    const Garment garment =
+        load({folder.write("left.obj", kTriangle), folder.write("right.obj", kTriangle),
+              folder.write("other/left.obj", kTriangle)});
     ASSERT_EQ(garment.pieces.size(), 3U);
     EXPECT_EQ(garment.pieces[0]->name, "left/flap");
     EXPECT_EQ(garment.pieces[1]->name, "right/flap");
@@ -37,13 +37,13 @@ TEST(Pipeline, SeveralFilesBecomeOneGarmentWithPrefixedNames) {
 
 TEST(Pipeline, GuessesTheUnitWithAReasonAndAsksWhereInDoubt) {
     const test::TemporaryFolder folder;
-    const Garment sure = load({folder.write("a.obj", "v 0 0 0\nv 1.2 0 0\nv 0 1 0\nf 1 2 3\n")},
-                              std::nullopt);
+    const Garment sure =
+        load({folder.write("a.obj", "v 0 0 0\nv 1.2 0 0\nv 0 1 0\nf 1 2 3\n")}, std::nullopt);
     EXPECT_EQ(sure.files[0]->unit, LengthUnit::Metre);
     EXPECT_FALSE(sure.files[0]->unitReason.empty());
     EXPECT_TRUE(sure.files[0]->problems.empty());
-    const Garment doubt = load({folder.write("b.obj", "v 0 0 0\nv 200 0 0\nv 0 9 0\nf 1 2 3\n")},
-                               std::nullopt);
+    const Garment doubt =
+        load({folder.write("b.obj", "v 0 0 0\nv 200 0 0\nv 0 9 0\nf 1 2 3\n")}, std::nullopt);
     ASSERT_EQ(doubt.files[0]->problems.size(), 1U);
     EXPECT_EQ(doubt.files[0]->problems[0].code, ErrorCode::UnitGuessed);
     const Garment stated = load({folder / "b.obj"}, LengthUnit::Inch);
@@ -54,8 +54,8 @@ TEST(Pipeline, GuessesTheUnitWithAReasonAndAsksWhereInDoubt) {
 TEST(Pipeline, TellsWhichFileCannotBeRead) {
     const test::TemporaryFolder folder;
     Progress progress;
-    const auto garment = loadGarment({folder.write("a.obj", kTriangle), folder / "no.obj"}, {},
-                                     progress);
+    const auto garment =
+        loadGarment({folder.write("a.obj", kTriangle), folder / "no.obj"}, {}, progress);
     ASSERT_FALSE(garment);
     EXPECT_EQ(garment.error().code, ErrorCode::FileUnreadable);
     EXPECT_NE(garment.error().where.find("no.obj"), std::string::npos);

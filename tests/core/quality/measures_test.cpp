@@ -85,8 +85,9 @@ TEST(Measures, InnerAnglesOfASquareAndOfANotch) {
     const auto piece = test::asPiece(test::planeGrid(2, 2, 1));
     const Eigen::VectorXd alpha = boundaryAngles3d(piece->mesh, piece->boundary);
     EXPECT_NEAR(alpha.sum(), 6 * pi, 1e-12);  // (n - 2) pi
-    EXPECT_NEAR((alpha - boundaryAngles2d(flat(piece->mesh), piece->boundary)).cwiseAbs().maxCoeff(),
-                0, 1e-12);
+    EXPECT_NEAR(
+        (alpha - boundaryAngles2d(flat(piece->mesh), piece->boundary)).cwiseAbs().maxCoeff(), 0,
+        1e-12);
     Points2 notched(4, 2);
     notched << 0, 0, 2, 0, 1, 0.5, 1, 2;  // the third corner points inwards
     const Eigen::VectorXd theta = boundaryAngles2d(notched, {0, 1, 2, 3});

@@ -122,8 +122,7 @@ MeshArrays openedCube(const std::vector<std::pair<Corner, Corner>>& cuts) {
     mesh.F.resize(static_cast<int>(faces.size()), 3);
     std::vector<Eigen::RowVector3d> V;
     for (int c = 0; c < static_cast<int>(3 * faces.size()); ++c) {
-        const auto [it, isNew] =
-            vertexOfRoot.emplace(corners.root(c), static_cast<int>(V.size()));
+        const auto [it, isNew] = vertexOfRoot.emplace(corners.root(c), static_cast<int>(V.size()));
         if (isNew) {
             const Corner& p = points[faces[c / 3][c % 3]];
             V.emplace_back(Eigen::RowVector3d(p[0], p[1], p[2]) / n);
@@ -189,7 +188,8 @@ MeshArrays sphericalCap(int rings, double radius, double halfAngle) {
             }
         }
     }
-    MeshArrays mesh{Points3(static_cast<int>(V.size()), 3), Triangles(static_cast<int>(F.size()), 3)};
+    MeshArrays mesh{Points3(static_cast<int>(V.size()), 3),
+                    Triangles(static_cast<int>(F.size()), 3)};
     for (std::size_t v = 0; v < V.size(); ++v) {
         mesh.V.row(static_cast<int>(v)) = V[v];
     }
@@ -226,12 +226,11 @@ MeshArrays moebiusStrip(int quads) {
         for (int side = 0; side < 2; ++side) {
             const double w = side == 0 ? -10 : 10;
             const double r = 50 + w * std::cos(phi / 2);
-            mesh.V.row(2 * k + side) << r * std::cos(phi), w * std::sin(phi / 2),
-                r * std::sin(phi);
+            mesh.V.row(2 * k + side) << r * std::cos(phi), w * std::sin(phi / 2), r * std::sin(phi);
         }
         const bool last = k + 1 == quads;
         const int a = 2 * k;
-        const int b = last ? 1 : 2 * k + 2;      // the half turn swaps the sides
+        const int b = last ? 1 : 2 * k + 2;  // the half turn swaps the sides
         const int c = last ? 0 : 2 * k + 3;
         mesh.F.row(2 * k) << a, b, c;
         mesh.F.row(2 * k + 1) << a, c, a + 1;

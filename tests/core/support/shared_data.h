@@ -15,7 +15,7 @@ inline std::filesystem::path sharedFile(const char* name) {
 }  // namespace toile::test
 
 /// Leaves the test, naming the file, where the shared data does not stand.
-#define TOILE_NEEDS_SHARED(path)                                  \
-    if (!std::filesystem::exists(path)) {                         \
-        GTEST_SKIP() << "needs " << (path).filename().string();   \
+#define TOILE_NEEDS_SHARED(path)                                \
+    if (!std::filesystem::exists(path)) {                       \
+        GTEST_SKIP() << "needs " << (path).filename().string(); \
     }

@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds Toile and flattens a garment: installs what is missing (Debian 12), configures, builds,
+# writes the pattern into out/, and opens the window where there is a display.
+#
+#   ./run.sh                 the T-shirt of resources/samples
+#   ./run.sh FILE [OPTIONS]  your own garment; options as of `toile flatten` (--unit cm, ...)
+#   ./run.sh --prepare [PACKAGE...]   only install what building needs, and these packages
+set -euo pipefail
+
+caller=$PWD
+cd "$(dirname "$0")"
+
+packages=(
+    g++ cmake ninja-build ccache
+    libeigen3-dev libopenmesh-dev libsuitesparse-dev
+    libopenblas-pthread-dev # by name: Debian's default BLAS is the slow reference one
+    nlohmann-json3-dev libpugixml-dev libcli11-dev
+    qt6-base-dev libqt6opengl6-dev libqt6svg6-dev libglm-dev libgl-dev libegl-dev
+    libgl1-mesa-dri fonts-dejavu-core
+)
+
+installed() {
+    dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed
+}
+
+# Installs the missing ones of the given packages, saying so.
+install_missing() {
+    if ! command -v apt-get >/dev/null; then
+        echo "This is no Debian system; install these packages' counterparts by hand: $*"
+        return
+    fi
+    local missing=()
+    for package in "$@"; do
+        installed "$package" || missing+=("$package")
+    done
+    if [ ${#missing[@]} -eq 0 ]; then
+        return
+    fi
+    local as_root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        if ! command -v sudo >/dev/null; then
+            echo "Missing packages, and no sudo to install them; as root, type:" >&2
+            echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+            exit 1
+        fi
+        as_root=(sudo)
+    fi
+    echo "Installing with apt-get: ${missing[*]}"
+    "${as_root[@]}" apt-get update -qq
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+if [ "${1:-}" = --prepare ]; then
+    shift
+    install_missing "${packages[@]}" "$@"
+    exit
+fi
+install_missing "${packages[@]}"
+
+echo "Building Toile (the first time takes a few minutes) ..."
+cmake --preset release >build.log 2>&1 && cmake --build --preset release --target toile >>build.log 2>&1 || {
+    tail -n 40 build.log >&2
+    echo "The build failed; the whole log is in build.log." >&2
+    exit 1
+}
+
+toile=$PWD/build/release/app/toile
+if [ $# -gt 0 ]; then
+    garment=$1
+    shift
+    case $garment in
+        /*) ;;
+        *) garment=$caller/$garment ;;
+    esac
+else
+    garment=resources/samples/tshirt.obj
+    set -- --unit mm
+fi
+
+name=$(basename "${garment%.*}")
+mkdir -p out
+status=0
+"$toile" flatten "$garment" "$@" \
+    -o "out/$name.svg" -o "out/$name.dxf" -o "out/$name.obj" -o "out/$name.json" || status=$?
+
+if [ "$status" -le 1 ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+    unit=()
+    while [ $# -gt 0 ]; do # of the options, only the unit concerns the window
+        case $1 in
+            --unit) unit=(--unit "$2") ;;
+            --unit=*) unit=("$1") ;;
+        esac
+        shift
+    done
+    echo "Opening the window ..."
+    "$toile" "$garment" "${unit[@]}"
+fi
+exit "$status"
