@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -63,9 +64,8 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
     connect(&workspace_.document(), &Document::changed, this, &MainWindow::onChanged);
     for (QAction* action : actions_.all())
         addAction(action);  // shortcuts work whichever menu is hidden
-    resize(1600, 1000);
+    resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
     restoreGeometry(preferences_.windowGeometry());
-    restoreState(preferences_.windowState());
     showGarmentParts(false);
     updateTitle();
 }
@@ -74,7 +74,8 @@ MainWindow::~MainWindow() {
     // The panels and views look at the document until they are gone; it is a member, so they have
     // to go before it.
     workspace_.jobs().shutdown();
-    for (QWidget* part : std::initializer_list<QWidget*>{piecesDock_, messagesDock_, centralWidget()})
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{piecesDock_, messagesDock_, centralWidget()})
         delete part;
 }
 
@@ -132,8 +133,8 @@ void MainWindow::makeMenus() {
     file.addSeparator();
     QMenu& exports = *file.addMenu(tr("&Export pattern"));
     exports.setObjectName("exportMenu");
-    fill(exports, {ActionId::ExportSvg, ActionId::ExportDxf, ActionId::ExportObj,
-                   ActionId::ExportReport});
+    fill(exports,
+         {ActionId::ExportSvg, ActionId::ExportDxf, ActionId::ExportObj, ActionId::ExportReport});
     file.addSeparator();
     fill(file, {ActionId::Quit});
 
@@ -184,17 +185,18 @@ void MainWindow::makeToolBar() {
     bar.addAction(&actions_[ActionId::FlattenAgain]);
     bar.addAction(&actions_[ActionId::Frame]);
     bar.addSeparator();
-    for (const ActionId id : {ActionId::OverlayNone, ActionId::OverlayChecker, ActionId::OverlayArea,
-                              ActionId::OverlayAngle, ActionId::OverlayStrain})
+    for (const ActionId id :
+         {ActionId::OverlayNone, ActionId::OverlayChecker, ActionId::OverlayArea,
+          ActionId::OverlayAngle, ActionId::OverlayStrain})
         bar.addAction(&actions_[id]);
     bar.addSeparator();
     bar.addAction(&actions_[ActionId::Wireframe]);
 }
 
 void MainWindow::makeStatusBar() {
-    hints_ = new QLabel(
-        tr("Drag: turn or move · Shift+drag: move · Wheel: zoom · Click: select · "
-           "Double click: frame a piece"));
+    hints_ =
+        new QLabel(tr("Drag: turn or move · Shift+drag: move · Wheel: zoom · Click: select · "
+                      "Double click: frame a piece"));
     hints_->setContentsMargins(8, 0, 8, 0);
     hints_->setMinimumWidth(60);
     statusBar()->addWidget(hints_, 1);
@@ -230,9 +232,8 @@ void MainWindow::connectJobs() {
         progress_->setValue(static_cast<int>(fraction * progress_->maximum()));
     });
     connect(&jobs, &JobRunner::idle, work_, &QWidget::hide);
-    connect(&jobs, &JobRunner::failed, this, [this](const QString& title, const QString& sentence) {
-        banner_->showSentence(tr("%1: %2").arg(title, sentence));
-    });
+    connect(&jobs, &JobRunner::failed, this,
+            [this](const QString&, const QString& sentence) { banner_->showSentence(sentence); });
     connect(&jobs, &JobRunner::cancelled, this, [this](const QString& title) {
         if (!workspace_.jobs().hasWaiting())
             statusBar()->showMessage(tr("%1: cancelled").arg(title), kMessageMilliseconds);
@@ -253,15 +254,19 @@ void MainWindow::onChanged(DocumentChanges what) {
 void MainWindow::showGarmentParts(bool shown) {
     pages_->setCurrentIndex(shown ? 1 : 0);
     hints_->setVisible(shown);
-    // A dock the person has closed stays closed: only the first garment brings them in.
-    const bool changes = shown != piecesDock_->toggleViewAction()->isEnabled();
+    // Only the first garment brings the docks in; one that the person has closed stays closed.
+    const bool first = shown && !piecesDock_->toggleViewAction()->isEnabled();
     for (QDockWidget* dock : {piecesDock_, messagesDock_}) {
         dock->toggleViewAction()->setEnabled(shown);
-        if (changes || !shown)
-            dock->setVisible(shown);
+        if (!shown)
+            dock->hide();
     }
-    if (shown && changes)
+    if (first) {
+        piecesDock_->show();
+        messagesDock_->show();
         piecesDock_->raise();
+        restoreState(preferences_.windowState());  // as the person left them, where known
+    }
 }
 
 void MainWindow::updateTitle() {
@@ -284,7 +289,9 @@ void MainWindow::showAbout() {
     box->open();
 }
 
-void MainWindow::openFiles(const QStringList& files) { garmentActions_->openFiles(files); }
+void MainWindow::openFiles(const QStringList& files) {
+    garmentActions_->openFiles(files);
+}
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     preferences_.setWindowGeometry(saveGeometry());

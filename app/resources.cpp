@@ -4,10 +4,14 @@
 #include <QtGlobal>
 
 // The macro declares a function and has to stand outside of any namespace.
-static void registerResources() { Q_INIT_RESOURCE(toile); }
+static void registerResources() {
+    Q_INIT_RESOURCE(toile);
+}
 
 namespace toile {
 
-void loadResources() { registerResources(); }
+void loadResources() {
+    registerResources();
+}
 
 }  // namespace toile

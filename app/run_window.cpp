@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_window.h"
 
-#include <cstdio>
-
 #include <QApplication>
 #include <QIcon>
 #include <QTimer>
+#include <cstdio>
 
 #include "app/main_window.h"
 #include "app/render/gl_support.h"
@@ -32,6 +31,18 @@ QStringList toStrings(const std::vector<std::filesystem::path>& paths) {
 
 void complain(const QString& sentence) {
     std::fputs(qPrintable("toile: " + sentence + '\n'), stderr);
+}
+
+/// Qt ends the program with a signal where it finds no display; a sentence is kinder.
+bool displayIsMissing() {
+#ifdef Q_OS_LINUX
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (!qEnvironmentVariableIsEmpty(name))
+            return false;
+    return true;
+#else
+    return false;
+#endif
 }
 
 /// Waits until the views show the result, then writes the picture and leaves the event loop.
@@ -74,6 +85,12 @@ private:
 }  // namespace
 
 int runWindow(int argc, char** argv, const WindowOptions& options) {
+    if (displayIsMissing()) {
+        complain(
+            "there is no display to open the window on; \"toile flatten\" needs none, and "
+            "xvfb-run lends one");
+        return kUnreadable;
+    }
     loadResources();
     QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
     QApplication application(argc, argv);

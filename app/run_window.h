@@ -20,8 +20,8 @@ struct WindowOptions {
 };
 
 /// Runs the window until it is closed. Needs a display.
-/// @return exit status: 0; with `screenshot` also 3 where the garment could not be read and 1
-///         where the picture could not be made or written
+/// @return exit status: 0; 3 where there is no display; with `screenshot` also 3 where the garment
+///         could not be read and 1 where the picture could not be written
 int runWindow(int argc, char** argv, const WindowOptions& options);
 
 }  // namespace toile

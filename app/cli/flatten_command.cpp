@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kSquareMillimetresPerSquareCentimetre = 100;
 constexpr double kMillimetresPerCentimetre = 10;
+constexpr double kMillisecondsPerSecond = 1000;
 
 /// A boundary error spans ten powers of ten: two digits and the power say it best.
 std::string scientific(double value) {
@@ -34,17 +35,18 @@ std::vector<std::string> rowOf(const PieceResult& result) {
         return row;
     }
     const PieceQuality& q = *result.quality;
-    row.insert(row.end(), {fixed(q.area2d / kSquareMillimetresPerSquareCentimetre, 1),
-                           fixed(q.perimeter2d / kMillimetresPerCentimetre, 1),
-                           scientific(q.maxBoundaryLengthError), percent(q.strainMeanAbs),
-                           percent(q.strainMax), std::to_string(q.flippedTriangles),
-                           std::to_string(q.outlineCrossings), fixed(result.seconds, 3) + " s"});
+    row.insert(
+        row.end(),
+        {fixed(q.area2d / kSquareMillimetresPerSquareCentimetre, 1),
+         fixed(q.perimeter2d / kMillimetresPerCentimetre, 1), scientific(q.maxBoundaryLengthError),
+         percent(q.strainMeanAbs), percent(q.strainMax), std::to_string(q.flippedTriangles),
+         std::to_string(q.outlineCrossings), fixed(kMillisecondsPerSecond * result.seconds, 1)});
     return row;
 }
 
 void printTable(const PieceResults& results, std::ostream& out) {
     Table table({"piece", "triangles", "area cm2", "outline cm", "length error", "strain % mean",
-                 "max", "flips", "crossings", "time"});
+                 "max", "flips", "crossings", "ms"});
     for (const auto& result : results) {
         table.add(rowOf(*result));
     }

@@ -49,7 +49,7 @@ std::string rounded(double value) {
 UnitGuess guessUnit(double largestExtent) {
     const double e = largestExtent;
     if (!std::isfinite(e) || e <= 0) {
-        return {LengthUnit::Millimetre, true, "no extent: read as millimetres, in doubt"};
+        return {LengthUnit::Millimetre, true, "no extent, read as millimetres"};
     }
     const LengthUnit unit = e < kMetresBelow        ? LengthUnit::Metre
                             : e <= kCentimetresUpTo ? LengthUnit::Centimetre
@@ -57,9 +57,12 @@ UnitGuess guessUnit(double largestExtent) {
     const bool inDoubt = std::any_of(std::begin(kDoubt), std::end(kDoubt), [e](const auto& range) {
         return e >= range[0] && e <= range[1];
     });
-    std::string reason = "largest extent " + rounded(e) + ": read as ";
-    reason.append(pluralOf(unit)).append(" (" + rounded(e * millimetresPer(unit)) + " mm)");
-    return {unit, inDoubt, reason + (inDoubt ? ", in doubt" : "")};
+    std::string reason = "largest extent " + rounded(e) + ", read as ";
+    reason += pluralOf(unit);
+    if (unit != LengthUnit::Millimetre) {
+        reason += ": " + rounded(e * millimetresPer(unit)) + " mm";
+    }
+    return {unit, inDoubt, reason};
 }
 
 }  // namespace toile

@@ -11,7 +11,7 @@ namespace toile {
 struct UnitGuess {
     LengthUnit unit;
     bool inDoubt;        ///< the size would fit another unit nearly as well
-    std::string reason;  ///< for a person: "largest extent 1.52: read as metres (1520 mm)"
+    std::string reason;  ///< for a person: "largest extent 1.52, read as metres: 1520 mm"
 };
 
 /// Proposes a unit from the largest extent of the garment, in file units: below 3 metres, to 250

@@ -10,8 +10,9 @@ namespace {
 constexpr double kLargestGap = 20;    // mm
 constexpr double kRelativeGap = 0.1;  // of the largest side of a piece
 constexpr double kBestAspect = 1.25;  // width over height: between a square and 3 to 2
-constexpr int kWidthTrials = 24;
-constexpr double kTrialStep = 1.0 / 16;  // of the width a perfect packing would have
+constexpr int kWidthTrials = 32;
+constexpr double kNarrowestTrial = 0.75;  // of the width a packing without waste would have
+constexpr double kTrialStep = 1.0 / 16;
 
 struct Box {
     Eigen::Vector2d corner = Eigen::Vector2d::Zero();  // lower left
@@ -59,16 +60,18 @@ Eigen::Vector2d extent(const std::vector<Row>& rows, double gap) {
     return size;
 }
 
-/// How far a sheet is from the best aspect, 1 being best, alike for too wide and too high.
+/// What a person sees of a sheet: how far its aspect is from the best, alike for too wide and too
+/// high, times the square of the area it takes up. A row with one lost piece costs area; the square
+/// keeps a sheet from growing wider at the same height only to look better proportioned.
 double awkwardness(const Eigen::Vector2d& size) {
     if (!(size.x() > 0) || !(size.y() > 0)) {
         return HUGE_VAL;
     }
     const double ratio = size.x() / (size.y() * kBestAspect);
-    return std::max(ratio, 1 / ratio);
+    return std::max(ratio, 1 / ratio) * size.prod() * size.prod();
 }
 
-/// Tries row widths from that of a packing without waste upwards and keeps the first of the best.
+/// Tries row widths around that of a packing without waste and keeps the first of the best.
 std::vector<Row> chooseRows(const std::vector<Box>& boxes, double gap) {
     double area = 0, widest = 0;
     for (const Box& box : boxes) {
@@ -79,7 +82,7 @@ std::vector<Row> chooseRows(const std::vector<Box>& boxes, double gap) {
     std::vector<Row> best;
     double least = 0;
     for (int trial = 0; trial < kWidthTrials; ++trial) {
-        const double limit = std::max(widest, ideal * (1 + kTrialStep * trial));
+        const double limit = std::max(widest, ideal * (kNarrowestTrial + kTrialStep * trial));
         std::vector<Row> rows = fillRows(boxes, gap, limit);
         const double cost = awkwardness(extent(rows, gap));
         if (trial == 0 || cost < least) {

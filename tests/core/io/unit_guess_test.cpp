@@ -31,13 +31,12 @@ TEST(UnitGuess, FollowsTheTable) {
 }
 
 TEST(UnitGuess, SaysWhy) {
-    EXPECT_EQ(guessUnit(1.52).reason, "largest extent 1.52: read as metres (1520 mm)");
-    EXPECT_EQ(guessUnit(1.0 / 3).reason, "largest extent 0.3333: read as metres (333.3 mm)");
-    EXPECT_EQ(guessUnit(66).reason, "largest extent 66: read as centimetres (660 mm)");
-    EXPECT_EQ(guessUnit(12.3456).reason,
-              "largest extent 12.35: read as centimetres (123.5 mm), in doubt");
-    EXPECT_EQ(guessUnit(15234.5).reason, "largest extent 15234: read as millimetres (15234 mm)");
-    EXPECT_EQ(guessUnit(1e-7).reason, "largest extent 0.0000001: read as metres (0.0001 mm)");
+    EXPECT_EQ(guessUnit(1.52).reason, "largest extent 1.52, read as metres: 1520 mm");
+    EXPECT_EQ(guessUnit(1.0 / 3).reason, "largest extent 0.3333, read as metres: 333.3 mm");
+    EXPECT_EQ(guessUnit(66).reason, "largest extent 66, read as centimetres: 660 mm");
+    EXPECT_EQ(guessUnit(12.3456).reason, "largest extent 12.35, read as centimetres: 123.5 mm");
+    EXPECT_EQ(guessUnit(15234.5).reason, "largest extent 15234, read as millimetres");
+    EXPECT_EQ(guessUnit(1e-7).reason, "largest extent 0.0000001, read as metres: 0.0001 mm");
 }
 
 TEST(UnitGuess, IsInDoubtWithoutASize) {

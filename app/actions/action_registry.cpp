@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/action_registry.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QKeySequence>
+
+#include "app/widgets/icon.h"
+
+namespace toile {
+
+namespace {
+
+/// Actions of one group exclude each other; those of Toggle stand alone.
+enum class Group { None, Toggle, Overlay, Method, Solver, Unit };
+
+struct ActionSpec {
+    ActionId id;
+    const char* name;  ///< object name, for tests and settings
+    const char* text;
+    const char* shortcut;
+    const char* tip;
+    const char* icon = "";
+    const char* shortText = "";  ///< for the toolbar
+    Group group = Group::None;
+};
+
+#define TR(text) QT_TRANSLATE_NOOP("Actions", text)
+
+constexpr ActionSpec kActions[] = {
+    {ActionId::Open, "open", TR("&Open…"), "Ctrl+O",
+     TR("Open a garment: one file, or several that belong together"), "open", TR("Open")},
+    {ActionId::ExportSvg, "exportSvg", TR("As &SVG drawing…"), "Ctrl+E",
+     TR("Write the pattern at true scale for printing and drawing programs")},
+    {ActionId::ExportDxf, "exportDxf", TR("As &DXF drawing…"), "",
+     TR("Write the pattern at true scale for pattern and cutting programs")},
+    {ActionId::ExportObj, "exportObj", TR("As &OBJ with UV map…"), "",
+     TR("Write the garment again with the pattern as its UV map")},
+    {ActionId::ExportReport, "exportReport", TR("&Report (JSON)…"), "",
+     TR("Write every figure of every piece for other programs")},
+    {ActionId::Quit, "quit", TR("&Quit"), "Ctrl+Q", TR("Close the window")},
+    {ActionId::SelectAll, "selectAll", TR("Select &all"), "Ctrl+A", TR("Select every piece")},
+    {ActionId::SelectNone, "selectNone", TR("Select &none"), "Ctrl+Shift+A",
+     TR("Clear the selection")},
+    {ActionId::Frame, "frame", TR("&Frame"), "F",
+     TR("Show the selected pieces, or everything where none is selected"), "frame", TR("Frame")},
+    {ActionId::OverlayNone, "overlayNone", TR("Piece &colours"), "1",
+     TR("Every piece in its own colour"), "overlay-none", TR("Plain"), Group::Overlay},
+    {ActionId::OverlayChecker, "overlayChecker", TR("Check&erboard"), "2",
+     TR("True-scale squares of 1 cm on the cloth"), "overlay-checker", TR("Checker"),
+     Group::Overlay},
+    {ActionId::OverlayArea, "overlayArea", TR("&Area change"), "3",
+     TR("How much area the flat piece has gained or lost"), "overlay-area", TR("Area"),
+     Group::Overlay},
+    {ActionId::OverlayAngle, "overlayAngle", TR("An&gle change"), "4",
+     TR("How much the corners of the cloth have turned"), "overlay-angle", TR("Angle"),
+     Group::Overlay},
+    {ActionId::OverlayStrain, "overlayStrain", TR("Edge &strain"), "5",
+     TR("How far the cloth must stretch or gather to take its shape"), "overlay-strain",
+     TR("Strain"), Group::Overlay},
+    {ActionId::Wireframe, "wireframe", TR("Show &wireframe"), "W",
+     TR("Draw the triangles of the cloth"), "wireframe", TR("Wireframe"), Group::Toggle},
+    {ActionId::MethodWang2005, "methodWang2005", TR("&Keep seam line lengths (Wang 2005)"), "",
+     TR("Every outline keeps exactly the length it has on the garment, so that seams match"), "",
+     "", Group::Method},
+    {ActionId::MethodNatural, "methodNatural", TR("&Free outline (natural boundary)"), "",
+     TR("Corners are kept best; seam lines may change their length"), "", "", Group::Method},
+    {ActionId::SolverNewton, "solverNewton", TR("Outline by &Newton steps"), "",
+     TR("The fast way to the outline"), "", "", Group::Solver},
+    {ActionId::SolverSlcp, "solverSlcp", TR("Outline by &linearly constrained steps"), "",
+     TR("The published way to the same outline"), "", "", Group::Solver},
+    {ActionId::FlattenAgain, "flattenAgain", TR("Flatten &again"), "F5",
+     TR("Flatten every piece again"), "flatten", TR("Flatten")},
+    {ActionId::Cancel, "cancel", TR("&Cancel"), "Esc", TR("Stop what is running"), "cancel"},
+    {ActionId::UnitAuto, "unitAuto", TR("&Guess from the size"), "",
+     TR("Choose the unit that gives a garment of human size"), "", "", Group::Unit},
+    {ActionId::UnitMillimetre, "unitMillimetre", TR("&Millimetres"), "",
+     TR("Read the file's numbers as millimetres"), "", "", Group::Unit},
+    {ActionId::UnitCentimetre, "unitCentimetre", TR("&Centimetres"), "",
+     TR("Read the file's numbers as centimetres"), "", "", Group::Unit},
+    {ActionId::UnitMetre, "unitMetre", TR("M&etres"), "", TR("Read the file's numbers as metres"),
+     "", "", Group::Unit},
+    {ActionId::UnitInch, "unitInch", TR("&Inches"), "", TR("Read the file's numbers as inches"), "",
+     "", Group::Unit},
+    {ActionId::About, "about", TR("&About Toile"), "", TR("Version, licence, and what Toile does")},
+};
+
+#undef TR
+
+QString translated(const char* text) {
+    return *text ? QCoreApplication::translate("Actions", text) : QString();
+}
+
+}  // namespace
+
+ActionRegistry::ActionRegistry(QObject* parent) : QObject(parent) {
+    std::map<Group, QActionGroup*> groups;
+    for (const ActionSpec& spec : kActions) {
+        auto* action = new QAction(translated(spec.text), this);
+        action->setObjectName(spec.name);
+        const QKeySequence shortcut(QString::fromLatin1(spec.shortcut));
+        action->setShortcut(shortcut);
+        const QString tip = translated(spec.tip);
+        action->setStatusTip(tip);
+        action->setToolTip(
+            shortcut.isEmpty()
+                ? tip
+                : QString("%1 (%2)").arg(tip, shortcut.toString(QKeySequence::NativeText)));
+        if (*spec.icon)
+            action->setIcon(themedIcon(spec.icon));
+        if (*spec.shortText)
+            action->setIconText(translated(spec.shortText));
+        action->setCheckable(spec.group != Group::None);
+        if (spec.group > Group::Toggle) {
+            QActionGroup*& group = groups[spec.group];
+            if (!group)
+                group = new QActionGroup(this);
+            group->addAction(action);
+        }
+        actions_.emplace(spec.id, action);
+    }
+    actions_.at(ActionId::Quit)->setMenuRole(QAction::QuitRole);
+    actions_.at(ActionId::About)->setMenuRole(QAction::AboutRole);
+}
+
+std::vector<QAction*> ActionRegistry::all() const {
+    std::vector<QAction*> list;
+    for (const auto& [id, action] : actions_)
+        list.push_back(action);
+    return list;
+}
+
+}  // namespace toile

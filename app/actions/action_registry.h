@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <vector>
+
+class QAction;
+
+namespace toile {
+
+/// Everything a person can do, by name.
+enum class ActionId {
+    Open,
+    ExportSvg,
+    ExportDxf,
+    ExportObj,
+    ExportReport,
+    Quit,
+    SelectAll,
+    SelectNone,
+    Frame,
+    OverlayNone,
+    OverlayChecker,
+    OverlayArea,
+    OverlayAngle,
+    OverlayStrain,
+    Wireframe,
+    MethodWang2005,
+    MethodNatural,
+    SolverNewton,
+    SolverSlcp,
+    FlattenAgain,
+    Cancel,
+    UnitAuto,
+    UnitMillimetre,
+    UnitCentimetre,
+    UnitMetre,
+    UnitInch,
+    About,
+};
+
+/// The one list of actions behind menus, toolbar, shortcuts and help. Holds the actions; what they
+/// do is connected elsewhere.
+class ActionRegistry : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ActionRegistry(QObject* parent = nullptr);
+
+    QAction& operator[](ActionId id) const { return *actions_.at(id); }
+    /// In the order of the table.
+    std::vector<QAction*> all() const;
+
+private:
+    std::map<ActionId, QAction*> actions_;
+};
+
+}  // namespace toile

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/garment_actions.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <QWidget>
+#include <utility>
+
+#include "app/actions/workspace.h"
+#include "app/settings/preferences.h"
+
+namespace toile {
+
+namespace {
+
+constexpr std::pair<ActionId, Overlay> kOverlays[] = {
+    {ActionId::OverlayNone, Overlay::None},     {ActionId::OverlayChecker, Overlay::Checker},
+    {ActionId::OverlayArea, Overlay::Area},     {ActionId::OverlayAngle, Overlay::Angle},
+    {ActionId::OverlayStrain, Overlay::Strain},
+};
+
+const std::pair<ActionId, std::optional<LengthUnit>> kUnits[] = {
+    {ActionId::UnitAuto, std::nullopt},
+    {ActionId::UnitMillimetre, LengthUnit::Millimetre},
+    {ActionId::UnitCentimetre, LengthUnit::Centimetre},
+    {ActionId::UnitMetre, LengthUnit::Metre},
+    {ActionId::UnitInch, LengthUnit::Inch},
+};
+
+}  // namespace
+
+GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
+                               Preferences& preferences, QWidget& window)
+    : actions_(actions), workspace_(workspace), preferences_(preferences), window_(window) {
+    connectFiles();
+    connectSelection();
+    connectView();
+    connectFlattening();
+    connectUnits();
+    connect(&workspace_.document(), &Document::changed, this, &GarmentActions::onChanged);
+    connect(&workspace_.jobs(), &JobRunner::started, this, &GarmentActions::updateEnabled);
+    connect(&workspace_.jobs(), &JobRunner::idle, this, &GarmentActions::updateEnabled);
+    onChanged(DocumentChange::View | DocumentChange::Options | DocumentChange::Garment);
+}
+
+void GarmentActions::connectFiles() {
+    connect(&actions_[ActionId::Open], &QAction::triggered, this, &GarmentActions::askAndOpen);
+    connect(&actions_[ActionId::ExportSvg], &QAction::triggered, this,
+            [this] { askAndExport("svg", tr("SVG drawing (*.svg)")); });
+    connect(&actions_[ActionId::ExportDxf], &QAction::triggered, this,
+            [this] { askAndExport("dxf", tr("DXF drawing (*.dxf)")); });
+    connect(&actions_[ActionId::ExportObj], &QAction::triggered, this,
+            [this] { askAndExport("obj", tr("OBJ mesh (*.obj)")); });
+    connect(&actions_[ActionId::ExportReport], &QAction::triggered, this,
+            [this] { askAndExport("json", tr("JSON report (*.json)")); });
+}
+
+void GarmentActions::connectSelection() {
+    connect(&actions_[ActionId::SelectAll], &QAction::triggered, this, [this] {
+        Document::Selection all;
+        for (int i = 0; i < workspace_.document().pieceCount(); ++i)
+            all.insert(i);
+        workspace_.document().setSelection(std::move(all));
+    });
+    connect(&actions_[ActionId::SelectNone], &QAction::triggered, this,
+            [this] { workspace_.document().setSelection({}); });
+}
+
+void GarmentActions::connectView() {
+    for (const auto& [id, overlay] : kOverlays)
+        connect(&actions_[id], &QAction::triggered, this,
+                [this, overlay = overlay] { workspace_.document().setOverlay(overlay); });
+    connect(&actions_[ActionId::Wireframe], &QAction::toggled, &workspace_.document(),
+            &Document::setWireframe);
+}
+
+void GarmentActions::connectFlattening() {
+    connect(&actions_[ActionId::MethodWang2005], &QAction::triggered, this,
+            [this] { workspace_.setMethod(Method::Wang2005); });
+    connect(&actions_[ActionId::MethodNatural], &QAction::triggered, this,
+            [this] { workspace_.setMethod(Method::Natural); });
+    connect(&actions_[ActionId::SolverNewton], &QAction::triggered, this,
+            [this] { workspace_.setBoundarySolver(BoundarySolver::Newton); });
+    connect(&actions_[ActionId::SolverSlcp], &QAction::triggered, this,
+            [this] { workspace_.setBoundarySolver(BoundarySolver::Slcp); });
+    connect(&actions_[ActionId::FlattenAgain], &QAction::triggered, this,
+            [this] { workspace_.flattenAgain(); });
+    connect(&actions_[ActionId::Cancel], &QAction::triggered, this,
+            [this] { workspace_.jobs().cancel(); });
+}
+
+void GarmentActions::connectUnits() {
+    for (const auto& [id, unit] : kUnits) {
+        connect(&actions_[id], &QAction::triggered, this,
+                [this, unit = unit] { workspace_.setUnit(unit); });
+        actions_[id].setChecked(workspace_.unit() == unit);
+    }
+}
+
+void GarmentActions::askAndOpen() {
+    openFiles(dialogs_.open(&window_, preferences_.openFolder()));
+}
+
+void GarmentActions::openFiles(const QStringList& files) {
+    if (files.isEmpty())
+        return;
+    preferences_.setOpenFolder(QFileInfo(files.front()).absolutePath());
+    Workspace::Paths paths;
+    for (const QString& file : files)
+        paths.emplace_back(file.toStdU16String());
+    workspace_.open(std::move(paths));
+}
+
+void GarmentActions::askAndExport(const QString& suffix, const QString& filter) {
+    if (!workspace_.canExport())
+        return;
+    const auto& source = workspace_.document().garment()->files.front()->path;
+    const QFileInfo first(QString::fromStdU16String(source.u16string()));
+    const QString remembered = preferences_.exportFolder();
+    const QString folder = remembered.isEmpty() ? first.absolutePath() : remembered;
+    // "-pattern" keeps an OBJ export from proposing to replace the garment itself.
+    const QString name = tr("%1-pattern").arg(first.completeBaseName());
+    QString path = dialogs_.save(&window_, QString("%1/%2.%3").arg(folder, name, suffix), filter);
+    if (path.isEmpty())
+        return;
+    if (QFileInfo(path).suffix().compare(suffix, Qt::CaseInsensitive) != 0)
+        path += '.' + suffix;
+    preferences_.setExportFolder(QFileInfo(path).absolutePath());
+    workspace_.exportTo(path.toStdU16String());
+}
+
+void GarmentActions::onChanged(DocumentChanges what) {
+    const Document& document = workspace_.document();
+    if (what.testFlag(DocumentChange::View)) {
+        for (const auto& [id, overlay] : kOverlays)
+            actions_[id].setChecked(document.view().overlay == overlay);
+        actions_[ActionId::Wireframe].setChecked(document.view().wireframe);
+    }
+    if (what.testFlag(DocumentChange::Options)) {
+        const FlattenOptions& options = document.options();
+        actions_[ActionId::MethodWang2005].setChecked(options.method == Method::Wang2005);
+        actions_[ActionId::MethodNatural].setChecked(options.method == Method::Natural);
+        actions_[ActionId::SolverNewton].setChecked(options.boundarySolver ==
+                                                    BoundarySolver::Newton);
+        actions_[ActionId::SolverSlcp].setChecked(options.boundarySolver == BoundarySolver::Slcp);
+    }
+    updateEnabled();
+}
+
+void GarmentActions::updateEnabled() {
+    const Document& document = workspace_.document();
+    const bool open = document.garment() != nullptr;
+    const bool constrained = document.options().method == Method::Wang2005;
+    for (const ActionId id : {ActionId::SelectAll, ActionId::SelectNone, ActionId::Frame,
+                              ActionId::FlattenAgain, ActionId::Wireframe})
+        actions_[id].setEnabled(open);
+    for (const auto& [id, overlay] : kOverlays)
+        actions_[id].setEnabled(open);
+    for (const ActionId id :
+         {ActionId::ExportSvg, ActionId::ExportDxf, ActionId::ExportObj, ActionId::ExportReport})
+        actions_[id].setEnabled(workspace_.canExport());
+    // A free outline has no boundary problem to solve.
+    actions_[ActionId::SolverNewton].setEnabled(constrained);
+    actions_[ActionId::SolverSlcp].setEnabled(constrained);
+    actions_[ActionId::Cancel].setEnabled(workspace_.jobs().isBusy());
+}
+
+}  // namespace toile

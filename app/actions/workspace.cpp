@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/workspace.h"
+
+#include <utility>
+
+#include "app/jobs/export_job.h"
+#include "app/jobs/flatten_job.h"
+#include "app/jobs/import_job.h"
+
+namespace toile {
+
+Workspace::Workspace(QObject* parent) : QObject(parent) {
+    connect(&document_, &Document::changed, this, &Workspace::onChanged);
+    connect(&jobs_, &JobRunner::failed, this, &Workspace::onOver);
+    connect(&jobs_, &JobRunner::cancelled, this, &Workspace::onOver);
+}
+
+Workspace::~Workspace() {
+    jobs_.shutdown();
+}
+
+void Workspace::open(Paths files) {
+    if (files.empty())
+        return;
+    requested_ = files;
+    importing_ = true;
+    jobs_.replace(std::make_unique<ImportJob>(document_, std::move(files), LoadOptions{unit_}));
+}
+
+void Workspace::setUnit(std::optional<LengthUnit> unit) {
+    if (unit == unit_)
+        return;
+    unit_ = unit;
+    open(requested_);
+}
+
+void Workspace::setMethod(Method method) {
+    FlattenOptions options = document_.options();
+    options.method = method;
+    document_.setOptions(options);
+}
+
+void Workspace::setBoundarySolver(BoundarySolver solver) {
+    FlattenOptions options = document_.options();
+    options.boundarySolver = solver;
+    document_.setOptions(options);
+}
+
+void Workspace::flattenAgain() {
+    // While a garment is being read, flattening follows by itself.
+    if (document_.garment() && !importing_)
+        jobs_.replace(std::make_unique<FlattenJob>(document_));
+}
+
+bool Workspace::canExport() const {
+    return !document_.results().empty();
+}
+
+void Workspace::exportTo(const std::filesystem::path& path) {
+    Q_ASSERT(canExport());
+    jobs_.start(
+        std::make_unique<ExportJob>(document_, path, [this](const std::filesystem::path& written) {
+            emit exported(QString::fromStdU16String(written.u16string()));
+        }));
+}
+
+void Workspace::onChanged(DocumentChanges what) {
+    if (what.testFlag(DocumentChange::Garment))
+        importing_ = false;
+    if (what & (DocumentChange::Garment | DocumentChange::Options))
+        flattenAgain();
+}
+
+void Workspace::onOver() {
+    // A job that makes room for a reading says nothing about the reading.
+    if (jobs_.hasWaiting() || !std::exchange(importing_, false))
+        return;
+    requested_.clear();
+    if (document_.garment())
+        for (const auto& file : document_.garment()->files)
+            requested_.push_back(file->path);
+}
+
+}  // namespace toile

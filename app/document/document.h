@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <cstdint>
+#include <memory>
+#include <set>
+
+#include "app/document/document_change.h"
+#include "app/document/view_state.h"
+#include "core/pipeline/pipeline.h"
+
+namespace toile {
+
+struct Scene;
+
+/// The open garment: the one place that holds its state. Everything it hands out is a finished,
+/// immutable, shared value, so that a snapshot for a job costs nothing and old states can be kept.
+/// GUI thread only. Every setter that changes something emits `changed` once.
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    using Selection = std::set<int>;  ///< indices into Garment::pieces
+
+    explicit Document(QObject* parent = nullptr);
+    ~Document() override;
+
+    /// Null where nothing is open.
+    const std::shared_ptr<const Garment>& garment() const { return garment_; }
+    /// One per piece, in the garment's order; empty until the first flattening is done.
+    const PieceResults& results() const { return results_; }
+    /// What the views draw, made of garment and results by the job that made them. May be null.
+    const std::shared_ptr<const Scene>& scene() const { return scene_; }
+    const FlattenOptions& options() const { return options_; }
+    const Selection& selection() const { return selection_; }
+    const ViewState& view() const { return view_; }
+    /// Goes up when the garment or the options change: results begun before are stale then.
+    std::uint64_t revision() const { return revision_; }
+
+    int pieceCount() const;
+    bool isSelected(int piece) const { return selection_.count(piece) != 0; }
+    /// Short name for titles: the file's name, or the first and how many more.
+    QString title() const;
+
+    /// Opens a garment: results and selection are cleared.
+    void setGarment(std::shared_ptr<const Garment> garment, std::shared_ptr<const Scene> scene);
+    /// @param results one per piece of the present garment
+    void setResults(PieceResults results, std::shared_ptr<const Scene> scene);
+    void setOptions(const FlattenOptions& options);
+    /// Indices outside the garment are left out.
+    void setSelection(Selection selection);
+    void toggleSelected(int piece);
+    void setOverlay(Overlay overlay);
+    void setWireframe(bool on);
+
+signals:
+    void changed(toile::DocumentChanges what);
+
+private:
+    std::shared_ptr<const Garment> garment_;
+    PieceResults results_;
+    std::shared_ptr<const Scene> scene_;
+    FlattenOptions options_;
+    Selection selection_;
+    ViewState view_;
+    std::uint64_t revision_ = 0;
+};
+
+}  // namespace toile

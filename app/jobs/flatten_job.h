@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "app/jobs/job.h"
+#include "core/pipeline/pipeline.h"
+
+namespace toile {
+
+class Document;
+struct Scene;
+
+/// Flattens every piece of the document's garment with its options, lays the pieces out and
+/// prepares what both views draw. A piece that fails leaves the others alone.
+class FlattenJob : public Job {
+public:
+    /// Takes its snapshot here. Requires an open garment.
+    explicit FlattenJob(Document& document);
+
+    QString title() const override;
+    std::optional<std::uint64_t> revision() const override { return revision_; }
+    Result<void> process(Progress& progress) override;
+    void finalize() override;
+
+private:
+    Document& document_;
+    std::uint64_t revision_;
+    std::shared_ptr<const Garment> garment_;
+    FlattenOptions options_;
+    PieceResults results_;
+    std::shared_ptr<const Scene> scene_;
+};
+
+}  // namespace toile

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/figures.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+namespace toile {
+
+namespace {
+
+constexpr QChar kMinus(0x2212), kDash(0x2013), kEllipsis(0x2026);
+
+/// A metre of seam is then true to a micrometre.
+constexpr double kExact = 1e-6;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("Figures", text);
+}
+
+/// Enough decimals for two telling digits, at most three.
+int decimalsFor(double value) {
+    const double size = std::abs(value);
+    return size >= 10 ? 1 : size >= 0.1 ? 2 : 3;
+}
+
+}  // namespace
+
+QString squareCentimetres(double squareMillimetres) {
+    return QLocale().toString(squareMillimetres / 100, 'f', 1);
+}
+
+QString centimetres(double millimetres) {
+    return QLocale().toString(millimetres / 10, 'f', 1);
+}
+
+QString percent(double fraction) {
+    const double value = fraction * 100;
+    return QLocale().toString(value, 'f', decimalsFor(value));
+}
+
+QString signedPercent(double fraction) {
+    const double value = fraction * 100;
+    if (std::abs(value) < 5e-4)
+        return QLocale().toString(0);
+    return (value < 0 ? QString(kMinus) : QString('+')) + percent(std::abs(fraction));
+}
+
+QString boundaryError(double fraction) {
+    return fraction < kExact ? tr("exact") : percent(fraction);
+}
+
+QString strainRange(const PieceQuality& quality) {
+    if (!quality.strainMin || !quality.strainMax)
+        return kDash;
+    return QString("%1 %2 %3")
+        .arg(signedPercent(*quality.strainMin), QString(kEllipsis),
+             signedPercent(*quality.strainMax));
+}
+
+QString methodName(Method method) {
+    switch (method) {
+        case Method::Natural:
+            return tr("Free outline (natural boundary)");
+        case Method::Wang2005:
+            return tr("Seam line lengths kept (Wang 2005)");
+    }
+    return {};
+}
+
+}  // namespace toile

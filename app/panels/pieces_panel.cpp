@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/pieces_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QItemSelection>
+#include <QLabel>
+#include <QLocale>
+#include <QScopedValueRollback>
+#include <QScrollArea>
+#include <QSortFilterProxyModel>
+#include <QTreeView>
+#include <algorithm>
+
+#include "app/document/document.h"
+#include "app/panels/figures.h"
+#include "app/panels/pieces_model.h"
+
+namespace toile {
+
+namespace {
+
+QString row(const QString& name, const QString& value) {
+    return QString(
+               "<tr><td style='padding-right:12px; white-space:nowrap'>%1</td><td "
+               "align='right'>%2</td></tr>")
+        .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+}
+
+}  // namespace
+
+PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      model_(new PiecesModel(document, this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      table_(new QTreeView(this)),
+      details_(new QLabel(this)) {
+    makeTable();
+    details_->setObjectName("pieceDetails");
+    details_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    details_->setWordWrap(true);
+    details_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    details_->setContentsMargins(14, 8, 14, 8);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(details_);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setMinimumWidth(230);
+    scroll->setMaximumWidth(320);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(table_, 4);
+    layout->addWidget(scroll, 1);
+    // After the model's own connection: its rows are the new ones by then.
+    connect(&document_, &Document::changed, this, &PiecesPanel::onChanged);
+    updateDetails();
+}
+
+void PiecesPanel::makeTable() {
+    sorted_->setSourceModel(model_);
+    sorted_->setSortRole(PiecesModel::SortRole);
+    table_->setObjectName("pieceTable");
+    table_->setModel(sorted_);
+    table_->setRootIsDecorated(false);
+    table_->setUniformRowHeights(true);
+    table_->setAlternatingRowColors(true);
+    table_->setAllColumnsShowFocus(true);
+    table_->setFrameShape(QFrame::NoFrame);
+    table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(-1, Qt::AscendingOrder);  // the garment's order until asked otherwise
+    table_->header()->setStretchLastSection(false);
+    table_->header()->setMinimumSectionSize(70);
+    connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &PiecesPanel::selectInDocument);
+    connect(table_, &QTreeView::doubleClicked, this, &PiecesPanel::activated);
+}
+
+void PiecesPanel::onChanged(DocumentChanges what) {
+    if (what & (DocumentChange::Garment | DocumentChange::Results))
+        fitColumns();
+    if (what & (DocumentChange::Garment | DocumentChange::Selection))
+        selectInTable();
+    if (what & (DocumentChange::Garment | DocumentChange::Selection | DocumentChange::Results))
+        updateDetails();
+}
+
+void PiecesPanel::fitColumns() {
+    constexpr int kAir = 6;
+    for (int column = 0; column < PiecesModel::ColumnCount; ++column) {
+        table_->resizeColumnToContents(column);
+        table_->setColumnWidth(column, table_->columnWidth(column) + kAir);
+    }
+    statusWidth_ = table_->columnWidth(PiecesModel::Status);
+    fillWidth();
+}
+
+void PiecesPanel::fillWidth() {
+    const int others = table_->header()->length() - table_->columnWidth(PiecesModel::Status);
+    table_->setColumnWidth(PiecesModel::Status,
+                           std::max(statusWidth_, table_->viewport()->width() - others));
+}
+
+void PiecesPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate();  // the table has its new width only then
+    fillWidth();
+}
+
+void PiecesPanel::selectInTable() {
+    if (synchronizing_)
+        return;
+    const QScopedValueRollback guard(synchronizing_, true);
+    QItemSelection selection;
+    for (const int piece : document_.selection()) {
+        const QModelIndex index = sorted_->mapFromSource(model_->index(piece, 0));
+        selection.select(index, index);
+    }
+    table_->selectionModel()->select(
+        selection, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    if (!selection.isEmpty())
+        table_->scrollTo(selection.indexes().front());
+}
+
+void PiecesPanel::selectInDocument() {
+    if (synchronizing_)
+        return;
+    const QScopedValueRollback guard(synchronizing_, true);
+    Document::Selection selection;
+    for (const QModelIndex& index : table_->selectionModel()->selectedRows())
+        selection.insert(sorted_->mapToSource(index).row());
+    document_.setSelection(std::move(selection));
+    updateDetails();
+}
+
+void PiecesPanel::updateDetails() {
+    const auto& selection = document_.selection();
+    details_->setText(selection.size() == 1 ? details(*selection.begin()) : detailsOfMany());
+}
+
+QString PiecesPanel::details(int piece) const {
+    const auto at = static_cast<std::size_t>(piece);
+    const Piece& source = *document_.garment()->pieces[at];
+    QString text =
+        QString("<p><b>%1</b></p>").arg(QString::fromStdString(source.name).toHtmlEscaped());
+    if (at >= document_.results().size())
+        return text + "<p>" + tr("Not flattened yet.").toHtmlEscaped() + "</p>";
+    const PieceResult& result = *document_.results()[at];
+    if (result.error)
+        return text + "<p>" + QString::fromStdString(sentence(*result.error)).toHtmlEscaped() +
+               "</p>";
+    const PieceQuality& quality = *result.quality;
+    const QLocale locale;
+    text += "<p>" + methodName(result.options.method).toHtmlEscaped() + "</p><table>";
+    text += row(tr("Area, garment"), tr("%1 cm²").arg(squareCentimetres(quality.area3d)));
+    text += row(tr("Area, flat"), tr("%1 cm²").arg(squareCentimetres(quality.area2d)));
+    text += row(tr("Outline, garment"), tr("%1 cm").arg(centimetres(quality.perimeter3d)));
+    text += row(tr("Outline, flat"), tr("%1 cm").arg(centimetres(quality.perimeter2d)));
+    const QString error = boundaryError(quality.maxBoundaryLengthError);
+    text += row(tr("Outline error"), error.at(0).isDigit() ? tr("%1 %").arg(error) : error);
+    if (quality.strainMeanAbs)
+        text += row(tr("Strain, mean"), tr("%1 %").arg(percent(*quality.strainMeanAbs)));
+    text += row(tr("Strain, range"), tr("%1 %").arg(strainRange(quality)));
+    if (quality.quasiConformalMean)
+        text += row(tr("Uneven stretch (1 = even)"),
+                    locale.toString(*quality.quasiConformalMean, 'f', 3));
+    text += row(tr("Triangles"), locale.toString(static_cast<qlonglong>(source.mesh.F.rows())));
+    text += row(tr("Time"), tr("%1 s").arg(locale.toString(result.seconds, 'f', 3)));
+    return text + "</table>";
+}
+
+QString PiecesPanel::detailsOfMany() const {
+    const int count = document_.pieceCount();
+    if (count == 0)
+        return {};
+    const auto& selection = document_.selection();
+    double area = 0;
+    int flat = 0, counted = 0;
+    for (int i = 0; i < count; ++i) {
+        if (!selection.empty() && selection.count(i) == 0)
+            continue;
+        ++counted;
+        const auto at = static_cast<std::size_t>(i);
+        if (at < document_.results().size() && document_.results()[at]->quality) {
+            ++flat;
+            area += document_.results()[at]->quality->area2d;
+        }
+    }
+    const QString title = selection.empty() ? tr("The whole garment") : tr("Selected pieces");
+    const QString hint = selection.empty()
+                             ? "<p>" +
+                                   tr("Click a piece in a view or in the table to see its "
+                                      "figures.")
+                                       .toHtmlEscaped() +
+                                   "</p>"
+                             : QString();
+    return QString("<p><b>%1</b></p><table>%2%3</table>%4")
+        .arg(title.toHtmlEscaped(), row(tr("Pieces, flat"), tr("%1 of %2").arg(flat).arg(counted)),
+             row(tr("Cloth needed at least"), tr("%1 cm²").arg(squareCentimetres(area))), hint);
+}
+
+}  // namespace toile

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/colour_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace toile {
+
+namespace {
+
+struct Stop {
+    double at;
+    Rgb colour;
+};
+
+std::uint8_t blend(std::uint8_t a, std::uint8_t b, double t) {
+    return static_cast<std::uint8_t>(std::lround(a + (b - a) * t));
+}
+
+Rgb blend(Rgb a, Rgb b, double t) {
+    return {blend(a.r, b.r, t), blend(a.g, b.g, t), blend(a.b, b.b, t)};
+}
+
+ColourMap interpolate(std::span<const Stop> stops) {
+    ColourMap map;
+    std::size_t segment = 0;
+    for (int i = 0; i < kColourMapSize; ++i) {
+        const double at = i / double(kColourMapSize - 1);
+        while (segment + 2 < stops.size() && at > stops[segment + 1].at)
+            ++segment;
+        const Stop &a = stops[segment], &b = stops[segment + 1];
+        map[static_cast<std::size_t>(i)] =
+            blend(a.colour, b.colour, std::clamp((at - a.at) / (b.at - a.at), 0.0, 1.0));
+    }
+    return map;
+}
+
+}  // namespace
+
+const ColourMap& divergingMap() {
+    static constexpr Stop kStops[] = {
+        {0.00, {24, 62, 128}},   {0.15, {42, 106, 180}},  {0.32, {118, 168, 214}},
+        {0.50, {232, 232, 230}}, {0.68, {244, 172, 110}}, {0.85, {222, 102, 40}},
+        {1.00, {150, 42, 20}},
+    };
+    static const ColourMap map = interpolate(kStops);
+    return map;
+}
+
+const ColourMap& sequentialMap() {
+    static constexpr Stop kStops[] = {
+        {0.00, {234, 233, 236}}, {0.30, {196, 180, 219}}, {0.60, {146, 112, 184}},
+        {0.80, {108, 66, 150}},  {1.00, {62, 20, 102}},
+    };
+    static const ColourMap map = interpolate(kStops);
+    return map;
+}
+
+const ColourMap& colourMap(Overlay overlay) {
+    return overlay == Overlay::Angle ? sequentialMap() : divergingMap();
+}
+
+Rgb pieceColour(int piece) {
+    static constexpr std::array<Rgb, 12> kHues = {{
+        {104, 151, 205},
+        {222, 140, 108},
+        {130, 178, 143},
+        {219, 180, 98},
+        {170, 138, 196},
+        {92, 173, 173},
+        {216, 130, 154},
+        {139, 155, 176},
+        {166, 172, 98},
+        {178, 124, 108},
+        {128, 186, 222},
+        {199, 163, 133},
+    }};
+    const int count = static_cast<int>(kHues.size());
+    const Rgb hue = kHues[static_cast<std::size_t>(((piece % count) + count) % count)];
+    const int round = (piece / count) % 3;
+    if (round == 1)
+        return blend(hue, {255, 255, 255}, 0.35);
+    return round == 2 ? blend(hue, {30, 34, 44}, 0.25) : hue;
+}
+
+Rgb neutralColour() {
+    return {158, 161, 166};
+}
+
+}  // namespace toile

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "app/render/gl_support.h"
+#include "app/render/scene.h"
+
+namespace toile {
+
+/// Float attribute of a vertex: shader location, number of floats, offset in bytes.
+struct VertexAttribute {
+    GLuint location;
+    GLint size;
+    std::size_t offset;
+};
+
+/// The GPU's copy of a MeshBuffers. Every call needs the same context current; `release` must be
+/// called before that context goes.
+class GpuMesh {
+public:
+    /// Replaces what was there.
+    template <class Vertex>
+    void upload(Gl& gl, const MeshBuffers<Vertex>& buffers,
+                std::span<const VertexAttribute> attributes) {
+        uploadVertices(gl, buffers.vertices.data(), buffers.vertices.size(), sizeof(Vertex),
+                       attributes);
+        uploadIndices(gl, {buffers.triangles, buffers.edges, buffers.outline});
+    }
+
+    void drawTriangles(Gl& gl) const { draw(gl, GL_TRIANGLES, 0); }
+    void drawEdges(Gl& gl) const { draw(gl, GL_LINES, 1); }
+    void drawOutline(Gl& gl) const { draw(gl, GL_LINES, 2); }
+    void release(Gl& gl);
+
+    /// How often a mesh was sent to the GPU: a camera that moves must not raise it.
+    int uploads() const { return uploads_; }
+
+private:
+    using IndexLists = std::array<std::span<const std::uint32_t>, 3>;
+
+    struct Run {
+        std::size_t offset = 0;  ///< bytes into the index buffer
+        GLsizei count = 0;
+    };
+
+    void uploadVertices(Gl& gl, const void* data, std::size_t count, std::size_t stride,
+                        std::span<const VertexAttribute> attributes);
+    void uploadIndices(Gl& gl, const IndexLists& lists);
+    void draw(Gl& gl, GLenum mode, std::size_t list) const;
+
+    GLuint array_ = 0, vertices_ = 0, indices_ = 0;
+    std::array<Run, 3> runs_{};
+    int uploads_ = 0;
+};
+
+}  // namespace toile

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/pattern_renderer.h"
+
+#include <QOpenGLShaderProgram>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "app/render/gl_uniforms.h"
+
+namespace toile {
+
+namespace {
+
+/// Strong lines are at least this far apart on the screen; fine ones begin to show at a tenth.
+constexpr double kMajorPixels = 34.0;
+constexpr double kMinorFrom = 6.0, kMinorFull = 24.0;
+
+constexpr VertexAttribute kAttributes[] = {
+    {0, 2, offsetof(PatternVertex, flat)},
+    {1, 3, offsetof(PatternVertex, values)},
+    {2, 1, offsetof(PatternVertex, piece)},
+};
+
+}  // namespace
+
+GridSteps gridSteps(double pixelsPerMillimetre) {
+    const double major = std::pow(10.0, std::ceil(std::log10(kMajorPixels / pixelsPerMillimetre)));
+    const double minorPixels = major / 10 * pixelsPerMillimetre;
+    return {major,
+            0.5 * std::clamp((minorPixels - kMinorFrom) / (kMinorFull - kMinorFrom), 0.0, 1.0)};
+}
+
+SceneRenderer::ProgramFiles PatternRenderer::programFiles() const {
+    return {{"piece_table.glsl", "pattern.vert", "surface.glsl", "pattern.frag"},
+            {"piece_table.glsl", "pattern_line.vert", "line.geom", "line.frag"}};
+}
+
+void PatternRenderer::uploadMesh(Gl& gl, const Scene& scene, GpuMesh& mesh) {
+    mesh.upload(gl, scene.pattern, kAttributes);
+}
+
+void PatternRenderer::setGrid(const Camera2D& camera, double pixelRatio) {
+    const GridSteps steps = gridSteps(camera.pixelsPerMillimetre());
+    const Eigen::Vector2d corner = camera.visible().min();
+    QOpenGLShaderProgram& program = backdropProgram();
+    program.bind();
+    program.setUniformValue("gridStrength", 0.75F);
+    // Whole steps are taken off in double precision: only the remainder fits a float's digits.
+    program.setUniformValue(
+        "gridOrigin",
+        static_cast<float>(corner.x() - steps.major * std::floor(corner.x() / steps.major)),
+        static_cast<float>(corner.y() - steps.major * std::floor(corner.y() / steps.major)));
+    program.setUniformValue("unitsPerPixel",
+                            static_cast<float>(1.0 / (camera.pixelsPerMillimetre() * pixelRatio)));
+    program.setUniformValue("majorStep", static_cast<float>(steps.major));
+    program.setUniformValue("minorStrength", static_cast<float>(steps.minorStrength));
+}
+
+void PatternRenderer::paint(const Camera2D& camera, const ViewState& view, const RenderStyle& style,
+                            int width, int height, double pixelRatio) {
+    if (!gl_)
+        return;
+    gl_->glViewport(0, 0, width, height);
+    gl_->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const Frame frame{glm::mat4(camera.projection()), view, style, width, height,
+                      static_cast<float>(pixelRatio)};
+    setGrid(camera, pixelRatio);
+    paintBackdrop(frame);
+    if (!synchronize())
+        return;
+    QOpenGLShaderProgram& cloth = beginCloth(frame);
+    mesh_.drawTriangles(*gl_);
+    cloth.release();
+    paintLines(frame, 0.0F);
+}
+
+}  // namespace toile

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/render/camera_3d.h"
+#include "app/views/scene_view.h"
+
+namespace toile {
+
+/// The garment in 3D: a drag turns it, with Shift moves it, the wheel zooms to the cursor.
+class GarmentView : public SceneView {
+    Q_OBJECT
+
+public:
+    explicit GarmentView(Document& document, QWidget* parent = nullptr);
+
+    const Camera3D& camera() const { return camera_; }
+
+protected:
+    void setCameraViewport(double width, double height) override;
+    void framePieces(const std::set<int>& pieces) override;
+    void drag(Drag kind, const QPointF& delta) override;
+    void zoom(const QPointF& at, double factor) override;
+    std::optional<int> pieceAt(const QPointF& at) const override;
+    void paintScene(const RenderStyle& style, int width, int height, double ratio) override;
+    void paintText(QPainter& painter, const RenderStyle& style) override;
+
+private:
+    Camera3D camera_;
+};
+
+}  // namespace toile

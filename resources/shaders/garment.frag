@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+in vec3 viewNormal;
+in vec2 millimetres;
+in vec3 vertexValues;
+flat in vec3 pieceColour;
+flat in int pieceFlags;
+
+uniform vec3 selectionColour;
+
+out vec4 colour;
+
+void main() {
+    vec3 cloth = clothColour(pieceColour, pieceFlags, millimetres, vertexValues);
+    bool measured = overlay > kOverlayChecker;
+    if ((pieceFlags & kPieceSelected) != 0 && !measured) {
+        cloth = mix(cloth, selectionColour, 0.12);
+    }
+
+    vec3 n = normalize(viewNormal);
+    if (!gl_FrontFacing) {
+        n = -n;
+    }
+    // Two soft lights that travel with the eye: one from the upper left, one from behind it.
+    float key = max(dot(n, normalize(vec3(-0.45, 0.65, 0.75))), 0.0);
+    float fill = max(dot(n, vec3(0.0, 0.0, 1.0)), 0.0);
+    float light = 0.50 + 0.40 * key + 0.20 * fill;
+    // Numbers are read by colour, so colours may not drown in shadow.
+    light = measured ? mix(1.0, light, 0.45) : light;
+
+    vec3 lit = cloth * light;
+    if (!gl_FrontFacing) {
+        float grey = dot(lit, vec3(0.299, 0.587, 0.114));
+        lit = mix(lit, vec3(grey), 0.35) * 0.56;
+    }
+    colour = vec4(lit, 1.0);
+}

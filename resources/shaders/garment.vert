@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 flatPoint;
+layout(location = 3) in vec3 values;
+layout(location = 4) in float piece;
+
+uniform mat4 viewProjection;
+uniform mat3 normalToView;
+
+out vec3 viewNormal;
+out vec2 millimetres;
+out vec3 vertexValues;
+flat out vec3 pieceColour;
+flat out int pieceFlags;
+
+void main() {
+    vec4 entry = pieceColourAndFlags(piece);
+    viewNormal = normalToView * normal;
+    millimetres = flatPoint;
+    vertexValues = values;
+    pieceColour = entry.rgb;
+    pieceFlags = int(entry.a + 0.5);
+    gl_Position = viewProjection * vec4(position, 1.0);
+}

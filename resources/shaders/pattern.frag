@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+in vec2 millimetres;
+in vec3 vertexValues;
+flat in vec3 pieceColour;
+flat in int pieceFlags;
+
+uniform vec3 selectionColour;
+
+out vec4 colour;
+
+void main() {
+    vec3 cloth = clothColour(pieceColour, pieceFlags, millimetres, vertexValues);
+    if ((pieceFlags & kPieceSelected) != 0 && overlay <= kOverlayChecker) {
+        cloth = mix(cloth, selectionColour, 0.12);
+    }
+    colour = vec4(cloth, 1.0);
+}

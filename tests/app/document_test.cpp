@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/document.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "app/render/scene.h"
+#include "tests/app/support/garments.h"
+
+using namespace toile;
+
+namespace {
+
+std::shared_ptr<const Garment> twoPieces() {
+    return test::makeGarment(
+        {{"front", test::makeSheet(100, 50, 2, 1)}, {"back", test::makeSheet(80, 50, 2, 1)}});
+}
+
+DocumentChanges lastChange(const QSignalSpy& spy) {
+    return spy.last().at(0).value<DocumentChanges>();
+}
+
+}  // namespace
+
+class DocumentTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void newGarmentClearsResultsAndSelectionInOneChange() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        document.setSelection({0, 1});
+        QSignalSpy spy(&document, &Document::changed);
+        document.setGarment(twoPieces(), nullptr);
+        QCOMPARE(spy.count(), 1);
+        QVERIFY(lastChange(spy).testFlag(DocumentChange::Garment));
+        QVERIFY(lastChange(spy).testFlag(DocumentChange::Selection));
+        QVERIFY(document.selection().empty());
+        QVERIFY(document.results().empty());
+    }
+
+    void revisionRisesWithGarmentAndOptionsOnly() {
+        Document document;
+        const auto start = document.revision();
+        document.setGarment(twoPieces(), nullptr);
+        const auto afterGarment = document.revision();
+        QVERIFY(afterGarment > start);
+        document.setSelection({1});
+        document.setOverlay(Overlay::Strain);
+        document.setWireframe(true);
+        document.setResults(PieceResults(2, std::make_shared<PieceResult>()), nullptr);
+        QCOMPARE(document.revision(), afterGarment);
+        FlattenOptions natural;
+        natural.method = Method::Natural;
+        document.setOptions(natural);
+        QVERIFY(document.revision() > afterGarment);
+    }
+
+    void settingWhatIsAlreadySoSaysNothing() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        document.setSelection({0});
+        QSignalSpy spy(&document, &Document::changed);
+        document.setSelection({0});
+        document.setOverlay(document.view().overlay);
+        document.setWireframe(false);
+        document.setOptions(document.options());
+        QCOMPARE(spy.count(), 0);
+    }
+
+    void selectionHoldsPiecesOfTheGarmentOnly() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        document.setSelection({-1, 1, 2, 99});
+        QCOMPARE(document.selection(), Document::Selection{1});
+    }
+
+    void togglingAddsAndRemoves() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        document.toggleSelected(1);
+        document.toggleSelected(0);
+        QCOMPARE(document.selection(), (Document::Selection{0, 1}));
+        document.toggleSelected(1);
+        QCOMPARE(document.selection(), Document::Selection{0});
+    }
+
+    void changesNameWhatHasChanged() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        QSignalSpy spy(&document, &Document::changed);
+        document.setOverlay(Overlay::Area);
+        QCOMPARE(lastChange(spy), DocumentChanges(DocumentChange::View));
+        document.setSelection({1});
+        QCOMPARE(lastChange(spy), DocumentChanges(DocumentChange::Selection));
+        document.setResults(PieceResults(2, std::make_shared<PieceResult>()), nullptr);
+        QCOMPARE(lastChange(spy), DocumentChanges(DocumentChange::Results));
+    }
+
+    void titleIsTheFilesName() {
+        Document document;
+        QVERIFY(document.title().isEmpty());
+        document.setGarment(twoPieces(), nullptr);
+        QCOMPARE(document.title(), QString("garment.obj"));
+    }
+};
+
+QTEST_MAIN(DocumentTest)
+#include "document_test.moc"

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/figures.h"
+
+#include <QLocale>
+#include <QTest>
+
+#include "app/views/view_text.h"
+
+using namespace toile;
+
+class FiguresTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void lengthsAndAreasAreInCentimetres() {
+        QCOMPARE(centimetres(1234.5), QString("123.5"));
+        QCOMPARE(squareCentimetres(123456), QString("1234.6"));
+    }
+
+    void percentsCarryTheirSign() {
+        QCOMPARE(signedPercent(0.0124), QString("+1.24"));
+        QCOMPARE(signedPercent(-0.123), QString("−12.3"));
+        QCOMPARE(signedPercent(1e-9), QString("0"));
+    }
+
+    void keptOutlinesAreCalledExact() {
+        QCOMPARE(boundaryError(3e-13), QString("exact"));
+        QCOMPARE(boundaryError(0.0431), QString("4.31"));
+    }
+
+    void unknownStrainIsADash() {
+        PieceQuality quality;
+        QCOMPARE(strainRange(quality), QString("–"));
+        quality.strainMin = -0.012;
+        quality.strainMax = 0.034;
+        QCOMPARE(strainRange(quality), QString("−1.20 … +3.40"));
+    }
+
+    void scaleBarIsARoundLengthThatFits_data() {
+        QTest::addColumn<double>("pixelsPerMillimetre");
+        QTest::addColumn<double>("millimetres");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("close") << 100.0 << 1.0 << "1 mm";
+        QTest::newRow("usual") << 0.6 << 200.0 << "20 cm";
+        QTest::newRow("far") << 0.05 << 2000.0 << "2 m";
+    }
+
+    void scaleBarIsARoundLengthThatFits() {
+        QFETCH(double, pixelsPerMillimetre);
+        QFETCH(double, millimetres);
+        QFETCH(QString, text);
+        const ScaleBar bar = scaleBarFor(150, pixelsPerMillimetre);
+        QCOMPARE(bar.millimetres, millimetres);
+        QCOMPARE(bar.text, text);
+        QVERIFY(bar.millimetres * pixelsPerMillimetre <= 150.001);
+    }
+};
+
+QTEST_MAIN(FiguresTest)
+#include "figures_test.moc"

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/job_runner.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QThread>
+#include <atomic>
+#include <functional>
+#include <stdexcept>
+#include <thread>
+
+#include "app/document/document.h"
+#include "tests/app/support/garments.h"
+
+using namespace toile;
+
+namespace {
+
+/// A job put together by the test.
+class TestJob : public Job {
+public:
+    std::function<Result<void>(Progress&)> work = [](Progress&) { return Result<void>(); };
+    std::function<void()> done = [] {};
+    std::optional<std::uint64_t> madeAt;
+    bool cancellable = true;
+
+    QString title() const override { return "test"; }
+    std::optional<std::uint64_t> revision() const override { return madeAt; }
+    bool isCancellable() const override { return cancellable; }
+    Result<void> process(Progress& progress) override { return work(progress); }
+    void finalize() override { done(); }
+};
+
+Result<void> untilCancelled(Progress& progress) {
+    while (!progress.isCancelled())
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return Error{ErrorCode::Cancelled, {}, {}};
+}
+
+}  // namespace
+
+class JobRunnerTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void worksElsewhereAndFinishesHere() {
+        Document document;
+        JobRunner runner(document);
+        const QThread* here = QThread::currentThread();
+        const QThread *worked = nullptr, *finished = nullptr;
+        auto job = std::make_unique<TestJob>();
+        job->work = [&](Progress&) { return worked = QThread::currentThread(), Result<void>(); };
+        job->done = [&] { finished = QThread::currentThread(); };
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        runner.start(std::move(job));
+        QVERIFY(runner.isBusy());
+        QTRY_COMPARE(idle.count(), 1);
+        QVERIFY(worked && worked != here);
+        QCOMPARE(finished, here);
+        QVERIFY(!runner.isBusy());
+    }
+
+    void reportsProgressWhileTheWorkerWorks() {
+        Document document;
+        JobRunner runner(document);
+        std::atomic<bool> seen = false;
+        auto job = std::make_unique<TestJob>();
+        job->work = [&](Progress& progress) {
+            progress.start(4);
+            progress.advance(1);
+            while (!seen)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            return Result<void>();
+        };
+        double fraction = 0;
+        connect(&runner, &JobRunner::progressed, this, [&](double value) {
+            fraction = value;
+            seen = true;
+        });
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        runner.start(std::move(job));
+        QTRY_COMPARE(idle.count(), 1);
+        QCOMPARE(fraction, 0.25);
+    }
+
+    void cancelledJobIsNotFinalized() {
+        Document document;
+        JobRunner runner(document);
+        bool finalized = false;
+        auto job = std::make_unique<TestJob>();
+        job->work = untilCancelled;
+        job->done = [&] { finalized = true; };
+        QSignalSpy cancelled(&runner, &JobRunner::cancelled);
+        QSignalSpy failed(&runner, &JobRunner::failed);
+        runner.start(std::move(job));
+        runner.cancel();
+        QTRY_COMPARE(cancelled.count(), 1);
+        QCOMPARE(failed.count(), 0);
+        QVERIFY(!finalized);
+    }
+
+    void cancelComingTooLateStillDropsTheResult() {
+        Document document;
+        JobRunner runner(document);
+        bool finalized = false;
+        std::atomic<bool> started = false;
+        auto job = std::make_unique<TestJob>();
+        job->work = [&](Progress& progress) {
+            started = true;
+            while (!progress.isCancelled())
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            return Result<void>();  // had finished all the same
+        };
+        job->done = [&] { finalized = true; };
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        runner.start(std::move(job));
+        QTRY_VERIFY(started);
+        runner.cancel();
+        QTRY_COMPARE(idle.count(), 1);
+        QVERIFY(!finalized);
+    }
+
+    void resultOfAnOlderRevisionIsDropped() {
+        Document document;
+        JobRunner runner(document);
+        std::atomic<bool> go = false;
+        int finalized = 0;
+        for (const bool stale : {true, false}) {
+            go = false;
+            auto job = std::make_unique<TestJob>();
+            job->madeAt = document.revision();
+            job->work = [&](Progress&) {
+                while (!go)
+                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                return Result<void>();
+            };
+            job->done = [&] { ++finalized; };
+            QSignalSpy idle(&runner, &JobRunner::idle);
+            runner.start(std::move(job));
+            if (stale)
+                document.setGarment(test::makeGarment({{"a", test::makeSheet(1, 1, 1, 1)}}),
+                                    nullptr);
+            go = true;
+            QTRY_COMPARE(idle.count(), 1);
+            QCOMPARE(finalized, stale ? 0 : 1);
+        }
+    }
+
+    void errorBecomesASentence() {
+        Document document;
+        JobRunner runner(document);
+        auto job = std::make_unique<TestJob>();
+        job->work = [](Progress&) {
+            return Result<void>(Error{ErrorCode::FileUnreadable, "coat.obj", "no such file"});
+        };
+        QSignalSpy failed(&runner, &JobRunner::failed);
+        runner.start(std::move(job));
+        QTRY_COMPARE(failed.count(), 1);
+        QVERIFY(failed.first().at(1).toString().contains("coat.obj"));
+    }
+
+    void faultOfTheProgramIsCaughtAndNamed() {
+        Document document;
+        JobRunner runner(document);
+        auto job = std::make_unique<TestJob>();
+        job->work = [](Progress&) -> Result<void> { throw std::runtime_error("broken"); };
+        QSignalSpy failed(&runner, &JobRunner::failed);
+        runner.start(std::move(job));
+        QTRY_COMPARE(failed.count(), 1);
+        QVERIFY(failed.first().at(1).toString().contains("broken"));
+    }
+
+    void jobsRunOneAfterTheOther() {
+        Document document;
+        JobRunner runner(document);
+        std::vector<int> order;
+        for (int i = 0; i < 3; ++i) {
+            auto job = std::make_unique<TestJob>();
+            job->done = [&order, i] { order.push_back(i); };
+            runner.start(std::move(job));
+        }
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        QTRY_COMPARE(idle.count(), 1);
+        QCOMPARE(order, (std::vector<int>{0, 1, 2}));
+    }
+
+    void replacingCancelsWhatRanAndWaited() {
+        Document document;
+        JobRunner runner(document);
+        std::vector<QString> order;
+        const auto make = [&order](const QString& name, bool endless) {
+            auto job = std::make_unique<TestJob>();
+            if (endless)
+                job->work = untilCancelled;
+            job->done = [&order, name] { order.push_back(name); };
+            return job;
+        };
+        runner.start(make("running", true));
+        runner.start(make("waiting", false));
+        auto written = make("written", false);
+        written->cancellable = false;
+        runner.start(std::move(written));
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        runner.replace(make("wanted", false));
+        QTRY_COMPARE(idle.count(), 1);
+        QCOMPARE(order, (std::vector<QString>{"written", "wanted"}));
+    }
+
+    void endingTheRunnerWaitsForTheWorker() {
+        Document document;
+        std::atomic<bool> begun = false, over = false;
+        {
+            JobRunner runner(document);
+            auto job = std::make_unique<TestJob>();
+            job->work = [&](Progress& progress) {
+                begun = true;
+                const Result<void> result = untilCancelled(progress);
+                over = true;
+                return result;
+            };
+            runner.start(std::move(job));
+        }
+        // Either it never began or it is over: nothing works on a destroyed job.
+        QCOMPARE(over.load(), begun.load());
+    }
+};
+
+QTEST_MAIN(JobRunnerTest)
+#include "job_runner_test.moc"

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/scene_builder.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "app/render/colour_map.h"
+#include "app/render/label_point.h"
+#include "app/render/piece_table.h"
+#include "app/render/vertex_values.h"
+#include "tests/app/support/garments.h"
+
+using namespace toile;
+
+namespace {
+
+/// A result as the solver would give it, with points of the test's choice.
+std::shared_ptr<const PieceResult> flatResult(std::shared_ptr<const Piece> piece, Points2 Q) {
+    auto result = std::make_shared<PieceResult>();
+    result->quality = measure(*piece, Q);
+    result->flat = FlatPiece{};
+    result->flat->Q = std::move(Q);
+    result->piece = std::move(piece);
+    return result;
+}
+
+Points2 plane(const Piece& piece, double scaleX, double scaleY) {
+    Points2 Q = piece.mesh.V.leftCols<2>();
+    Q.col(0) *= scaleX;
+    Q.col(1) *= scaleY;
+    return Q;
+}
+
+struct Built {
+    std::shared_ptr<const Garment> garment;
+    std::shared_ptr<const Scene> scene;
+};
+
+/// Two sheets, the first stretched by `scale` in x when flattened, and a closed piece between them.
+Built build(double scale) {
+    Built built;
+    built.garment = test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6)},
+                                       {"blob", test::makeTetrahedron(40)},
+                                       {"back", test::makeSheet(80, 40, 4, 2)}});
+    const auto& pieces = built.garment->pieces;
+    auto failed = std::make_shared<PieceResult>();
+    failed->piece = pieces[1];
+    failed->error = pieces[1]->defect;
+    const PieceResults results = {flatResult(pieces[0], plane(*pieces[0], scale, 1)), failed,
+                                  flatResult(pieces[2], plane(*pieces[2], 1, 1))};
+    built.scene = buildScene(*built.garment, results, {{5, 7}, {0, 0}, {200, 7}}, Progress());
+    return built;
+}
+
+}  // namespace
+
+class SceneBuilderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void buffersHoldEveryPieceOnce() {
+        const auto [garment, scene] = build(1);
+        QCOMPARE(scene->garment.vertices.size(), std::size_t(77 + 4 + 15));
+        QCOMPARE(scene->garment.triangles.size(), std::size_t(3 * (120 + 4 + 16)));
+        QCOMPARE(scene->pattern.vertices.size(), std::size_t(77 + 15));
+        QCOMPARE(scene->pattern.triangles.size(), std::size_t(3 * (120 + 16)));
+        QCOMPARE(scene->pattern.outline.size(), std::size_t(2 * (32 + 12)));
+        for (const std::uint32_t index : scene->pattern.triangles)
+            QVERIFY(index < scene->pattern.vertices.size());
+        for (const std::uint32_t index : scene->garment.edges)
+            QVERIFY(index < scene->garment.vertices.size());
+        QCOMPARE(scene->pieces[2].patternRun.first, 120U);
+        QCOMPARE(scene->pieces[2].patternRun.count, 16U);
+        QCOMPARE(scene->pieces[2].garmentRun.first, 124U);
+    }
+
+    void checkerboardCoordinatesAreMillimetresOfTheFlatPiece() {
+        const auto [garment, scene] = build(1.25);
+        // Last vertex of the first piece: upper right corner, stretched by 1.25 in the plane.
+        const GarmentVertex& corner = scene->garment.vertices[76];
+        QCOMPARE(corner.flat[0], 125.0F);
+        QCOMPARE(corner.flat[1], 60.0F);
+        QCOMPARE(scene->pattern.vertices[76].flat[0], 125.0F);
+        QCOMPARE(corner.piece, 0.0F);
+        QCOMPARE(scene->pattern.vertices[77].piece, 2.0F);
+    }
+
+    void failedPiecesAreInTheGarmentButNotInThePattern() {
+        const auto [garment, scene] = build(1);
+        QVERIFY(!scene->pieces[1].flat);
+        QCOMPARE(scene->pieces[1].garmentRun.count, 4U);
+        QCOMPARE(scene->pieces[1].patternRun.count, 0U);
+        QVERIFY(!scene->pieces[1].box.isEmpty());
+    }
+
+    void valuesArePercentAndDegrees() {
+        const auto [garment, scene] = build(1.25);
+        const PatternVertex& inner = scene->pattern.vertices[27];
+        QVERIFY(std::abs(inner.values[0] - 25.0F) < 1e-3F);  // area + 25 %
+        QVERIFY(inner.values[1] > 3.0F && inner.values[1] < 10.0F);
+        QVERIFY(inner.values[2] < -3.0F && inner.values[2] > -20.0F);  // flat is too long: surplus
+        // The other piece is as it was.
+        for (const float value : scene->pattern.vertices[80].values)
+            QVERIFY(std::abs(value) < 1e-4F);
+    }
+
+    void scalesCoverTheValues() {
+        const auto [garment, scene] = build(1.25);
+        QCOMPARE(scene->scale(Overlay::Area).high, 30.0);
+        QCOMPARE(scene->scale(Overlay::Area).low, -30.0);
+        QCOMPARE(scene->scale(Overlay::Angle).low, 0.0);
+    }
+
+    void farFromTheOriginNothingIsLost() {
+        const auto garment =
+            test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6, {4e7, -3e7, 1e7})}});
+        const auto scene = buildScene(*garment, {}, {}, Progress());
+        const auto& vertices = scene->garment.vertices;
+        QVERIFY(std::abs(vertices[1].position[0] - vertices[0].position[0] - 10.0F) < 1e-4F);
+        QVERIFY(std::abs(scene->box.max().x() - 50) < 1e-4);
+        QCOMPARE(scene->origin.y(), -3e7 + 30);
+    }
+
+    void normalsPointToTheRightSide() {
+        const auto [garment, scene] = build(1);
+        for (std::size_t i = 0; i < 77; ++i)
+            QCOMPARE(scene->garment.vertices[i].normal[2], 1.0F);
+    }
+
+    void beforeFlatteningThereIsTheGarmentAlone() {
+        const auto garment = test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6)}});
+        const auto scene = buildScene(*garment, {}, {}, Progress());
+        QCOMPARE(scene->garment.vertices.size(), std::size_t(77));
+        QVERIFY(scene->pattern.vertices.empty());
+        QVERIFY(scene->sheetBox.isEmpty());
+        QVERIFY(!scene->pieces[0].flat);
+    }
+
+    void pieceTableCarriesColourPlaceAndSelection() {
+        const auto [garment, scene] = build(1);
+        const PieceTable table = makePieceTable(*scene, {2});
+        const Rgb front = pieceColour(0), neutral = neutralColour();
+        QCOMPARE(table.texels[0], static_cast<float>(front.r) / 255.0F);
+        QCOMPARE(table.texels[3], float(kPieceFlat));
+        QCOMPARE(table.texels[4], 5.0F);
+        QCOMPARE(table.texels[5], 7.0F);
+        QCOMPARE(table.texels[8], static_cast<float>(neutral.r) / 255.0F);
+        QCOMPARE(table.texels[11], 0.0F);
+        QCOMPARE(table.texels[19], float(kPieceFlat | kPieceSelected));
+        QCOMPARE(table.texels[20], 200.0F);
+        QCOMPARE(table.texels.size(), std::size_t(4 * kPieceTableWidth * table.height));
+    }
+
+    void sheetBoxIsWherePiecesLie() {
+        const auto [garment, scene] = build(1);
+        QCOMPARE(scene->sheetBox.min().x(), 5.0);
+        QCOMPARE(scene->sheetBox.max().x(), 280.0);
+        QCOMPARE(scene->sheetBox.min().y(), 7.0);
+        QCOMPARE(scene->sheetBox.max().y(), 67.0);
+    }
+
+    void labelOfACrescentLiesInside() {
+        // A frame open on one side, whose centroid is in the hole.
+        Points2 Q(8, 2);
+        Q << 0, 0, 100, 0, 100, 30, 20, 30, 20, 70, 100, 70, 100, 100, 0, 100;
+        Triangles F(6, 3);
+        F << 0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 7, 4, 5, 6, 4, 6, 7;
+        const Eigen::Vector2d at = labelPoint(Q, F, {0, 1, 2, 3, 4, 5, 6, 7});
+        const bool inHole = at.x() > 20 && at.y() > 30 && at.y() < 70;
+        QVERIFY(!inHole);
+        QVERIFY(at.x() > 0 && at.x() < 100 && at.y() > 0 && at.y() < 100);
+    }
+
+    void cancelledBuildingEndsEarly() {
+        const auto garment = test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6)}});
+        Progress progress;
+        progress.cancel();
+        QVERIFY(buildScene(*garment, {}, {}, progress)->pieces.empty());
+    }
+};
+
+QTEST_MAIN(SceneBuilderTest)
+#include "scene_builder_test.moc"

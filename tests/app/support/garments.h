@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/pipeline/pipeline.h"
+
+namespace toile::test {
+
+/// Small garments with known shapes, made here so that a clone passes its tests alone.
+
+/// Flat rectangle in the plane z = 0, lower left corner at `corner`, facing +z.
+MeshArrays makeSheet(double width, double height, int columns, int rows,
+                     const Eigen::Vector3d& corner = Eigen::Vector3d::Zero());
+/// Part of an upright cylinder of radius 100 mm around the y axis, arc length 200 mm, 150 mm high,
+/// bulging to +z; `x` shifts it sideways.
+MeshArrays makeBentStrip(double x);
+/// Cap of a sphere of radius 100 mm, opening 60 degrees to either side, bulging to +z.
+MeshArrays makeCap(double x);
+/// Closed: no disk.
+MeshArrays makeTetrahedron(double size);
+
+std::shared_ptr<const Garment> makeGarment(std::vector<std::pair<std::string, MeshArrays>> pieces);
+
+/// The pieces as one OBJ file, an object each, millimetres.
+void writeObj(const std::filesystem::path& path,
+              const std::vector<std::pair<std::string, MeshArrays>>& pieces);
+
+}  // namespace toile::test
