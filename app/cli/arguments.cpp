@@ -2,6 +2,7 @@
 // The only file that includes CLI11: it takes seconds to compile.
 #include "app/cli/arguments.h"
 
+#include <map>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -18,8 +19,15 @@ constexpr const char* kUnits = "mm|cm|m|in";
 /// The strings CLI11 fills, before they become typed values.
 struct Typed {
     std::vector<std::string> inputs, outputs;
-    std::string unit, method = "wang2005", solver = "newton", report, screenshot;
+    std::string unit, method = "wang2005", solver = "newton", report, screenshot,
+                      overlay = "checker";
 };
+
+const std::map<std::string, Overlay> kOverlays = {{"none", Overlay::None},
+                                                  {"checker", Overlay::Checker},
+                                                  {"area", Overlay::Area},
+                                                  {"angle", Overlay::Angle},
+                                                  {"strain", Overlay::Strain}};
 
 void addUnit(CLI::App& command, Typed& typed) {
     command.add_option("--unit", typed.unit, "Unit of the input's coordinates")
@@ -100,6 +108,10 @@ Arguments parseArguments(int argc, const char* const* argv) {
     app.add_option("--screenshot", typed.screenshot,
                    "Open the window, save a picture of it as PNG and end")
         ->type_name("FILE.png");
+    app.add_option("--overlay", typed.overlay, "What the window paints on the cloth at first")
+        ->type_name("none|checker|area|angle|strain")
+        ->check(CLI::IsMember(kOverlays))
+        ->capture_default_str();
     addUnit(app, typed);
     try {
         app.parse(argc, argv);
@@ -113,6 +125,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     arguments.inputs.assign(typed.inputs.begin(), typed.inputs.end());
     arguments.outputs.assign(typed.outputs.begin(), typed.outputs.end());
     arguments.screenshot = typed.screenshot;
+    arguments.overlay = kOverlays.at(typed.overlay);
     arguments.unit = parseLengthUnit(typed.unit);
     arguments.options.method = parseMethod(typed.method).value_or(Method::Wang2005);
     arguments.options.boundarySolver =

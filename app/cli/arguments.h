@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/document/view_state.h"
 #include "core/base/length_unit.h"
 #include "core/flatten/flatten.h"
 
@@ -26,7 +27,8 @@ struct Arguments {
     std::vector<std::filesystem::path> outputs;
     std::optional<LengthUnit> unit;
     FlattenOptions options;
-    std::filesystem::path screenshot;  ///< window: save a picture of itself and end
+    std::filesystem::path screenshot;    ///< window: save a picture of itself and end
+    Overlay overlay = Overlay::Checker;  ///< window: what is painted on the cloth at first
 
     std::string message;
     int status = 0;

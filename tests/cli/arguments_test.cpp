@@ -22,6 +22,8 @@ TEST(Arguments, NothingOrAFileOpensTheWindow) {
     EXPECT_EQ(file.inputs.size(), 2U);
     EXPECT_EQ(file.unit, LengthUnit::Centimetre);
     EXPECT_EQ(parse({"dress.obj", "--screenshot", "a.png"}).screenshot, "a.png");
+    EXPECT_EQ(parse({"dress.obj", "--overlay", "strain"}).overlay, Overlay::Strain);
+    EXPECT_EQ(parse({}).overlay, Overlay::Checker);
 }
 
 TEST(Arguments, FlattenTakesManyInputsAndOutputs) {
@@ -69,6 +71,7 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         {"flatten", "a.obj", "--nonsense"},
         {"flatten", "a.obj", "-o"},
         {"info"},
+        {"--overlay", "magic"},
         {"--nonsense"},
     };
     for (const auto& typed : wrong) {
