@@ -37,9 +37,11 @@ constexpr int kMessageMilliseconds = 6000;
 
 QStringList openableFiles(const QMimeData& data) {
     QStringList files;
-    for (const QUrl& url : data.urls())
-        if (url.isLocalFile() && isOpenable(url.toLocalFile()))
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile() && isOpenable(url.toLocalFile())) {
             files << url.toLocalFile();
+        }
+    }
     return files;
 }
 
@@ -62,8 +64,9 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
     makeStatusBar();
     connectJobs();
     connect(&workspace_.document(), &Document::changed, this, &MainWindow::onChanged);
-    for (QAction* action : actions_.all())
+    for (QAction* action : actions_.all()) {
         addAction(action);  // shortcuts work whichever menu is hidden
+    }
     resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
     restoreGeometry(preferences_.windowGeometry());
     showGarmentParts(false);
@@ -75,8 +78,9 @@ MainWindow::~MainWindow() {
     // to go before it.
     workspace_.jobs().shutdown();
     for (QWidget* part :
-         std::initializer_list<QWidget*>{piecesDock_, messagesDock_, centralWidget()})
+         std::initializer_list<QWidget*>{piecesDock_, messagesDock_, centralWidget()}) {
         delete part;
+    }
 }
 
 void MainWindow::makeCentre() {
@@ -122,8 +126,9 @@ void MainWindow::makeDocks() {
 
 void MainWindow::makeMenus() {
     const auto fill = [this](QMenu& menu, std::initializer_list<ActionId> ids) {
-        for (const ActionId id : ids)
+        for (const ActionId id : ids) {
             menu.addAction(&actions_[id]);
+        }
     };
     QMenu& file = *menuBar()->addMenu(tr("&File"));
     fill(file, {ActionId::Open});
@@ -187,8 +192,9 @@ void MainWindow::makeToolBar() {
     bar.addSeparator();
     for (const ActionId id :
          {ActionId::OverlayNone, ActionId::OverlayChecker, ActionId::OverlayArea,
-          ActionId::OverlayAngle, ActionId::OverlayStrain})
+          ActionId::OverlayAngle, ActionId::OverlayStrain}) {
         bar.addAction(&actions_[id]);
+    }
     bar.addSeparator();
     bar.addAction(&actions_[ActionId::Wireframe]);
 }
@@ -235,8 +241,9 @@ void MainWindow::connectJobs() {
     connect(&jobs, &JobRunner::failed, this,
             [this](const QString&, const QString& sentence) { banner_->showSentence(sentence); });
     connect(&jobs, &JobRunner::cancelled, this, [this](const QString& title) {
-        if (!workspace_.jobs().hasWaiting())
+        if (!workspace_.jobs().hasWaiting()) {
             statusBar()->showMessage(tr("%1: cancelled").arg(title), kMessageMilliseconds);
+        }
     });
     connect(&workspace_, &Workspace::exported, this, [this](const QString& path) {
         statusBar()->showMessage(tr("Written: %1").arg(path), kMessageMilliseconds);
@@ -244,8 +251,9 @@ void MainWindow::connectJobs() {
 }
 
 void MainWindow::onChanged(DocumentChanges what) {
-    if (!what.testFlag(DocumentChange::Garment))
+    if (!what.testFlag(DocumentChange::Garment)) {
         return;
+    }
     banner_->hide();
     showGarmentParts(workspace_.document().garment() != nullptr);
     updateTitle();
@@ -258,8 +266,9 @@ void MainWindow::showGarmentParts(bool shown) {
     const bool first = shown && !piecesDock_->toggleViewAction()->isEnabled();
     for (QDockWidget* dock : {piecesDock_, messagesDock_}) {
         dock->toggleViewAction()->setEnabled(shown);
-        if (!shown)
+        if (!shown) {
             dock->hide();
+        }
     }
     if (first) {
         piecesDock_->show();
@@ -295,8 +304,9 @@ void MainWindow::openFiles(const QStringList& files) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     preferences_.setWindowGeometry(saveGeometry());
-    if (workspace_.document().garment())
+    if (workspace_.document().garment()) {
         preferences_.setWindowState(saveState());
+    }
     // Out of sight at once: the worker may need a moment to notice.
     hide();
     workspace_.jobs().shutdown();
@@ -304,14 +314,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!openableFiles(*event->mimeData()).isEmpty())
+    if (!openableFiles(*event->mimeData()).isEmpty()) {
         event->acceptProposedAction();
+    }
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
     const QStringList files = openableFiles(*event->mimeData());
-    if (files.isEmpty())
+    if (files.isEmpty()) {
         return;
+    }
     event->acceptProposedAction();
     openFiles(files);
 }

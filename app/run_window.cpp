@@ -24,8 +24,9 @@ constexpr int kFailed = 1, kUnreadable = 3;
 
 QStringList toStrings(const std::vector<std::filesystem::path>& paths) {
     QStringList list;
-    for (const auto& path : paths)
+    for (const auto& path : paths) {
         list << QString::fromStdU16String(path.u16string());
+    }
     return list;
 }
 
@@ -36,9 +37,11 @@ void complain(const QString& sentence) {
 /// Qt ends the program with a signal where it finds no display; a sentence is kinder.
 bool displayIsMissing() {
 #ifdef Q_OS_LINUX
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
-        if (!qEnvironmentVariableIsEmpty(name))
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+        if (!qEnvironmentVariableIsEmpty(name)) {
             return false;
+        }
+    }
     return true;
 #else
     return false;
@@ -56,23 +59,27 @@ public:
 private:
     void look() {
         Workspace& workspace = window_.workspace();
-        if (workspace.jobs().isBusy())
+        if (workspace.jobs().isBusy()) {
             return;
+        }
         if (!window_.banner().isHidden()) {
             complain(window_.banner().sentence());
             QApplication::exit(kUnreadable);
             return;
         }
         const bool empty = workspace.document().garment() == nullptr;
-        if (!empty && !window_.views().isUpToDate())
+        if (!empty && !window_.views().isUpToDate()) {
             return;
+        }
         // One more round lets layouts and the window's other parts settle.
-        if (++quietRounds_ < 4)
+        if (++quietRounds_ < 4) {
             return;
+        }
         timer_.stop();
         const bool written = window_.grab().save(path_);
-        if (!written)
+        if (!written) {
             complain(QApplication::translate("RunWindow", "could not write %1").arg(path_));
+        }
         QApplication::exit(written ? 0 : kFailed);
     }
 
@@ -105,16 +112,19 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     Preferences forgetful{QString()};
     Preferences own;
     MainWindow window(photograph ? forgetful : own);
-    if (photograph)
+    if (photograph) {
         window.resize(options.width, options.height);
+    }
     window.workspace().setUnit(options.unit);
     window.workspace().document().setOverlay(options.overlay);
     window.show();
-    if (!options.files.empty())
+    if (!options.files.empty()) {
         window.openFiles(toStrings(options.files));
+    }
     std::optional<Photographer> photographer;
-    if (photograph)
+    if (photograph) {
         photographer.emplace(window, QString::fromStdU16String(options.screenshot.u16string()));
+    }
     return QApplication::exec();
 }
 

@@ -107,15 +107,18 @@ ActionRegistry::ActionRegistry(QObject* parent) : QObject(parent) {
             shortcut.isEmpty()
                 ? tip
                 : QString("%1 (%2)").arg(tip, shortcut.toString(QKeySequence::NativeText)));
-        if (*spec.icon)
+        if (*spec.icon) {
             action->setIcon(themedIcon(spec.icon));
-        if (*spec.shortText)
+        }
+        if (*spec.shortText) {
             action->setIconText(translated(spec.shortText));
+        }
         action->setCheckable(spec.group != Group::None);
         if (spec.group > Group::Toggle) {
             QActionGroup*& group = groups[spec.group];
-            if (!group)
+            if (!group) {
                 group = new QActionGroup(this);
+            }
             group->addAction(action);
         }
         actions_.emplace(spec.id, action);
@@ -126,8 +129,9 @@ ActionRegistry::ActionRegistry(QObject* parent) : QObject(parent) {
 
 std::vector<QAction*> ActionRegistry::all() const {
     std::vector<QAction*> list;
-    for (const auto& [id, action] : actions_)
+    for (const auto& [id, action] : actions_) {
         list.push_back(action);
+    }
     return list;
 }
 

@@ -11,8 +11,9 @@ FileDialogs FileDialogs::native() {
     FileDialogs dialogs;
     dialogs.open = [](QWidget* parent, const QString& folder) {
         QString patterns;
-        for (const QString& suffix : openableSuffixes())
+        for (const QString& suffix : openableSuffixes()) {
             patterns += (patterns.isEmpty() ? "*" : " *") + suffix;
+        }
         return QFileDialog::getOpenFileNames(
             parent, QCoreApplication::translate("FileDialogs", "Open a garment"), folder,
             QCoreApplication::translate("FileDialogs", "3D garments (%1);;All files (*)")

@@ -58,8 +58,9 @@ void GarmentActions::connectFiles() {
 void GarmentActions::connectSelection() {
     connect(&actions_[ActionId::SelectAll], &QAction::triggered, this, [this] {
         Document::Selection all;
-        for (int i = 0; i < workspace_.document().pieceCount(); ++i)
+        for (int i = 0; i < workspace_.document().pieceCount(); ++i) {
             all.insert(i);
+        }
         workspace_.document().setSelection(std::move(all));
     });
     connect(&actions_[ActionId::SelectNone], &QAction::triggered, this,
@@ -67,9 +68,10 @@ void GarmentActions::connectSelection() {
 }
 
 void GarmentActions::connectView() {
-    for (const auto& [id, overlay] : kOverlays)
+    for (const auto& [id, overlay] : kOverlays) {
         connect(&actions_[id], &QAction::triggered, this,
                 [this, overlay = overlay] { workspace_.document().setOverlay(overlay); });
+    }
     connect(&actions_[ActionId::Wireframe], &QAction::toggled, &workspace_.document(),
             &Document::setWireframe);
 }
@@ -102,18 +104,21 @@ void GarmentActions::askAndOpen() {
 }
 
 void GarmentActions::openFiles(const QStringList& files) {
-    if (files.isEmpty())
+    if (files.isEmpty()) {
         return;
+    }
     preferences_.setOpenFolder(QFileInfo(files.front()).absolutePath());
     Workspace::Paths paths;
-    for (const QString& file : files)
+    for (const QString& file : files) {
         paths.emplace_back(file.toStdU16String());
+    }
     workspace_.open(std::move(paths));
 }
 
 void GarmentActions::askAndExport(const QString& suffix, const QString& filter) {
-    if (!workspace_.canExport())
+    if (!workspace_.canExport()) {
         return;
+    }
     const auto& source = workspace_.document().garment()->files.front()->path;
     const QFileInfo first(QString::fromStdU16String(source.u16string()));
     const QString remembered = preferences_.exportFolder();
@@ -121,10 +126,12 @@ void GarmentActions::askAndExport(const QString& suffix, const QString& filter) 
     // "-pattern" keeps an OBJ export from proposing to replace the garment itself.
     const QString name = tr("%1-pattern").arg(first.completeBaseName());
     QString path = dialogs_.save(&window_, QString("%1/%2.%3").arg(folder, name, suffix), filter);
-    if (path.isEmpty())
+    if (path.isEmpty()) {
         return;
-    if (QFileInfo(path).suffix().compare(suffix, Qt::CaseInsensitive) != 0)
+    }
+    if (QFileInfo(path).suffix().compare(suffix, Qt::CaseInsensitive) != 0) {
         path += '.' + suffix;
+    }
     preferences_.setExportFolder(QFileInfo(path).absolutePath());
     workspace_.exportTo(path.toStdU16String());
 }
@@ -132,8 +139,9 @@ void GarmentActions::askAndExport(const QString& suffix, const QString& filter) 
 void GarmentActions::onChanged(DocumentChanges what) {
     const Document& document = workspace_.document();
     if (what.testFlag(DocumentChange::View)) {
-        for (const auto& [id, overlay] : kOverlays)
+        for (const auto& [id, overlay] : kOverlays) {
             actions_[id].setChecked(document.view().overlay == overlay);
+        }
         actions_[ActionId::Wireframe].setChecked(document.view().wireframe);
     }
     if (what.testFlag(DocumentChange::Options)) {
@@ -152,13 +160,16 @@ void GarmentActions::updateEnabled() {
     const bool open = document.garment() != nullptr;
     const bool constrained = document.options().method == Method::Wang2005;
     for (const ActionId id : {ActionId::SelectAll, ActionId::SelectNone, ActionId::Frame,
-                              ActionId::FlattenAgain, ActionId::Wireframe})
+                              ActionId::FlattenAgain, ActionId::Wireframe}) {
         actions_[id].setEnabled(open);
-    for (const auto& [id, overlay] : kOverlays)
+    }
+    for (const auto& [id, overlay] : kOverlays) {
         actions_[id].setEnabled(open);
+    }
     for (const ActionId id :
-         {ActionId::ExportSvg, ActionId::ExportDxf, ActionId::ExportObj, ActionId::ExportReport})
+         {ActionId::ExportSvg, ActionId::ExportDxf, ActionId::ExportObj, ActionId::ExportReport}) {
         actions_[id].setEnabled(workspace_.canExport());
+    }
     // A free outline has no boundary problem to solve.
     actions_[ActionId::SolverNewton].setEnabled(constrained);
     actions_[ActionId::SolverSlcp].setEnabled(constrained);

@@ -20,16 +20,18 @@ Workspace::~Workspace() {
 }
 
 void Workspace::open(Paths files) {
-    if (files.empty())
+    if (files.empty()) {
         return;
+    }
     requested_ = files;
     importing_ = true;
     jobs_.replace(std::make_unique<ImportJob>(document_, std::move(files), LoadOptions{unit_}));
 }
 
 void Workspace::setUnit(std::optional<LengthUnit> unit) {
-    if (unit == unit_)
+    if (unit == unit_) {
         return;
+    }
     unit_ = unit;
     open(requested_);
 }
@@ -48,8 +50,9 @@ void Workspace::setBoundarySolver(BoundarySolver solver) {
 
 void Workspace::flattenAgain() {
     // While a garment is being read, flattening follows by itself.
-    if (document_.garment() && !importing_)
+    if (document_.garment() && !importing_) {
         jobs_.replace(std::make_unique<FlattenJob>(document_));
+    }
 }
 
 bool Workspace::canExport() const {
@@ -65,20 +68,25 @@ void Workspace::exportTo(const std::filesystem::path& path) {
 }
 
 void Workspace::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Garment))
+    if (what.testFlag(DocumentChange::Garment)) {
         importing_ = false;
-    if (what & (DocumentChange::Garment | DocumentChange::Options))
+    }
+    if (what & (DocumentChange::Garment | DocumentChange::Options)) {
         flattenAgain();
+    }
 }
 
 void Workspace::onOver() {
     // A job that makes room for a reading says nothing about the reading.
-    if (jobs_.hasWaiting() || !std::exchange(importing_, false))
+    if (jobs_.hasWaiting() || !std::exchange(importing_, false)) {
         return;
+    }
     requested_.clear();
-    if (document_.garment())
-        for (const auto& file : document_.garment()->files)
+    if (document_.garment()) {
+        for (const auto& file : document_.garment()->files) {
             requested_.push_back(file->path);
+        }
+    }
 }
 
 }  // namespace toile

@@ -15,8 +15,9 @@ int Document::pieceCount() const {
 }
 
 QString Document::title() const {
-    if (!garment_ || garment_->files.empty())
+    if (!garment_ || garment_->files.empty()) {
         return {};
+    }
     const QString first =
         QString::fromStdU16String(garment_->files.front()->path.filename().u16string());
     const auto others = static_cast<int>(garment_->files.size()) - 1;
@@ -41,8 +42,9 @@ void Document::setResults(PieceResults results, std::shared_ptr<const Scene> sce
 }
 
 void Document::setOptions(const FlattenOptions& options) {
-    if (options.method == options_.method && options.boundarySolver == options_.boundarySolver)
+    if (options.method == options_.method && options.boundarySolver == options_.boundarySolver) {
         return;
+    }
     options_ = options;
     ++revision_;
     emit changed(DocumentChange::Options);
@@ -50,29 +52,33 @@ void Document::setOptions(const FlattenOptions& options) {
 
 void Document::setSelection(Selection selection) {
     std::erase_if(selection, [this](int piece) { return piece < 0 || piece >= pieceCount(); });
-    if (selection == selection_)
+    if (selection == selection_) {
         return;
+    }
     selection_ = std::move(selection);
     emit changed(DocumentChange::Selection);
 }
 
 void Document::toggleSelected(int piece) {
     Selection selection = selection_;
-    if (selection.erase(piece) == 0)
+    if (selection.erase(piece) == 0) {
         selection.insert(piece);
+    }
     setSelection(std::move(selection));
 }
 
 void Document::setOverlay(Overlay overlay) {
-    if (view_.overlay == overlay)
+    if (view_.overlay == overlay) {
         return;
+    }
     view_.overlay = overlay;
     emit changed(DocumentChange::View);
 }
 
 void Document::setWireframe(bool on) {
-    if (view_.wireframe == on)
+    if (view_.wireframe == on) {
         return;
+    }
     view_.wireframe = on;
     emit changed(DocumentChange::View);
 }

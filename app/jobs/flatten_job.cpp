@@ -27,8 +27,9 @@ Result<void> FlattenJob::process(Progress& progress) {
         const LaidOutPattern pattern = layOut(*garment_, results_);
         scene_ = buildScene(*garment_, results_, pattern.offsets, progress);
     }
-    if (progress.isCancelled())
+    if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, {}, {}};
+    }
     return {};
 }
 

@@ -22,12 +22,14 @@ QString ImportJob::title() const {
 
 Result<void> ImportJob::process(Progress& progress) {
     Result<Garment> garment = loadGarment(files_, options_, progress);
-    if (!garment)
+    if (!garment) {
         return garment.error();
+    }
     garment_ = std::make_shared<const Garment>(std::move(garment).value());
     scene_ = buildScene(*garment_, {}, {}, progress);
-    if (progress.isCancelled())
+    if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, {}, {}};
+    }
     return {};
 }
 

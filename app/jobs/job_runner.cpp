@@ -30,8 +30,9 @@ JobRunner::JobRunner(const Document& document, QObject* parent)
     pool_.setMaxThreadCount(1);
     poll_.setInterval(kPollMilliseconds);
     connect(&poll_, &QTimer::timeout, this, [this] {
-        if (current_)
+        if (current_) {
             emit progressed(current_->progress.fraction());
+        }
     });
     connect(&watcher_, &QFutureWatcher<void>::finished, this, &JobRunner::onFinished);
 }
@@ -52,8 +53,9 @@ void JobRunner::replace(std::unique_ptr<Job> job) {
 
 void JobRunner::cancel() {
     std::erase_if(waiting_, [](const auto& job) { return job->isCancellable(); });
-    if (current_ && current_->job->isCancellable())
+    if (current_ && current_->job->isCancellable()) {
         current_->progress.cancel();
+    }
 }
 
 void JobRunner::shutdown() {
@@ -66,8 +68,9 @@ void JobRunner::shutdown() {
 }
 
 void JobRunner::startNext() {
-    if (current_ || waiting_.empty())
+    if (current_ || waiting_.empty()) {
         return;
+    }
     current_ = std::make_unique<Running>();
     current_->job = std::move(waiting_.front());
     waiting_.pop_front();
@@ -87,16 +90,18 @@ void JobRunner::startNext() {
 void JobRunner::onFinished() {
     poll_.stop();
     const std::unique_ptr<Running> done = std::move(current_);
-    if (!done->crash.empty())
+    if (!done->crash.empty()) {
         emit failed(done->job->title(), tr("The program met an unexpected fault (%1). Please "
                                            "report it with the garment file.")
                                             .arg(QString::fromStdString(done->crash)));
-    else
+    } else {
         settle(*done->job, done->progress, done->outcome);
+    }
     // A slot may have started another job meanwhile.
     startNext();
-    if (!current_)
+    if (!current_) {
         emit idle();
+    }
 }
 
 void JobRunner::settle(Job& job, const Progress& progress, const Result<void>& outcome) {
@@ -109,8 +114,9 @@ void JobRunner::settle(Job& job, const Progress& progress, const Result<void>& o
         return;
     }
     const bool stale = job.revision() && *job.revision() != document_.revision();
-    if (!stale)
+    if (!stale) {
         job.finalize();
+    }
 }
 
 }  // namespace toile

@@ -41,8 +41,9 @@ QString percent(double fraction) {
 
 QString signedPercent(double fraction) {
     const double value = fraction * 100;
-    if (std::abs(value) < 5e-4)
+    if (std::abs(value) < 5e-4) {
         return QLocale().toString(0);
+    }
     return (value < 0 ? QString(kMinus) : QString('+')) + percent(std::abs(fraction));
 }
 
@@ -51,8 +52,9 @@ QString boundaryError(double fraction) {
 }
 
 QString strainRange(const PieceQuality& quality) {
-    if (!quality.strainMin || !quality.strainMax)
+    if (!quality.strainMin || !quality.strainMax) {
         return kDash;
+    }
     return QString("%1 %2 %3")
         .arg(signedPercent(*quality.strainMin), QString(kEllipsis),
              signedPercent(*quality.strainMax));

@@ -22,26 +22,32 @@ MessagesPanel::MessagesPanel(Document& document, QWidget* parent)
     connect(&document_, &Document::changed, this, &MessagesPanel::onChanged);
     connect(this, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
         const int piece = item->data(kPieceRole).toInt();
-        if (piece >= 0)
+        if (piece >= 0) {
             document_.setSelection({piece});
+        }
     });
 }
 
 void MessagesPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Results))
+    if (what & (DocumentChange::Garment | DocumentChange::Results)) {
         rebuild();
+    }
 }
 
 void MessagesPanel::rebuild() {
     clear();
-    if (document_.garment())
-        for (const auto& file : document_.garment()->files)
-            for (const Error& problem : file->problems)
+    if (document_.garment()) {
+        for (const auto& file : document_.garment()->files) {
+            for (const Error& problem : file->problems) {
                 add(QString::fromStdString(sentence(problem)), !isNote(problem.code), -1);
+            }
+        }
+    }
     int piece = 0;
     for (const auto& result : document_.results()) {
-        if (result->error)
+        if (result->error) {
             add(QString::fromStdString(sentence(*result->error)), true, piece);
+        }
         ++piece;
     }
     emit countChanged(count());

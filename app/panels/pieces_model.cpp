@@ -63,8 +63,9 @@ const PieceResult* PiecesModel::result(int row) const {
 }
 
 QVariant PiecesModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid() || index.row() >= rowCount())
+    if (!index.isValid() || index.row() >= rowCount()) {
         return {};
+    }
     const int row = index.row(), column = index.column();
     switch (role) {
         case Qt::DisplayRole:
@@ -139,12 +140,15 @@ QString PiecesModel::measuredText(const PieceResult& known, int column) const {
 QVariant PiecesModel::sortValue(int row, int column) const {
     const Piece& piece = *document_.garment()->pieces[static_cast<std::size_t>(row)];
     const PieceResult* known = result(row);
-    if (column == Name || column == Status)
+    if (column == Name || column == Status) {
         return text(row, column);
-    if (column == Triangles)
+    }
+    if (column == Triangles) {
         return static_cast<qlonglong>(piece.mesh.F.rows());
-    if (!known || !known->quality)
+    }
+    if (!known || !known->quality) {
         return -1.0;
+    }
     const PieceQuality& quality = *known->quality;
     switch (column) {
         case Area:
@@ -168,19 +172,23 @@ QVariant PiecesModel::sortValue(int row, int column) const {
 
 bool PiecesModel::isTrouble(int row, int column) const {
     const PieceResult* known = result(row);
-    if (!known)
+    if (!known) {
         return false;
-    if (column == Status)
+    }
+    if (column == Status) {
         return known->error.has_value();
-    if (!known->quality)
+    }
+    if (!known->quality) {
         return false;
+    }
     return (column == Flips && known->quality->flippedTriangles > 0) ||
            (column == Crossings && known->quality->outlineCrossings > 0);
 }
 
 QVariant PiecesModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal)
+    if (orientation != Qt::Horizontal) {
         return {};
+    }
     struct Header {
         QString title, tip;
     };
@@ -197,13 +205,16 @@ QVariant PiecesModel::headerData(int section, Qt::Orientation orientation, int r
         {tr("Flips"), tr("Triangles that lie upside down in the pattern: must be 0")},
         {tr("Crossings"), tr("Places where the outline crosses itself: must be 0")},
     };
-    if (role == Qt::DisplayRole)
+    if (role == Qt::DisplayRole) {
         return headers[section].title;
-    if (role == Qt::ToolTipRole)
+    }
+    if (role == Qt::ToolTipRole) {
         return headers[section].tip;
-    if (role == Qt::TextAlignmentRole)
+    }
+    if (role == Qt::TextAlignmentRole) {
         return section <= Status ? int(Qt::AlignLeft | Qt::AlignVCenter)
                                  : int(Qt::AlignRight | Qt::AlignVCenter);
+    }
     return {};
 }
 

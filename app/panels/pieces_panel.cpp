@@ -81,12 +81,15 @@ void PiecesPanel::makeTable() {
 }
 
 void PiecesPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Results))
+    if (what & (DocumentChange::Garment | DocumentChange::Results)) {
         fitColumns();
-    if (what & (DocumentChange::Garment | DocumentChange::Selection))
+    }
+    if (what & (DocumentChange::Garment | DocumentChange::Selection)) {
         selectInTable();
-    if (what & (DocumentChange::Garment | DocumentChange::Selection | DocumentChange::Results))
+    }
+    if (what & (DocumentChange::Garment | DocumentChange::Selection | DocumentChange::Results)) {
         updateDetails();
+    }
 }
 
 void PiecesPanel::fitColumns() {
@@ -112,8 +115,9 @@ void PiecesPanel::resizeEvent(QResizeEvent* event) {
 }
 
 void PiecesPanel::selectInTable() {
-    if (synchronizing_)
+    if (synchronizing_) {
         return;
+    }
     const QScopedValueRollback guard(synchronizing_, true);
     QItemSelection selection;
     for (const int piece : document_.selection()) {
@@ -122,17 +126,20 @@ void PiecesPanel::selectInTable() {
     }
     table_->selectionModel()->select(
         selection, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
-    if (!selection.isEmpty())
+    if (!selection.isEmpty()) {
         table_->scrollTo(selection.indexes().front());
+    }
 }
 
 void PiecesPanel::selectInDocument() {
-    if (synchronizing_)
+    if (synchronizing_) {
         return;
+    }
     const QScopedValueRollback guard(synchronizing_, true);
     Document::Selection selection;
-    for (const QModelIndex& index : table_->selectionModel()->selectedRows())
+    for (const QModelIndex& index : table_->selectionModel()->selectedRows()) {
         selection.insert(sorted_->mapToSource(index).row());
+    }
     document_.setSelection(std::move(selection));
     updateDetails();
 }
@@ -147,12 +154,14 @@ QString PiecesPanel::details(int piece) const {
     const Piece& source = *document_.garment()->pieces[at];
     QString text =
         QString("<p><b>%1</b></p>").arg(QString::fromStdString(source.name).toHtmlEscaped());
-    if (at >= document_.results().size())
+    if (at >= document_.results().size()) {
         return text + "<p>" + tr("Not flattened yet.").toHtmlEscaped() + "</p>";
+    }
     const PieceResult& result = *document_.results()[at];
-    if (result.error)
+    if (result.error) {
         return text + "<p>" + QString::fromStdString(sentence(*result.error)).toHtmlEscaped() +
                "</p>";
+    }
     const PieceQuality& quality = *result.quality;
     const QLocale locale;
     text += "<p>" + methodName(result.options.method).toHtmlEscaped() + "</p><table>";
@@ -162,12 +171,14 @@ QString PiecesPanel::details(int piece) const {
     text += row(tr("Outline, flat"), tr("%1 cm").arg(centimetres(quality.perimeter2d)));
     const QString error = boundaryError(quality.maxBoundaryLengthError);
     text += row(tr("Outline error"), error.at(0).isDigit() ? tr("%1 %").arg(error) : error);
-    if (quality.strainMeanAbs)
+    if (quality.strainMeanAbs) {
         text += row(tr("Strain, mean"), tr("%1 %").arg(percent(*quality.strainMeanAbs)));
+    }
     text += row(tr("Strain, range"), tr("%1 %").arg(strainRange(quality)));
-    if (quality.quasiConformalMean)
+    if (quality.quasiConformalMean) {
         text += row(tr("Uneven stretch (1 = even)"),
                     locale.toString(*quality.quasiConformalMean, 'f', 3));
+    }
     text += row(tr("Triangles"), locale.toString(static_cast<qlonglong>(source.mesh.F.rows())));
     text += row(tr("Time"), tr("%1 s").arg(locale.toString(result.seconds, 'f', 3)));
     return text + "</table>";
@@ -175,14 +186,16 @@ QString PiecesPanel::details(int piece) const {
 
 QString PiecesPanel::detailsOfMany() const {
     const int count = document_.pieceCount();
-    if (count == 0)
+    if (count == 0) {
         return {};
+    }
     const auto& selection = document_.selection();
     double area = 0;
     int flat = 0, counted = 0;
     for (int i = 0; i < count; ++i) {
-        if (!selection.empty() && selection.count(i) == 0)
+        if (!selection.empty() && selection.count(i) == 0) {
             continue;
+        }
         ++counted;
         const auto at = static_cast<std::size_t>(i);
         if (at < document_.results().size() && document_.results()[at]->quality) {

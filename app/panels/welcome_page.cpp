@@ -23,8 +23,9 @@ QLabel* makeText(const QString& text, double scale, bool bold, bool faint) {
     label->setWordWrap(true);
     QFont font = label->font();
     font.setPointSizeF(font.pointSizeF() * scale);
-    if (bold)
+    if (bold) {
         font.setWeight(QFont::DemiBold);
+    }
     label->setFont(font);
     if (faint) {
         QPalette palette = label->palette();
@@ -39,8 +40,9 @@ QLabel* makeText(const QString& text, double scale, bool bold, bool faint) {
 /// "tshirt" is "T-shirt" to a person; other file names only get a capital.
 QString sampleTitle(const QString& path) {
     const QString base = QFileInfo(path).completeBaseName();
-    if (base == "tshirt")
+    if (base == "tshirt") {
         return QCoreApplication::translate("WelcomePage", "T-shirt");
+    }
     QString title = base;
     title.replace('_', ' ').replace('-', ' ');
     return title.left(1).toUpper() + title.mid(1);
@@ -58,10 +60,12 @@ QStringList samplePaths() {
     for (const QString& folder : folders) {
         QStringList paths;
         const QFileInfoList files = QDir(folder).entryInfoList({"*.obj"}, QDir::Files, QDir::Name);
-        for (const QFileInfo& file : files)
+        for (const QFileInfo& file : files) {
             paths << file.absoluteFilePath();
-        if (!paths.isEmpty())
+        }
+        if (!paths.isEmpty()) {
             return paths;
+        }
     }
     return {};
 }
@@ -107,8 +111,9 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
 
 QWidget* WelcomePage::makeSamples() {
     const QStringList paths = samplePaths();
-    if (paths.isEmpty())
+    if (paths.isEmpty()) {
         return nullptr;
+    }
     auto* box = new QWidget;
     auto* row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);

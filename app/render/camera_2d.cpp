@@ -30,8 +30,9 @@ void Camera2D::zoomAt(double x, double y, double factor) {
 }
 
 void Camera2D::frame(const Eigen::AlignedBox2d& box, const Margins& margins) {
-    if (box.isEmpty())
+    if (box.isEmpty()) {
         return;
+    }
     const Eigen::Vector2d size = box.sizes().cwiseMax(1e-9);
     // A viewport smaller than its margins gives half of itself to the box all the same.
     const double across = std::max(width_ / 2, width_ - 2 * margins.sides);

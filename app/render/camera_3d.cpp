@@ -56,15 +56,19 @@ void Camera3D::zoomAt(const Eigen::Vector3d& anchor, double factor) {
 
 void Camera3D::frame(std::span<const Eigen::AlignedBox3d> boxes) {
     Eigen::AlignedBox3d all;
-    for (const Eigen::AlignedBox3d& box : boxes)
+    for (const Eigen::AlignedBox3d& box : boxes) {
         all.extend(box);
-    if (all.isEmpty())
+    }
+    if (all.isEmpty()) {
         return;
+    }
     target_ = toGlm(Eigen::Vector3d(all.center()));
     double needed = std::numeric_limits<double>::min();
-    for (const Eigen::AlignedBox3d& box : boxes)
-        if (!box.isEmpty())
+    for (const Eigen::AlignedBox3d& box : boxes) {
+        if (!box.isEmpty()) {
             needed = std::max(needed, distanceToFit(box));
+        }
+    }
     distance_ = needed;
 }
 

@@ -27,8 +27,9 @@ ColourMap interpolate(std::span<const Stop> stops) {
     std::size_t segment = 0;
     for (int i = 0; i < kColourMapSize; ++i) {
         const double at = i / double(kColourMapSize - 1);
-        while (segment + 2 < stops.size() && at > stops[segment + 1].at)
+        while (segment + 2 < stops.size() && at > stops[segment + 1].at) {
             ++segment;
+        }
         const Stop &a = stops[segment], &b = stops[segment + 1];
         map[static_cast<std::size_t>(i)] =
             blend(a.colour, b.colour, std::clamp((at - a.at) / (b.at - a.at), 0.0, 1.0));
@@ -79,8 +80,9 @@ Rgb pieceColour(int piece) {
     const int count = static_cast<int>(kHues.size());
     const Rgb hue = kHues[static_cast<std::size_t>(((piece % count) + count) % count)];
     const int round = (piece / count) % 3;
-    if (round == 1)
+    if (round == 1) {
         return blend(hue, {255, 255, 255}, 0.35);
+    }
     return round == 2 ? blend(hue, {30, 34, 44}, 0.25) : hue;
 }
 

@@ -32,14 +32,16 @@ void GarmentRenderer::uploadMesh(Gl& gl, const Scene& scene, GpuMesh& mesh) {
 
 void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style,
                             int width, int height, double pixelRatio) {
-    if (!gl_)
+    if (!gl_) {
         return;
+    }
     gl_->glViewport(0, 0, width, height);
     gl_->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     Frame frame{glm::mat4(1.0F), view, style, width, height, static_cast<float>(pixelRatio)};
     paintBackdrop(frame);
-    if (!synchronize())
+    if (!synchronize()) {
         return;
+    }
     const glm::dmat4 eye = camera.view();
     frame.viewProjection = glm::mat4(camera.projection(scene_->box) * eye);
 

@@ -13,8 +13,9 @@ namespace toile {
 namespace {
 
 QOpenGLShader::ShaderType stageOf(std::string_view file) {
-    if (file.ends_with(".vert"))
+    if (file.ends_with(".vert")) {
         return QOpenGLShader::Vertex;
+    }
     return file.ends_with(".geom") ? QOpenGLShader::Geometry : QOpenGLShader::Fragment;
 }
 
@@ -34,11 +35,12 @@ QSurfaceFormat sceneSurfaceFormat() {
 QString glProblem() {
     QOpenGLContext context;
     context.setFormat(sceneSurfaceFormat());
-    if (!context.create())
+    if (!context.create()) {
         return QCoreApplication::translate(
             "GlSupport",
             "The views need OpenGL 3.3, but this computer offers none here. Flattening and export "
             "work all the same; a newer graphics driver brings the views back.");
+    }
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();
@@ -72,8 +74,9 @@ std::unique_ptr<QOpenGLShaderProgram> loadProgram(const std::vector<std::string_
             return nullptr;
         }
         source += file.readAll();
-        if (name.ends_with(".glsl"))
+        if (name.ends_with(".glsl")) {
             continue;
+        }
         if (!program->addShaderFromSourceCode(stageOf(name), source)) {
             problem = file.fileName() + ": " + program->log();
             return nullptr;

@@ -33,15 +33,17 @@ void GpuMesh::uploadIndices(Gl& gl, const IndexLists& lists) {
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);  // stays with the vertex array
     gl.glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(total), nullptr,
                     GL_STATIC_DRAW);
-    for (std::size_t i = 0; i < lists.size(); ++i)
+    for (std::size_t i = 0; i < lists.size(); ++i) {
         gl.glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(runs_[i].offset),
                            static_cast<GLsizeiptr>(lists[i].size_bytes()), lists[i].data());
+    }
     gl.glBindVertexArray(0);
 }
 
 void GpuMesh::draw(Gl& gl, GLenum mode, std::size_t list) const {
-    if (array_ == 0 || runs_[list].count == 0)
+    if (array_ == 0 || runs_[list].count == 0) {
         return;
+    }
     gl.glBindVertexArray(array_);
     gl.glDrawElements(mode, runs_[list].count, GL_UNSIGNED_INT,
                       reinterpret_cast<const void*>(runs_[list].offset));

@@ -22,8 +22,9 @@ double distanceToOutline(const Points2& Q, const std::vector<int>& boundary,
                          const Eigen::Vector2d& point) {
     const std::size_t step = std::max<std::size_t>(1, boundary.size() / kOutlineSamples);
     double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < boundary.size(); i += step)
+    for (std::size_t i = 0; i < boundary.size(); i += step) {
         least = std::min(least, (Q.row(boundary[i]).transpose() - point).squaredNorm());
+    }
     return std::sqrt(least);
 }
 

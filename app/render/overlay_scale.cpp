@@ -14,13 +14,15 @@ namespace {
 constexpr double kShownShare = 0.98;
 
 double roundedUpAmong(std::initializer_list<double> steps, double value) {
-    if (!(value > 0) || !std::isfinite(value))
+    if (!(value > 0) || !std::isfinite(value)) {
         return 1;
+    }
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
     for (const double step : steps) {
         // The slack keeps 0.2 at 0.2 although 2 * 0.1 may come out a digit below it.
-        if (value <= step * decade * (1 + 1e-9))
+        if (value <= step * decade * (1 + 1e-9)) {
             return step * decade;
+        }
     }
     return 10 * decade;
 }
@@ -42,13 +44,15 @@ double roundedUpClosely(double value) {
 OverlayScale robustScale(std::vector<float> values, bool signedValues, double finest) {
     OverlayScale scale{signedValues ? -finest : 0.0, finest, false, false};
     std::erase_if(values, [](float value) { return !std::isfinite(value); });
-    if (values.empty())
+    if (values.empty()) {
         return scale;
+    }
     const auto [least, largest] = std::minmax_element(values.begin(), values.end());
     const double lowest = static_cast<double>(*least), highest = static_cast<double>(*largest);
 
-    for (float& value : values)
+    for (float& value : values) {
         value = std::abs(value);
+    }
     const auto rank =
         static_cast<std::ptrdiff_t>(kShownShare * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + rank, values.end());

@@ -59,16 +59,18 @@ void PatternRenderer::setGrid(const Camera2D& camera, double pixelRatio) {
 
 void PatternRenderer::paint(const Camera2D& camera, const ViewState& view, const RenderStyle& style,
                             int width, int height, double pixelRatio) {
-    if (!gl_)
+    if (!gl_) {
         return;
+    }
     gl_->glViewport(0, 0, width, height);
     gl_->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Frame frame{glm::mat4(camera.projection()), view, style, width, height,
                       static_cast<float>(pixelRatio)};
     setGrid(camera, pixelRatio);
     paintBackdrop(frame);
-    if (!synchronize())
+    if (!synchronize()) {
         return;
+    }
     QOpenGLShaderProgram& cloth = beginCloth(frame);
     mesh_.drawTriangles(*gl_);
     cloth.release();

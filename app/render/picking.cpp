@@ -24,10 +24,12 @@ bool meets(const Ray& ray, const Eigen::AlignedBox3d& box) {
         const double inverse = 1.0 / ray.direction[k];  // infinite where parallel: still right
         double a = (box.min()[k] - ray.origin[k]) * inverse;
         double b = (box.max()[k] - ray.origin[k]) * inverse;
-        if (std::isnan(a) || std::isnan(b))
+        if (std::isnan(a) || std::isnan(b)) {
             continue;  // parallel and within the slab's plane
-        if (a > b)
+        }
+        if (a > b) {
             std::swap(a, b);
+        }
         from = std::max(from, a);
         to = std::min(to, b);
     }
@@ -43,8 +45,9 @@ std::optional<double> distanceTo(const Ray& ray, const Eigen::Vector3d& a, const
     const double w = ray.direction.dot(pb.cross(pa));
     const bool allLeft = u >= 0 && v >= 0 && w >= 0, allRight = u <= 0 && v <= 0 && w <= 0;
     const double sum = u + v + w;
-    if (!(allLeft || allRight) || sum == 0)
+    if (!(allLeft || allRight) || sum == 0) {
         return std::nullopt;
+    }
     const double distance = ((u * pa + v * pb + w * pc) / sum).dot(ray.direction);
     return distance > 0 ? std::optional(distance) : std::nullopt;
 }
@@ -65,15 +68,17 @@ std::optional<GarmentHit> pickGarment(const Scene& scene, const Ray& ray) {
     const auto& triangles = scene.garment.triangles;
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         const PieceScene& piece = scene.pieces[i];
-        if (piece.box.isEmpty() || !meets(ray, piece.box))
+        if (piece.box.isEmpty() || !meets(ray, piece.box)) {
             continue;
+        }
         const std::size_t end = piece.garmentRun.first + piece.garmentRun.count;
         for (std::size_t t = piece.garmentRun.first; t < end; ++t) {
             const auto distance = distanceTo(ray, position(scene, triangles[3 * t]),
                                              position(scene, triangles[3 * t + 1]),
                                              position(scene, triangles[3 * t + 2]));
-            if (distance && (!nearest || *distance < nearest->distance))
+            if (distance && (!nearest || *distance < nearest->distance)) {
                 nearest = GarmentHit{static_cast<int>(i), *distance};
+            }
         }
     }
     return nearest;
@@ -83,15 +88,17 @@ std::optional<int> pickPattern(const Scene& scene, const Eigen::Vector2d& point)
     const auto& triangles = scene.pattern.triangles;
     for (std::size_t i = scene.pieces.size(); i-- > 0;) {
         const PieceScene& piece = scene.pieces[i];
-        if (!piece.flat || !piece.placedBox().contains(point))
+        if (!piece.flat || !piece.placedBox().contains(point)) {
             continue;
+        }
         const Eigen::Vector2d local = point - piece.offset;
         const std::size_t end = piece.patternRun.first + piece.patternRun.count;
         for (std::size_t t = piece.patternRun.first; t < end; ++t) {
             if (covers(local, flatPoint(scene, triangles[3 * t]),
                        flatPoint(scene, triangles[3 * t + 1]),
-                       flatPoint(scene, triangles[3 * t + 2])))
+                       flatPoint(scene, triangles[3 * t + 2]))) {
                 return static_cast<int>(i);
+            }
         }
     }
     return std::nullopt;

@@ -19,8 +19,9 @@ Eigen::AlignedBox3d boundsOf(const Points3& V) {
     Eigen::AlignedBox3d box;
     for (Eigen::Index i = 0; i < V.rows(); ++i) {
         const Eigen::Vector3d point = V.row(i).transpose();
-        if (point.allFinite())
+        if (point.allFinite()) {
             box.extend(point);
+        }
     }
     return box;
 }
@@ -31,8 +32,9 @@ void put(float* out, const Eigen::Vector2d& v) {
 }
 
 void put(float* out, const Eigen::Vector3d& v) {
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k) {
         out[k] = std::isfinite(v[k]) ? static_cast<float>(v[k]) : 0.0F;
+    }
 }
 
 template <class Vertex>
@@ -40,18 +42,24 @@ void appendIndices(MeshBuffers<Vertex>& buffers, const Piece& piece, std::uint32
     const auto append = [base](std::vector<std::uint32_t>& out, int index) {
         out.push_back(base + static_cast<std::uint32_t>(index));
     };
-    for (Eigen::Index f = 0; f < piece.mesh.F.rows(); ++f)
-        for (int k = 0; k < 3; ++k)
+    for (Eigen::Index f = 0; f < piece.mesh.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
             append(buffers.triangles, piece.mesh.F(f, k));
-    for (Eigen::Index e = 0; e < piece.table.edges.rows(); ++e)
-        for (int k = 0; k < 2; ++k)
+        }
+    }
+    for (Eigen::Index e = 0; e < piece.table.edges.rows(); ++e) {
+        for (int k = 0; k < 2; ++k) {
             append(buffers.edges, piece.table.edges(e, k));
+        }
+    }
     // Edges of one triangle only: of pieces that are no disks too, which have no boundary loop.
     for (Eigen::Index e = 0; e < piece.table.edges.rows(); ++e) {
         const auto at = static_cast<std::size_t>(e);
-        if (piece.table.useStart[at + 1] - piece.table.useStart[at] == 1)
-            for (int k = 0; k < 2; ++k)
+        if (piece.table.useStart[at + 1] - piece.table.useStart[at] == 1) {
+            for (int k = 0; k < 2; ++k) {
                 append(buffers.outline, piece.table.edges(e, k));
+            }
+        }
     }
 }
 
@@ -91,8 +99,9 @@ private:
             put(vertex.flat, flat ? Eigen::Vector2d(flat->Q.row(i)) : Eigen::Vector2d::Zero());
             copyValues(values, i, vertex.values);
             vertex.piece = index_;
-            if (position.allFinite())
+            if (position.allFinite()) {
                 entry.box.extend(position);
+            }
         }
         appendIndices(buffers, piece, base);
         entry.garmentRun = runSince(indicesBefore, buffers.triangles.size());
@@ -131,8 +140,9 @@ private:
 OverlayScale scaleOf(const Scene& scene, int value, bool signedValues, double finest) {
     std::vector<float> values;
     values.reserve(scene.pattern.vertices.size());
-    for (const PatternVertex& vertex : scene.pattern.vertices)
+    for (const PatternVertex& vertex : scene.pattern.vertices) {
         values.push_back(vertex.values[value]);
+    }
     return robustScale(std::move(values), signedValues, finest);
 }
 
@@ -155,8 +165,9 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
                                         const std::vector<Eigen::Vector2d>& offsets,
                                         const Progress& progress) {
     auto scene = std::make_shared<Scene>();
-    for (const auto& piece : garment.pieces)
+    for (const auto& piece : garment.pieces) {
         scene->box.extend(boundsOf(piece->mesh.V));
+    }
     if (!scene->box.isEmpty()) {
         scene->origin = scene->box.center();
         scene->box.translate(-scene->origin);

@@ -48,21 +48,25 @@ SceneRenderer::~SceneRenderer() = default;
 
 QString SceneRenderer::initialize() {
     gl_ = currentGl();
-    if (!gl_)
+    if (!gl_) {
         return QCoreApplication::translate(
             "SceneRenderer",
             "This view needs OpenGL 3.3, which the graphics driver does not offer.");
+    }
     const ProgramFiles files = programFiles();
     QString problem;
     cloth_ = loadProgram(files.cloth, problem);
-    if (cloth_)
+    if (cloth_) {
         lines_ = loadProgram(files.lines, problem);
-    if (lines_)
+    }
+    if (lines_) {
         backdrop_ = loadProgram({"backdrop.vert", "backdrop.frag"}, problem);
-    if (!cloth_ || !lines_ || !backdrop_)
+    }
+    if (!cloth_ || !lines_ || !backdrop_) {
         return QCoreApplication::translate("SceneRenderer",
                                            "The graphics driver refused to draw this view (%1).")
             .arg(problem);
+    }
     gl_->glGenVertexArrays(1, &emptyArray_);
     pieceTable_ = makeTexture(*gl_, GL_NEAREST);
     uploadColourMaps();
@@ -71,8 +75,9 @@ QString SceneRenderer::initialize() {
 }
 
 void SceneRenderer::release() {
-    if (!gl_)
+    if (!gl_) {
         return;
+    }
     mesh_.release(*gl_);
     gl_->glDeleteVertexArrays(1, &emptyArray_);
     for (GLuint* texture : {&pieceTable_, &divergingMap_, &sequentialMap_}) {
@@ -87,8 +92,9 @@ void SceneRenderer::release() {
 }
 
 void SceneRenderer::setScene(std::shared_ptr<const Scene> scene) {
-    if (scene == scene_)
+    if (scene == scene_) {
         return;
+    }
     scene_ = std::move(scene);
     sceneChanged_ = tableChanged_ = true;
 }
@@ -99,12 +105,15 @@ void SceneRenderer::setSelection(std::set<int> selection) {
 }
 
 bool SceneRenderer::synchronize() {
-    if (!scene_ || !cloth_)
+    if (!scene_ || !cloth_) {
         return false;
-    if (std::exchange(sceneChanged_, false))
+    }
+    if (std::exchange(sceneChanged_, false)) {
         uploadMesh(*gl_, *scene_, mesh_);
-    if (std::exchange(tableChanged_, false))
+    }
+    if (std::exchange(tableChanged_, false)) {
         uploadPieceTable();
+    }
     return true;
 }
 

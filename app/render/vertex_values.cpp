@@ -36,8 +36,9 @@ Eigen::VectorXf averaged(const Elements& elements, const Eigen::VectorXd& values
         }
     }
     Eigen::VectorXf mean(vertices);
-    for (Eigen::Index v = 0; v < vertices; ++v)
+    for (Eigen::Index v = 0; v < vertices; ++v) {
         mean[v] = weight[v] > 0 ? static_cast<float>(sum[v] / weight[v]) : 0.0F;
+    }
     return mean;
 }
 
@@ -47,12 +48,14 @@ VertexValues vertexValues(const Piece& piece, const Points2& Q) {
     const DistortionFields fields = distortionFields(piece, Q);
     const MeshArrays& mesh = piece.mesh;
     Eigen::VectorXd areas(mesh.F.rows());
-    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
         areas[f] = doubleAreaNormal(mesh, f).norm();
+    }
     Eigen::VectorXd lengths(piece.table.edges.rows());
-    for (Eigen::Index e = 0; e < piece.table.edges.rows(); ++e)
+    for (Eigen::Index e = 0; e < piece.table.edges.rows(); ++e) {
         lengths[e] =
             (mesh.V.row(piece.table.edges(e, 0)) - mesh.V.row(piece.table.edges(e, 1))).norm();
+    }
 
     const Eigen::Index count = mesh.V.rows();
     constexpr double kPercent = 100.0, kDegrees = 180.0 / std::numbers::pi;
@@ -65,15 +68,17 @@ Points3 vertexNormals(const MeshArrays& mesh) {
     Points3 normals = Points3::Zero(mesh.V.rows(), 3);
     for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
         const Eigen::RowVector3d normal = doubleAreaNormal(mesh, f).transpose();
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < 3; ++k) {
             normals.row(mesh.F(f, k)) += normal;
+        }
     }
     for (Eigen::Index v = 0; v < normals.rows(); ++v) {
         const double length = normals.row(v).norm();
-        if (length > 0 && std::isfinite(length))
+        if (length > 0 && std::isfinite(length)) {
             normals.row(v) /= length;
-        else
+        } else {
             normals.row(v) << 0, 0, 1;
+        }
     }
     return normals;
 }

@@ -21,8 +21,9 @@ Preferences::Preferences() : settings_(std::make_unique<QSettings>("Toile", "Toi
 }
 
 Preferences::Preferences(const QString& file) {
-    if (file.isEmpty())
+    if (file.isEmpty()) {
         return;
+    }
     settings_ = std::make_unique<QSettings>(file, QSettings::IniFormat);
     openFolder_ = settings_->value(kOpenFolder).toString();
     exportFolder_ = settings_->value(kExportFolder).toString();
@@ -36,8 +37,9 @@ QString Preferences::openFolder() const {
 
 void Preferences::setOpenFolder(const QString& folder) {
     openFolder_ = folder;
-    if (settings_)
+    if (settings_) {
         settings_->setValue(kOpenFolder, folder);
+    }
 }
 
 QString Preferences::exportFolder() const {
@@ -46,8 +48,9 @@ QString Preferences::exportFolder() const {
 
 void Preferences::setExportFolder(const QString& folder) {
     exportFolder_ = folder;
-    if (settings_)
+    if (settings_) {
         settings_->setValue(kExportFolder, folder);
+    }
 }
 
 QByteArray Preferences::windowGeometry() const {
@@ -55,8 +58,9 @@ QByteArray Preferences::windowGeometry() const {
 }
 
 void Preferences::setWindowGeometry(const QByteArray& geometry) {
-    if (settings_)
+    if (settings_) {
         settings_->setValue(kGeometry, geometry);
+    }
 }
 
 QByteArray Preferences::windowState() const {
@@ -64,8 +68,9 @@ QByteArray Preferences::windowState() const {
 }
 
 void Preferences::setWindowState(const QByteArray& state) {
-    if (settings_)
+    if (settings_) {
         settings_->setValue(kState, state);
+    }
 }
 
 }  // namespace toile

@@ -21,16 +21,18 @@ void GarmentView::setCameraViewport(double width, double height) {
 
 void GarmentView::framePieces(const std::set<int>& pieces) {
     std::vector<Eigen::AlignedBox3d> boxes;
-    for (const int piece : pieces)
+    for (const int piece : pieces) {
         boxes.push_back(scene()->pieces[static_cast<std::size_t>(piece)].box);
+    }
     camera_.frame(boxes);
 }
 
 void GarmentView::drag(Drag kind, const QPointF& delta) {
-    if (kind == Drag::Turn)
+    if (kind == Drag::Turn) {
         camera_.orbit(delta.x(), delta.y());
-    else
+    } else {
         camera_.pan(delta.x(), delta.y());
+    }
 }
 
 void GarmentView::zoom(const QPointF& at, double factor) {
@@ -42,8 +44,9 @@ void GarmentView::zoom(const QPointF& at, double factor) {
 }
 
 std::optional<int> GarmentView::pieceAt(const QPointF& at) const {
-    if (!scene())
+    if (!scene()) {
         return std::nullopt;
+    }
     const auto hit = pickGarment(*scene(), camera_.ray(at.x(), at.y()));
     return hit ? std::optional(hit->piece) : std::nullopt;
 }

@@ -29,8 +29,9 @@ void PatternView::setCameraViewport(double width, double height) {
 
 void PatternView::framePieces(const std::set<int>& pieces) {
     Eigen::AlignedBox2d box;
-    for (const int piece : pieces)
+    for (const int piece : pieces) {
         box.extend(scene()->pieces[static_cast<std::size_t>(piece)].placedBox());
+    }
     camera_.frame(box, kMargins);
 }
 
@@ -66,8 +67,9 @@ void PatternView::paintText(QPainter& painter, const RenderStyle& style) {
 void PatternView::paintNames(QPainter& painter, const RenderStyle& style) const {
     for (std::size_t i = 0; i < scene()->pieces.size(); ++i) {
         const PieceScene& piece = scene()->pieces[i];
-        if (!piece.flat)
+        if (!piece.flat) {
             continue;
+        }
         const Eigen::Vector2d at = camera_.toScreen(piece.label + piece.offset);
         // A name may stand out a little on either side before it is shortened.
         const double room = 1.25 * piece.flatBox.sizes().x() * camera_.pixelsPerMillimetre();
@@ -78,10 +80,12 @@ void PatternView::paintNames(QPainter& painter, const RenderStyle& style) const 
 }
 
 QString PatternView::emptyText() const {
-    if (document_.pieceCount() == 0)
+    if (document_.pieceCount() == 0) {
         return {};
-    if (document_.results().empty())
+    }
+    if (document_.results().empty()) {
         return tr("The flat pieces appear here.");
+    }
     return tr("None of the pieces could be flattened. The list of pieces says why.");
 }
 

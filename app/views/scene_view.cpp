@@ -34,26 +34,31 @@ SceneView::SceneView(Document& document, std::unique_ptr<SceneRenderer> renderer
 
 SceneView::~SceneView() {
     // The context dies after this part of the object: it must not call back then.
-    if (context())
+    if (context()) {
         disconnect(context(), nullptr, this, nullptr);
+    }
     releaseGl();
 }
 
 void SceneView::releaseGl() {
-    if (!context())
+    if (!context()) {
         return;
+    }
     makeCurrent();
     renderer_->release();
     doneCurrent();
 }
 
 void SceneView::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Garment))
+    if (what.testFlag(DocumentChange::Garment)) {
         followsAll_ = true;
-    if (what & (DocumentChange::Garment | DocumentChange::Results))
+    }
+    if (what & (DocumentChange::Garment | DocumentChange::Results)) {
         renderer_->setScene(document_.scene());
-    if (what.testFlag(DocumentChange::Selection))
+    }
+    if (what.testFlag(DocumentChange::Selection)) {
         renderer_->setSelection(document_.selection());
+    }
     update();
 }
 
@@ -63,8 +68,9 @@ const Scene* SceneView::scene() const {
 
 std::set<int> SceneView::everyPiece() const {
     std::set<int> all;
-    for (int i = 0; i < document_.pieceCount(); ++i)
+    for (int i = 0; i < document_.pieceCount(); ++i) {
         all.insert(all.end(), i);
+    }
     return all;
 }
 
@@ -97,14 +103,16 @@ void SceneView::initializeGL() {
 
 void SceneView::paintGL() {
     setCameraViewport(width(), height());
-    if (followsAll_ && scene() && document_.pieceCount() > 0)
+    if (followsAll_ && scene() && document_.pieceCount() > 0) {
         framePieces(everyPiece());
+    }
     const RenderStyle style = renderStyle(palette());
     const double ratio = devicePixelRatioF();
     const QSize pixels(static_cast<int>(std::lround(width() * ratio)),
                        static_cast<int>(std::lround(height() * ratio)));
-    if (problem_.isEmpty())
+    if (problem_.isEmpty()) {
         paintScene(style, pixels.width(), pixels.height(), ratio);
+    }
 
     // Not a painter on the widget itself: while a window is grabbed, that would paint elsewhere.
     QOpenGLPaintDevice device(pixels);
@@ -130,11 +138,13 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-    if (event->buttons() == Qt::NoButton)
+    if (event->buttons() == Qt::NoButton) {
         return;
+    }
     if (!dragging_ &&
-        (event->position() - pressed_).manhattanLength() < QApplication::startDragDistance())
+        (event->position() - pressed_).manhattanLength() < QApplication::startDragDistance()) {
         return;
+    }
     dragging_ = true;
     followsAll_ = false;
     drag(event->modifiers().testFlag(Qt::ShiftModifier) ? Drag::Shift : Drag::Turn,
@@ -144,26 +154,29 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-    if (!std::exchange(dragging_, false) && event->button() == Qt::LeftButton)
+    if (!std::exchange(dragging_, false) && event->button() == Qt::LeftButton) {
         select(event->position(), event->modifiers());
+    }
 }
 
 void SceneView::select(const QPointF& at, Qt::KeyboardModifiers modifiers) {
     const std::optional<int> piece = pieceAt(at);
     const bool adds = modifiers.testFlag(Qt::ControlModifier);
-    if (piece && adds)
+    if (piece && adds) {
         document_.toggleSelected(*piece);
-    else if (piece)
+    } else if (piece) {
         document_.setSelection({*piece});
-    else if (!adds)
+    } else if (!adds) {
         document_.setSelection({});
+    }
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
     // Not a drag, and the release that follows selects the piece once more, which changes nothing.
     pressed_ = last_ = event->position();
-    if (event->button() != Qt::LeftButton)
+    if (event->button() != Qt::LeftButton) {
         return;
+    }
     if (const std::optional<int> piece = pieceAt(event->position())) {
         document_.setSelection({*piece});
         frameSelection();
@@ -174,8 +187,9 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void SceneView::wheelEvent(QWheelEvent* event) {
     const double notches = event->angleDelta().y() / 120.0;
-    if (notches == 0)
+    if (notches == 0) {
         return;
+    }
     followsAll_ = false;
     zoom(event->position(), std::pow(kZoomPerNotch, notches));
     update();

@@ -52,10 +52,12 @@ void ViewArea::makeViews() {
 }
 
 void ViewArea::frameSelection() {
-    if (garmentView_)
+    if (garmentView_) {
         garmentView_->frameSelection();
-    if (patternView_)
+    }
+    if (patternView_) {
         patternView_->frameSelection();
+    }
 }
 
 bool ViewArea::isUpToDate() const {

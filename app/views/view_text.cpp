@@ -47,8 +47,9 @@ void paintPlate(QPainter& painter, const RenderStyle& style, const QPointF& midd
     const QFontMetricsF metrics(font);
     constexpr double kPadX = 7, kPadY = 2.5, kLeast = 26;
     const double available = room - 2 * kPadX;
-    if (available < kLeast)
+    if (available < kLeast) {
         return;
+    }
     const QString shown = metrics.elidedText(text, Qt::ElideMiddle, available);
     const double width = metrics.horizontalAdvance(shown) + 2 * kPadX;
     const double height = metrics.height() + 2 * kPadY;
@@ -67,15 +68,18 @@ ScaleBar scaleBarFor(double pixels, double pixelsPerMillimetre) {
     const double wanted = pixels / pixelsPerMillimetre;
     // The largest round length not longer than what is wanted.
     double length = roundedUp(wanted);
-    if (length > wanted * (1 + 1e-9))
+    if (length > wanted * (1 + 1e-9)) {
         length = roundedUp(length / 2.6);
+    }
     const QLocale locale;
-    if (length >= 1000)
+    if (length >= 1000) {
         return {length, QCoreApplication::translate("ScaleBar", "%1 m")
                             .arg(locale.toString(length / 1000, 'g', 4))};
-    if (length >= 10)
+    }
+    if (length >= 10) {
         return {length, QCoreApplication::translate("ScaleBar", "%1 cm")
                             .arg(locale.toString(length / 10, 'g', 4))};
+    }
     return {length,
             QCoreApplication::translate("ScaleBar", "%1 mm").arg(locale.toString(length, 'g', 4))};
 }

@@ -62,25 +62,28 @@ ColourBar::Words ColourBar::words() const {
 
 QString ColourBar::number(double value) const {
     QString text = QLocale().toString(std::abs(value), 'g', 4);
-    if (value < 0)
+    if (value < 0) {
         text.prepend(kMinus);
-    else if (value > 0 && overlay_ != Overlay::Angle)
+    } else if (value > 0 && overlay_ != Overlay::Angle) {
         text.prepend('+');
+    }
     return text;
 }
 
 QString ColourBar::endLabel(bool high) const {
     const bool clamped = high ? scale_.above : scale_.below;
     const QString text = number(high ? scale_.high : scale_.low);
-    if (!clamped)
+    if (!clamped) {
         return text;
+    }
     return (high ? QString(QChar(0x2265)) : QString(QChar(0x2264))) + ' ' + text;
 }
 
 QString ColourBar::summary() const {
     const Words what = words();
-    if (!isMeasured(overlay_))
+    if (!isMeasured(overlay_)) {
         return what.title + ": " + what.meaning;
+    }
     return tr("%1: %2 %4 to %3 %4").arg(what.title, endLabel(false), endLabel(true), what.unit);
 }
 
@@ -157,11 +160,13 @@ void ColourBar::paintSquares(QPainter& painter, const QRectF& area) const {
     const QColor dark = QColor(cloth.r, cloth.g, cloth.b).darker(120);
     const QColor light = QColor(cloth.r, cloth.g, cloth.b).lighter(145);
     const double side = area.height() / 2;
-    for (int row = 0; row < 2; ++row)
-        for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 4; ++column) {
             painter.fillRect(
                 QRectF(area.left() + column * side, area.top() + row * side, side, side),
                 (row + column) % 2 == 0 ? dark : light);
+        }
+    }
 }
 
 }  // namespace toile

@@ -26,8 +26,9 @@ public:
         svg.replace("currentColor", colour.name().toLatin1());
         QSvgRenderer renderer(svg);
         painter->save();
-        if (mode == QIcon::Disabled)
+        if (mode == QIcon::Disabled) {
             painter->setOpacity(painter->opacity() * 0.38);
+        }
         renderer.render(painter, rect);
         painter->restore();
     }
@@ -49,8 +50,9 @@ private:
 
 QIcon themedIcon(const QString& name, const QColor& colour) {
     QFile file(":/icons/" + name + ".svg");
-    if (!file.open(QIODevice::ReadOnly))
+    if (!file.open(QIODevice::ReadOnly)) {
         return {};
+    }
     return QIcon(new ThemedIconEngine(file.readAll(), colour));
 }
 

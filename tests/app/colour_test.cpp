@@ -30,27 +30,32 @@ private slots:
     }
 
     void divergingMapDarkensEvenlyToBothSides() {
-        for (int i = 0; i < 127; ++i)
+        for (int i = 0; i < 127; ++i) {
             QVERIFY(lightness(divergingMap()[static_cast<std::size_t>(i)]) <=
                     lightness(divergingMap()[static_cast<std::size_t>(i) + 1]) + 1);
-        for (int i = 128; i < 255; ++i)
+        }
+        for (int i = 128; i < 255; ++i) {
             QVERIFY(lightness(divergingMap()[static_cast<std::size_t>(i)]) + 1 >=
                     lightness(divergingMap()[static_cast<std::size_t>(i) + 1]));
+        }
         // Like sizes of surplus and stretch look alike strong.
-        for (int i = 0; i < 128; ++i)
+        for (int i = 0; i < 128; ++i) {
             QVERIFY(std::abs(lightness(divergingMap()[static_cast<std::size_t>(i)]) -
                              lightness(divergingMap()[static_cast<std::size_t>(255 - i)])) < 40);
+        }
     }
 
     void sequentialMapDarkens() {
-        for (std::size_t i = 0; i + 1 < kColourMapSize; ++i)
+        for (std::size_t i = 0; i + 1 < kColourMapSize; ++i) {
             QVERIFY(lightness(sequentialMap()[i]) + 1 >= lightness(sequentialMap()[i + 1]));
+        }
         QVERIFY(lightness(sequentialMap().front()) - lightness(sequentialMap().back()) > 150);
     }
 
     void neighbouringPiecesDifferInColour() {
-        for (int i = 0; i < 40; ++i)
+        for (int i = 0; i < 40; ++i) {
             QVERIFY(!(pieceColour(i) == pieceColour(i + 1)));
+        }
         QVERIFY(!(pieceColour(0) == pieceColour(12)));
     }
 
@@ -76,9 +81,10 @@ private slots:
 
     void signedScaleIsSymmetricAndSaysWhatItClamps() {
         std::vector<float> values(1000, 0.0F);
-        for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t i = 0; i < values.size(); ++i) {
             values[i] = static_cast<float>(i) / 1000.0F * 4.0F - 1.0F;  // -1 .. 3
-        values.back() = 500;                                            // one bad triangle
+        }
+        values.back() = 500;  // one bad triangle
         const OverlayScale scale = robustScale(values, true, 0.1);
         QCOMPARE(scale.low, -scale.high);
         QCOMPARE(scale.high, 3.0);

@@ -32,8 +32,9 @@ public:
 };
 
 Result<void> untilCancelled(Progress& progress) {
-    while (!progress.isCancelled())
+    while (!progress.isCancelled()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     return Error{ErrorCode::Cancelled, {}, {}};
 }
 
@@ -68,8 +69,9 @@ private slots:
         job->work = [&](Progress& progress) {
             progress.start(4);
             progress.advance(1);
-            while (!seen)
+            while (!seen) {
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
             return Result<void>();
         };
         double fraction = 0;
@@ -107,8 +109,9 @@ private slots:
         auto job = std::make_unique<TestJob>();
         job->work = [&](Progress& progress) {
             started = true;
-            while (!progress.isCancelled())
+            while (!progress.isCancelled()) {
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
             return Result<void>();  // had finished all the same
         };
         job->done = [&] { finalized = true; };
@@ -130,16 +133,18 @@ private slots:
             auto job = std::make_unique<TestJob>();
             job->madeAt = document.revision();
             job->work = [&](Progress&) {
-                while (!go)
+                while (!go) {
                     std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                }
                 return Result<void>();
             };
             job->done = [&] { ++finalized; };
             QSignalSpy idle(&runner, &JobRunner::idle);
             runner.start(std::move(job));
-            if (stale)
+            if (stale) {
                 document.setGarment(test::makeGarment({{"a", test::makeSheet(1, 1, 1, 1)}}),
                                     nullptr);
+            }
             go = true;
             QTRY_COMPARE(idle.count(), 1);
             QCOMPARE(finalized, stale ? 0 : 1);
@@ -190,8 +195,9 @@ private slots:
         std::vector<QString> order;
         const auto make = [&order](const QString& name, bool endless) {
             auto job = std::make_unique<TestJob>();
-            if (endless)
+            if (endless) {
                 job->work = untilCancelled;
+            }
             job->done = [&order, name] { order.push_back(name); };
             return job;
         };

@@ -49,9 +49,10 @@ void sendMouse(QWidget& widget, QEvent::Type type, const QPointF& at, Qt::MouseB
 void dragMouse(QWidget& widget, const QPointF& from, const QPointF& to, Qt::MouseButton button,
                Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     sendMouse(widget, QEvent::MouseButtonPress, from, button, button, modifiers);
-    for (int i = 1; i <= 8; ++i)
+    for (int i = 1; i <= 8; ++i) {
         sendMouse(widget, QEvent::MouseMove, from + (to - from) * i / 8.0, Qt::NoButton, button,
                   modifiers);
+    }
     sendMouse(widget, QEvent::MouseButtonRelease, to, button, Qt::NoButton, modifiers);
 }
 
@@ -63,13 +64,14 @@ void turnWheel(QWidget& widget, const QPointF& at, int notches) {
 
 int countPixels(const QImage& image, const QColor& colour, int tolerance) {
     int count = 0;
-    for (int y = 0; y < image.height(); ++y)
+    for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x) {
             const QColor pixel = image.pixelColor(x, y);
             count += std::abs(pixel.red() - colour.red()) <= tolerance &&
                      std::abs(pixel.green() - colour.green()) <= tolerance &&
                      std::abs(pixel.blue() - colour.blue()) <= tolerance;
         }
+    }
     return count;
 }
 
@@ -122,8 +124,9 @@ private slots:
     void initTestCase() {
         loadResources();
         QLocale::setDefault(QLocale::c());
-        if (!glProblem().isEmpty())
+        if (!glProblem().isEmpty()) {
             QSKIP("no OpenGL 3.3 context can be made here");
+        }
         test::writeObj(path("pair.obj").toStdString(),
                        {{"strip", test::makeBentStrip(-140)}, {"cap", test::makeCap(140)}});
         test::writeObj(path("mixed.obj").toStdString(), {{"strip", test::makeBentStrip(-140)},
@@ -152,8 +155,9 @@ private slots:
     void garmentIsReadFlattenedAndShown() {
         QVERIFY(openAndWait({path("pair.obj")}));
         QCOMPARE(document().pieceCount(), 2);
-        for (const auto& result : document().results())
+        for (const auto& result : document().results()) {
             QVERIFY(result->flat);
+        }
         QVERIFY(window_->windowTitle().startsWith("pair.obj"));
         QVERIFY(window_->views().isVisible());
         auto* table = window_->findChild<QTreeView*>("pieceTable");
@@ -309,9 +313,11 @@ private slots:
         document().setOverlay(Overlay::None);
         const QImage plain = picture(garmentView());
         int differing = 0;
-        for (int y = 0; y < plain.height(); ++y)
-            for (int x = 0; x < plain.width(); ++x)
+        for (int y = 0; y < plain.height(); ++y) {
+            for (int x = 0; x < plain.width(); ++x) {
                 differing += std::abs(qGray(plain.pixel(x, y)) - qGray(checker.pixel(x, y))) > 12;
+            }
+        }
         QVERIFY(differing > 5000);
     }
 

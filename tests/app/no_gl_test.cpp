@@ -23,8 +23,9 @@ class NoGlTest : public QObject {
 private slots:
     void windowSaysSoAndWorksOn() {
         loadResources();
-        if (glProblem().isEmpty())
+        if (glProblem().isEmpty()) {
             QSKIP("this platform offers OpenGL 3.3");
+        }
         QTemporaryDir folder;
         test::writeObj(folder.filePath("cap.obj").toStdString(), {{"cap", test::makeCap(0)}});
         Preferences preferences{QString()};

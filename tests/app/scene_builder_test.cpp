@@ -65,10 +65,12 @@ private slots:
         QCOMPARE(scene->pattern.vertices.size(), std::size_t(77 + 15));
         QCOMPARE(scene->pattern.triangles.size(), std::size_t(3 * (120 + 16)));
         QCOMPARE(scene->pattern.outline.size(), std::size_t(2 * (32 + 12)));
-        for (const std::uint32_t index : scene->pattern.triangles)
+        for (const std::uint32_t index : scene->pattern.triangles) {
             QVERIFY(index < scene->pattern.vertices.size());
-        for (const std::uint32_t index : scene->garment.edges)
+        }
+        for (const std::uint32_t index : scene->garment.edges) {
             QVERIFY(index < scene->garment.vertices.size());
+        }
         QCOMPARE(scene->pieces[2].patternRun.first, 120U);
         QCOMPARE(scene->pieces[2].patternRun.count, 16U);
         QCOMPARE(scene->pieces[2].garmentRun.first, 124U);
@@ -100,8 +102,9 @@ private slots:
         QVERIFY(inner.values[1] > 3.0F && inner.values[1] < 10.0F);
         QVERIFY(inner.values[2] < -3.0F && inner.values[2] > -20.0F);  // flat is too long: surplus
         // The other piece is as it was.
-        for (const float value : scene->pattern.vertices[80].values)
+        for (const float value : scene->pattern.vertices[80].values) {
             QVERIFY(std::abs(value) < 1e-4F);
+        }
     }
 
     void scalesCoverTheValues() {
@@ -123,8 +126,9 @@ private slots:
 
     void normalsPointToTheRightSide() {
         const auto [garment, scene] = build(1);
-        for (std::size_t i = 0; i < 77; ++i)
+        for (std::size_t i = 0; i < 77; ++i) {
             QCOMPARE(scene->garment.vertices[i].normal[2], 1.0F);
+        }
     }
 
     void beforeFlatteningThereIsTheGarmentAlone() {

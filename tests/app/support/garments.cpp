@@ -14,13 +14,14 @@ namespace {
 Triangles gridTriangles(int columns, int rows) {
     Triangles F(2 * columns * rows, 3);
     int face = 0;
-    for (int r = 0; r < rows; ++r)
+    for (int r = 0; r < rows; ++r) {
         for (int c = 0; c < columns; ++c) {
             const int a = r * (columns + 1) + c, b = a + 1;
             const int d = a + columns + 1, e = d + 1;
             F.row(face++) << a, b, e;
             F.row(face++) << a, e, d;
         }
+    }
     return F;
 }
 
@@ -29,10 +30,12 @@ MeshArrays makeGrid(int columns, int rows, const Map& map) {
     MeshArrays mesh;
     mesh.F = gridTriangles(columns, rows);
     mesh.V.resize((columns + 1) * (rows + 1), 3);
-    for (int r = 0; r <= rows; ++r)
-        for (int c = 0; c <= columns; ++c)
+    for (int r = 0; r <= rows; ++r) {
+        for (int c = 0; c <= columns; ++c) {
             mesh.V.row(r * (columns + 1) + c) =
                 map(c / double(columns), r / double(rows)).transpose();
+        }
+    }
     return mesh;
 }
 
@@ -76,8 +79,9 @@ std::shared_ptr<const Garment> makeGarment(std::vector<std::pair<std::string, Me
     auto file = std::make_shared<SourceFile>();
     file->path = "garment.obj";
     garment->files.push_back(file);
-    for (auto& [name, mesh] : pieces)
+    for (auto& [name, mesh] : pieces) {
         garment->pieces.push_back(std::make_shared<const Piece>(makePiece(name, std::move(mesh))));
+    }
     return garment;
 }
 
@@ -88,11 +92,13 @@ void writeObj(const std::filesystem::path& path,
     Eigen::Index first = 1;
     for (const auto& [name, mesh] : pieces) {
         out << "o " << name << '\n';
-        for (Eigen::Index v = 0; v < mesh.V.rows(); ++v)
+        for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
             out << "v " << mesh.V(v, 0) << ' ' << mesh.V(v, 1) << ' ' << mesh.V(v, 2) << '\n';
-        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+        }
+        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
             out << "f " << mesh.F(f, 0) + first << ' ' << mesh.F(f, 1) + first << ' '
                 << mesh.F(f, 2) + first << '\n';
+        }
         first += mesh.V.rows();
     }
 }
