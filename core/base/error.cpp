@@ -92,6 +92,9 @@ Words wordsOf(ErrorCode code) {
         case ErrorCode::NotFinite:
             return {"not-finite", "the result is not a finite number",
                     "Look for extreme coordinates in the piece"};
+        case ErrorCode::OutOfMemory:
+            return {"out-of-memory", "there is not enough memory",
+                    "Close other programs, or flatten fewer or coarser pieces at a time"};
         case ErrorCode::Cancelled:
             return {"cancelled", "cancelled", ""};
     }

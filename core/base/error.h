@@ -40,6 +40,7 @@ enum class ErrorCode {
     BoundaryNotConverged,
     FactorisationFailed,
     NotFinite,
+    OutOfMemory,
     Cancelled,
 };
 

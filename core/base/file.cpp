@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <fstream>
+#include <random>
 #include <system_error>
 
 namespace toile {
@@ -10,12 +11,25 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A name beside the target that no other writer of this process uses at the same time.
+/// A name beside the target that no other writer uses at the same time, in this process or another.
 fs::path temporaryBeside(const fs::path& path) {
-    static std::atomic<unsigned> counter{0};
+    static std::atomic<unsigned> counter{std::random_device{}()};
     fs::path beside = path;
     beside += ".part" + std::to_string(counter.fetch_add(1));
     return beside;
+}
+
+Result<void> writeInPlace(const fs::path& path, std::string_view bytes) {
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    if (!file) {
+        return Error{ErrorCode::FileUnwritable, path.string(), "it cannot be created"};
+    }
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();  // flushes; a full disk shows here at the latest
+    if (!file) {
+        return Error{ErrorCode::FileUnwritable, path.string(), "writing stopped half-way"};
+    }
+    return {};
 }
 
 }  // namespace
@@ -51,27 +65,31 @@ Result<std::string> readFile(const fs::path& path) {
     return bytes;
 }
 
-Result<void> writeFile(const fs::path& path, std::string_view bytes) {
-    const fs::path part = temporaryBeside(path);
-    std::error_code ignored;
-    {
-        std::ofstream file(part, std::ios::binary | std::ios::trunc);
-        if (!file) {
-            return Error{ErrorCode::FileUnwritable, path.string(), "it cannot be created"};
-        }
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        file.flush();
-        if (!file) {
-            file.close();
-            fs::remove(part, ignored);
-            return Error{ErrorCode::FileUnwritable, path.string(), "writing stopped half-way"};
-        }
-    }
+Result<void> writeFile(const fs::path& wanted, std::string_view bytes) {
     std::error_code failed;
+    // Through a link to what it names, so that the link stays one.
+    const fs::path path = fs::is_symlink(wanted, failed) ? fs::canonical(wanted, failed) : wanted;
+    const fs::file_status before = fs::status(path, failed);
+    if (fs::exists(before) && !fs::is_regular_file(before)) {
+        // A folder is an error; a pipe or terminal cannot be replaced, only written to.
+        return fs::is_directory(before)
+                   ? Error{ErrorCode::FileUnwritable, wanted.string(), "it is a folder"}
+                   : writeInPlace(path, bytes);
+    }
+    const fs::path part = temporaryBeside(path);
+    Result<void> written = writeInPlace(part, bytes);
+    if (!written) {
+        fs::remove(part, failed);
+        return Error{ErrorCode::FileUnwritable, wanted.string(), written.error().detail};
+    }
+    if (fs::exists(before)) {
+        fs::permissions(part, before.permissions(), failed);
+    }
+    std::error_code ignored;
     fs::rename(part, path, failed);
     if (failed) {
         fs::remove(part, ignored);
-        return Error{ErrorCode::FileUnwritable, path.string(), failed.message()};
+        return Error{ErrorCode::FileUnwritable, wanted.string(), failed.message()};
     }
     return {};
 }

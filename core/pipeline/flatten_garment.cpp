@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <atomic>
+#include <new>
 #include <numeric>
+#include <system_error>
 #include <thread>
 
 #include "core/base/stopwatch.h"
@@ -16,12 +18,18 @@ std::shared_ptr<const PieceResult> flattenOne(const std::shared_ptr<const Piece>
     auto result = std::make_shared<PieceResult>();
     result->piece = piece;
     result->options = options;
-    auto flat = flatten(*piece, options, progress);
-    if (flat) {
-        result->quality = measure(*piece, flat->Q);
-        result->flat = std::move(*flat);
-    } else {
-        result->error = flat.error();
+    try {
+        auto flat = flatten(*piece, options, progress);
+        if (flat) {
+            result->quality = measure(*piece, flat->Q);
+            result->flat = std::move(*flat);
+        } else {
+            result->error = flat.error();
+        }
+    } catch (const std::bad_alloc&) {  // one piece too large must not end the others' thread
+        result->flat.reset();
+        result->quality.reset();
+        result->error = Error{ErrorCode::OutOfMemory, piece->name, ""};
     }
     result->seconds = time.seconds();
     return result;
@@ -57,8 +65,12 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
     const std::size_t helpers =
         std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), order.size());
     std::vector<std::jthread> threads;
-    for (std::size_t t = 1; t < helpers; ++t) {
-        threads.emplace_back(work);
+    try {
+        for (std::size_t t = 1; t < helpers; ++t) {
+            threads.emplace_back(work);
+        }
+    } catch (const std::system_error&) {
+        // No more threads to be had: those there are, and this one, do the work.
     }
     work();
     threads.clear();  // joins

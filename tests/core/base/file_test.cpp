@@ -32,6 +32,19 @@ TEST(File, LeavesNothingBesideTheTarget) {
     EXPECT_EQ(entries, 2);
 }
 
+TEST(File, KeepsLinksAndPermissions) {
+    namespace fs = std::filesystem;
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeFile(folder / "real.txt", "old"));
+    fs::permissions(folder / "real.txt", fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("real.txt", folder / "link.txt");
+    ASSERT_TRUE(writeFile(folder / "link.txt", "new"));
+    EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
+    EXPECT_EQ(folder.read("real.txt"), "new");
+    EXPECT_EQ(fs::status(folder / "real.txt").permissions(),
+              fs::perms::owner_read | fs::perms::owner_write);
+}
+
 TEST(File, SaysWhyItCannotBeRead) {
     const test::TemporaryFolder folder;
     const auto missing = readFile(folder / "none");
