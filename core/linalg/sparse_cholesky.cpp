@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include <cholmod.h>
+#include <omp.h>
 
 namespace toile {
 
@@ -13,6 +14,9 @@ struct SparseCholesky::State {
     cholmod_factor* factor = nullptr;
 
     State() {
+        // CHOLMOD opens four OpenMP threads per large supernode, whatever the machine has. Pieces
+        // are solved side by side already: no parallel regions inside, on this thread.
+        omp_set_max_active_levels(0);
         cholmod_start(&common);
         common.print = 0;  // errors are values here, not text on a terminal
         common.error_handler = nullptr;

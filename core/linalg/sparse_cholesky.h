@@ -41,7 +41,8 @@ private:
 
 /// A kept Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD: simplicial for
 /// small systems, supernodal for large ones, minimum-degree ordering).
-/// Thread-safety: one object per thread; separate objects are independent.
+/// Thread-safety: one object per thread; separate objects are independent. Side effect: OpenMP
+/// regions on the calling thread run on that thread alone from then on.
 class SparseCholesky {
 public:
     SparseCholesky();
