@@ -18,7 +18,7 @@ constexpr const char* kUnits = "mm|cm|m|in";
 
 /// The strings CLI11 fills, before they become typed values.
 struct Typed {
-    std::vector<std::string> inputs, outputs;
+    std::vector<std::string> inputs, windowFiles, outputs;
     std::string unit, method = "wang2005", solver = "newton", report, screenshot,
                       overlay = "checker";
 };
@@ -78,12 +78,33 @@ Arguments message(std::string text, int status) {
     return arguments;
 }
 
+/// One sentence, as every error.
+Arguments wrongUsage(const std::string& what) {
+    return message("toile: " + what + "; see toile --help.\n", kExitUsage);
+}
+
+/// A mistyped output must not cost the user the garment.
+const std::filesystem::path* overwrittenInput(const Arguments& arguments) {
+    for (const auto& output : arguments.outputs) {
+        for (const auto& input : arguments.inputs) {
+            std::error_code ignored;
+            if (std::filesystem::equivalent(input, output, ignored)) {
+                return &output;
+            }
+        }
+    }
+    return nullptr;
+}
+
 /// CLI11's own wording for help, version and usage errors.
 Arguments fromParseError(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream out;
     std::ostringstream err;
-    const bool asked = app.exit(error, out, err) == 0;
-    return message(asked ? out.str() : err.str(), asked ? kExitDone : kExitUsage);
+    if (app.exit(error, out, err) == 0) {
+        return message(out.str(), kExitDone);
+    }
+    const std::string said = err.str();
+    return wrongUsage(said.substr(0, said.find('\n')));
 }
 
 }  // namespace
@@ -104,7 +125,8 @@ Arguments parseArguments(int argc, const char* const* argv) {
     const CLI::App* flatten = addFlatten(app, typed);
     const CLI::App* info = addInfo(app, typed);
     // A window's files stand where a command could: `toile dress.obj`.
-    app.add_option("FILE", typed.inputs, "Garment to open in the window")->type_name("FILE...");
+    app.add_option("FILE", typed.windowFiles, "Garment to open in the window")
+        ->type_name("FILE...");
     app.add_option("--screenshot", typed.screenshot,
                    "Open the window, save a picture of it as PNG and end")
         ->type_name("FILE.png");
@@ -122,7 +144,12 @@ Arguments parseArguments(int argc, const char* const* argv) {
     arguments.command = flatten->parsed() ? Arguments::Command::Flatten
                         : info->parsed()  ? Arguments::Command::Info
                                           : Arguments::Command::Window;
-    arguments.inputs.assign(typed.inputs.begin(), typed.inputs.end());
+    if (arguments.command != Arguments::Command::Window && !typed.windowFiles.empty()) {
+        return wrongUsage("\"" + typed.windowFiles.front() + "\" stands before the command");
+    }
+    const auto& inputs =
+        arguments.command == Arguments::Command::Window ? typed.windowFiles : typed.inputs;
+    arguments.inputs.assign(inputs.begin(), inputs.end());
     arguments.outputs.assign(typed.outputs.begin(), typed.outputs.end());
     arguments.screenshot = typed.screenshot;
     arguments.overlay = kOverlays.at(typed.overlay);
@@ -131,20 +158,20 @@ Arguments parseArguments(int argc, const char* const* argv) {
     arguments.options.boundarySolver =
         parseBoundarySolver(typed.solver).value_or(BoundarySolver::Newton);
     if (!typed.report.empty()) {
-        if (std::filesystem::path(typed.report).extension() != ".json") {
-            return message(
-                "toile: the report's name must end in .json, not \"" + typed.report + "\".\n",
-                kExitUsage);
+        if (!typed.report.ends_with(".json") && !typed.report.ends_with(".JSON")) {
+            return wrongUsage("the report's name must end in .json, not \"" + typed.report + "\"");
         }
         arguments.outputs.emplace_back(typed.report);
     }
     for (const auto& output : arguments.outputs) {
         if (!canExport(output)) {
-            return message("toile: \"" + output.string() +
-                               "\" has an ending that Toile does not write; use .svg, .dxf, .obj "
-                               "or .json.\n",
-                           kExitUsage);
+            return wrongUsage("\"" + output.string() +
+                              "\" has an ending that Toile does not write; use .svg, .dxf, .obj or "
+                              ".json");
         }
+    }
+    if (const auto* lost = overwrittenInput(arguments)) {
+        return wrongUsage("\"" + lost->string() + "\" is an input and would be overwritten");
     }
     return arguments;
 }

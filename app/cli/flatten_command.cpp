@@ -16,7 +16,7 @@ constexpr double kSquareMillimetresPerSquareCentimetre = 100;
 constexpr double kMillimetresPerCentimetre = 10;
 constexpr double kMillisecondsPerSecond = 1000;
 
-/// A boundary error spans ten powers of ten: two digits and the power say it best.
+/// A boundary error spans ten powers of ten: one digit and the power say it best.
 std::string scientific(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.0e", value);
@@ -92,7 +92,8 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
             status = kExitUnreadable;
         }
     }
-    return status;
+    out.flush();
+    return out ? status : kExitUnreadable;
 }
 
 }  // namespace toile

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 
+#include <cctype>
+
 namespace toile {
 namespace {
 
@@ -130,8 +132,9 @@ std::string sentence(const Error& error) {
         text += " (" + error.detail + ")";
     }
     if (!words.advice.empty()) {
-        text += ". ";
-        text += words.advice;
+        text += "; ";
+        text += static_cast<char>(std::tolower(static_cast<unsigned char>(words.advice.front())));
+        text += words.advice.substr(1);
     }
     return text + ".";
 }

@@ -64,7 +64,7 @@ std::string_view describe(ErrorCode code);
 std::string_view advice(ErrorCode code);
 /// True where the code only informs: the data was taken in and work goes on.
 bool isNote(ErrorCode code);
-/// One sentence for a person: "front: the piece has several boundary loops (2 loops). Cut it ...".
+/// One sentence for a person: "front: the piece has several boundary loops (2 loops); cut it ...".
 std::string sentence(const Error& error);
 
 }  // namespace toile

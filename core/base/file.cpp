@@ -37,8 +37,10 @@ Result<void> writeInPlace(const fs::path& path, std::string_view bytes) {
 Result<std::string> readFile(const fs::path& path) {
     std::error_code failed;
     const auto status = fs::status(path, failed);
-    if (failed || !fs::exists(status)) {
-        return Error{ErrorCode::FileUnreadable, path.string(), "there is no such file"};
+    if (!fs::exists(status)) {
+        const bool missing = status.type() == fs::file_type::not_found;
+        return Error{ErrorCode::FileUnreadable, path.string(),
+                     missing ? "there is no such file" : failed.message()};
     }
     if (fs::is_directory(status)) {
         return Error{ErrorCode::FileUnreadable, path.string(), "it is a folder"};

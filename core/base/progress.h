@@ -8,7 +8,8 @@ namespace toile {
 
 /// The string between a long call and whoever waits for it: the worker reports, any thread may
 /// read the fraction or cancel. Cancelling is sticky; the call then returns `ErrorCode::Cancelled`
-/// at its next check (once per piece and solver iteration). Thread-safe.
+/// at its next check (between pieces, solver iterations and the stages of a factorisation).
+/// Thread-safe.
 class Progress {
 public:
     void cancel() { cancelled_.store(true, std::memory_order_relaxed); }

@@ -109,16 +109,17 @@ Json secondsJson(const PieceResult& result, double readSeconds) {
 Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& result) {
     const SourceFile& file = *garment.files[piece.file];
     const bool solves = result.options.method == Method::Wang2005;
-    Json json{
-        {"name", piece.name},
-        {"file", pathText(file.path)},
-        {"method", text(name(result.options.method))},
-        {"boundary_solver", solves ? text(name(result.options.boundarySolver)) : Json(nullptr)},
-        {"status", result.flat ? "flat" : "failed"},
-        {"error", nullptr},
-        {"vertices", piece.mesh.V.rows()},
-        {"triangles", piece.mesh.F.rows()},
-        {"boundary_edges", nullptr}};
+    Json json{{"name", piece.name},
+              {"file", pathText(file.path)},
+              {"method", text(name(result.options.method))},
+              {"boundary_solver", solves ? text(name(result.flat ? result.flat->boundarySolver
+                                                                 : result.options.boundarySolver))
+                                         : Json(nullptr)},
+              {"status", result.flat ? "flat" : "failed"},
+              {"error", nullptr},
+              {"vertices", piece.mesh.V.rows()},
+              {"triangles", piece.mesh.F.rows()},
+              {"boundary_edges", nullptr}};
     if (result.error) {
         json["error"] = {{"code", text(name(result.error->code))},
                          {"message", sentence(*result.error)}};

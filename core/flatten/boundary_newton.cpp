@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -18,6 +19,9 @@ constexpr int kMaxIterations = 200;
 constexpr double kGradientTolerance = 1e-13;
 /// Below this size a stalled iteration has reached the rounding floor of a long outline.
 constexpr double kRoundingFloor = 1e-9;
+/// Above this closing gap (of the perimeter) the constraints' curvature says nothing yet: following
+/// it leads to outlines that wind wrongly.
+constexpr double kFarFromClosed = 0.1;
 constexpr double kSufficientDecrease = 1e-4;
 constexpr int kMaxHalvings = 40;
 
@@ -149,9 +153,12 @@ struct KktSystem {
 /// The KKT system at a point, with as much of the constraints' curvature as leaves the right
 /// inertia: by Sylvester and Haynsworth, H has as many negative pivots as J^T H^-1 J has negative
 /// eigenvalues. Without curvature (the SLCP model) H is positive definite, so the search ends.
-std::optional<KktSystem> factoriseKkt(const Vector& curvature, const Rows2& J) {
+std::optional<KktSystem> factoriseKkt(const Vector& curvature, const Rows2& J, bool far) {
     constexpr std::array kFading = {1.0, 0.75, 0.5, 0.25, 0.1, 0.0};
     for (const double share : kFading) {
+        if (far && share > 0) {
+            continue;
+        }
         KktSystem system{Tridiagonal(share * curvature), J, J, {}};
         if (!system.H.isSafe() || system.H.negativePivots() > 2) {
             continue;
@@ -221,7 +228,8 @@ Result<FlatBoundary> solveBoundaryNewton(const BoundaryProblem& problem, const P
     Iterate best = at;
     double bestSize = 1e300;
     double weight = 1;
-    for (int iteration = 0; iteration <= kMaxIterations; ++iteration) {
+    int iteration = 0;
+    for (; iteration <= kMaxIterations; ++iteration) {
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled, "", ""};
         }
@@ -241,12 +249,15 @@ Result<FlatBoundary> solveBoundaryNewton(const BoundaryProblem& problem, const P
         if (size <= kGradientTolerance || stalled) {
             return detail::closeOutline(problem, newton.withLast(best.phi), iteration);
         }
-        const auto system = factoriseKkt(newton.constraintCurvature(at), J);
+        const auto system =
+            factoriseKkt(newton.constraintCurvature(at), J, closure.norm() > kFarFromClosed);
         if (!system) {
             break;
         }
         const auto [step, lambda] = system->solve(-gradient, -closure);
-        weight = std::max(weight, 2 * lambda.lpNorm<Eigen::Infinity>());
+        // Large enough for descent, and no longer than needed: a weight that only grows cuts every
+        // later step short.
+        weight = std::max(1 + 2 * lambda.lpNorm<Eigen::Infinity>(), 0.5 * weight);
         if (size < 1e-6) {  // inside the basin: the merit's rounding would only hinder
             at.phi += step;
         } else {
@@ -254,8 +265,9 @@ Result<FlatBoundary> solveBoundaryNewton(const BoundaryProblem& problem, const P
         }
         at.lambda = lambda;
     }
-    return Error{ErrorCode::BoundaryNotConverged, "",
-                 counted(kMaxIterations, "iteration") + ", gradient " + shortest(bestSize)};
+    return Error{
+        ErrorCode::BoundaryNotConverged, "",
+        "stopped after " + counted(iteration, "step") + ", gradient " + shortest(bestSize)};
 }
 
 }  // namespace toile

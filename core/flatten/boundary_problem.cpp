@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/base/tolerances.h"
@@ -31,12 +32,40 @@ FlatBoundary closeOutline(const BoundaryProblem& problem, const Eigen::VectorXd&
         const double before = i > 0 ? directions[i - 1] : directions[n - 1] - 2 * std::numbers::pi;
         flat.angles[i] = std::numbers::pi - directions[i] + before;
     }
-    flat.closureGap = at.norm() / problem.lengths.sum();
+    // What is left at the end is rounding; every edge takes its share, in proportion to its length.
+    const double perimeter = problem.lengths.sum();
+    flat.closureGap = at.norm() / perimeter;
+    double along = 0;
+    for (int i = 0; i < n; ++i) {
+        flat.points.row(i) -= along / perimeter * at;
+        along += problem.lengths[i];
+    }
     flat.energy = 0.5 * (flat.angles - problem.angles).squaredNorm();
     return flat;
 }
 
 }  // namespace detail
+
+namespace {
+
+Result<FlatBoundary> runSolver(const BoundaryProblem& problem, BoundarySolver solver,
+                               const Progress& progress) {
+    auto solved = solver == BoundarySolver::Newton ? solveBoundaryNewton(problem, progress)
+                                                   : solveBoundarySlcp(problem, progress);
+    if (solved) {
+        solved->solver = solver;
+    }
+    return solved;
+}
+
+/// A vertex more than a quarter turn from what is wanted may be the mark of a wrong minimum.
+bool isPlausible(const Result<FlatBoundary>& solved, const BoundaryProblem& problem) {
+    return solved
+               ? (solved->angles - problem.angles).lpNorm<Eigen::Infinity>() <= std::numbers::pi / 2
+               : solved.error().code == ErrorCode::Cancelled;
+}
+
+}  // namespace
 
 Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolver solver,
                                    const Progress& progress) {
@@ -47,13 +76,20 @@ Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolve
     const double longest = problem.lengths.maxCoeff();
     if (!(longest < 0.5 * perimeter)) {
         return Error{ErrorCode::NoClosedOutline, "",
-                     "the edge is " + fixed(longest, 2) + " mm long, the others together " +
-                         fixed(perimeter - longest, 2) + " mm"};
+                     "the edge has " + shortest(longest) + ", the others together " +
+                         shortest(perimeter - longest)};
     }
     // Lengths relative to the perimeter: one set of tolerances fits every scale.
     const BoundaryProblem scaled{problem.lengths / perimeter, problem.angles};
-    auto solved = solver == BoundarySolver::Newton ? solveBoundaryNewton(scaled, progress)
-                                                   : solveBoundarySlcp(scaled, progress);
+    auto solved = runSolver(scaled, solver, progress);
+    if (!isPlausible(solved, scaled)) {
+        const auto other =
+            solver == BoundarySolver::Newton ? BoundarySolver::Slcp : BoundarySolver::Newton;
+        auto second = runSolver(scaled, other, progress);
+        if (second && (!solved || second->energy < solved->energy)) {
+            solved = std::move(second);
+        }
+    }
     if (!solved) {
         return solved.error();
     }

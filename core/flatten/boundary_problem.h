@@ -23,6 +23,7 @@ struct BoundaryProblem {
 struct FlatBoundary {
     Points2 points;          ///< n x 2, unit of the lengths; the first vertex at the origin
     Eigen::VectorXd angles;  ///< n, radians: theta, not reduced modulo 2 pi
+    BoundarySolver solver = BoundarySolver::Newton;  ///< the one that found it
     int iterations = 0;
     double closureGap = 0;  ///< relative to the perimeter
     double energy = 0;      ///< 1/2 sum (theta - alpha)^2
@@ -37,10 +38,13 @@ struct FlatBoundary {
 Result<FlatBoundary> solveBoundaryNewton(const BoundaryProblem& problem, const Progress& progress);
 
 /// Sequential linearly constrained programming, [Wang05] eq. (14) to (22), O(n) per step, started
-/// from alpha with the angle deficit spread evenly. Same preconditions and errors.
+/// from alpha with the angle deficit spread evenly. Full steps, as in the paper: converges on
+/// outlines that nearly close, without a guarantee elsewhere. Same preconditions and errors.
 Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Progress& progress);
 
-/// Chooses the solver, after checking that a closed outline exists.
+/// Chooses the solver, after checking that a closed outline exists. Neither is certain to converge
+/// on outlines far from closing: where the wanted one fails, or leaves a vertex more than a
+/// quarter turn from its wanted angle, the other runs too and the outline of lower energy is taken.
 Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolver solver,
                                    const Progress& progress);
 
@@ -51,7 +55,7 @@ namespace detail {
 Eigen::VectorXd spreadDeficit(const Eigen::VectorXd& angles);
 
 /// The outline walked along directions phi (phi_n included); what is left at the end is the gap.
-/// The last edge takes up the gap, which is at rounding level once a solver has converged.
+/// The gap, at rounding level once a solver has converged, is shared by all edges.
 FlatBoundary closeOutline(const BoundaryProblem& problem, const Eigen::VectorXd& directions,
                           int iterations);
 

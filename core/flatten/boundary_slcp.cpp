@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -82,7 +83,7 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
         lambda += step;
     }
     return Error{ErrorCode::BoundaryNotConverged, "",
-                 counted(kMaxIterations, "iteration") + ", gradient " + shortest(size)};
+                 "not within " + counted(kMaxIterations, "step") + ", gradient " + shortest(size)};
 }
 
 }  // namespace toile

@@ -18,7 +18,8 @@ enum class Method {
     Wang2005,  ///< boundary lengths kept exactly, conformal interior [Wang05]
 };
 
-/// How the boundary problem of [Wang05] eq. (9) is solved; both find the same outline.
+/// How the boundary problem of [Wang05] eq. (9) is solved; both find the same outline on pieces of
+/// garments. Where one fails, the other is tried (boundary_problem.h).
 enum class BoundarySolver {
     Newton,  ///< full Newton in edge directions, O(n) per step
     Slcp,    ///< sequential linearly constrained programming, [Wang05] eq. (14) to (22)
@@ -31,7 +32,8 @@ struct FlattenOptions {
 
 /// A flattened piece: one planar point per vertex, orientation kept (never mirrored).
 struct FlatPiece {
-    Points2 Q;                   ///< #V x 2, millimetres, in the piece's vertex order
+    Points2 Q;  ///< #V x 2, millimetres, in the piece's vertex order
+    BoundarySolver boundarySolver = BoundarySolver::Newton;  ///< the one that found the outline
     int boundaryIterations = 0;  ///< 0 where the method solves no boundary problem
     double closureGap = 0;       ///< |sum of the boundary edge vectors| / perimeter, before closing
     double angleEnergy = 0;      ///< 1/2 sum (theta - alpha)^2, radians squared

@@ -54,7 +54,8 @@ SymmetricMatrix interiorLaplacian(const EdgeTable& table, const Eigen::VectorXd&
 }  // namespace
 
 Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
-                             const std::vector<int>& boundary, const Points2& outline) {
+                             const std::vector<int>& boundary, const Points2& outline,
+                             const Progress& progress) {
     std::vector<int> interiorIndex(static_cast<std::size_t>(mesh.V.rows()), 0);
     Points2 Q(mesh.V.rows(), 2);
     for (std::size_t i = 0; i < boundary.size(); ++i) {
@@ -82,11 +83,17 @@ Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
             right.row(interiorIndex[b]) += weights[e] * Q.row(a);
         }
     }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
     SparseCholesky cholesky;
     const auto factorised = cholesky.factorise(
         interiorLaplacian(table, weights, interiorIndex, static_cast<int>(interior.size())));
     if (!factorised) {
         return factorised.error();
+    }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
     }
     const auto solved = cholesky.solve(right);
     if (!solved) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
@@ -14,9 +15,11 @@ namespace toile {
 /// hand sides of one sparse Cholesky factorisation.
 /// @param boundary  the loop; its i-th vertex is held at outline row i (mm)
 /// @return #V x 2, mm
-/// Errors: FactorisationFailed, NotFinite. No guarantee against flipped triangles: the outline is
-/// not convex in general. Cost: one factorisation, two back-substitutions. Re-entrant.
+/// Errors: FactorisationFailed, OutOfMemory, NotFinite, Cancelled (checked before each stage). No
+/// guarantee against flipped triangles: the outline is not convex in general. Cost: one
+/// factorisation, two back-substitutions. Re-entrant.
 Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
-                             const std::vector<int>& boundary, const Points2& outline);
+                             const std::vector<int>& boundary, const Points2& outline,
+                             const Progress& progress);
 
 }  // namespace toile

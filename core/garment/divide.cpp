@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "core/base/text.h"
 #include "core/io/triangulate.h"
@@ -27,14 +28,16 @@ public:
     std::string unique(const std::string& wanted) {
         const std::string base = wanted.empty() ? "piece" : wanted;
         std::string name = base;
-        for (int k = 2; !taken_.emplace(name, true).second; ++k) {
-            name = base + " " + std::to_string(k);
+        int& next = nextNumber_.try_emplace(base, 2).first->second;
+        while (!taken_.insert(name).second) {
+            name = base + " " + std::to_string(next++);
         }
         return name;
     }
 
 private:
-    std::map<std::string, bool> taken_;
+    std::set<std::string> taken_;
+    std::map<std::string, int> nextNumber_;  ///< thousands of pieces may share a name
 };
 
 /// The triangles of one component, and where they come from. Vertices are numbered in order of

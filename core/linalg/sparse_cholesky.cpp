@@ -2,9 +2,17 @@
 #include "core/linalg/sparse_cholesky.h"
 
 #include <cassert>
+#include <string>
 
 #include <cholmod.h>
 #include <omp.h>
+
+#ifdef __ELF__
+// Present where OpenBLAS stands in for the BLAS; declared weak because it need not.
+extern "C" void openblas_set_num_threads(int count) __attribute__((weak));
+#else
+static void (*const openblas_set_num_threads)(int) = nullptr;
+#endif
 
 namespace toile {
 
@@ -17,6 +25,10 @@ struct SparseCholesky::State {
         // CHOLMOD opens four OpenMP threads per large supernode, whatever the machine has. Pieces
         // are solved side by side already: no parallel regions inside, on this thread.
         omp_set_max_active_levels(0);
+        // One BLAS thread for the same reason, and so that the same input gives the same bits.
+        if (openblas_set_num_threads != nullptr) {
+            openblas_set_num_threads(1);
+        }
         cholmod_start(&common);
         common.print = 0;  // errors are values here, not text on a terminal
         common.error_handler = nullptr;
@@ -50,6 +62,10 @@ Error failed(const std::string& why) {
     return Error{ErrorCode::FactorisationFailed, "", why};
 }
 
+Error outOfMemory(const std::string& during) {
+    return Error{ErrorCode::OutOfMemory, "", during};
+}
+
 /// CHOLMOD's view of our arrays; it reads them and keeps nothing.
 cholmod_sparse viewOf(const SymmetricMatrix& matrix) {
     cholmod_sparse view{};
@@ -75,7 +91,7 @@ Result<void> SparseCholesky::factorise(const SymmetricMatrix& matrix) {
     cholmod_sparse view = viewOf(matrix);
     state_->factor = cholmod_analyze(&view, &common);
     if (state_->factor == nullptr) {
-        return failed("ordering failed, probably out of memory");
+        return outOfMemory("ordering");
     }
     cholmod_factorize(&view, state_->factor, &common);
     if (common.status == CHOLMOD_NOT_POSDEF ||
@@ -83,7 +99,7 @@ Result<void> SparseCholesky::factorise(const SymmetricMatrix& matrix) {
         return failed("the matrix is not positive definite");
     }
     if (common.status < CHOLMOD_OK) {
-        return failed("out of memory");
+        return outOfMemory("factorising");
     }
     return {};
 }
@@ -100,7 +116,7 @@ Result<Eigen::MatrixXd> SparseCholesky::solve(const Eigen::MatrixXd& B) {
     right.dtype = CHOLMOD_DOUBLE;
     cholmod_dense* x = cholmod_solve(CHOLMOD_A, state_->factor, &right, &state_->common);
     if (x == nullptr) {
-        return failed("back-substitution ran out of memory");
+        return outOfMemory("back-substitution");
     }
     Eigen::MatrixXd X =
         Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(x->x), B.rows(), B.cols());

@@ -42,7 +42,7 @@ private:
 /// A kept Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD: simplicial for
 /// small systems, supernodal for large ones, minimum-degree ordering).
 /// Thread-safety: one object per thread; separate objects are independent. Side effect: OpenMP
-/// regions on the calling thread run on that thread alone from then on.
+/// regions on the calling thread, and OpenBLAS, use one thread from then on.
 class SparseCholesky {
 public:
     SparseCholesky();
@@ -50,11 +50,11 @@ public:
     SparseCholesky(SparseCholesky&&) noexcept;
     SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-    /// Errors: FactorisationFailed with the reason (not positive definite, out of memory).
+    /// Errors: FactorisationFailed (not positive definite), OutOfMemory.
     Result<void> factorise(const SymmetricMatrix& matrix);
 
     /// Solves for every column of B at once. Precondition: factorise succeeded.
-    /// Errors: FactorisationFailed.
+    /// Errors: OutOfMemory.
     Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& B);
 
 private:

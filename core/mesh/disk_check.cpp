@@ -12,6 +12,8 @@
 namespace toile {
 namespace {
 
+constexpr int kNamedLoops = 4;
+
 /// Counts a fault over the mesh and remembers where it was seen first.
 struct Fault {
     int count = 0;
@@ -61,8 +63,8 @@ private:
     }
 
     bool checkFinite() {
-        return mesh_.V.allFinite() ||
-               fail(ErrorCode::NonFinitePosition, "a vertex of the piece is not finite");
+        // Positions may overflow on their way to millimetres.
+        return mesh_.V.allFinite() || fail(ErrorCode::NotFinite, "positions in mm");
     }
 
     /// Repeated corners, faces on the same three vertices, edges with more than two faces.
@@ -70,6 +72,7 @@ private:
         Fault repeated;
         Fault doubled;
         Fault crowded;
+        std::vector<int> opposites;
         for (int f = 0; f < faceCount(); ++f) {
             const auto t = mesh_.F.row(f);
             if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
@@ -80,17 +83,20 @@ private:
             return fail(ErrorCode::DegenerateFace, repeated, "triangle");
         }
         for (int e = 0; e < edgeCount(); ++e) {
-            const int n = uses(e);
-            for (int i = 0; i < n; ++i) {
-                for (int j = i + 1; j < n; ++j) {
-                    // Seen from each of its three edges: count it at one.
-                    if (opposite(firstUse(e)[i]) == opposite(firstUse(e)[j]) &&
-                        opposite(firstUse(e)[i]) > table_.edges(e, 1)) {
-                        doubled.see(table_.edges(e, 0));
-                    }
+            // Doubled faces share the vertex opposite to each of their three edges: count at one.
+            opposites.clear();
+            for (int i = 0; i < uses(e); ++i) {
+                if (opposite(firstUse(e)[i]) > table_.edges(e, 1)) {
+                    opposites.push_back(opposite(firstUse(e)[i]));
                 }
             }
-            if (n > 2) {
+            std::sort(opposites.begin(), opposites.end());
+            for (std::size_t i = 1; i < opposites.size(); ++i) {
+                if (opposites[i] == opposites[i - 1]) {
+                    doubled.see(table_.edges(e, 0));
+                }
+            }
+            if (uses(e) > 2) {
                 crowded.see(table_.edges(e, 0));
             }
         }
@@ -169,21 +175,28 @@ private:
         }
         std::vector<char> seen(vertexCount(), 0);
         int loops = 0;
+        std::string places;
         for (int v = 0; v < vertexCount(); ++v) {
             if (next[v] < 0 || seen[v] != 0) {
                 continue;
             }
             ++loops;
+            double length = 0;
             for (int w = v; seen[w] == 0; w = next[w]) {
                 seen[w] = 1;
+                length += (mesh_.V.row(next[w]) - mesh_.V.row(w)).norm();
                 if (loops == 1) {
                     result_.boundary.push_back(w);
                 }
             }
+            if (loops <= kNamedLoops) {
+                places += (loops > 1 ? "; " : "") + fixed(length, 0) + " mm " + place(v);
+            }
         }
         if (loops > 1) {
             result_.boundary.clear();
-            return fail(ErrorCode::SeveralLoops, counted(loops, "loop"));
+            return fail(ErrorCode::SeveralLoops, counted(loops, "loop") + ": " + places +
+                                                     (loops > kNamedLoops ? "; ..." : ""));
         }
         if (vertexCount() - edgeCount() + faceCount() != 1) {
             const int handles = (1 - (vertexCount() - edgeCount() + faceCount())) / 2;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/pattern.h"
 
+#include <map>
 #include <set>
 
 #include "core/base/text.h"
@@ -19,10 +20,12 @@ PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat) {
 
 void makeIdsUnique(Pattern& pattern) {
     std::set<std::string> taken;
+    std::map<std::string, int> nextNumber;  // thousands of pieces may share a name
     for (PatternPiece& piece : pattern.pieces) {
         const std::string base = piece.id;
-        for (int k = 2; !taken.insert(piece.id).second; ++k) {
-            piece.id = base + "-" + std::to_string(k);
+        int& next = nextNumber.try_emplace(base, 2).first->second;
+        while (!taken.insert(piece.id).second) {
+            piece.id = base + "-" + std::to_string(next++);
         }
     }
 }

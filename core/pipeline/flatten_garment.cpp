@@ -64,7 +64,7 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
     };
     const std::size_t helpers =
         std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), order.size());
-    std::vector<std::jthread> threads;
+    std::vector<std::thread> threads;
     try {
         for (std::size_t t = 1; t < helpers; ++t) {
             threads.emplace_back(work);
@@ -73,7 +73,9 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
         // No more threads to be had: those there are, and this one, do the work.
     }
     work();
-    threads.clear();  // joins
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
     return results;
 }
 

@@ -160,7 +160,10 @@ double piL(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d) {
 }
 
 double piTheta(const Eigen::VectorXd& alpha, const Eigen::VectorXd& theta) {
-    return (theta - alpha).cwiseAbs().mean();
+    const double turn = 2 * std::numbers::pi;
+    return (theta - alpha)
+        .unaryExpr([turn](double difference) { return std::abs(std::remainder(difference, turn)); })
+        .mean();
 }
 
 double piE(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d) {

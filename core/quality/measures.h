@@ -12,7 +12,7 @@ namespace toile {
 
 /// Measures of a flattening: pure functions of the 3D mesh and its planar points Q (#V x 2), the
 /// same unit on both sides. [Wang05] eq. (1), (2), (24), (25). Angles in radians. All are linear in
-/// the mesh but for the outline crossings (sweep, about n log n).
+/// the mesh but for the outline crossings (a sweep; n log n on outlines, quadratic on spirals).
 
 /// Inner angle of each boundary vertex in 3D: the sum of its triangle angles ("alpha").
 Eigen::VectorXd boundaryAngles3d(const MeshArrays& mesh, const std::vector<int>& boundary);
@@ -36,7 +36,8 @@ Eigen::MatrixX2d singularValues(const MeshArrays& mesh, const Points2& Q);
 
 /// Mean |l0 - l| over matching edges, in their unit. Eq. (1).
 double piL(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
-/// Mean |theta - alpha| over boundary vertices. Eq. (2).
+/// Mean |theta - alpha| over boundary vertices, differences taken modulo 2 pi: at the tip of a slit
+/// the planar angle is 0 or 2 pi as rounding has it. Eq. (2).
 double piTheta(const Eigen::VectorXd& alpha, const Eigen::VectorXd& theta);
 /// Sum over edges of | |q|/sum|q| - |v|/sum|v| |, in [0, 2]. Eq. (24), normalised.
 double piE(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
@@ -64,7 +65,8 @@ Eigen::VectorXd edgeStrain(const Eigen::VectorXd& lengths3d, const Eigen::Vector
 
 /// Triangles that are not positive in the plane.
 int flippedTriangles(const Eigen::VectorXd& areas2d);
-/// Pairs of non-adjacent outline edges that cross each other.
+/// Pairs of non-adjacent outline edges that cross each other. Edges that touch or coincide within
+/// rounding (1e-12 of the outline's extent), as the two sides of a slit do, do not cross.
 int outlineCrossings(const Points2& Q, const std::vector<int>& boundary);
 
 }  // namespace toile

@@ -9,70 +9,62 @@
 namespace toile {
 namespace {
 
-/// Sign of the doubled area of p, q, r. A double's error bound decides nearly always; what it
-/// cannot decide is recomputed in extended precision.
-int orientation(const Eigen::RowVector2d& p, const Eigen::RowVector2d& q,
-                const Eigen::RowVector2d& r) {
-    const double left = (q.x() - p.x()) * (r.y() - p.y());
-    const double right = (q.y() - p.y()) * (r.x() - p.x());
-    const double area = left - right;
-    constexpr double kRelativeError = 4.5e-16;  // of three subtractions and two products
-    if (std::abs(area) > kRelativeError * (std::abs(left) + std::abs(right))) {
-        return area > 0 ? 1 : -1;
+/// Distance from a line, relative to the outline's extent, below which a point lies on it.
+constexpr double kTouching = 1e-12;
+/// The sweep runs at a slant, so that upright and level stretches of outline do not all overlap.
+constexpr double kSlant = 0.6;  // radians
+
+/// On which side of the line through p and q the point r lies: 1 left, -1 right, 0 on it.
+int side(const Eigen::RowVector2d& p, const Eigen::RowVector2d& q, const Eigen::RowVector2d& r,
+         double touching) {
+    const Eigen::RowVector2d along = q - p;
+    const Eigen::RowVector2d to = r - p;
+    const double doubledArea = along.x() * to.y() - along.y() * to.x();
+    if (std::abs(doubledArea) <= touching * along.norm()) {
+        return 0;
     }
-    using Wide = long double;
-    const Wide wide = (Wide(q.x()) - Wide(p.x())) * (Wide(r.y()) - Wide(p.y())) -
-                      (Wide(q.y()) - Wide(p.y())) * (Wide(r.x()) - Wide(p.x()));
-    return wide > 0 ? 1 : (wide < 0 ? -1 : 0);
+    return doubledArea > 0 ? 1 : -1;
 }
 
-/// One outline edge with its bounding box.
+/// One outline edge with its extent along and across the sweep.
 struct Segment {
     Eigen::RowVector2d a, b;
-    double left, right, bottom, top;
+    double first, last, low, high;
 };
 
-bool cross(const Segment& s, const Segment& t) {
-    return s.bottom <= t.top && t.bottom <= s.top &&
-           orientation(s.a, s.b, t.a) * orientation(s.a, s.b, t.b) < 0 &&
-           orientation(t.a, t.b, s.a) * orientation(t.a, t.b, s.b) < 0;
+bool cross(const Segment& s, const Segment& t, double touching) {
+    return s.low <= t.high && t.low <= s.high &&
+           side(s.a, s.b, t.a, touching) * side(s.a, s.b, t.b, touching) < 0 &&
+           side(t.a, t.b, s.a, touching) * side(t.a, t.b, s.b, touching) < 0;
 }
 
 }  // namespace
 
 int outlineCrossings(const Points2& Q, const std::vector<int>& boundary) {
     const int n = static_cast<int>(boundary.size());
+    const Eigen::RowVector2d sweep(std::cos(kSlant), std::sin(kSlant));
+    const Eigen::RowVector2d across(-sweep.y(), sweep.x());
     std::vector<Segment> segments(n);
-    double width = 0;
-    double height = 0;
-    const auto extent = [&](int axis) {
-        const auto values = Q(boundary, axis);
-        return values.maxCoeff() - values.minCoeff();
-    };
-    if (n > 0) {
-        width = extent(0);
-        height = extent(1);
-    }
-    // Sweep along the longer side of the outline: fewer edges overlap there.
-    const int sweep = width >= height ? 0 : 1;
+    double extent = 0;
     for (int i = 0; i < n; ++i) {
         Segment& s = segments[i];
         s.a = Q.row(boundary[i]);
         s.b = Q.row(boundary[(i + 1) % n]);
-        std::tie(s.left, s.right) = std::minmax({s.a[sweep], s.b[sweep]});
-        std::tie(s.bottom, s.top) = std::minmax({s.a[1 - sweep], s.b[1 - sweep]});
+        std::tie(s.first, s.last) = std::minmax({s.a.dot(sweep), s.b.dot(sweep)});
+        std::tie(s.low, s.high) = std::minmax({s.a.dot(across), s.b.dot(across)});
+        extent = std::max(extent, (s.a - segments.front().a).norm());
     }
     std::vector<int> order(n);
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int i, int j) {
-        return segments[i].left != segments[j].left ? segments[i].left < segments[j].left : i < j;
+        return std::tie(segments[i].first, i) < std::tie(segments[j].first, j);
     });
     int crossings = 0;
     for (int k = 0; k < n; ++k) {
         const Segment& s = segments[order[k]];
-        for (int m = k + 1; m < n && segments[order[m]].left <= s.right; ++m) {
+        for (int m = k + 1; m < n && segments[order[m]].first <= s.last; ++m) {
             const int apart = std::abs(order[m] - order[k]);
-            if (apart > 1 && apart < n - 1 && cross(s, segments[order[m]])) {
+            if (apart > 1 && apart < n - 1 && cross(s, segments[order[m]], kTouching * extent)) {
                 ++crossings;
             }
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/arguments.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "app/cli/command_line.h"
@@ -71,6 +73,7 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         {"flatten", "a.obj", "--nonsense"},
         {"flatten", "a.obj", "-o"},
         {"info"},
+        {"a.obj", "flatten", "b.obj"},
         {"--overlay", "magic"},
         {"--nonsense"},
     };
@@ -78,7 +81,8 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         const Arguments a = parse(typed);
         EXPECT_EQ(a.command, Command::Message);
         EXPECT_EQ(a.status, kExitUsage);
-        EXPECT_FALSE(a.message.empty());
+        EXPECT_TRUE(a.message.starts_with("toile: ")) << a.message;
+        EXPECT_EQ(std::count(a.message.begin(), a.message.end(), '\n'), 1) << a.message;
     }
 }
 

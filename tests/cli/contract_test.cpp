@@ -96,6 +96,28 @@ TEST(Contract, UnreadableInputIsStatusThreeInOneSentence) {
     }
 }
 
+TEST(Contract, NeverWritesOverAnInput) {
+    const test::TemporaryFolder folder;
+    const auto input = folder.write("flap.obj", kTriangle);
+    const auto run = toileRun({"flatten", input.string(), "-o", (folder / "./flap.obj").string()});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(folder.read("flap.obj"), kTriangle);
+}
+
+TEST(Contract, TheNumberOfThreadsLeavesNoTrace) {
+    const auto input = test::sharedFile("disks/maxface.obj");
+    TOILE_NEEDS_SHARED(input);
+    const test::TemporaryFolder folder;
+    for (const char* threads : {"1", "2"}) {
+        const auto run = test::run("env", {std::string("OPENBLAS_NUM_THREADS=") + threads,
+                                           std::string("OMP_NUM_THREADS=") + threads, TOILE_PROGRAM,
+                                           "flatten", input.string(), "--unit", "mm", "-o",
+                                           (folder / (std::string(threads) + ".obj")).string()});
+        ASSERT_EQ(run.status, 0) << run.err;
+    }
+    EXPECT_EQ(folder.read("1.obj"), folder.read("2.obj"));
+}
+
 TEST(Contract, SeveralInputsArePrefixed) {
     const test::TemporaryFolder folder;
     const auto run = toileRun({"flatten", folder.write("left.obj", kTriangle).string(),

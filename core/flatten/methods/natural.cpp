@@ -62,11 +62,18 @@ public:
         }
     }
 
-    Result<Points2> solve() {
+    Result<Points2> solve(const Progress& progress) {
         SparseCholesky cholesky;
-        const auto factorised = cholesky.factorise(builder_.build());
+        const SymmetricMatrix matrix = builder_.build();
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled, "", ""};
+        }
+        const auto factorised = cholesky.factorise(matrix);
         if (!factorised) {
             return factorised.error();
+        }
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled, "", ""};
         }
         const auto x = cholesky.solve(right_);
         if (!x) {
@@ -94,7 +101,7 @@ private:
 }  // namespace
 
 Result<FlatPiece> flattenNatural(const Piece& piece, const FlattenOptions& /*options*/,
-                                 const Progress& /*progress*/) {
+                                 const Progress& progress) {
     const Stopwatch time;
     const MeshArrays& mesh = piece.mesh;
     const Edges& edges = piece.table.edges;
@@ -118,7 +125,7 @@ Result<FlatPiece> flattenNatural(const Piece& piece, const FlattenOptions& /*opt
         system.addPair(v, 0, w, 1, -0.5);
         system.addPair(w, 0, v, 1, 0.5);
     }
-    auto points = system.solve();
+    auto points = system.solve(progress);
     if (!points) {
         return points.error();
     }

@@ -18,13 +18,14 @@ Result<FlatPiece> flattenWang2005(const Piece& piece, const FlattenOptions& opti
         return boundary.error();
     }
     FlatPiece flat;
+    flat.boundarySolver = boundary->solver;
     flat.boundaryIterations = boundary->iterations;
     flat.closureGap = boundary->closureGap;
     flat.angleEnergy = boundary->energy;
     flat.boundarySeconds = boundaryTime.seconds();
 
     const Stopwatch interiorTime;
-    auto points = fillInterior(piece.mesh, piece.table, piece.boundary, boundary->points);
+    auto points = fillInterior(piece.mesh, piece.table, piece.boundary, boundary->points, progress);
     if (!points) {
         return points.error();
     }

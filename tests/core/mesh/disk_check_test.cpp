@@ -75,6 +75,9 @@ TEST(DiskCheck, NamesAClosedSurface) {
 
 TEST(DiskCheck, NamesSeveralLoops) {
     expectDefect(test::tube(12, 3), ErrorCode::SeveralLoops);
+    const DiskCheck check = checkDisk(test::tube(12, 3), "leg");
+    EXPECT_EQ(check.defect->detail,
+              "2 loops: 311 mm at 0.0, 0.0, 50.0 mm; 311 mm at 0.0, 60.0, 50.0 mm");
 }
 
 TEST(DiskCheck, NamesAHandle) {
@@ -119,7 +122,7 @@ TEST(DiskCheck, NamesATriangleWithoutArea) {
 TEST(DiskCheck, NamesANonFinitePosition) {
     MeshArrays mesh = test::planeGrid(2, 2, 10);
     mesh.V(3, 1) = std::numeric_limits<double>::quiet_NaN();
-    expectDefect(mesh, ErrorCode::NonFinitePosition);
+    expectDefect(mesh, ErrorCode::NotFinite);
 }
 
 TEST(DiskCheck, FindsTheSameAtAnyScale) {

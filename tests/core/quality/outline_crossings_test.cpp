@@ -55,6 +55,14 @@ TEST(OutlineCrossings, AgreesWithBruteForceOnRandomPolygons) {
     }
 }
 
+TEST(OutlineCrossings, TheTwoSidesOfASlitDoNotCross) {
+    // Down one side of the slit and up the other, with rounding between them.
+    Points2 Q(11, 2);
+    Q << 0, 0, 10, 0, 10, 10, 5, 10, 5 + 1e-14, 8, 5 - 1e-14, 6, 5, 4, 5 + 2e-14, 6, 5 - 2e-14, 8,
+        5, 10, 0, 10;
+    EXPECT_EQ(outlineCrossings(Q, loop(11)), 0);
+}
+
 TEST(OutlineCrossings, TouchingIsNoCrossing) {
     Points2 Q(6, 2);
     Q << 0, 0, 4, 0, 4, 3, 2, 0, 0, 3, -1, 1;  // a corner rests on the bottom edge
