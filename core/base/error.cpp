@@ -49,6 +49,31 @@ Words wordsOf(ErrorCode code) {
             return {"unused-vertices", "vertices belong to no face", "", true};
         case ErrorCode::OutputDiffers:
             return {"output-differs", "a mesh written from this file differs from it", "", true};
+        case ErrorCode::EdgesCollapsed:
+            return {"edges-collapsed", "edges have no length", "Their two ends are made one vertex",
+                    true};
+        case ErrorCode::FlatFacesRemoved:
+            return {"flat-faces-removed", "triangles have no area",
+                    "They are removed so that no hole opens", true};
+        case ErrorCode::DuplicateFacesRemoved:
+            return {"duplicate-faces-removed", "faces lie twice on the same vertices",
+                    "One of each is kept", true};
+        case ErrorCode::WindingsTurned:
+            return {"windings-turned", "faces look to the other side than their neighbours",
+                    "They are turned over to agree with the larger area", true};
+        case ErrorCode::EdgesCutApart:
+            return {"edges-cut-apart", "edges are shared by more than two faces",
+                    "The faces that continue each other best stay joined; the others are cut free",
+                    true};
+        case ErrorCode::VerticesSplit:
+            return {"vertices-split", "parts of the surface touch in a single vertex",
+                    "Each part gets a vertex of its own", true};
+        case ErrorCode::VerticesAdded:
+            return {"vertices-added", "different edges of the surface join the same two vertices",
+                    "All but one of them get a vertex in their middle", true};
+        case ErrorCode::VerticesWelded:
+            return {"vertices-welded", "vertices lie on each other without being joined",
+                    "They are made one", true};
         case ErrorCode::ClosedSurface:
             return {"closed-surface", "the piece is closed and has no outline",
                     "Cut it open along a seam"};

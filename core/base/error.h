@@ -24,6 +24,15 @@ enum class ErrorCode {
     PolygonNotSimple,
     UnusedVertices,
     OutputDiffers,
+    // Repairs: the mesh is put right, with a note
+    EdgesCollapsed,
+    FlatFacesRemoved,
+    DuplicateFacesRemoved,
+    WindingsTurned,
+    EdgesCutApart,
+    VerticesSplit,
+    VerticesAdded,
+    VerticesWelded,
     // Pieces
     ClosedSurface,
     SeveralLoops,

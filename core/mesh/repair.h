@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/base/error.h"
+#include "core/mesh/repair_part.h"
+
+namespace toile {
+
+struct RepairOptions {
+    bool turnWindings = true;  ///< turn faces over; else opposed neighbours stay for checkDisk
+};
+
+struct RepairResult {
+    MeshPart part;     ///< may have fallen apart into several components, or be empty
+    Problems repairs;  ///< one note per kind, with count and first place; none: nothing was done
+};
+
+/// Makes an oriented manifold with boundary of any triangles, and lists everything it does. In this
+/// order, each step relying on those before it:
+///   1. faces on a non-finite position or with a repeated corner are left out;
+///   2. edges without length are collapsed, so that needles vanish and their neighbours join;
+///   3. of faces on the same three vertices, in either winding, the first is kept;
+///   4. at an edge of more than two faces the pairs that continue each other best stay joined, see
+///      `glue`; the others become border;
+///   5. triangles without area give the vertex on their longest side to the neighbour there, which
+///      is divided by it; on the border, where no neighbour can be left with a gap, they are
+///      dropped, and their two short sides become the border in the same place;
+///   6. windings are turned by flood fill to agree with the larger part of the area; a one-sided
+///      surface is left as it is, for checkDisk to name;
+///   7. a vertex that joins several fans becomes one vertex per fan; where two edges of the surface
+///      still join the same two vertices, one gets a vertex in its middle.
+/// Area is kept, but for duplicate faces. A mesh without these faults comes back bit for bit, and
+/// without notes: to be strict, refuse what has any.
+/// A copied vertex keeps its source, an added one has source -1; a divided triangle keeps its
+/// source in both halves.
+/// @param part  mm; indices in range; any number of components
+/// Left over, for checkDisk to name: one-sided surfaces, opposed windings where `turnWindings` is
+/// off, and flat triangles whose neighbourhood is as flat within rounding.
+/// Cost: n log n, in the faces; no recursion. Pure, re-entrant; same input, same output.
+RepairResult repair(MeshPart part, const RepairOptions& options, const std::string& name);
+
+}  // namespace toile

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/edge_table.h"
+#include "core/mesh/repair_fans.h"
+
+namespace toile {
+namespace {
+
+/// One round: each face is halved at most once, so that the sides found stay what they are.
+class EdgeSplitter {
+public:
+    EdgeSplitter(MeshPart& part, std::vector<int>& twin, RepairNotes& notes)
+        : part_(part), twin_(twin), notes_(notes), touched_(part.mesh.F.rows(), 0) {}
+
+    /// Returns false where no edge was doubled.
+    bool round() {
+        collect();
+        if (chosen_.empty()) {
+            return false;
+        }
+        // Make room once: a vertex for each edge, a face for each side.
+        int sideCount = 0;
+        std::vector<int> ends;
+        for (const int side : chosen_) {
+            sideCount += twin_[side] < 0 ? 1 : 2;
+            ends.push_back(tailOf(part_.mesh.F, side));
+        }
+        nextVertex_ = static_cast<int>(part_.mesh.V.rows());
+        nextFace_ = static_cast<int>(part_.mesh.F.rows());
+        appendCopies(part_, ends);
+        part_.mesh.F.conservativeResize(nextFace_ + sideCount, 3);
+        part_.sourceFace.resize(nextFace_ + sideCount);
+        twin_.resize(twin_.size() + static_cast<std::size_t>(3) * sideCount, -1);
+        for (const int side : chosen_) {
+            split(side);
+        }
+        return true;
+    }
+
+private:
+    void collect() {
+        const EdgeTable table = buildEdgeTable(part_.mesh.F, static_cast<int>(part_.mesh.V.rows()));
+        for (int e = 0; e < table.edges.rows(); ++e) {
+            const int first = table.useStart[e];
+            for (int u = first + 1; u < table.useStart[e + 1]; ++u) {
+                const int side = table.use[u];
+                const int other = twin_[side];
+                // Uses are sorted: a joined edge is seen at its smaller side.
+                if (other == table.use[first] || (other >= 0 && other < side)) {
+                    continue;
+                }
+                if (touched_[side / 3] == 0 && (other < 0 || touched_[other / 3] == 0)) {
+                    touched_[side / 3] = 1;
+                    if (other >= 0) {
+                        touched_[other / 3] = 1;
+                    }
+                    chosen_.push_back(side);
+                }
+            }
+        }
+    }
+
+    void split(int side) {
+        Points3& V = part_.mesh.V;
+        const int other = twin_[side];
+        const bool opposed =
+            other >= 0 && tailOf(part_.mesh.F, side) == tailOf(part_.mesh.F, other);
+        V.row(nextVertex_) =
+            0.5 * (V.row(tailOf(part_.mesh.F, side)) + V.row(headOf(part_.mesh.F, side)));
+        part_.sourceVertex[nextVertex_] = -1;
+        notes_.add(ErrorCode::VerticesAdded, "vertex", "added", V.row(nextVertex_));
+        const int second = halve(side);
+        if (other >= 0) {
+            const int otherSecond = halve(other);
+            join(side, opposed ? other : otherSecond);
+            join(second, opposed ? otherSecond : other);
+        }
+        ++nextVertex_;
+    }
+
+    /// abc, with `side` from a to b, becomes amc and a new face mbc. Returns the side from m to b.
+    int halve(int side) {
+        int* corner = part_.mesh.F.data();
+        const int next = nextSide(side);
+        const int g = 3 * nextFace_;
+        corner[g] = nextVertex_;
+        corner[g + 1] = corner[next];
+        corner[g + 2] = corner[nextSide(next)];
+        corner[next] = nextVertex_;
+        part_.sourceFace[nextFace_++] = part_.sourceFace[side / 3];
+        join(g + 1, twin_[next]);
+        join(g + 2, next);
+        return g;
+    }
+
+    void join(int a, int b) {
+        twin_[a] = b;
+        if (b >= 0) {
+            twin_[b] = a;
+        }
+    }
+
+    MeshPart& part_;
+    std::vector<int>& twin_;
+    RepairNotes& notes_;
+    std::vector<char> touched_;
+    std::vector<int> chosen_;
+    int nextVertex_ = 0;
+    int nextFace_ = 0;
+};
+
+}  // namespace
+
+bool splitDoubledEdges(MeshPart& part, Gluing& gluing, RepairNotes& notes) {
+    bool any = false;
+    while (gluing.mayDouble && EdgeSplitter(part, gluing.twin, notes).round()) {
+        any = true;
+    }
+    return any;
+}
+
+}  // namespace toile

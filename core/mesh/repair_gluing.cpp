@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/repair_gluing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include <Eigen/Geometry>
+
+#include "core/mesh/disjoint_sets.h"
+
+namespace toile {
+namespace {
+
+/// Pairs are compared in steps of this angle, so that rounding does not choose among equals.
+constexpr double kAngleStep = 1e-6;
+/// What counts against a pair whose windings disagree, and against one that nothing else joins: as
+/// if it bent so much more. A fin then never takes the place of the surface that it stands on, and
+/// two solids that touch along an edge stay two.
+constexpr double kHandicap = std::numbers::pi / 2;
+/// Where more faces than this share one edge, no pair means anything, and looking at all of them
+/// would be quadratic: all are cut free.
+constexpr int kMostFacesPaired = 64;
+
+/// Two faces that might be joined at an edge. The order of the members is the order of preference.
+struct Pair {
+    int cost;  ///< in steps: the bend, with handicaps
+    int edge;
+    int a, b;  ///< sides
+    int turn;  ///< 1 where their windings disagree
+
+    bool operator<(const Pair& o) const {
+        return std::tie(cost, edge, a, b) < std::tie(o.cost, o.edge, o.a, o.b);
+    }
+};
+
+class Gluer {
+public:
+    Gluer(const MeshArrays& mesh, const EdgeTable& table, bool mayTurn, RepairNotes& notes)
+        : mesh_(mesh), notes_(notes), table_(table), mayTurn_(mayTurn) {}
+
+    Gluing run() {
+        gluing_.twin.assign(mesh_.F.size(), -1);
+        gluing_.cutAtVertex.assign(mesh_.V.rows(), 0);
+        std::vector<int> crowded;
+        for (int e = 0; e < table_.edges.rows(); ++e) {
+            const int uses = table_.useStart[e + 1] - table_.useStart[e];
+            if (uses == 2) {
+                join(table_.use[table_.useStart[e]], table_.use[table_.useStart[e] + 1]);
+            } else if (uses > 2) {
+                crowded.push_back(e);
+                for (const int v : {table_.edges(e, 0), table_.edges(e, 1)}) {
+                    gluing_.cutAtVertex[v] = 1;
+                }
+                notes_.add(ErrorCode::EdgesCutApart, "edge", "cut apart",
+                           mesh_.V.row(table_.edges(e, 0)));
+            }
+        }
+        if (!crowded.empty()) {
+            gluing_.mayDouble = true;
+            pairUp(crowded);
+        }
+        return std::move(gluing_);
+    }
+
+private:
+    void join(int a, int b) {
+        gluing_.twin[a] = b;
+        gluing_.twin[b] = a;
+    }
+
+    void pairUp(const std::vector<int>& crowded) {
+        const Sides sides = findSides(mesh_, gluing_.twin);
+        std::vector<Pair> pairs;
+        for (const int e : crowded) {
+            collectPairs(e, sides, pairs);
+        }
+        std::sort(pairs.begin(), pairs.end());
+        // Components as they are, and turned over: a join may not make the two one.
+        DisjointSets ways(2 * static_cast<int>(sides.oneSided.size()));
+        for (std::size_t c = 0; c < sides.oneSided.size(); ++c) {
+            if (sides.oneSided[c] != 0) {
+                ways.join(static_cast<int>(2 * c), static_cast<int>(2 * c + 1));
+            }
+        }
+        for (const Pair& pair : pairs) {
+            const int p = 2 * sides.component[pair.a / 3];
+            const int q = 2 * sides.component[pair.b / 3];
+            const bool isOneSided = ways.root(p) == ways.root(p + 1);
+            if (gluing_.twin[pair.a] >= 0 || gluing_.twin[pair.b] >= 0 ||
+                isOneSided != (ways.root(q) == ways.root(q + 1)) ||
+                (!isOneSided && ways.root(p) == ways.root(q + 1 - pair.turn))) {
+                continue;
+            }
+            join(pair.a, pair.b);
+            ways.join(p, q + pair.turn);
+            ways.join(p + 1, q + 1 - pair.turn);
+        }
+    }
+
+    void collectPairs(int e, const Sides& sides, std::vector<Pair>& pairs) const {
+        const int from = table_.useStart[e];
+        const int to = table_.useStart[e + 1];
+        if (to - from > kMostFacesPaired) {
+            return;
+        }
+        const auto isForward = [&](int side) {
+            const bool runs = tailOf(mesh_.F, side) == table_.edges(e, 0);
+            return runs != (mayTurn_ && sides.turn[side / 3] != 0);
+        };
+        for (int i = from; i < to; ++i) {
+            for (int j = i + 1; j < to; ++j) {
+                const int a = table_.use[i];
+                const int b = table_.use[j];
+                const int turn = isForward(a) == isForward(b) ? 1 : 0;
+                if (turn == 0 || mayTurn_) {
+                    const int strange = sides.component[a / 3] == sides.component[b / 3] ? 0 : 1;
+                    const double cost = bend(e, a, b) + (turn + strange) * kHandicap;
+                    pairs.push_back(
+                        {static_cast<int>(std::lround(cost / kAngleStep)), e, a, b, turn});
+                }
+            }
+        }
+    }
+
+    /// How far two faces are from going straight on across an edge, in radians. A flat face has no
+    /// direction and continues nothing: as bad as a fold.
+    double bend(int e, int a, int b) const {
+        if (shapeOf(mesh_, a / 3).flat || shapeOf(mesh_, b / 3).flat) {
+            return std::numbers::pi;
+        }
+        const Eigen::RowVector3d p = away(e, a);
+        const Eigen::RowVector3d q = away(e, b);
+        return std::atan2(p.cross(q).norm(), -p.dot(q));
+    }
+
+    /// Unit direction from the edge into a face, square to the edge.
+    Eigen::RowVector3d away(int e, int side) const {
+        const Eigen::RowVector3d origin = mesh_.V.row(table_.edges(e, 0));
+        const Eigen::RowVector3d along = (mesh_.V.row(table_.edges(e, 1)) - origin).normalized();
+        const Eigen::RowVector3d toApex = mesh_.V.row(apexOf(mesh_.F, side)) - origin;
+        return (toApex - toApex.dot(along) * along).normalized();
+    }
+
+    const MeshArrays& mesh_;
+    RepairNotes& notes_;
+    const EdgeTable& table_;
+    bool mayTurn_;
+    Gluing gluing_;
+};
+
+}  // namespace
+
+Gluing glue(const MeshArrays& mesh, const EdgeTable& table, bool mayTurn, RepairNotes& notes) {
+    return Gluer(mesh, table, mayTurn, notes).run();
+}
+
+}  // namespace toile

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/repair_notes.h"
+
+#include <algorithm>
+
+#include "core/base/text.h"
+
+namespace toile {
+
+void RepairNotes::add(ErrorCode code, std::string_view noun, std::string_view what,
+                      const Eigen::RowVector3d& place) {
+    for (Entry& entry : entries_) {
+        if (entry.code == code && entry.noun == noun && entry.what == what) {
+            ++entry.count;
+            return;
+        }
+    }
+    entries_.push_back({code, noun, what, place, 1});
+}
+
+Problems RepairNotes::problems(const std::string& where) const {
+    std::vector<Entry> sorted = entries_;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Entry& a, const Entry& b) { return a.code < b.code; });
+    Problems problems;
+    for (const Entry& entry : sorted) {
+        std::string text = counted(entry.count, entry.noun);
+        text.append(" ").append(entry.what);
+        if (entry.first.allFinite()) {
+            text += entry.count == 1 ? ", at " : ", the first at ";
+            text += fixed(entry.first.x(), 1) + ", " + fixed(entry.first.y(), 1) + ", " +
+                    fixed(entry.first.z(), 1) + " mm";
+        }
+        if (!problems.empty() && problems.back().code == entry.code) {
+            problems.back().detail += "; " + text;
+        } else {
+            problems.push_back({entry.code, where, text});
+        }
+    }
+    return problems;
+}
+
+}  // namespace toile

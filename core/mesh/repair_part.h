@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// Triangles on their way to become a piece, in mm, with the way back to the file.
+struct MeshPart {
+    MeshArrays mesh;
+    std::vector<int> sourceVertex;  ///< per vertex: position index in the file, or -1 if made here
+    std::vector<int> sourceFace;    ///< per triangle: face index in the file
+};
+
+/// The corners of all faces, face by face: corner 3 * f + k.
+inline std::span<int> cornersOf(Triangles& F) {
+    return {F.data(), static_cast<std::size_t>(F.size())};
+}
+
+/// Takes out the faces whose flag is set; the others keep their order. Vertices stay.
+void eraseFaces(MeshPart& part, const std::vector<char>& erased);
+
+/// Takes out vertices that no face uses; the others keep their order. Returns how many went.
+int eraseUnusedVertices(MeshPart& part);
+
+/// Appends a copy of each of these vertices: same position, same source.
+void appendCopies(MeshPart& part, const std::vector<int>& originals);
+
+/// Length of the longest side and whether the triangle's height over it is too small for angles:
+/// the measure of `checkDisk`, so that what passes here passes there. Scale-free.
+struct FaceShape {
+    double longest = 0;   ///< mm
+    double shortest = 0;  ///< mm
+    int longestSide = 0;  ///< from corner k to k + 1; the first of equals
+    bool flat = false;
+};
+
+FaceShape shapeOf(const MeshArrays& mesh, int face);
+
+}  // namespace toile
