@@ -25,6 +25,7 @@ const std::map<std::string, Folders> kMayUse = {
     {"garment", {"base", "mesh", "io"}},
     {"quality", {"base", "mesh", "garment"}},
     {"flatten", {"base", "mesh", "linalg", "garment", "quality"}},
+    {"seam", {"base", "mesh", "garment", "quality", "flatten"}},
     {"pattern", {"base", "mesh", "garment", "quality", "flatten"}},
     {"sheet", {"base", "mesh", "pattern"}},
     {"export", {"base", "mesh", "io", "garment", "quality", "flatten", "pattern", "sheet"}},

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/seam/choose_runs.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/seam/join_runs.h"
+#include "core/seam/run_parts.h"
+
+namespace toile {
+namespace {
+
+// Rests shorter than this many local edges, left over beside runs already chosen, are end effects.
+constexpr double kLeastRest = 0.25;
+// The same for edges that are certainly one: only rounding is less.
+constexpr double kLeastCertain = 1e-9;
+// Where the seams of a garment are closed more tightly than the tolerance, a run is believed if its
+// gap is below this many times the garment's own, or below this fraction of the edge length.
+constexpr double kGapTimesMedian = 10;
+constexpr double kGapAlways = 0.05;
+// Sides closer than this many local edges coincide.
+constexpr double kCoincident = 1e-4;
+// A third layer must lie this close, relative to the local edge length.
+constexpr double kStackedGap = 0.05;
+
+class Chooser {
+public:
+    Chooser(const Outlines& outlines, const std::vector<Run>& candidates,
+            const SeamOptions& options)
+        : outlines_(outlines),
+          candidates_(candidates),
+          options_(options),
+          parts_(cutIntoParts(outlines, candidates)) {
+        for (const Outline& outline : outlines.list) {
+            taken_.emplace_back(outline.length());
+        }
+    }
+
+    std::vector<Chosen> choose() {
+        const std::vector<int> order = orderOfChoice();
+        std::vector<Chosen> chosen;
+        for (const int k : order) {
+            takeFree(parts_[k], chosen);
+        }
+        chosen = joinRuns(outlines_, std::move(chosen), taken_);
+        believe(chosen);
+        retake(chosen);
+        std::vector<Chosen> layers;
+        for (const int k : order) {
+            takeStacked(parts_[k], layers);
+        }
+        layers = joinRuns(outlines_, std::move(layers), taken_);
+        believe(layers);
+        chosen.insert(chosen.end(), layers.begin(), layers.end());
+        return chosen;
+    }
+
+private:
+    std::vector<int> orderOfChoice() const {
+        std::vector<double> undisputed(candidates_.size(), 0);
+        for (const Part& part : parts_) {
+            undisputed[part.parent] += part.contested ? 0 : part.run.length();
+        }
+        std::vector<int> order(parts_.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
+            const Part &p = parts_[i], &q = parts_[j];
+            if (p.cost != q.cost) {
+                return p.cost < q.cost;
+            }
+            if (undisputed[p.parent] != undisputed[q.parent]) {
+                return undisputed[p.parent] > undisputed[q.parent];
+            }
+            return p.run.length() > q.run.length();
+        });
+        return order;
+    }
+
+    void take(const Run& run) {
+        taken_[run.pieceA].add(run.arcA());
+        taken_[run.pieceB].add(run.arcB());
+    }
+
+    /// Takes what of the part is free on both sides.
+    void takeFree(const Part& part, std::vector<Chosen>& chosen) {
+        const double least =
+            (part.run.certain ? kLeastCertain : kLeastRest) * part.run.spacing(outlines_);
+        for (const Arc& a : taken_[part.run.pieceA].outside(part.run.arcA())) {
+            const Run half = part.run.part(a);
+            if (half.line.size() < 2 || half.length() < least) {
+                continue;
+            }
+            for (const Arc& b : taken_[half.pieceB].outside(half.arcB())) {
+                const Run rest = half.partOnB(b);
+                if (rest.line.size() > 1 && std::min(rest.length(), rest.lengthB()) >= least) {
+                    chosen.push_back({rest, false});
+                    take(rest);
+                }
+            }
+        }
+    }
+
+    /// Takes what of the part is free on one side only.
+    void takeStacked(const Part& part, std::vector<Chosen>& chosen) {
+        if (part.cost > kStackedGap || part.run.folded) {
+            return;
+        }
+        const Run& run = part.run;
+        for (const Arc& a : taken_[run.pieceA].outside(run.arcA())) {
+            takeLayer(run.part(a), chosen);
+        }
+        for (const Arc& b : taken_[run.pieceB].outside(run.arcB())) {
+            takeLayer(run.partOnB(b), chosen);
+        }
+    }
+
+    void takeLayer(const Run& run, std::vector<Chosen>& chosen) {
+        if (run.line.size() > 1 && run.length() >= kLeastRest * run.spacing(outlines_)) {
+            chosen.push_back({run, true});
+            take(run);
+        }
+    }
+
+    void believe(std::vector<Chosen>& runs);
+    void retake(const std::vector<Chosen>& runs);
+
+    const Outlines& outlines_;
+    const std::vector<Run>& candidates_;
+    SeamOptions options_;
+    std::vector<Part> parts_;
+    std::vector<ArcSet> taken_;
+    double widest_ = -1;  ///< largest believable gap in local edge lengths; negative: not yet known
+};
+
+/// Takes out runs that are too short, or gape more than this garment's seams do.
+void Chooser::believe(std::vector<Chosen>& runs) {
+    const auto gapOf = [&](const Run& run) { return run.meanGap() / run.spacing(outlines_); };
+    if (widest_ < 0) {
+        std::vector<std::pair<double, double>> gaps;  // gap, length
+        double total = 0;
+        for (const Chosen& c : runs) {
+            gaps.emplace_back(gapOf(c.run), c.run.length());
+            total += c.run.length();
+        }
+        std::sort(gaps.begin(), gaps.end());
+        double median = 0, below = 0;
+        for (std::size_t k = 0; k < gaps.size() && below < 0.5 * total; ++k) {
+            median = gaps[k].first;
+            below += gaps[k].second;
+        }
+        widest_ = std::max(kGapAlways, kGapTimesMedian * median);
+    }
+    std::erase_if(runs, [&](const Chosen& c) {
+        // One whole edge that coincides with another is no accident; nearness needs more.
+        const double gap = gapOf(c.run);
+        const double least = gap < kCoincident ? kLeastRest : options_.shortest;
+        const double length = std::min(c.run.length(), c.run.lengthB());
+        return !c.run.certain && (length < least * c.run.spacing(outlines_) || gap > widest_);
+    });
+}
+
+void Chooser::retake(const std::vector<Chosen>& runs) {
+    for (std::size_t p = 0; p < taken_.size(); ++p) {
+        taken_[p] = ArcSet(outlines_.list[p].length());
+    }
+    for (const Chosen& c : runs) {
+        take(c.run);
+    }
+}
+
+}  // namespace
+
+std::vector<Chosen> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates,
+                               const SeamOptions& options) {
+    return Chooser(outlines, candidates, options).choose();
+}
+
+}  // namespace toile

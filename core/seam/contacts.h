@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/garment/piece.h"
+#include "core/seam/outline.h"
+
+namespace toile {
+
+/// Two outline edges that lie on each other, or near: the part of each that faces the other.
+struct Contact {
+    int a = 0, b = 0;           ///< edges, a < b
+    double a0 = 0, a1 = 0;      ///< from .. to along edge a, mm, a0 < a1
+    double b0 = 0, b1 = 0;      ///< the places on edge b that face a0 and a1
+    double gap0 = 0, gap1 = 0;  ///< distance there
+    bool parallel = false;      ///< the two edges run in the same direction
+    bool certain = false;       ///< the only two edges between their two source positions
+};
+
+/// Edges of one file between the same two source positions. Edges seen here twice or more are
+/// marked in `settled`, so that nearness is not asked about them. Where three and more share the
+/// positions there is a contact for every pair, none of them certain.
+std::vector<Contact> sharedContacts(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                                    const Outlines& outlines, std::vector<char>& settled);
+
+/// Pairs of edges, not settled, that come closer than `gap` local edge lengths along a common
+/// stretch and run (nearly) along one line. Parallel ones only between different pieces.
+/// Cost: grid-linear and one sort.
+std::vector<Contact> nearContacts(const Outlines& outlines, double gap,
+                                  const std::vector<char>& settled);
+
+/// Takes out the contacts that run the wrong way: decides from the balance of contacts which pieces
+/// are wound against each other. Sorts by (a, b).
+void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& contacts);
+
+}  // namespace toile

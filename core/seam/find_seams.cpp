@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/seam/find_seams.h"
+
+#include "core/seam/choose_runs.h"
+#include "core/seam/contacts.h"
+#include "core/seam/finish_seam.h"
+#include "core/seam/name_seams.h"
+#include "core/seam/run.h"
+
+namespace toile {
+namespace {
+
+// A rest of outline between two seams, shorter than this many local edges, is no free edge.
+constexpr double kShortestFree = 0.5;
+
+void addFreeEdges(const Outlines& outlines, std::vector<Seam>& seams) {
+    std::vector<ArcSet> sewn;
+    std::vector<double> begin(outlines.list.size(), 0);  // a place where no free edge is cut in two
+    for (const Outline& outline : outlines.list) {
+        sewn.emplace_back(outline.length());
+    }
+    for (const Seam& seam : seams) {
+        for (const SeamSide& side : {seam.left, seam.right}) {
+            const auto [low, high] = std::minmax(side.start, side.end);
+            sewn[side.piece].add({low, high});
+            begin[side.piece] = low;
+        }
+    }
+    for (std::size_t p = 0; p < outlines.list.size(); ++p) {
+        const Outline& outline = outlines.list[p];
+        if (outline.size() == 0) {
+            continue;
+        }
+        for (const Arc& arc : sewn[p].outside({begin[p], begin[p] + outline.length()})) {
+            if (arc.to - arc.from > kShortestFree * outline.spacingAt(arc.from)) {
+                seams.push_back(freeEdge(outlines, static_cast<int>(p), arc));
+            }
+        }
+    }
+}
+
+void indexEdges(const Outlines& outlines, SeamGraph& graph) {
+    for (const Outline& outline : outlines.list) {
+        graph.seamsOfEdge.emplace_back(outline.size());
+    }
+    for (std::size_t k = 0; k < graph.seams.size(); ++k) {
+        for (const SeamSide& side : {graph.seams[k].left, graph.seams[k].right}) {
+            for (int e = 0; e < side.count; ++e) {
+                auto& list = graph.seamsOfEdge[side.piece]
+                                              [outlines.list[side.piece].wrapIndex(side.first + e)];
+                if (list.empty() || list.back() != static_cast<int>(k)) {
+                    list.push_back(static_cast<int>(k));
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+
+SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                    const SeamOptions& options) {
+    const Outlines outlines = buildOutlines(pieces);
+    std::vector<char> settled(outlines.edgeCount(), 0);
+    std::vector<Contact> contacts = sharedContacts(pieces, outlines, settled);
+    const std::vector<Contact> near = nearContacts(outlines, options.gap, settled);
+    contacts.insert(contacts.end(), near.begin(), near.end());
+    keepConsistentWinding(outlines, contacts);
+
+    SeamGraph graph;
+    const std::vector<Run> runs = chainContacts(outlines, contacts);
+    for (const Chosen& chosen : chooseRuns(outlines, runs, options)) {
+        graph.seams.push_back(finishSeam(outlines, chosen));
+    }
+    addFreeEdges(outlines, graph.seams);
+    orderAndName(pieces, outlines, graph.seams);
+    indexEdges(outlines, graph);
+    return graph;
+}
+
+}  // namespace toile

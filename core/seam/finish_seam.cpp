@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/seam/finish_seam.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toile {
+namespace {
+
+// An end this near to a vertex, in local edge lengths, is meant to be the vertex.
+constexpr double kEndAtVertex = 0.2;
+// Vertices of the two sides that face each other to within this fraction of the edge length are
+// matched exactly, so that sides sampled alike have no rounding slivers between them.
+constexpr double kSameVertex = 1e-6;
+
+/// The same run seen from the other side, running along that side's outline.
+Run turned(const Run& run) {
+    Run other = run;
+    std::swap(other.pieceA, other.pieceB);
+    for (Facing& f : other.line) {
+        std::swap(f.a, f.b);
+    }
+    if (!run.parallel) {
+        std::reverse(other.line.begin(), other.line.end());
+    }
+    return other;
+}
+
+/// Decides the kind, and turns a run of a piece with itself so that a dart ends at its point.
+SeamKind settleKind(const Outlines& outlines, Run& run) {
+    if (run.pieceA != run.pieceB) {
+        return SeamKind::Seam;
+    }
+    const Tips tips = tipsOf(run, outlines);
+    const bool point = tips.start != tips.end;
+    const Outline& outline = outlines.list[run.pieceA];
+    if (point ? tips.start : outline.wrap(run.arcB().from) < outline.wrap(run.arcA().from)) {
+        run = turned(run);
+    }
+    return !point ? SeamKind::Seam : run.folded ? SeamKind::Fold : SeamKind::Dart;
+}
+
+double onVertex(const Outline& outline, double s) {
+    const double vertex = outline.nearestVertex(s);
+    return std::abs(vertex - s) < kEndAtVertex * outline.spacingAt(s) ? vertex : s;
+}
+
+/// Arc lengths of the vertices strictly between two places.
+std::vector<double> verticesBetween(const Outline& outline, double from, double to, double tiny) {
+    std::vector<double> found;
+    const double turns = from - outline.wrap(from);
+    for (int k = outline.edgeAt(from);; ++k) {
+        const double s = turns + outline.arcOf(k);
+        if (s >= to - tiny) {
+            return found;
+        }
+        if (s > from + tiny) {
+            found.push_back(s);
+        }
+    }
+}
+
+/// A match that may be a vertex of either side.
+struct Mark {
+    SeamMatch at;
+    bool vertexA, vertexB;
+};
+
+std::vector<SeamMatch> matchesOf(const Outlines& outlines, const Run& run) {
+    const Outline &a = outlines.list[run.pieceA], &b = outlines.list[run.pieceB];
+    const double tiny = kSameVertex * run.spacing(outlines);
+    const Facing first = run.line.front(), last = run.line.back();
+    std::vector<Mark> marks{{{first.a, first.b}, true, true}};
+    for (const double s : verticesBetween(a, first.a, last.a, tiny)) {
+        marks.push_back({{s, run.atA(s).b}, true, false});
+    }
+    const auto [lowB, highB] = std::minmax(first.b, last.b);
+    for (const double s : verticesBetween(b, lowB, highB, tiny)) {
+        marks.push_back({{run.atB(s).a, s}, false, true});
+    }
+    marks.push_back({{last.a, last.b}, true, true});
+    const double sign = run.parallel ? 1 : -1;
+    std::stable_sort(marks.begin(), marks.end(), [sign](const Mark& x, const Mark& y) {
+        return x.at.left + sign * x.at.right < y.at.left + sign * y.at.right;
+    });
+    std::vector<SeamMatch> matches;
+    bool openA = false, openB = false;  // the last match is not yet a vertex of this side
+    for (const Mark& mark : marks) {
+        const bool same = !matches.empty() && std::abs(mark.at.left - matches.back().left) < tiny &&
+                          std::abs(mark.at.right - matches.back().right) < tiny;
+        if (!same) {
+            matches.push_back(mark.at);
+            openA = !mark.vertexA;
+            openB = !mark.vertexB;
+            continue;
+        }
+        if (openA && mark.vertexA) {
+            matches.back().left = mark.at.left;
+            openA = false;
+        }
+        if (openB && mark.vertexB) {
+            matches.back().right = mark.at.right;
+            openB = false;
+        }
+    }
+    return matches;
+}
+
+/// The side from one place to another, counted so that its smaller place lies in the first turn.
+SeamSide sideOf(const Outline& outline, int piece, double start, double end) {
+    SeamSide side{.piece = piece, .reversed = end < start};
+    const double low = std::min(start, end);
+    const double shift = outline.wrap(low) - low;
+    side.start = start + shift;
+    side.end = end + shift;
+    side.first = outline.edgeAt(low);
+    const double tiny = kSameVertex * outline.spacingAt(low);
+    const double high = std::max(side.start, side.end);
+    side.count = 1;
+    while (outline.arcOf(side.first + side.count) < high - tiny) {
+        ++side.count;
+    }
+    return side;
+}
+
+}  // namespace
+
+Seam finishSeam(const Outlines& outlines, const Chosen& chosen) {
+    Run run = chosen.run;
+    Seam seam;
+    seam.kind = settleKind(outlines, run);
+    seam.stacked = chosen.stacked;
+    seam.gap = run.meanGap();
+    const Outline &a = outlines.list[run.pieceA], &b = outlines.list[run.pieceB];
+    for (Facing* f : {&run.line.front(), &run.line.back()}) {
+        f->a = onVertex(a, f->a);
+        f->b = onVertex(b, f->b);
+    }
+    const double sign = run.parallel ? 1 : -1;
+    const Facing first = run.line.front(), last = run.line.back();
+    for (Facing& f : run.line) {  // an end that moved inwards takes its neighbours with it
+        f.a = std::clamp(f.a, first.a, last.a);
+        f.b = sign * std::clamp(sign * f.b, sign * first.b, sign * last.b);
+    }
+    seam.left = sideOf(a, run.pieceA, first.a, last.a);
+    seam.right = sideOf(b, run.pieceB, first.b, last.b);
+    seam.matches = matchesOf(outlines, run);
+    for (SeamMatch& match : seam.matches) {
+        match.left += seam.left.start - first.a;
+        match.right += seam.right.start - first.b;
+    }
+    seam.matches.front() = {seam.left.start, seam.right.start};
+    seam.matches.back() = {seam.left.end, seam.right.end};
+    seam.length3d[0] = seam.left.length();
+    seam.length3d[1] = seam.right.length();
+    const auto whole = [](const SeamSide& side, const Outline& outline) {
+        return side.length() > (1 - kSameVertex) * outline.length();
+    };
+    seam.closed = whole(seam.left, a) && whole(seam.right, b) && run.pieceA != run.pieceB;
+    return seam;
+}
+
+Seam freeEdge(const Outlines& outlines, int piece, Arc arc) {
+    const Outline& outline = outlines.list[piece];
+    Seam seam;
+    seam.kind = SeamKind::Free;
+    seam.left = sideOf(outline, piece, arc.from, arc.to);
+    seam.length3d[0] = seam.left.length();
+    seam.closed = seam.left.length() > (1 - kSameVertex) * outline.length();
+    return seam;
+}
+
+}  // namespace toile

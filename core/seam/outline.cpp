@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/seam/outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "core/quality/measures.h"
+
+namespace toile {
+namespace {
+
+// Edges on either side that the local edge length is averaged over.
+constexpr int kSpacingReach = 2;
+
+/// The corner opposite to edge (u, v) in its one triangle.
+int oppositeVertex(const Piece& piece, int u, int v) {
+    const Edges& edges = piece.table.edges;
+    const int low = std::min(u, v), high = std::max(u, v);
+    Eigen::Index from = 0;
+    for (Eigen::Index count = edges.rows(); count > 0;) {
+        const Eigen::Index half = count / 2;
+        const auto row = edges.row(from + half);
+        if (row[0] < low || (row[0] == low && row[1] < high)) {
+            from += half + 1;
+            count -= half + 1;
+        } else {
+            count = half;
+        }
+    }
+    const int use = piece.table.use[piece.table.useStart[from]];
+    return piece.mesh.F(use / 3, (use % 3 + 2) % 3);
+}
+
+Outline buildOutline(const Piece& piece) {
+    Outline outline;
+    const int n = static_cast<int>(piece.boundary.size());
+    if (n == 0 || piece.defect) {
+        return outline;
+    }
+    outline.P.resize(n, 3);
+    outline.inward.resize(n, 3);
+    outline.arc.assign(n + 1, 0);
+    outline.spacing.resize(n);
+    for (int k = 0; k < n; ++k) {
+        outline.P.row(k) = piece.mesh.V.row(piece.boundary[k]);
+    }
+    std::vector<double> length(n);
+    for (int k = 0; k < n; ++k) {
+        const int u = piece.boundary[k], v = piece.boundary[(k + 1) % n];
+        const Eigen::Vector3d along = outline.P.row((k + 1) % n) - outline.P.row(k);
+        const Eigen::Vector3d across =
+            piece.mesh.V.row(oppositeVertex(piece, u, v)) - piece.mesh.V.row(u);
+        length[k] = along.norm();
+        outline.arc[k + 1] = outline.arc[k] + length[k];
+        outline.inward.row(k) =
+            (across - along * (across.dot(along) / along.squaredNorm())).normalized();
+    }
+    for (int k = 0; k < n; ++k) {
+        double sum = 0;
+        for (int d = -kSpacingReach; d <= kSpacingReach; ++d) {
+            sum += length[outline.wrapIndex(k + d)];
+        }
+        outline.spacing[k] = sum / (2 * kSpacingReach + 1);
+    }
+    outline.angle = boundaryAngles3d(piece.mesh, piece.boundary);
+    return outline;
+}
+
+}  // namespace
+
+double Outline::wrap(double s) const {
+    const double r = s - std::floor(s / length()) * length();
+    return r < length() ? r : 0;
+}
+
+int Outline::edgeAt(double s) const {
+    const auto next = std::upper_bound(arc.begin(), arc.end(), wrap(s));
+    return std::clamp(static_cast<int>(next - arc.begin()) - 1, 0, size() - 1);
+}
+
+Eigen::Vector3d Outline::pointAt(double s) const {
+    const int k = edgeAt(s);
+    const double t = (wrap(s) - arc[k]) / (arc[k + 1] - arc[k]);
+    return (1 - t) * P.row(k) + t * P.row((k + 1) % size());
+}
+
+double Outline::arcOf(int k) const {
+    const int local = wrapIndex(k);
+    return arc[local] + length() * ((k - local) / size());
+}
+
+double Outline::nearestVertex(double s) const {
+    const double turns = s - wrap(s);
+    const int k = edgeAt(s);
+    const double r = wrap(s);
+    return turns + (r - arc[k] < arc[k + 1] - r ? arc[k] : arc[k + 1]);
+}
+
+Outlines buildOutlines(const std::vector<std::shared_ptr<const Piece>>& pieces) {
+    Outlines all;
+    Eigen::AlignedBox3d box;
+    all.firstEdge.push_back(0);
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        all.list.push_back(buildOutline(*pieces[p]));
+        const Outline& outline = all.list.back();
+        all.firstEdge.push_back(all.firstEdge.back() + outline.size());
+        all.pieceOf.insert(all.pieceOf.end(), outline.size(), static_cast<int>(p));
+        for (int k = 0; k < outline.size(); ++k) {
+            box.extend(Eigen::Vector3d(outline.P.row(k)));
+        }
+    }
+    all.size = box.isEmpty() ? 0 : box.diagonal().norm();
+    return all;
+}
+
+}  // namespace toile

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/garment/piece.h"
+
+namespace toile {
+
+/// The boundary of a piece as a closed polyline, ready for measuring. Arc lengths in mm.
+struct Outline {
+    Points3 P;                    ///< #n x 3, vertices in loop order
+    Points3 inward;               ///< #n x 3, per edge: unit vector into the cloth
+    std::vector<double> arc;      ///< #n + 1, of each vertex; the last is the perimeter
+    std::vector<double> spacing;  ///< #n, per edge: mean edge length around it
+    Eigen::VectorXd angle;        ///< #n, inner angle of each vertex, radians
+
+    int size() const { return static_cast<int>(P.rows()); }
+    double length() const { return arc.empty() ? 0 : arc.back(); }
+    /// Index modulo the size, for any integer.
+    int wrapIndex(int k) const { return (k % size() + size()) % size(); }
+    /// Arc length modulo the perimeter, in [0, length).
+    double wrap(double s) const;
+    /// The edge that an arc length lies in.
+    int edgeAt(double s) const;
+    double spacingAt(double s) const { return spacing[edgeAt(s)]; }
+    Eigen::Vector3d pointAt(double s) const;
+    /// Arc length of vertex k counted on over any number of turns: k may be negative or large.
+    double arcOf(int k) const;
+    /// The arc length of the vertex nearest to `s`, counted on like `s`.
+    double nearestVertex(double s) const;
+};
+
+/// The outlines of all pieces, one each (empty where the piece is no disk), and their edges
+/// numbered in one go.
+struct Outlines {
+    std::vector<Outline> list;
+    std::vector<int> firstEdge;  ///< per piece, one more at the end
+    std::vector<int> pieceOf;    ///< per edge
+    double size = 0;             ///< diagonal of the garment's bounding box
+
+    int edgeCount() const { return firstEdge.back(); }
+    const Outline& of(int edge) const { return list[pieceOf[edge]]; }
+    int local(int edge) const { return edge - firstEdge[pieceOf[edge]]; }
+};
+
+Outlines buildOutlines(const std::vector<std::shared_ptr<const Piece>>& pieces);
+
+}  // namespace toile

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "core/seam/arc_set.h"
+#include "core/seam/contacts.h"
+#include "core/seam/outline.h"
+
+namespace toile {
+
+/// A place on one outline and the place on another that faces it, counted on along both outlines.
+struct Facing {
+    double a = 0, b = 0;  ///< mm
+    double gap = 0;       ///< distance, mm
+};
+
+/// Two stretches of outline that face each other all along: a seam, before anything competes for
+/// its place. `line` has increasing a; its b increases where `parallel`, else decreases.
+struct Run {
+    int pieceA = 0, pieceB = 0;  ///< pieceA <= pieceB
+    bool parallel = false;
+    bool certain = false;  ///< made of contacts that are certain
+    bool folded = false;   ///< the outline folded on itself at a plain edge: a pleat, if at all
+    std::vector<Facing> line;
+
+    Arc arcA() const { return {line.front().a, line.back().a}; }
+    Arc arcB() const;
+    double length() const { return line.back().a - line.front().a; }
+    double lengthB() const { return std::abs(line.back().b - line.front().b); }
+    /// The facing places at a place on side a, or on side b; interpolated, clamped to the ends.
+    Facing atA(double a) const;
+    Facing atB(double b) const;
+    /// The part between two places on side a.
+    Run part(Arc onA) const;
+    /// The part between two places on side b.
+    Run partOnB(Arc onB) const;
+    /// Mean distance of the sides, mm.
+    double meanGap() const;
+    /// Local edge length in the middle, the mean of both sides.
+    double spacing(const Outlines& outlines) const;
+};
+
+/// Where a piece meets itself: the ends of a run at which its two sides come together.
+struct Tips {
+    bool start = false, end = false;
+    double angle = 0;  ///< inner angle of the outline at the tip, radians
+};
+
+Tips tipsOf(const Run& run, const Outlines& outlines);
+
+/// Joins contacts that follow each other on both outlines into maximal runs.
+/// @param contacts  sorted by (a, b). Linear but for look-ups.
+std::vector<Run> chainContacts(const Outlines& outlines, const std::vector<Contact>& contacts);
+
+}  // namespace toile

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace toile {
+
+/// What a stretch of outline is to the person who sews.
+enum class SeamKind {
+    Seam,  ///< two stretches sewn together, of two pieces or of one
+    Dart,  ///< two stretches of one piece that meet at a point inside the cloth
+    Fold,  ///< two stretches of one piece that meet at a point of a plain edge: a pleat
+    Free,  ///< sewn to nothing: a hem, an opening, or a seam that was not recognised
+};
+
+/// A directed stretch of a piece's outline. Places on the outline are arc lengths in mm along
+/// Piece::boundary, in its direction, 0 at its first vertex; they go on counting past the last
+/// vertex where the stretch passes it, so that |end - start| is always the 3D length.
+struct SeamSide {
+    int piece = -1;         ///< index of the piece; -1: there is no such side
+    int first = 0;          ///< first edge touched; edge k runs from boundary[k] to boundary[k+1]
+    int count = 0;          ///< edges touched, wholly or in part; counts on past the last edge
+    bool reversed = false;  ///< runs against the outline: start > end
+    double start = 0;
+    double end = 0;
+
+    double length() const { return reversed ? start - end : end - start; }
+};
+
+/// Two places that come to lie on each other, as arc lengths on either side.
+struct SeamMatch {
+    double left = 0;
+    double right = 0;
+};
+
+/// Which edge is sewn to which. The left side runs along its outline; the right side starts where
+/// the left one starts, so between two pieces of the same winding it runs against its own.
+struct Seam {
+    SeamKind kind = SeamKind::Seam;
+    std::string name;  ///< "front / sleeve_left", "back, dart 2", "front, free edge 1"
+    SeamSide left;
+    SeamSide right;  ///< piece -1 where the edge is free
+    /// From start to end, monotone on both sides, at least one for every vertex of either side;
+    /// between two of them the sides correspond linearly. Empty where the edge is free.
+    std::vector<SeamMatch> matches;
+    double length3d[2] = {0, 0};  ///< mm, left and right; right is 0 where the edge is free
+    double gap = 0;               ///< mean distance between the sides in 3D, mm
+    /// The right side lies on a place that another seam already takes: a third layer.
+    bool stacked = false;
+    bool closed = false;  ///< the seam is a closed line: it ends where it starts
+};
+
+/// All seams and free edges of a garment: seams first, ordered by pieces.
+struct SeamGraph {
+    std::vector<Seam> seams;
+    /// Per piece and boundary edge: the seams that touch it, ascending. Two or more where a seam
+    /// ends inside the edge or layers are stacked; none where a rest was too short to matter.
+    std::vector<std::vector<std::vector<int>>> seamsOfEdge;
+};
+
+}  // namespace toile

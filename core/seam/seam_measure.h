@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/garment/piece.h"
+#include "core/mesh/mesh_arrays.h"
+#include "core/seam/seam.h"
+
+namespace toile {
+
+/// What the sewer gets: how long the two flat edges are. Lengths in mm.
+struct SeamMeasure {
+    double length3d[2] = {0, 0};  ///< left and right, on the garment
+    double length2dLeft = 0;
+    double length2dRight = 0;
+    /// length2dLeft - length2dRight: what one must ease in, or gather, when sewing the pattern.
+    double deltaMm = 0;
+    /// How much longer the left side is meant to be: a part of the right side's length (0.1 = 10
+    /// %). Negative where the right side is the longer one.
+    double ease = 0;
+    /// length2dLeft - (1 + ease) * length2dRight: the part of the difference that nobody wants.
+    /// Zero where both outlines keep their 3D lengths; this is what a ledger should judge.
+    double errorMm = 0;
+};
+
+/// Measures a seam between two flat pieces. A part of an edge counts in proportion.
+/// @param Ql, Qr  flat points, #V x 2, in the piece's vertex order; the same where l and r are one
+/// @param ease    intended ease; where not given, that of the 3D lengths: left / right - 1
+/// For a free edge `r` and `Qr` are not looked at, and the differences are zero.
+/// Cost: linear in the edges of the two outlines. Pure.
+SeamMeasure measureSeam(const Seam& seam, const Piece& l, const Points2& Ql, const Piece& r,
+                        const Points2& Qr, std::optional<double> ease = {});
+
+/// Flat length of a stretch of outline, mm.
+double flatLength(const SeamSide& side, const Piece& piece, const Points2& Q);
+
+}  // namespace toile

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shared garments whose seams are known: welded ones cut into their panels, and panels apart.
+#include <fstream>
+#include <map>
+#include <numeric>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/io/soup.h"
+#include "core/pipeline/pipeline.h"
+#include "core/seam/find_seams.h"
+#include "tests/core/seam/seam_shapes.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+using PanelPair = std::pair<int, int>;
+
+nlohmann::json readJson(const std::filesystem::path& path) {
+    std::ifstream stream(path);
+    return nlohmann::json::parse(stream);
+}
+
+/// The panels of a welded file as pieces, in the order of the truth, positions as in the file. A
+/// corner's texture vertex tells the two sides of a panel that is sewn to itself apart.
+test::Pieces cutIntoPanels(const PolygonSoup& soup, const nlohmann::json& truth) {
+    struct Panel {
+        std::vector<int> corners, source;
+        std::map<int, int> index;  // of each texture vertex
+    };
+    std::vector<Panel> panels(truth["panels"].size());
+    for (int f = 0; f < soup.faceCount(); ++f) {
+        Panel& panel = panels[truth["face_panel"][f].get<std::size_t>()];
+        for (int c = soup.faceStart[f]; c < soup.faceStart[f + 1]; ++c) {
+            const auto [at, isNew] =
+                panel.index.emplace(soup.cornerUvs[c], static_cast<int>(panel.source.size()));
+            if (isNew) {
+                panel.source.push_back(soup.corners[c]);
+            }
+            panel.corners.push_back(at->second);
+        }
+    }
+    test::Pieces pieces;
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+        MeshArrays mesh;
+        mesh.F = Eigen::Map<Triangles>(panels[p].corners.data(),
+                                       static_cast<Eigen::Index>(panels[p].corners.size() / 3), 3);
+        mesh.V.resize(static_cast<Eigen::Index>(panels[p].source.size()), 3);
+        for (std::size_t v = 0; v < panels[p].source.size(); ++v) {
+            mesh.V.row(static_cast<Eigen::Index>(v)) = soup.positions[panels[p].source[v]];
+        }
+        auto piece =
+            std::make_shared<Piece>(makePiece(truth["panels"][p]["name"], std::move(mesh)));
+        EXPECT_FALSE(piece->defect) << (piece->defect ? sentence(*piece->defect) : "");
+        piece->sourceVertex = std::move(panels[p].source);
+        pieces.push_back(std::move(piece));
+    }
+    return pieces;
+}
+
+/// Sewn length per pair of panels.
+std::map<PanelPair, double> known(const nlohmann::json& truth) {
+    std::map<PanelPair, double> sums;
+    for (const auto& seam : truth["seams"]) {
+        const int a = seam["panels"][0], b = seam["panels"][1];
+        sums[{std::min(a, b), std::max(a, b)}] += seam["length_3d"].get<double>();
+    }
+    return sums;
+}
+
+/// Compares sewn lengths per pair of panels. `panel`: number of each piece in the truth; `unit`:
+/// the graph's mm in one unit of the truth, which has five decimals. The truth leaves out lines of
+/// three layers: there the graph has as much more as it has stacked.
+void expectKnown(const SeamGraph& graph, const std::vector<int>& panel, const nlohmann::json& truth,
+                 double unit) {
+    std::map<PanelPair, double> got;
+    std::size_t seams = 0;
+    double layered = 0;
+    for (const Seam& seam : graph.seams) {
+        if (seam.kind == SeamKind::Free) {
+            continue;
+        }
+        if (seam.stacked) {
+            layered += seam.length3d[0] / unit;
+            continue;
+        }
+        got[std::minmax(panel[seam.left.piece], panel[seam.right.piece])] +=
+            seam.length3d[0] / unit;
+        ++seams;
+    }
+    EXPECT_EQ(layered > 0, truth["edges_with_more_than_two_faces"] > 0);
+    const auto wanted = known(truth);
+    EXPECT_EQ(got.size(), wanted.size());
+    double more = 0;
+    for (const auto& [pair, length] : wanted) {
+        more += got[pair] - length;
+        if (layered == 0) {
+            EXPECT_NEAR(got[pair], length, 1e-4) << pair.first << " / " << pair.second;
+        }
+    }
+    EXPECT_NEAR(more, layered, 1e-3);
+    EXPECT_EQ(seams, truth["seams"].size());
+}
+
+class WeldedSeams : public testing::TestWithParam<const char*> {};
+
+TEST_P(WeldedSeams, AreTheTrueOnes) {
+    const std::string name = std::string("garments/") + GetParam();
+    const auto mesh = test::sharedFile((name + ".obj").c_str());
+    const auto truthFile = test::sharedFile((name + ".truth.json").c_str());
+    TOILE_NEEDS_SHARED(mesh);
+    TOILE_NEEDS_SHARED(truthFile);
+    Progress progress;
+    const auto soup = readSoup(mesh, progress);
+    ASSERT_TRUE(soup);
+    const auto truth = readJson(truthFile);
+    const test::Pieces pieces = cutIntoPanels(*soup, truth);
+    const SeamGraph graph = findSeams(pieces);
+    test::expectSound(graph, pieces);
+    std::vector<int> panel(pieces.size());
+    std::iota(panel.begin(), panel.end(), 0);
+    expectKnown(graph, panel, truth, 1);
+    for (const Seam& seam : graph.seams) {
+        if (seam.kind != SeamKind::Free) {
+            EXPECT_NEAR(seam.length3d[0], seam.length3d[1], 1e-9) << seam.name;
+        }
+    }
+    // Without the shared vertices, the coinciding positions must say the same.
+    test::Pieces apart;
+    for (const auto& piece : pieces) {
+        auto copy = std::make_shared<Piece>(*piece);
+        copy->sourceVertex.clear();
+        apart.push_back(std::move(copy));
+    }
+    EXPECT_EQ(test::summary(findSeams(apart), 1, 6), test::summary(graph, 1, 6));
+}
+
+INSTANTIATE_TEST_SUITE_P(Garments, WeldedSeams,
+                         testing::Values("tshirt", "tee_sim", "longsleeve", "dress",
+                                         "wetsuit_patches", "arcsim/tshirt", "arcsim/pants3",
+                                         "polo"));
+
+class SeamsOfPanelsApart : public testing::TestWithParam<const char*> {};
+
+TEST_P(SeamsOfPanelsApart, AreTheTrueOnes) {
+    const std::string name = std::string("garments/") + GetParam();
+    const auto mesh = test::sharedFile((name + "_pieces.obj").c_str());
+    const auto truthFile = test::sharedFile((name + ".truth.json").c_str());
+    TOILE_NEEDS_SHARED(mesh);
+    TOILE_NEEDS_SHARED(truthFile);
+    Progress progress;
+    const auto garment = loadGarment({mesh}, {.unit = LengthUnit::Centimetre}, progress);
+    ASSERT_TRUE(garment);
+    const auto truth = readJson(truthFile);
+    ASSERT_EQ(garment->pieces.size(), truth["panels"].size());
+    std::vector<int> panel;
+    for (const auto& piece : garment->pieces) {
+        const Eigen::RowVector3d middle = piece->mesh.V.colwise().mean() / 10;
+        int nearest = 0;
+        double least = 1e300;
+        for (const auto& candidate : truth["panels"]) {
+            const auto& c = candidate["centroid_3d"];
+            const double d =
+                (Eigen::RowVector3d(c[0].get<double>(), c[1].get<double>(), c[2].get<double>()) -
+                 middle)
+                    .norm();
+            if (candidate["faces"] == piece->mesh.F.rows() && d < least) {
+                least = d;
+                nearest = candidate["id"];
+            }
+        }
+        panel.push_back(nearest);
+    }
+    const SeamGraph graph = findSeams(garment->pieces);
+    test::expectSound(graph, garment->pieces);
+    expectKnown(graph, panel, truth, 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Garments, SeamsOfPanelsApart, testing::Values("tee_sim", "polo"));
+
+struct Counted {
+    const char* file;
+    std::size_t seams, darts;
+};
+
+/// Garments without a list of seams, whose number is known from looking at them.
+class CountedSeams : public testing::TestWithParam<Counted> {};
+
+TEST_P(CountedSeams, AreAllThere) {
+    const auto mesh = test::sharedFile(GetParam().file);
+    TOILE_NEEDS_SHARED(mesh);
+    Progress progress;
+    const auto garment = loadGarment({mesh}, {}, progress);
+    ASSERT_TRUE(garment);
+    const SeamGraph graph = findSeams(garment->pieces);
+    test::expectSound(graph, garment->pieces);
+    EXPECT_EQ(test::only(graph, SeamKind::Seam).size(), GetParam().seams);
+    EXPECT_EQ(test::only(graph, SeamKind::Dart).size(), GetParam().darts);
+    EXPECT_TRUE(test::only(graph, SeamKind::Fold).empty());
+}
+
+// Two darts a panel and four side seams; panels placed with gaps of some millimetres.
+INSTANTIATE_TEST_SUITE_P(Garments, CountedSeams,
+                         testing::Values(Counted{"garments/skirt_clo.obj", 4, 8},
+                                         Counted{"garments/arcsim/tshirtw.obj", 12, 0}));
+
+}  // namespace
+}  // namespace toile

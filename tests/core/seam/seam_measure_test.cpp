@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/seam/seam_measure.h"
+
+#include <gtest/gtest.h>
+
+#include "core/seam/find_seams.h"
+#include "tests/core/seam/seam_shapes.h"
+#include "tests/core/support/shapes.h"
+
+namespace toile {
+namespace {
+
+using test::asPiece;
+using test::named;
+using test::rectangle;
+
+Points2 flat(const Piece& piece, double stretchAlong = 1) {
+    Points2 Q = piece.mesh.V.leftCols(2);
+    Q.col(1) *= stretchAlong;
+    return Q;
+}
+
+TEST(SeamMeasure, ExactSidesHaveNoDifference) {
+    const auto l = asPiece(rectangle(0, 0, 50, 100, 5, 10), "front");
+    const auto r = asPiece(rectangle(50.1, 0, 70, 100, 7, 13), "back");
+    const Seam seam = named(findSeams({l, r}), "front / back");
+    const SeamMeasure m = measureSeam(seam, *l, flat(*l), *r, flat(*r));
+    EXPECT_NEAR(m.length2dLeft, 100, 1e-9);
+    EXPECT_NEAR(m.length2dRight, 100, 1e-9);
+    EXPECT_NEAR(m.deltaMm, 0, 1e-9);
+    EXPECT_NEAR(m.errorMm, 0, 1e-9);
+    EXPECT_NEAR(m.ease, 0, 1e-12);
+}
+
+TEST(SeamMeasure, WhatFlatteningAddsIsAnErrorAndEaseIsNot) {
+    const auto l = asPiece(rectangle(0, 0, 50, 100, 5, 10), "front");
+    const auto r = asPiece(rectangle(50, 0, 70, 100, 7, 10), "back");
+    const Seam seam = named(findSeams({l, r}), "front / back");
+    const SeamMeasure wrong = measureSeam(seam, *l, flat(*l, 1.1), *r, flat(*r));
+    EXPECT_NEAR(wrong.deltaMm, 10, 1e-9);
+    EXPECT_NEAR(wrong.errorMm, 10, 1e-9);
+    const SeamMeasure eased = measureSeam(seam, *l, flat(*l, 1.1), *r, flat(*r), 0.1);
+    EXPECT_NEAR(eased.deltaMm, 10, 1e-9);
+    EXPECT_NEAR(eased.errorMm, 0, 1e-9);
+    EXPECT_NEAR(eased.ease, 0.1, 1e-12);
+}
+
+TEST(SeamMeasure, PartsOfEdgesCountInProportion) {
+    // The back ends within an edge of the front, 95 mm up; the front's flat edges are doubled.
+    const auto l = asPiece(rectangle(0, 0, 50, 140, 5, 14), "front");
+    const auto r = asPiece(rectangle(50, 0, 70, 95, 7, 9), "back");
+    const Seam seam = named(findSeams({l, r}), "front / back");
+    EXPECT_EQ(seam.left.count, 10);
+    const SeamMeasure m = measureSeam(seam, *l, flat(*l, 2), *r, flat(*r));
+    EXPECT_NEAR(m.length3d[0], 95, 1e-9);
+    EXPECT_NEAR(m.length2dLeft, 190, 1e-9);
+    EXPECT_NEAR(m.length2dRight, 95, 1e-9);
+}
+
+TEST(SeamMeasure, AFreeEdgeHasALengthAndNoDifference) {
+    const auto piece = asPiece(rectangle(0, 0, 50, 100, 5, 10), "front");
+    const Seam edge = named(findSeams({piece}), "front, free edge");
+    const SeamMeasure m = measureSeam(edge, *piece, flat(*piece), *piece, {});
+    EXPECT_NEAR(m.length2dLeft, 300, 1e-9);
+    EXPECT_EQ(m.deltaMm, 0);
+    EXPECT_EQ(m.errorMm, 0);
+}
+
+}  // namespace
+}  // namespace toile
