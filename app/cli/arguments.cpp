@@ -19,7 +19,7 @@ constexpr const char* kUnits = "mm|cm|m|in";
 /// The strings CLI11 fills, before they become typed values.
 struct Typed {
     std::vector<std::string> inputs, windowFiles, outputs;
-    std::string unit, method = "wang2005", solver = "newton", report, screenshot,
+    std::string unit, split = "auto", method = "wang2005", solver = "newton", report, screenshot,
                       overlay = "checker";
 };
 
@@ -29,13 +29,20 @@ const std::map<std::string, Overlay> kOverlays = {{"none", Overlay::None},
                                                   {"angle", Overlay::Angle},
                                                   {"strain", Overlay::Strain}};
 
-void addUnit(CLI::App& command, Typed& typed) {
+/// How files are read: the same for every command.
+void addReading(CLI::App& command, Typed& typed, bool& strict) {
+    command.add_option("--split", typed.split, "By what files are divided into pieces")
+        ->type_name("auto|components|objects|groups|materials|uv")
+        ->check(CLI::IsMember({"auto", "components", "objects", "groups", "materials", "uv"}))
+        ->capture_default_str();
+    command.add_flag("--strict", strict,
+                     "Refuse a file in which anything has to be left out or mended");
     command.add_option("--unit", typed.unit, "Unit of the input's coordinates")
         ->type_name(kUnits)
         ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
 }
 
-CLI::App* addFlatten(CLI::App& app, Typed& typed) {
+CLI::App* addFlatten(CLI::App& app, Typed& typed, bool& strict) {
     CLI::App* flatten = app.add_subcommand("flatten", "Flatten every piece of a garment");
     flatten->add_option("INPUT", typed.inputs, "Garment mesh: .obj, .off, .ply or .stl")
         ->required()
@@ -54,19 +61,19 @@ CLI::App* addFlatten(CLI::App& app, Typed& typed) {
         ->type_name("newton|slcp")
         ->check(CLI::IsMember({"newton", "slcp"}))
         ->capture_default_str();
-    addUnit(*flatten, typed);
+    addReading(*flatten, typed, strict);
     flatten
         ->add_option("--report", typed.report, "Write the JSON report (the same as -o FILE.json)")
         ->type_name("FILE.json");
     return flatten;
 }
 
-CLI::App* addInfo(CLI::App& app, Typed& typed) {
+CLI::App* addInfo(CLI::App& app, Typed& typed, bool& strict) {
     CLI::App* info = app.add_subcommand("info", "Tell what a garment file holds");
     info->add_option("INPUT", typed.inputs, "Garment mesh: .obj, .off, .ply or .stl")
         ->required()
         ->type_name("FILE...");
-    addUnit(*info, typed);
+    addReading(*info, typed, strict);
     return info;
 }
 
@@ -122,8 +129,8 @@ Arguments parseArguments(int argc, const char* const* argv) {
 
     Typed typed;
     Arguments arguments;
-    const CLI::App* flatten = addFlatten(app, typed);
-    const CLI::App* info = addInfo(app, typed);
+    const CLI::App* flatten = addFlatten(app, typed, arguments.strict);
+    const CLI::App* info = addInfo(app, typed, arguments.strict);
     // A window's files stand where a command could: `toile dress.obj`.
     app.add_option("FILE", typed.windowFiles, "Garment to open in the window")
         ->type_name("FILE...");
@@ -134,7 +141,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
         ->type_name("none|checker|area|angle|strain")
         ->check(CLI::IsMember(kOverlays))
         ->capture_default_str();
-    addUnit(app, typed);
+    addReading(app, typed, arguments.strict);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -154,6 +161,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     arguments.screenshot = typed.screenshot;
     arguments.overlay = kOverlays.at(typed.overlay);
     arguments.unit = parseLengthUnit(typed.unit);
+    arguments.split = parseSplitMode(typed.split).value_or(SplitMode::Auto);
     arguments.options.method = parseMethod(typed.method).value_or(Method::Wang2005);
     arguments.options.boundarySolver =
         parseBoundarySolver(typed.solver).value_or(BoundarySolver::Newton);

@@ -10,6 +10,7 @@
 #include "app/document/view_state.h"
 #include "core/base/length_unit.h"
 #include "core/flatten/flatten.h"
+#include "core/garment/split.h"
 
 namespace toile {
 
@@ -26,6 +27,8 @@ struct Arguments {
     std::vector<std::filesystem::path> inputs;
     std::vector<std::filesystem::path> outputs;
     std::optional<LengthUnit> unit;
+    SplitMode split = SplitMode::Auto;
+    bool strict = false;
     FlattenOptions options;
     std::filesystem::path screenshot;    ///< window: save a picture of itself and end
     Overlay overlay = Overlay::Checker;  ///< window: what is painted on the cloth at first

@@ -71,7 +71,8 @@ void printProblems(const Garment& garment, const PieceResults& results, std::ost
 
 int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     Progress progress;
-    const auto garment = loadGarment(arguments.inputs, {arguments.unit}, progress);
+    const auto garment = loadGarment(arguments.inputs,
+                                     {arguments.unit, arguments.split, arguments.strict}, progress);
     if (!garment) {
         err << "toile: " << sentence(garment.error()) << '\n';
         return kExitUnreadable;

@@ -39,7 +39,8 @@ std::vector<std::string> rowOf(const Piece& piece) {
 
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     Progress progress;
-    const auto garment = loadGarment(arguments.inputs, {arguments.unit}, progress);
+    const auto garment = loadGarment(arguments.inputs,
+                                     {arguments.unit, arguments.split, arguments.strict}, progress);
     if (!garment) {
         err << "toile: " << sentence(garment.error()) << '\n';
         return kExitUnreadable;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/obj_faces.h"
 
+#include <algorithm>
 #include <charconv>
 #include <span>
 
@@ -121,6 +122,9 @@ private:
     bool isWhole(std::span<const int> corners, std::span<const PieceTriangle> triangles) const {
         const int p = triangles.front().piece;
         const Piece& piece = *garment_.pieces[p];
+        if (triangles.size() + 2 != corners.size()) {
+            return false;  // mending took a triangle away, or divided one
+        }
         for (const PieceTriangle& t : triangles) {
             if (t.piece != p) {
                 return false;
@@ -128,7 +132,8 @@ private:
             for (int k = 0; k < 3; ++k) {
                 const int v = piece.mesh.F(t.triangle, k);
                 const int position = piece.sourceVertex[v];
-                if (position < 0 || vertexFor(piece, triangles, position) != v) {
+                if (std::find(corners.begin(), corners.end(), position) == corners.end() ||
+                    vertexFor(piece, triangles, position) != v) {
                     return false;
                 }
             }

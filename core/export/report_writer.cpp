@@ -57,6 +57,8 @@ Json fileJson(const Garment& garment, const PieceResults& results, int index) {
     return {{"path", pathText(file.path)},
             {"unit", text(symbol(file.unit))},
             {"unit_reason", file.unitReason.empty() ? Json(nullptr) : Json(file.unitReason)},
+            {"split", text(name(file.split.mode))},
+            {"split_reason", file.split.reason.empty() ? Json(nullptr) : Json(file.split.reason)},
             {"vertices", file.soup.positions.size()},
             {"faces", file.soup.faceCount()},
             {"seconds_read", number(file.readSeconds)},
@@ -88,6 +90,15 @@ void addQuality(Json& json, const PieceQuality* q) {
     put("strain_mean_abs", &PieceQuality::strainMeanAbs);
     putCount("flipped_triangles", &PieceQuality::flippedTriangles);
     putCount("outline_crossings", &PieceQuality::outlineCrossings);
+}
+
+/// How far the piece lies from the designer's flat panel, where the file carries one.
+Json referenceJson(const PieceResult& result) {
+    if (!result.quality || !result.quality->reference) {
+        return nullptr;
+    }
+    const ReferenceFit& fit = *result.quality->reference;
+    return {{"rms", number(fit.rms)}, {"max", number(fit.max)}, {"mirrored", fit.mirrored}};
 }
 
 /// What the solver says; the boundary figures only where the method solves a boundary problem.
@@ -129,6 +140,7 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
     }
     addQuality(json, result.flat && result.quality ? &*result.quality : nullptr);
     addDiagnostics(json, result);
+    json["reference"] = referenceJson(result);
     json["seconds"] = secondsJson(result, file.readSeconds);
     return json;
 }

@@ -2,72 +2,48 @@
 #include "core/garment/divide.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <cmath>
+#include <utility>
 
 #include "core/base/text.h"
+#include "core/garment/corner_uv.h"
+#include "core/garment/piece_names.h"
 #include "core/io/triangulate.h"
+#include "core/mesh/repair.h"
 
 namespace toile {
 namespace {
 
-/// The file's own name for a face: its object, else its group, else nothing.
-std::string nameInFile(const PolygonSoup& soup, int face) {
-    if (!soup.faceObject.empty() && soup.faceObject[face] >= 0) {
-        return soup.objects[soup.faceObject[face]];
-    }
-    if (!soup.faceGroup.empty() && soup.faceGroup[face] >= 0) {
-        return soup.groups[soup.faceGroup[face]];
-    }
-    return "";
-}
+/// A UV map whose scale is this close to 1 is in the file's own unit: the draped cloth differs from
+/// its flat panel by no more. Any other scale was normalised and is fitted.
+constexpr double kExactScaleBand = 0.1;
 
-/// Makes names unique: a name that several pieces share gets " 2", " 3" from the second on.
-class NameKeeper {
-public:
-    std::string unique(const std::string& wanted) {
-        const std::string base = wanted.empty() ? "piece" : wanted;
-        std::string name = base;
-        int& next = nextNumber_.try_emplace(base, 2).first->second;
-        while (!taken_.insert(name).second) {
-            name = base + " " + std::to_string(next++);
-        }
-        return name;
-    }
-
-private:
-    std::set<std::string> taken_;
-    std::map<std::string, int> nextNumber_;  ///< thousands of pieces may share a name
-};
-
-/// The triangles of one component, and where they come from. Vertices are numbered in order of
-/// their index in the file, so that the piece does not depend on the order of its faces' corners.
-struct Component {
-    MeshArrays mesh;
-    std::vector<int> sourceVertex, sourceFace;
-};
-
-Component gather(const PolygonSoup& soup, const Triangulation& triangles,
-                 const std::vector<int>& members, double millimetres) {
-    Component part;
-    std::vector<int>& vertices = part.sourceVertex;
+/// Takes the triangles of one part. Vertices are numbered in order of their index in the division,
+/// that is of their position in the file, so that the piece does not depend on the order of
+/// corners.
+MeshPart gather(const PolygonSoup& soup, const Triangulation& triangles, const Division& division,
+                const std::vector<int>& members, double millimetres, std::vector<int>& vertices) {
+    vertices.clear();
     for (const int t : members) {
         for (int k = 0; k < 3; ++k) {
-            vertices.push_back(triangles.F(t, k));
+            vertices.push_back(division.cornerVertex(t, k));
         }
     }
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+
+    MeshPart part;
     part.mesh.V.resize(static_cast<Eigen::Index>(vertices.size()), 3);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-        part.mesh.V.row(static_cast<Eigen::Index>(v)) = millimetres * soup.positions[vertices[v]];
+        part.sourceVertex.push_back(division.positionOf[vertices[v]]);
+        part.mesh.V.row(static_cast<Eigen::Index>(v)) =
+            millimetres * soup.positions[part.sourceVertex.back()];
     }
     part.mesh.F.resize(static_cast<Eigen::Index>(members.size()), 3);
-    part.sourceFace.reserve(members.size());
     for (std::size_t f = 0; f < members.size(); ++f) {
         for (int k = 0; k < 3; ++k) {
-            const auto at =
-                std::lower_bound(vertices.begin(), vertices.end(), triangles.F(members[f], k));
+            const auto at = std::lower_bound(vertices.begin(), vertices.end(),
+                                             division.cornerVertex(members[f], k));
             part.mesh.F(static_cast<Eigen::Index>(f), k) = static_cast<int>(at - vertices.begin());
         }
         part.sourceFace.push_back(triangles.sourceFace[members[f]]);
@@ -75,37 +51,123 @@ Component gather(const PolygonSoup& soup, const Triangulation& triangles,
     return part;
 }
 
+/// Mending may take a part to pieces, where they hung together by what had to be cut.
+std::vector<MeshPart> connectedParts(MeshPart part) {
+    const std::vector<int> label =
+        faceComponents(part.mesh.F, static_cast<int>(part.mesh.V.rows()));
+    const int count = label.empty() ? 0 : 1 + *std::max_element(label.begin(), label.end());
+    if (count == 1) {
+        std::vector<MeshPart> whole;
+        whole.push_back(std::move(part));
+        return whole;
+    }
+    std::vector<MeshPart> parts(count);
+    std::vector<int> newIndex(static_cast<std::size_t>(part.mesh.V.rows()), -1);
+    std::vector<int> partOfVertex(newIndex.size(), -1);
+    std::vector<int> faces(count, 0);
+    for (int f = 0; f < part.mesh.F.rows(); ++f) {
+        ++faces[label[f]];
+        for (int k = 0; k < 3; ++k) {
+            partOfVertex[part.mesh.F(f, k)] = label[f];
+        }
+    }
+    for (std::size_t v = 0; v < newIndex.size(); ++v) {
+        if (partOfVertex[v] >= 0) {
+            MeshPart& to = parts[partOfVertex[v]];
+            newIndex[v] = static_cast<int>(to.sourceVertex.size());
+            to.sourceVertex.push_back(part.sourceVertex[v]);
+        }
+    }
+    for (int p = 0; p < count; ++p) {
+        parts[p].mesh.V.resize(static_cast<Eigen::Index>(parts[p].sourceVertex.size()), 3);
+        parts[p].mesh.F.resize(faces[p], 3);
+    }
+    for (std::size_t v = 0; v < newIndex.size(); ++v) {
+        if (partOfVertex[v] >= 0) {
+            parts[partOfVertex[v]].mesh.V.row(newIndex[v]) =
+                part.mesh.V.row(static_cast<Eigen::Index>(v));
+        }
+    }
+    for (int f = 0; f < part.mesh.F.rows(); ++f) {
+        MeshPart& to = parts[label[f]];
+        const auto row = static_cast<Eigen::Index>(to.sourceFace.size());
+        for (int k = 0; k < 3; ++k) {
+            to.mesh.F(row, k) = newIndex[part.mesh.F(f, k)];
+        }
+        to.sourceFace.push_back(part.sourceFace[f]);
+    }
+    return parts;
+}
+
+/// The uv of each vertex of a piece, by its corners' faces; nothing where a corner has none.
+std::optional<Points2> flatPanel(const PolygonSoup& soup, const Piece& piece, double scale) {
+    Points2 panel = Points2::Constant(piece.mesh.V.rows(), 2, std::nan(""));
+    for (int f = 0; f < piece.mesh.F.rows(); ++f) {
+        if (piece.sourceFace[f] < 0) {
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int v = piece.mesh.F(f, k);
+            const int uv = cornerUv(soup, piece.sourceFace[f], piece.sourceVertex[v]);
+            if (uv >= 0) {
+                panel.row(v) = scale * soup.uvs[uv];
+            }
+        }
+    }
+    return panel.allFinite() ? std::optional(panel) : std::nullopt;
+}
+
 }  // namespace
 
-std::vector<std::shared_ptr<const Piece>> divide(const SourceFile& file, int fileIndex,
-                                                 const std::string& namePrefix,
-                                                 Problems& problems) {
+DividedFile divide(const SourceFile& file, int fileIndex, const std::string& namePrefix,
+                   const DivideOptions& options) {
     const PolygonSoup& soup = file.soup;
-    const Triangulation triangles = triangulate(soup, file.path.filename().string());
-    problems.insert(problems.end(), triangles.problems.begin(), triangles.problems.end());
-    const std::vector<int> component =
-        faceComponents(triangles.F, static_cast<int>(soup.positions.size()));
-    std::vector<std::vector<int>> members;
-    for (std::size_t t = 0; t < component.size(); ++t) {
-        if (component[t] == static_cast<int>(members.size())) {
-            members.emplace_back();  // components are numbered by first face
-        }
-        members[component[t]].push_back(static_cast<int>(t));
+    const double millimetres = millimetresPer(file.unit);
+    Triangulation triangles = triangulate(soup, file.path.filename().string());
+    DividedFile divided;
+    divided.problems = std::move(triangles.problems);
+    divided.split = chooseSplit(options.split, soup, triangles);
+    const Division division = splitTriangles(divided.split.mode, soup, triangles);
+    std::vector<std::vector<int>> members(division.partCount);
+    for (std::size_t t = 0; t < division.partOfTriangle.size(); ++t) {
+        members[division.partOfTriangle[t]].push_back(static_cast<int>(t));
     }
 
-    NameKeeper names;
-    std::vector<std::shared_ptr<const Piece>> pieces;
-    for (const auto& faces : members) {
-        Component part = gather(soup, triangles, faces, millimetresPer(file.unit));
-        auto piece = std::make_shared<Piece>(
-            makePiece(namePrefix + names.unique(nameInFile(soup, part.sourceFace.front())),
-                      std::move(part.mesh)));
-        piece->file = fileIndex;
-        piece->sourceVertex = std::move(part.sourceVertex);
-        piece->sourceFace = std::move(part.sourceFace);
-        pieces.push_back(std::move(piece));
+    std::optional<UvScale> uvScale;
+    if (divided.split.mode == SplitMode::Uv) {
+        uvScale = measureUvScale(soup, triangles);
+        if (uvScale && std::abs(uvScale->ratio - 1) < kExactScaleBand) {
+            uvScale->ratio = 1;
+        }
     }
-    return pieces;
+    PieceNames names(soup, divided.split.mode);
+    std::vector<int> vertices;
+    for (const auto& faces : members) {
+        MeshPart part = gather(soup, triangles, division, faces, millimetres, vertices);
+        const std::string wanted = names.inFile(part.sourceFace.front());
+        std::string name = names.unique(wanted);
+        if (options.repair) {
+            RepairResult mended = repair(std::move(part), RepairOptions{}, namePrefix + name);
+            divided.problems.insert(divided.problems.end(), mended.repairs.begin(),
+                                    mended.repairs.end());
+            part = std::move(mended.part);
+        }
+        for (MeshPart& connected : connectedParts(std::move(part))) {
+            if (name.empty()) {
+                name = names.unique(wanted);  // the part fell apart: its pieces share the name
+            }
+            auto piece = std::make_shared<Piece>(
+                makePiece(namePrefix + std::exchange(name, ""), std::move(connected.mesh)));
+            piece->file = fileIndex;
+            piece->sourceVertex = std::move(connected.sourceVertex);
+            piece->sourceFace = std::move(connected.sourceFace);
+            if (uvScale) {
+                piece->reference = flatPanel(soup, *piece, millimetres * uvScale->ratio);
+            }
+            divided.pieces.push_back(std::move(piece));
+        }
+    }
+    return divided;
 }
 
 }  // namespace toile

@@ -6,16 +6,29 @@
 #include <vector>
 
 #include "core/garment/garment.h"
+#include "core/garment/split.h"
 
 namespace toile {
 
-/// Divides a file into pieces: connected components of shared vertices, in order of first face,
-/// positions scaled to millimetres. Pieces are named from the file's objects, else groups, else
-/// "piece"; several pieces of one name get " 2", " 3"; `namePrefix` goes before every name. Each is
-/// checked and becomes a half-edge mesh; one that is no disk keeps its arrays and says why in
-/// `defect`.
-/// Cost: linear but for one sort of the edges. `problems` receives what triangulating had to say.
-std::vector<std::shared_ptr<const Piece>> divide(const SourceFile& file, int fileIndex,
-                                                 const std::string& namePrefix, Problems& problems);
+struct DivideOptions {
+    SplitMode split = SplitMode::Auto;
+    bool repair = true;  ///< mend what can be mended, with a note per kind; else leave it as it is
+};
+
+/// A file divided into pieces.
+struct DividedFile {
+    std::vector<std::shared_ptr<const Piece>> pieces;
+    SplitChoice split;  ///< the mode used, and why
+    Problems problems;  ///< what triangulating and mending had to say
+};
+
+/// Divides a file into pieces, in order of first face, positions scaled to millimetres. Each part
+/// is mended (`repair`), checked and made a half-edge mesh; one that is no disk keeps its arrays
+/// and says why in `defect`. Pieces are named from the file's names for their faces; several of one
+/// name get " 2", " 3"; `namePrefix` goes before every name. Where the UV map is the garment's flat
+/// pattern, each piece keeps its panel as `reference`.
+/// Cost: linear but for sorting the corners. Re-entrant.
+DividedFile divide(const SourceFile& file, int fileIndex, const std::string& namePrefix,
+                   const DivideOptions& options);
 
 }  // namespace toile

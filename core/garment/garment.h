@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/length_unit.h"
 #include "core/garment/piece.h"
+#include "core/garment/split.h"
 #include "core/io/soup.h"
 
 namespace toile {
@@ -19,6 +20,7 @@ struct SourceFile {
     LengthUnit unit = LengthUnit::Millimetre;
     std::string unitReason;  ///< why this unit, where it was not stated; else empty
     PolygonSoup soup;
+    SplitChoice split;  ///< by what the file was divided, and why
     Problems problems;  ///< of the file as a whole; a piece's own are with the piece
     double readSeconds = 0;
 };

@@ -23,6 +23,10 @@ struct Piece {
     std::vector<int> sourceFace;    ///< per triangle: face index in the file's soup
     EdgeTable table;                ///< edges, and the three of each triangle
 
+    /// The designer's own flat panel, where the file's UV map carries it: #V x 2, mm, to compare
+    /// with. May lie mirrored.
+    std::optional<Points2> reference;
+
     /// What follows is there only where the piece is a disk (defect is empty).
     std::shared_ptr<const TriMesh> halfedges;  ///< same vertex and face indices as `mesh`
     std::vector<int> boundary;    ///< the one loop, surface on its left; starts at its least index

@@ -52,6 +52,14 @@ void noteUnusedVertices(SourceFile& file) {
     }
 }
 
+/// The first note that something of the file was left out or read otherwise than written.
+const Error* firstChange(const Problems& problems) {
+    const auto found = std::find_if(problems.begin(), problems.end(), [](const Error& problem) {
+        return problem.code != ErrorCode::UnitGuessed && problem.code != ErrorCode::UnusedVertices;
+    });
+    return found == problems.end() ? nullptr : &*found;
+}
+
 /// Stems of the files, made unique, for piece names of a garment of several files.
 std::vector<std::string> prefixes(const std::vector<fs::path>& paths) {
     std::vector<std::string> stems;
@@ -86,10 +94,19 @@ Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOption
         file->problems = file->soup.problems;
         chooseUnit(*file, options.unit);
         noteUnusedVertices(*file);
-        auto pieces = divide(*file, static_cast<int>(k), paths.size() > 1 ? prefix[k] + "/" : "",
-                             file->problems);
+        DividedFile divided =
+            divide(*file, static_cast<int>(k), paths.size() > 1 ? prefix[k] + "/" : "",
+                   {options.split, !options.strict});
+        file->split = std::move(divided.split);
+        file->problems.insert(file->problems.end(), divided.problems.begin(),
+                              divided.problems.end());
+        if (options.strict) {
+            if (const Error* change = firstChange(file->problems)) {
+                return *change;
+            }
+        }
         file->readSeconds = time.seconds();
-        garment.pieces.insert(garment.pieces.end(), pieces.begin(), pieces.end());
+        garment.pieces.insert(garment.pieces.end(), divided.pieces.begin(), divided.pieces.end());
         garment.files.push_back(std::move(file));
         progress.advance(1);
         if (progress.isCancelled()) {

@@ -21,10 +21,13 @@ namespace toile {
 
 struct LoadOptions {
     std::optional<LengthUnit> unit;  ///< of all files; guessed per file where not given
+    SplitMode split = SplitMode::Auto;
+    bool strict = false;  ///< refuse a file in which anything had to be left out or mended
 };
 
 /// Reads files into one garment. With several files piece names are prefixed by the file's stem.
 /// Errors: those of readSoup, for the first file that cannot be read; nothing is loaded then.
+/// With `strict` also the first note about something left out or mended.
 Result<Garment> loadGarment(const std::vector<std::filesystem::path>& paths,
                             const LoadOptions& options, Progress& progress);
 

@@ -40,6 +40,9 @@ PieceQuality measure(const Piece& piece, const Points2& Q) {
         quality.strainMax = strain.maxCoeff();
         quality.strainMeanAbs = strain.cwiseAbs().mean();
     }
+    if (piece.reference) {
+        quality.reference = fitToReference(Q, *piece.reference);
+    }
     quality.flippedTriangles = flippedTriangles(areas2d);
     quality.outlineCrossings = outlineCrossings(Q, piece.boundary);
     return quality;

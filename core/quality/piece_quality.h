@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/mesh/mesh_arrays.h"
+#include "core/quality/reference_fit.h"
 
 namespace toile {
 
@@ -20,6 +21,7 @@ struct PieceQuality {
     std::optional<double> symmetricDirichlet;
     std::optional<double> quasiConformalMean, quasiConformalMax;
     std::optional<double> strainMin, strainMax, strainMeanAbs;
+    std::optional<ReferenceFit> reference;  ///< there where the piece carries one
     int flippedTriangles = 0;
     int outlineCrossings = 0;
 };

@@ -31,6 +31,11 @@ std::vector<std::string> disksAndDress() {
             "disks/patch-30.off",
             "disks/three_peaks.off",
             "garments/dress14_pieces.obj",
+            "garments/dress.obj",
+            "garments/longsleeve.obj",
+            "garments/polo.obj",
+            "garments/tee_sim.obj",
+            "garments/tshirt.obj",
             "garments/tee_sim_pieces.obj",
             "garments/polo_pieces.obj"};
 }
@@ -42,7 +47,7 @@ nlohmann::json takeEntry(nlohmann::json& all, const std::string& file, std::size
     if (pieces == 1) {
         return all.at(file);
     }
-    if (file.find("dress14") != std::string::npos) {
+    if (file.find("_pieces") == std::string::npos || file.find("dress14") != std::string::npos) {
         return all.at(file + "#" + std::to_string(number));
     }
     std::string welded = file;
