@@ -104,6 +104,9 @@ Words wordsOf(ErrorCode code) {
         case ErrorCode::ZeroLengthEdge:
             return {"zero-length-edge", "boundary edges have no length",
                     "Merge the doubled vertices in the modelling program"};
+        case ErrorCode::CutImpossible:
+            return {"cut-impossible", "the cut cannot be made",
+                    "Move its points, or mend the piece first"};
         case ErrorCode::NoClosedOutline:
             return {"no-closed-outline",
                     "one boundary edge is as long as all the others together, so that no flat "

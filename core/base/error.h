@@ -44,6 +44,7 @@ enum class ErrorCode {
     DuplicateFace,
     DegenerateFace,
     ZeroLengthEdge,
+    CutImpossible,
     // Solving
     NoClosedOutline,
     BoundaryNotConverged,

@@ -21,6 +21,7 @@ const std::map<std::string, Folders> kMayUse = {
     {"base", {}},
     {"mesh", {"base"}},
     {"linalg", {"base"}},
+    {"cut", {"base", "mesh"}},
     {"io", {"base", "mesh"}},
     {"garment", {"base", "mesh", "io"}},
     {"quality", {"base", "mesh", "garment"}},

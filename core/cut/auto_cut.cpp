@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/auto_cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "core/base/text.h"
+#include "core/cut/cut_error.h"
+#include "core/cut/cut_graph.h"
+#include "core/cut/edge_path.h"
+#include "core/cut/shorten_cut.h"
+#include "core/mesh/disk_check.h"
+
+namespace toile {
+namespace {
+
+/// Along a fold of a right angle or more a seam counts as this much shorter than it is.
+constexpr double kCreaseDiscount = 0.6;
+/// A fold from this angle on is a crease.
+constexpr double kCrease = std::numbers::pi / 6;
+/// Keeps cuts off the rims of holes that are to be filled, and out of their caps.
+constexpr double kKeepOff = 1e3;
+
+double foldAngle(const SurfaceLinks& links, int edge) {
+    const EdgeTable& table = links.table();
+    if (table.useStart[edge + 1] - table.useStart[edge] != 2) {
+        return 0;
+    }
+    const auto normal = [&](int face) {
+        const MeshArrays& mesh = links.mesh();
+        const Eigen::Vector3d a = mesh.V.row(mesh.F(face, 0));
+        const Eigen::Vector3d b = mesh.V.row(mesh.F(face, 1));
+        const Eigen::Vector3d c = mesh.V.row(mesh.F(face, 2));
+        return Eigen::Vector3d((b - a).cross(c - a));
+    };
+    const Eigen::Vector3d m = normal(table.use[table.useStart[edge]] / 3);
+    const Eigen::Vector3d n = normal(table.use[table.useStart[edge] + 1] / 3);
+    return std::atan2(m.cross(n).norm(), m.dot(n));
+}
+
+class Proposer {
+public:
+    Proposer(const MeshArrays& mesh, const EdgeTable& table, const AutoCutOptions& options)
+        : mesh_(mesh), links_(mesh, table), options_(options) {}
+
+    Result<AutoCut> run(ErrorCode defect) {
+        if (auto error = sortLoops()) {
+            return *error;
+        }
+        const FilledMesh filled = fillHoles(mesh_, proposal_.holesToFill);
+        const EdgeTable table =
+            buildEdgeTable(filled.mesh.F, static_cast<int>(filled.mesh.V.rows()));
+        const SurfaceLinks links(filled.mesh, table);
+        const std::vector<double> weights = weightsOf(links, defect == ErrorCode::ClosedSurface);
+        EdgeWays ways;
+        if (!openings_.empty()) {
+            ways = arcsBetweenRims(links, weights);
+        } else if (links.vertexCount() - links.edgeCount() + links.faceCount() == 2) {
+            ways = treeThroughPeaks(links, weights);
+        } else {
+            ways = loopsAroundHandles(links, weights);
+        }
+        std::vector<PathPolyline> tight;
+        for (const auto& way : ways) {
+            const PathPolyline path = polylineOf(links_, way);
+            proposal_.cuts.push_back({path, path.length});
+            tight.push_back(openings_.empty() && followsCrease(way)
+                                ? path
+                                : shortenedCut(links_, openings_, path));
+        }
+        adopt(tight);
+        if (const auto trouble = whatIsNoDisk()) {
+            return *trouble;
+        }
+        return proposal_;
+    }
+
+private:
+    /// Openings to be joined by seams, and holes to be filled.
+    std::optional<Error> sortLoops() {
+        double longest = 0;
+        std::vector<RimLoop> loops = rimLoops(links_);
+        for (const RimLoop& loop : loops) {
+            longest = std::max(longest, loop.perimeter);
+        }
+        for (RimLoop& loop : loops) {
+            const bool isHole = loop.perimeter < options_.smallHole * longest;
+            (isHole ? proposal_.holesToFill : openings_).push_back(std::move(loop));
+        }
+        if (static_cast<int>(openings_.size()) > options_.maxLoops) {
+            return Error{ErrorCode::SeveralLoops, "",
+                         counted(static_cast<long long>(openings_.size()), "loop") +
+                             "; automatic cutting takes at most " +
+                             std::to_string(options_.maxLoops)};
+        }
+        isAtHole_.assign(mesh_.V.rows(), 0);
+        for (const RimLoop& hole : proposal_.holesToFill) {
+            for (const int v : hole.vertices) {
+                isAtHole_[v] = 1;
+            }
+        }
+        return std::nullopt;
+    }
+
+    std::vector<double> weightsOf(const SurfaceLinks& links, bool preferCreases) const {
+        std::vector<double> weights = edgeLengths(links.mesh(), links.table().edges);
+        for (int e = 0; e < links.edgeCount(); ++e) {
+            const auto ends = links.table().edges.row(e);
+            const bool inCap = ends[1] >= links_.vertexCount();
+            if (inCap || isAtHole_[ends[0]] != 0 || isAtHole_[ends[1]] != 0) {
+                weights[e] *= inCap ? kKeepOff * kKeepOff : kKeepOff;
+            }
+            if (preferCreases) {
+                const double sharpness = std::min(1.0, 2 * foldAngle(links, e) / std::numbers::pi);
+                weights[e] *= 1 - kCreaseDiscount * sharpness;
+            }
+        }
+        return weights;
+    }
+
+    /// More than half of the way runs along creases.
+    bool followsCrease(const std::vector<int>& way) const {
+        double creased = 0;
+        double whole = 0;
+        for (std::size_t i = 1; i < way.size(); ++i) {
+            const double length = (mesh_.V.row(way[i]) - mesh_.V.row(way[i - 1])).norm();
+            whole += length;
+            for (const int corner : links_.cornersAt(way[i - 1])) {
+                if (links_.head(corner) == way[i]) {
+                    creased += foldAngle(links_, links_.edgeOf(corner)) > kCrease ? length : 0;
+                }
+            }
+        }
+        return 2 * creased > whole;
+    }
+
+    bool touchesHole(const PathPolyline& path) const {
+        return std::ranges::any_of(path.points, [this](const SurfacePoint& point) {
+            for (int k = 0; k < 3; ++k) {
+                if (point.barycentric[k] > kOnEdge && isAtHole_[mesh_.F(point.face, k)] != 0 &&
+                    links_.carrierOf(point).kind != Carrier::Kind::Face) {
+                    return true;
+                }
+            }
+            return false;
+        });
+    }
+
+    /// Takes the cuts that were pulled tight, all of them or as many as leave one disk.
+    void adopt(const std::vector<PathPolyline>& tight) {
+        const std::vector<ProposedCut> safe = proposal_.cuts;
+        const auto take = [&](std::size_t i) {
+            if (!touchesHole(tight[i])) {
+                proposal_.cuts[i] = {tight[i], tight[i].length};
+            }
+        };
+        for (std::size_t i = 0; i < tight.size(); ++i) {
+            take(i);
+        }
+        if (!whatIsNoDisk()) {
+            return;
+        }
+        proposal_.cuts = safe;
+        for (std::size_t i = 0; i < tight.size(); ++i) {
+            take(i);
+            if (whatIsNoDisk()) {
+                proposal_.cuts[i] = safe[i];
+            }
+        }
+    }
+
+    /// Why the cuts do not leave one disk; the shape of its triangles is not theirs to mend.
+    std::optional<Error> whatIsNoDisk() const {
+        const auto cut = applyAutoCut(mesh_, proposal_);
+        if (!cut) {
+            return cut.error();
+        }
+        const auto parts = faceComponents(cut->mesh.F, static_cast<int>(cut->mesh.V.rows()));
+        if (*std::ranges::max_element(parts) > 0) {
+            return cutError("", "the cuts would separate the piece");
+        }
+        const auto defect = checkDisk(cut->mesh, "").defect;
+        const bool isOnlyShape = defect && (defect->code == ErrorCode::DegenerateFace ||
+                                            defect->code == ErrorCode::ZeroLengthEdge);
+        return isOnlyShape ? std::nullopt : defect;
+    }
+
+    const MeshArrays& mesh_;
+    const SurfaceLinks links_;
+    const AutoCutOptions& options_;
+    std::vector<RimLoop> openings_;
+    std::vector<char> isAtHole_;
+    AutoCut proposal_;
+};
+
+}  // namespace
+
+Result<AutoCut> proposeCuts(const MeshArrays& mesh, const EdgeTable& table,
+                            const AutoCutOptions& options) {
+    const auto defect = checkDisk(mesh, "").defect;
+    if (!defect) {
+        return AutoCut{};
+    }
+    if (defect->code != ErrorCode::ClosedSurface && defect->code != ErrorCode::SeveralLoops &&
+        defect->code != ErrorCode::Handle) {
+        return *defect;
+    }
+    const auto parts = faceComponents(mesh.F, static_cast<int>(mesh.V.rows()));
+    if (*std::ranges::max_element(parts) > 0) {
+        return cutError("", "the mesh has several parts");
+    }
+    return Proposer(mesh, table, options).run(defect->code);
+}
+
+Result<CutResult> applyAutoCut(const MeshArrays& mesh, const AutoCut& proposal,
+                               const CutOptions& options) {
+    std::vector<PathPolyline> paths;
+    for (const ProposedCut& cut : proposal.cuts) {
+        paths.push_back(cut.path);
+    }
+    const FilledMesh filled = fillHoles(mesh, proposal.holesToFill);
+    auto result = cutAlong(filled.mesh, paths, options);
+    if (!result) {
+        return result;
+    }
+    for (int& face : result->sourceFace) {
+        face = filled.sourceFace[face];
+    }
+    for (int& vertex : result->sourceVertex) {
+        vertex = vertex < 0 ? -1 : filled.sourceVertex[vertex];
+    }
+    for (SurfacePoint& place : result->place) {
+        if (place.face >= mesh.F.rows()) {
+            place = {};
+        }
+    }
+    return result;
+}
+
+}  // namespace toile

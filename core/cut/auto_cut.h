@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/cut/cut_along.h"
+#include "core/cut/fill_holes.h"
+
+namespace toile {
+
+enum class CutAuthor { User, Automatic };
+
+struct AutoCutOptions {
+    /// A loop shorter than this fraction of the piece's longest loop is a hole in the cloth, to be
+    /// filled for the solve and not joined to the outline by a seam. 0: none is.
+    double smallHole = 0.05;
+    /// More loops than this, small holes aside, are a scan with gaps rather than a garment.
+    int maxLoops = 64;
+};
+
+struct ProposedCut {
+    PathPolyline path;
+    double length = 0;
+    CutAuthor author = CutAuthor::Automatic;
+};
+
+/// What makes a piece a disk.
+struct AutoCut {
+    std::vector<ProposedCut> cuts;  ///< faces as in the piece
+    std::vector<RimLoop> holesToFill;
+};
+
+/// Cuts for one connected piece that is no disk. A tube, or a piece with several loops: the
+/// shortest seams that join them, straight along the surface. A closed piece: a short tree through
+/// its sharpest corners, along its creases. Handles: two seams each. A piece that is a disk needs
+/// nothing. Cuts are pulled tight as long as the result stays one disk; this is tried, not assumed.
+/// @errors  what checkDisk finds that no cut mends; SeveralLoops above the limit; a cut error for
+///          a mesh of several parts
+/// Cost: O(n log n), and one cutAlong per cut at worst. Deterministic. Re-entrant.
+Result<AutoCut> proposeCuts(const MeshArrays& mesh, const EdgeTable& table,
+                            const AutoCutOptions& options = {});
+
+/// Fills the holes and makes the cuts. Faces and vertices of caps have the source -1, and no face
+/// as their place.
+Result<CutResult> applyAutoCut(const MeshArrays& mesh, const AutoCut& proposal,
+                               const CutOptions& options = {});
+
+}  // namespace toile

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/cut_along.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "core/cut/cut_error.h"
+#include "core/cut/face_splitter.h"
+#include "core/cut/open_cuts.h"
+
+namespace toile {
+namespace {
+
+std::optional<Error> whyNotCuttable(const SurfaceLinks& links) {
+    const EdgeTable& table = links.table();
+    for (int e = 0; e < links.edgeCount(); ++e) {
+        const int count = table.useStart[e + 1] - table.useStart[e];
+        if (count > 2) {
+            return Error{ErrorCode::NonManifoldEdge, "", ""};
+        }
+        if (count == 2 && links.twin(table.use[table.useStart[e]]) < 0) {
+            return Error{ErrorCode::OpposedWinding, "", ""};
+        }
+    }
+    return std::nullopt;
+}
+
+/// The path's vertices once it is part of the mesh.
+Result<std::vector<int>> embed(const SurfaceLinks& links, FaceSplitter& splitter,
+                               const PathPolyline& path) {
+    std::vector<int> vertices;
+    int face = -1;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const SurfacePoint& point = path.points[i];
+        const int vertex = splitter.insert(point);
+        if (i == 0) {
+            vertices.push_back(vertex);
+            continue;
+        }
+        face = links.commonFace(path.points[i - 1], point, face);
+        if (face < 0) {
+            return cutError("", "points " + std::to_string(i) + " and " + std::to_string(i + 1) +
+                                    " of a path share no triangle");
+        }
+        if (!splitter.connect(face, vertices.back(), vertex, vertices)) {
+            return cutError("", "a path lost its way in a triangle");
+        }
+    }
+    return vertices;
+}
+
+/// The edges of all paths, as they are now.
+std::set<FaceParts::VertexPair> edgesOf(const FaceParts& parts,
+                                        const std::vector<std::vector<int>>& ways) {
+    std::set<FaceParts::VertexPair> edges;
+    for (const auto& way : ways) {
+        const std::vector<int> path = parts.refined(way);
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            edges.insert(std::minmax(path[i - 1], path[i]));
+        }
+    }
+    return edges;
+}
+
+/// The mesh made of all parts.
+MeshArrays assemble(const FaceParts& parts, std::vector<int>& sourceFace) {
+    const SurfaceLinks& links = parts.links();
+    const MeshArrays& source = links.mesh();
+    MeshArrays mesh;
+    mesh.V.resize(parts.vertexCount(), 3);
+    mesh.V.topRows(source.V.rows()) = source.V;
+    for (int v = links.vertexCount(); v < parts.vertexCount(); ++v) {
+        mesh.V.row(v) = positionOf(source, parts.placeOf(v));
+    }
+    std::vector<FaceParts::Part> faces;
+    sourceFace.clear();
+    for (int f = 0; f < links.faceCount(); ++f) {
+        for (const FaceParts::Part& part : parts.partsOf(f)) {
+            faces.push_back(part);
+            sourceFace.push_back(f);
+        }
+    }
+    mesh.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        mesh.F.row(static_cast<Eigen::Index>(f)) << faces[f][0], faces[f][1], faces[f][2];
+    }
+    return mesh;
+}
+
+/// A source triangle with a part that has both vertices as corners.
+int faceWithEdge(const MeshArrays& mesh, const std::vector<int>& sourceFace, int a, int b) {
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        const auto corners = mesh.F.row(f);
+        if ((corners.array() == a).any() && (corners.array() == b).any()) {
+            return sourceFace[f];
+        }
+    }
+    return -1;
+}
+
+}  // namespace
+
+Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolyline>& paths,
+                           const CutOptions& options) {
+    const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+    const SurfaceLinks links(mesh, table);
+    if (auto error = whyNotCuttable(links)) {
+        return *error;
+    }
+    FaceParts parts(links);
+    FaceSplitter splitter(parts, options.snap);
+    std::vector<std::vector<int>> ways;
+    for (const PathPolyline& path : paths) {
+        auto way = embed(links, splitter, path);
+        if (!way) {
+            return way.error();
+        }
+        ways.push_back(std::move(*way));
+    }
+    parts.relax(edgesOf(parts, ways));
+    CutResult result;
+    OpenedMesh opened;
+    bool isOpen = false;
+    while (!isOpen) {
+        std::vector<std::vector<int>> refined;
+        for (const auto& way : ways) {
+            refined.push_back(parts.refined(way));
+        }
+        MeshArrays whole = assemble(parts, result.sourceFace);
+        opened = openAlong(whole, refined);
+        isOpen = opened.stillShut.empty();
+        for (const auto& [a, b] : opened.stillShut) {
+            parts.splitEdge(faceWithEdge(whole, result.sourceFace, a, b), a, b, 0.5);
+        }
+    }
+    result.mesh = std::move(opened.mesh);
+    result.cuts = std::move(opened.cuts);
+    const int embedded = parts.vertexCount();
+    for (int v = 0; v < result.mesh.V.rows(); ++v) {
+        const int original = v < embedded ? v : opened.copyOf[v - embedded];
+        result.place.push_back(parts.placeOf(original));
+        result.sourceVertex.push_back(original < links.vertexCount() ? original : -1);
+    }
+    return result;
+}
+
+}  // namespace toile

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/cut/surface_point.h"
+
+namespace toile {
+
+struct CutOptions {
+    /// A point nearer to a vertex or an edge than this fraction of a triangle's size moves onto
+    /// it, so that slivers are rare. Vertices never move; the cut does, by so much.
+    double snap = 0.02;
+};
+
+/// The two sides of a stretch of cut, in the direction of the path: vertices of the new mesh, as
+/// many on the left as on the right, at the same places. Where a slit ends both sides have the
+/// same vertex.
+struct CutRun {
+    std::vector<int> left;  ///< seen from the fabric's right side
+    std::vector<int> right;
+    double length = 0;
+};
+
+/// What became of one path. There are several runs where another cut branches off, and none where
+/// the path runs along a rim or along an earlier cut.
+struct OpenedCut {
+    std::vector<CutRun> runs;
+    double length = 0;  ///< of all runs
+};
+
+struct CutResult {
+    MeshArrays mesh;
+    std::vector<int> sourceVertex;    ///< vertex of the source each new vertex stands at, or -1
+    std::vector<int> sourceFace;      ///< triangle of the source that each new triangle is part of
+    std::vector<SurfacePoint> place;  ///< of each new vertex, in the source; no face if unused
+    std::vector<OpenedCut> cuts;      ///< one per path
+};
+
+/// Cuts a mesh open along curves: the curves become edges, and the two sides of these edges part.
+/// A slit inside the piece stays joined at its two ends, a path that reaches the rim opens there;
+/// from rim to rim, or in a loop, it may separate the piece. Paths may cross, touch and share
+/// stretches. Vertices of the source keep their numbers, copies and new ones follow; the parts of
+/// a triangle lie in the order of the source. Area and orientation are kept; no rim arises but the
+/// cut. A slit of one edge gets a vertex in its middle, since it could not open without.
+/// @param paths  see PathPolyline; each cut in turn
+/// @errors  NonManifoldEdge, OpposedWinding; a cut error where neighbouring points of a path share
+///          no triangle
+/// Cost: linear in the mesh, plus the square of the pieces of each crossed triangle. Pure.
+Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolyline>& paths,
+                           const CutOptions& options = {});
+
+}  // namespace toile

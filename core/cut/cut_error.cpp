@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/cut_error.h"
+
+#include <utility>
+
+namespace toile {
+
+Error cutError(std::string where, std::string detail) {
+    return {ErrorCode::CutImpossible, std::move(where), std::move(detail)};
+}
+
+}  // namespace toile

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/cut_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/cut/edge_path.h"
+#include "core/cut/edge_set.h"
+#include "core/mesh/disjoint_sets.h"
+
+namespace toile {
+namespace {
+
+/// A vertex with at least this much of its full turn missing is a corner that a seam should reach.
+constexpr double kSharpVertex = std::numbers::pi / 5;
+constexpr int kMaxPeaks = 16;
+constexpr int kBasePointsTried = 6;
+
+bool isRim(const SurfaceLinks& links, int edge) {
+    return links.table().useStart[edge + 1] - links.table().useStart[edge] == 1;
+}
+
+struct Candidate {
+    double length;
+    int edge;
+};
+
+/// From source to source by way of an edge.
+std::vector<int> wayOver(const SurfaceLinks& links, const ShortestForest& forest, int edge) {
+    const Edges& edges = links.table().edges;
+    std::vector<int> way = forest.pathTo(edges(edge, 0), edges);
+    const std::vector<int> rest = forest.pathTo(edges(edge, 1), edges);
+    way.insert(way.end(), rest.rbegin(), rest.rend());
+    return way;
+}
+
+/// Edges outside the forest, with the length of the way over each.
+std::vector<Candidate> outside(const SurfaceLinks& links, const ShortestForest& forest,
+                               const std::vector<double>& weights) {
+    const Edges& edges = links.table().edges;
+    std::vector<Candidate> candidates;
+    for (int e = 0; e < links.edgeCount(); ++e) {
+        if (!isRim(links, e) && forest.parentEdge[edges(e, 0)] != e &&
+            forest.parentEdge[edges(e, 1)] != e) {
+            candidates.push_back(
+                {forest.distance[edges(e, 0)] + weights[e] + forest.distance[edges(e, 1)], e});
+        }
+    }
+    std::ranges::stable_sort(candidates, {}, &Candidate::length);
+    return candidates;
+}
+
+/// The ways left over when a tree of faces has crossed as many of the dear edges as it can.
+std::vector<Candidate> leftOver(const SurfaceLinks& links, const std::vector<Candidate>& sorted) {
+    DisjointSets faces(links.faceCount());
+    std::vector<Candidate> left;
+    for (auto candidate = sorted.rbegin(); candidate != sorted.rend(); ++candidate) {
+        const int* use = links.table().use.data() + links.table().useStart[candidate->edge];
+        if (faces.root(use[0] / 3) == faces.root(use[1] / 3)) {
+            left.push_back(*candidate);
+        } else {
+            faces.join(use[0] / 3, use[1] / 3);
+        }
+    }
+    std::reverse(left.begin(), left.end());
+    return left;
+}
+
+int farthest(const ShortestForest& forest) {
+    int best = 0;
+    for (std::size_t v = 0; v < forest.distance.size(); ++v) {
+        const double d = forest.distance[v];
+        if (std::isfinite(d) && d > forest.distance[best]) {
+            best = static_cast<int>(v);
+        }
+    }
+    return best;
+}
+
+/// The sharpest vertices, or the two ends of the piece.
+std::vector<int> peaks(const SurfaceLinks& links, const std::vector<double>& weights) {
+    std::vector<std::pair<double, int>> sharp;
+    for (int v = 0; v < links.vertexCount(); ++v) {
+        const double missing = 2 * std::numbers::pi - links.angleAround(v);
+        if (missing > kSharpVertex && !links.cornersAt(v).empty()) {
+            sharp.emplace_back(-missing, v);
+        }
+    }
+    std::sort(sharp.begin(), sharp.end());
+    std::vector<int> result;
+    for (std::size_t i = 0; i < sharp.size() && i < kMaxPeaks; ++i) {
+        result.push_back(sharp[i].second);
+    }
+    const auto from = [&](int v) {
+        return shortestForest(links.table().edges, links.vertexCount(), weights, {{v}});
+    };
+    if (result.empty()) {
+        result.push_back(farthest(from(links.mesh().F(0, 0))));
+    }
+    if (result.size() == 1) {
+        result.push_back(farthest(from(result.front())));
+    }
+    return result;
+}
+
+}  // namespace
+
+EdgeWays arcsBetweenRims(const SurfaceLinks& links, const std::vector<double>& weights) {
+    std::vector<int> rim;
+    for (int use = 0; use < 3 * links.faceCount(); ++use) {
+        if (links.twin(use) < 0) {
+            rim.push_back(links.tail(use));
+        }
+    }
+    const ShortestForest forest =
+        shortestForest(links.table().edges, links.vertexCount(), weights, {rim});
+    EdgeWays arcs;
+    for (const Candidate& c : leftOver(links, outside(links, forest, weights))) {
+        arcs.push_back(wayOver(links, forest, c.edge));
+    }
+    return arcs;
+}
+
+EdgeWays loopsAroundHandles(const SurfaceLinks& links, const std::vector<double>& weights) {
+    EdgeWays best;
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<int> tried{links.mesh().F(0, 0)};
+    for (int i = 0; i < kBasePointsTried; ++i) {
+        const ShortestForest forest =
+            shortestForest(links.table().edges, links.vertexCount(), weights, {{tried.back()}});
+        double total = 0;
+        EdgeSet graph;
+        for (const Candidate& c : leftOver(links, outside(links, forest, weights))) {
+            total += c.length;
+            graph.add(wayOver(links, forest, c.edge));
+        }
+        if (total < least) {
+            least = total;
+            graph.prune();
+            best = graph.takeApart();
+        }
+        std::vector<std::vector<int>> sources{tried};
+        tried.push_back(
+            farthest(shortestForest(links.table().edges, links.vertexCount(), weights, sources)));
+    }
+    return best;
+}
+
+EdgeWays treeThroughPeaks(const SurfaceLinks& links, const std::vector<double>& weights) {
+    std::vector<std::vector<int>> sources;
+    for (const int v : peaks(links, weights)) {
+        sources.push_back({v});
+    }
+    const ShortestForest forest =
+        shortestForest(links.table().edges, links.vertexCount(), weights, sources);
+    DisjointSets joined(static_cast<int>(sources.size()));
+    EdgeSet tree;
+    for (const Candidate& c : outside(links, forest, weights)) {
+        const auto ends = links.table().edges.row(c.edge);
+        const int a = forest.source[ends[0]];
+        const int b = forest.source[ends[1]];
+        if (joined.root(a) != joined.root(b)) {
+            joined.join(a, b);
+            tree.add(wayOver(links, forest, c.edge));
+        }
+    }
+    return tree.takeApart();
+}
+
+}  // namespace toile

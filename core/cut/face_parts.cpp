@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/face_parts.h"
+
+#include <algorithm>
+
+namespace toile {
+
+std::vector<FaceParts::Part>& FaceParts::parts(int face) {
+    if (slot_[face] < 0) {
+        const std::vector<Part> whole = partsOf(face);
+        slot_[face] = static_cast<int>(split_.size());
+        split_.push_back(whole);
+        splitFace_.push_back(face);
+    }
+    return split_[slot_[face]];
+}
+
+std::vector<FaceParts::Part> FaceParts::partsOf(int face) const {
+    if (slot_[face] >= 0) {
+        return split_[slot_[face]];
+    }
+    const auto corners = links_.mesh().F.row(face);
+    return {{corners[0], corners[1], corners[2]}};
+}
+
+SurfacePoint FaceParts::placeOf(int vertex) const {
+    if (vertex < links_.vertexCount()) {
+        return links_.cornersAt(vertex).empty() ? SurfacePoint{} : links_.atVertex(vertex);
+    }
+    const Place& place = places_[vertex - links_.vertexCount()];
+    return place.edge >= 0 ? links_.onEdge(place.edge, place.weights[1])
+                           : SurfacePoint{place.face, place.weights};
+}
+
+Eigen::Vector3d FaceParts::weightsIn(int face, int vertex) const {
+    if (vertex < links_.vertexCount()) {
+        return Eigen::Vector3d::Unit(links_.cornerIn(face, vertex));
+    }
+    const Place& place = places_[vertex - links_.vertexCount()];
+    if (place.edge < 0) {
+        return place.weights;
+    }
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+    weights[links_.cornerIn(face, links_.table().edges(place.edge, 0))] = place.weights[0];
+    weights[links_.cornerIn(face, links_.table().edges(place.edge, 1))] = place.weights[1];
+    return weights;
+}
+
+/// The side of the source triangle that both vertices lie on, or -1.
+int FaceParts::sharedSide(int face, int a, int b) const {
+    const Eigen::Vector3d wa = weightsIn(face, a);
+    const Eigen::Vector3d wb = weightsIn(face, b);
+    for (int k = 0; k < 3; ++k) {
+        if (wa[(k + 2) % 3] == 0 && wb[(k + 2) % 3] == 0) {
+            return k;
+        }
+    }
+    return -1;
+}
+
+void FaceParts::replaceEdge(int face, int a, int b, int middle) {
+    std::vector<Part>& list = parts(face);
+    const std::size_t count = list.size();
+    for (std::size_t p = 0; p < count; ++p) {
+        for (int k = 0; k < 3; ++k) {
+            const Part part = list[p];
+            const int x = part[k];
+            const int y = part[(k + 1) % 3];
+            if ((x == a && y == b) || (x == b && y == a)) {
+                list[p] = {x, middle, part[(k + 2) % 3]};
+                list.push_back({middle, y, part[(k + 2) % 3]});
+                break;
+            }
+        }
+    }
+}
+
+int FaceParts::splitEdge(int face, int a, int b, double t) {
+    const int vertex = vertexCount();
+    const Eigen::Vector3d wa = weightsIn(face, a);
+    const Eigen::Vector3d wb = weightsIn(face, b);
+    const Eigen::Vector3d weights = (1 - t) * wa + t * wb;
+    const int side = sharedSide(face, a, b);
+    middle_[std::minmax(a, b)] = vertex;
+    if (side < 0) {
+        places_.push_back({-1, face, weights / weights.sum()});
+        replaceEdge(face, a, b, vertex);
+        return vertex;
+    }
+    const int edge = links_.table().faceEdges(face, side);
+    const double along = weights[links_.cornerIn(face, links_.table().edges(edge, 1))];
+    places_.push_back({edge, -1, {1 - along, along, 0}});
+    for (const int f : links_.facesOf({Carrier::Kind::Edge, edge})) {
+        replaceEdge(f, a, b, vertex);
+    }
+    return vertex;
+}
+
+int FaceParts::splitPart(int face, std::size_t part, const Eigen::Vector3d& local) {
+    const Part old = parts(face)[part];
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) {
+        weights += local[k] * weightsIn(face, old[k]);
+    }
+    const int vertex = vertexCount();
+    places_.push_back({-1, face, weights / weights.sum()});
+    std::vector<Part>& list = parts(face);
+    list[part] = {old[0], old[1], vertex};
+    list.push_back({old[1], old[2], vertex});
+    list.push_back({old[2], old[0], vertex});
+    return vertex;
+}
+
+bool FaceParts::hasEdge(int face, int a, int b) const {
+    return std::ranges::any_of(partsOf(face), [a, b](const Part& part) {
+        return std::ranges::find(part, a) != part.end() && std::ranges::find(part, b) != part.end();
+    });
+}
+
+std::vector<int> FaceParts::refined(const std::vector<int>& path) const {
+    std::vector<int> result;
+    std::vector<int> ahead(path.rbegin(), path.rend());
+    while (!ahead.empty()) {
+        const int v = ahead.back();
+        if (!result.empty()) {
+            const auto split = middle_.find(std::minmax(result.back(), v));
+            if (split != middle_.end()) {
+                ahead.push_back(split->second);
+                continue;
+            }
+        }
+        ahead.pop_back();
+        if (result.empty() || result.back() != v) {
+            result.push_back(v);
+        }
+    }
+    return result;
+}
+
+}  // namespace toile

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/cut/surface_links.h"
+
+namespace toile {
+
+/// The triangles of a mesh, each with the parts it has been split into. A new vertex is known by
+/// its weights in a triangle or along an edge of the source, so that positions never drift and
+/// what lies on an edge stays there exactly.
+class FaceParts {
+public:
+    using Part = std::array<int, 3>;         ///< vertex numbers, winding as in the source
+    using VertexPair = std::pair<int, int>;  ///< the smaller number first
+
+    explicit FaceParts(const SurfaceLinks& links) : links_(links), slot_(links.faceCount(), -1) {}
+
+    const SurfaceLinks& links() const { return links_; }
+
+    /// Vertices of the source keep their numbers, new ones follow.
+    int vertexCount() const { return links_.vertexCount() + static_cast<int>(places_.size()); }
+
+    SurfacePoint placeOf(int vertex) const;
+    /// Parts of a source triangle: itself where it was not split.
+    std::vector<Part> partsOf(int face) const;
+    /// Weights in a source triangle that the vertex touches; zeros are exact.
+    Eigen::Vector3d weightsIn(int face, int vertex) const;
+    bool hasEdge(int face, int a, int b) const;
+
+    /// Splits an edge of the parts of `face`, on both sides. @return the new vertex
+    int splitEdge(int face, int a, int b, double t);
+    /// Splits a part into three. @param local  weights in the part, all positive
+    int splitPart(int face, std::size_t part, const Eigen::Vector3d& local);
+
+    /// A path of vertices as it is now: edges that have been split are replaced by their halves.
+    std::vector<int> refined(const std::vector<int>& path) const;
+
+    /// Turns diagonals inside each split triangle towards the Delaunay triangulation of its parts,
+    /// which has the fewest slivers; `kept` edges stay. Needs no new vertex and keeps the area.
+    void relax(const std::set<VertexPair>& kept);
+
+private:
+    /// Where a new vertex is: on an edge of the source, or inside a triangle.
+    struct Place {
+        int edge;                 ///< -1 where inside
+        int face;                 ///< -1 where on an edge
+        Eigen::Vector3d weights;  ///< in the face; on an edge: 1 - t, t, unused
+    };
+
+    std::vector<Part>& parts(int face);
+    int sharedSide(int face, int a, int b) const;
+    void replaceEdge(int face, int a, int b, int middle);
+    void relaxFace(int face, std::vector<Part>& list, const std::set<VertexPair>& kept) const;
+
+    const SurfaceLinks& links_;
+    std::vector<int> slot_;  ///< per source triangle: index into split_, or -1
+    std::vector<std::vector<Part>> split_;
+    std::vector<int> splitFace_;        ///< source triangle of each entry of split_
+    std::vector<Place> places_;         ///< of new vertices
+    std::map<VertexPair, int> middle_;  ///< of edges that are no more
+};
+
+}  // namespace toile

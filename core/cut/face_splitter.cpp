@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/face_splitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace toile {
+namespace {
+
+/// Where snapping would not bring the walk nearer to its end, it still takes a vertex this near.
+constexpr double kTouching = 1e-9;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// A point of the reference triangle, which is equilateral with sides of length 1.
+Eigen::Vector2d onReference(const Eigen::Vector3d& weights) {
+    return {weights[1] + 0.5 * weights[2], 0.5 * std::sqrt(3.0) * weights[2]};
+}
+
+Eigen::Vector2d flatIn(const FaceParts& parts, int face, int vertex) {
+    return onReference(parts.weightsIn(face, vertex));
+}
+
+}  // namespace
+
+int FaceSplitter::insert(const SurfacePoint& point) {
+    const Carrier carrier = parts_.links().carrierOf(point);
+    if (carrier.kind == Carrier::Kind::Vertex) {
+        return carrier.index;
+    }
+    const int face = point.face;
+    const Eigen::Vector2d at = onReference(point.barycentric);
+    const std::vector<FaceParts::Part> list = parts_.partsOf(face);
+    std::size_t best = 0;
+    Eigen::Vector3d local = Eigen::Vector3d::Zero();
+    double depth = -std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < list.size(); ++p) {
+        const Eigen::Vector2d a = flatIn(parts_, face, list[p][0]);
+        const Eigen::Vector2d b = flatIn(parts_, face, list[p][1]);
+        const Eigen::Vector2d c = flatIn(parts_, face, list[p][2]);
+        Eigen::Vector3d here(cross(b - at, c - at), cross(c - at, a - at), cross(a - at, b - at));
+        here /= cross(b - a, c - a);
+        if (here.minCoeff() > depth) {
+            depth = here.minCoeff();
+            local = here;
+            best = p;
+        }
+    }
+    const FaceParts::Part part = list[best];
+    int least = 0;
+    int most = 0;
+    local.minCoeff(&least);
+    local.maxCoeff(&most);
+    if (local[most] >= 1 - snap_) {
+        return part[most];
+    }
+    if (local[least] < snap_) {
+        const int a = (least + 1) % 3;
+        const int b = (least + 2) % 3;
+        const double t = local[b] / (local[a] + local[b]);
+        if (t < snap_ || t > 1 - snap_) {
+            return part[t < snap_ ? a : b];
+        }
+        return parts_.splitEdge(face, part[a], part[b], t);
+    }
+    return parts_.splitPart(face, best, local);
+}
+
+/// The next vertex on the way from one vertex to another: a neighbour near the straight line, or a
+/// new one where the line crosses the opposite edge. -1 where no part holds the vertex.
+int FaceSplitter::step(int face, int from, int to) {
+    const Eigen::Vector2d at = flatIn(parts_, face, from);
+    const Eigen::Vector2d goal = flatIn(parts_, face, to);
+    const Eigen::Vector2d direction = goal - at;
+    int x = -1;
+    int y = -1;
+    double t = 0;
+    double best = -std::numeric_limits<double>::infinity();
+    for (const FaceParts::Part& part : parts_.partsOf(face)) {
+        const auto corner = std::ranges::find(part, from) - part.begin();
+        if (corner == 3) {
+            continue;
+        }
+        const int a = part[(corner + 1) % 3];
+        const int b = part[(corner + 2) % 3];
+        const Eigen::Vector2d toA = flatIn(parts_, face, a) - at;
+        const Eigen::Vector2d toB = flatIn(parts_, face, b) - at;
+        // direction = alpha toA + beta toB, up to a positive factor
+        const double alpha = cross(direction, toB);
+        const double beta = cross(toA, direction);
+        if (alpha + beta <= 0) {
+            continue;
+        }
+        const double inside = std::min(alpha, beta) / (alpha + beta);
+        if (inside > best) {
+            best = inside;
+            x = a;
+            y = b;
+            t = std::clamp(beta / (alpha + beta), 0.0, 1.0);
+        }
+    }
+    if (x < 0) {
+        return -1;
+    }
+    const int nearer = t < 0.5 ? x : y;
+    const double gap = std::min(t, 1 - t);
+    const bool approaches = (goal - flatIn(parts_, face, nearer)).norm() < direction.norm();
+    if ((gap < snap_ && approaches) || gap < kTouching) {
+        return nearer;
+    }
+    return parts_.splitEdge(face, x, y, t);
+}
+
+bool FaceSplitter::connect(int face, int from, int to, std::vector<int>& path) {
+    const std::size_t limit = 4 * parts_.partsOf(face).size() + 16;
+    for (std::size_t i = 0; from != to; ++i) {
+        from = parts_.hasEdge(face, from, to) ? to : i < limit ? step(face, from, to) : -1;
+        if (from < 0) {
+            return false;
+        }
+        path.push_back(from);
+    }
+    return true;
+}
+
+}  // namespace toile

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/fill_holes.h"
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+
+#include <Eigen/Geometry>
+
+namespace toile {
+namespace {
+
+/// A cap's triangle lower than this fraction of a round hole's radius makes the cap a cone.
+constexpr double kFlatCap = 0.1;
+
+/// The middle of the cap's fan.
+Eigen::Vector3d capMiddle(const MeshArrays& mesh, const RimLoop& hole) {
+    const std::size_t n = hole.vertices.size();
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const int v : hole.vertices) {
+        middle += mesh.V.row(v).transpose() / static_cast<double>(n);
+    }
+    const double radius = hole.perimeter / (2 * std::numbers::pi);
+    double lowest = radius;
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Eigen::Vector3d a = mesh.V.row(hole.vertices[i]);
+        const Eigen::Vector3d b = mesh.V.row(hole.vertices[(i + 1) % n]);
+        const Eigen::Vector3d twice = (b - middle).cross(a - middle);
+        lowest = std::min(lowest, twice.norm() / (b - a).norm());
+        normal += twice;
+    }
+    if (lowest < kFlatCap * radius) {
+        if (normal.norm() < kFlatCap * radius * radius) {
+            // No side to speak of: any direction across the first edge.
+            const Eigen::Vector3d edge =
+                (mesh.V.row(hole.vertices[1]) - mesh.V.row(hole.vertices[0])).transpose();
+            normal = edge.unitOrthogonal();
+        }
+        middle += radius * normal.normalized();
+    }
+    return middle;
+}
+
+}  // namespace
+
+std::vector<RimLoop> rimLoops(const SurfaceLinks& links) {
+    std::vector<int> next(links.vertexCount(), -1);
+    for (int use = 0; use < 3 * links.faceCount(); ++use) {
+        if (links.twin(use) < 0) {
+            next[links.tail(use)] = links.head(use);
+        }
+    }
+    std::vector<RimLoop> loops;
+    for (int v = 0; v < links.vertexCount(); ++v) {
+        if (next[v] < 0) {
+            continue;
+        }
+        RimLoop loop;
+        for (int w = v; next[w] >= 0;) {
+            loop.vertices.push_back(w);
+            const int ahead = next[w];
+            next[w] = -1;
+            loop.perimeter += (links.mesh().V.row(ahead) - links.mesh().V.row(w)).norm();
+            w = ahead;
+        }
+        loops.push_back(std::move(loop));
+    }
+    return loops;
+}
+
+FilledMesh fillHoles(const MeshArrays& mesh, const std::vector<RimLoop>& holes) {
+    const int vertexCount = static_cast<int>(mesh.V.rows());
+    const int faceCount = static_cast<int>(mesh.F.rows());
+    int middles = 0;
+    int caps = 0;
+    for (const RimLoop& hole : holes) {
+        const bool isTriangle = hole.vertices.size() == 3;
+        middles += isTriangle ? 0 : 1;
+        caps += isTriangle ? 1 : static_cast<int>(hole.vertices.size());
+    }
+    FilledMesh filled;
+    filled.mesh.V.resize(vertexCount + middles, 3);
+    filled.mesh.V.topRows(vertexCount) = mesh.V;
+    filled.mesh.F.resize(faceCount + caps, 3);
+    filled.mesh.F.topRows(faceCount) = mesh.F;
+    filled.sourceVertex.assign(vertexCount + middles, -1);
+    std::iota(filled.sourceVertex.begin(), filled.sourceVertex.begin() + vertexCount, 0);
+    filled.sourceFace.assign(faceCount + caps, -1);
+    std::iota(filled.sourceFace.begin(), filled.sourceFace.begin() + faceCount, 0);
+    int vertex = vertexCount;
+    int face = faceCount;
+    for (const RimLoop& hole : holes) {
+        const std::vector<int>& rim = hole.vertices;
+        if (rim.size() == 3) {
+            filled.mesh.F.row(face++) << rim[2], rim[1], rim[0];
+            continue;
+        }
+        filled.mesh.V.row(vertex) = capMiddle(mesh, hole);
+        for (std::size_t i = 0; i < rim.size(); ++i) {
+            filled.mesh.F.row(face++) << rim[(i + 1) % rim.size()], rim[i], vertex;
+        }
+        ++vertex;
+    }
+    return filled;
+}
+
+}  // namespace toile

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/funnel.h"
+
+#include <array>
+
+#include <Eigen/Geometry>
+
+namespace toile {
+namespace {
+
+using Flat = std::array<Eigen::Vector2d, 3>;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// The third corner of a triangle in the plane, to the left of a -> b or to its right.
+Eigen::Vector2d thirdCorner(const MeshArrays& mesh, int a, int b, int c,
+                            const Eigen::Vector2d& flatA, const Eigen::Vector2d& flatB,
+                            bool toTheLeft) {
+    const Eigen::Vector3d ab = mesh.V.row(b) - mesh.V.row(a);
+    const Eigen::Vector3d ac = mesh.V.row(c) - mesh.V.row(a);
+    const double length = ab.norm();
+    const Eigen::Vector2d along = (flatB - flatA).normalized();
+    const Eigen::Vector2d across(-along.y(), along.x());
+    const double height = ab.cross(ac).norm() / length;
+    return flatA + ab.dot(ac) / length * along + (toTheLeft ? height : -height) * across;
+}
+
+Eigen::Vector2d mix(const Flat& corners, const Eigen::Vector3d& weights) {
+    return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+}
+
+}  // namespace
+
+FlatStrip layFlat(const SurfaceLinks& links, const Strip& strip) {
+    const MeshArrays& mesh = links.mesh();
+    const int first = strip.from.face;
+    Flat corners;
+    corners[0] = Eigen::Vector2d::Zero();
+    corners[1] =
+        Eigen::Vector2d((mesh.V.row(mesh.F(first, 1)) - mesh.V.row(mesh.F(first, 0))).norm(), 0);
+    corners[2] = thirdCorner(mesh, mesh.F(first, 0), mesh.F(first, 1), mesh.F(first, 2), corners[0],
+                             corners[1], true);
+    FlatStrip flat;
+    flat.from = mix(corners, strip.from.barycentric);
+    flat.gates.reserve(strip.exits.size());
+    for (const int use : strip.exits) {
+        const int k = use % 3;
+        const FlatStrip::Gate gate{corners[(k + 1) % 3], corners[k], links.head(use),
+                                   links.tail(use)};
+        flat.gates.push_back(gate);
+        const int other = links.twin(use);
+        const int apex = (other % 3 + 2) % 3;
+        corners[other % 3] = gate.left;
+        corners[(other % 3 + 1) % 3] = gate.right;
+        corners[apex] = thirdCorner(mesh, gate.rightVertex, gate.leftVertex,
+                                    mesh.F(other / 3, apex), gate.right, gate.left, false);
+    }
+    flat.to = mix(corners, strip.to.barycentric);
+    return flat;
+}
+
+std::vector<Bend> shortestThroughGates(const FlatStrip& strip) {
+    const int count = static_cast<int>(strip.gates.size());
+    std::vector<Bend> bends;
+    Eigen::Vector2d apex = strip.from;
+    int apexGate = -1;
+    // The funnel's two arms, as vectors from the apex, and the gate where each was last narrowed.
+    Eigen::Vector2d left = Eigen::Vector2d::Zero();
+    Eigen::Vector2d right = Eigen::Vector2d::Zero();
+    int leftGate = -1;
+    int rightGate = -1;
+    bool hasLeft = false;  // an arm of zero length bars nothing
+    bool hasRight = false;
+    const auto restartAt = [&](int gate, bool atLeft) {
+        apex = atLeft ? strip.gates[gate].left : strip.gates[gate].right;
+        bends.push_back({gate, atLeft, apex});
+        apexGate = gate;
+        hasLeft = false;
+        hasRight = false;
+    };
+    int i = 0;
+    while (i <= count) {
+        const Eigen::Vector2d toLeft = (i < count ? strip.gates[i].left : strip.to) - apex;
+        const Eigen::Vector2d toRight = (i < count ? strip.gates[i].right : strip.to) - apex;
+        if (hasLeft && toRight.squaredNorm() > 0 && cross(left, toRight) > 0) {
+            restartAt(leftGate, true);  // the right arm would pass over the left one
+            i = apexGate + 1;
+            continue;
+        }
+        if (hasRight && toLeft.squaredNorm() > 0 && cross(right, toLeft) < 0) {
+            restartAt(rightGate, false);
+            i = apexGate + 1;
+            continue;
+        }
+        if (toLeft.squaredNorm() > 0 && (!hasLeft || cross(left, toLeft) <= 0)) {
+            left = toLeft;
+            leftGate = i;
+            hasLeft = true;
+        }
+        if (toRight.squaredNorm() > 0 && (!hasRight || cross(right, toRight) >= 0)) {
+            right = toRight;
+            rightGate = i;
+            hasRight = true;
+        }
+        ++i;
+    }
+    return bends;
+}
+
+}  // namespace toile

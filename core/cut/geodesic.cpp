@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/geodesic.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "core/cut/cut_error.h"
+#include "core/cut/straighten.h"
+
+namespace toile {
+namespace {
+
+/// Points on each edge beside its ends: more find the right side of a bump more surely, and a mesh
+/// of few triangles both needs them and can afford them.
+constexpr int kFewFaces = 20000;
+constexpr int kPointsOnEdgeOfFew = 3;
+
+/// The graph: vertices, then points on edges, then start and goal. Arcs run straight across one
+/// triangle, or along its side.
+class SteinerGraph {
+public:
+    SteinerGraph(const SurfaceLinks& links, const SurfacePoint& from, const SurfacePoint& to)
+        : links_(links),
+          onEdge_(links.faceCount() <= kFewFaces ? kPointsOnEdgeOfFew : 1),
+          start_(links.vertexCount() + onEdge_ * links.edgeCount()),
+          from_(from),
+          to_(to),
+          goalAt_(positionOf(links.mesh(), to)),
+          goalFaces_(links.facesOf(links.carrierOf(to))),
+          distance_(start_ + 2, std::numeric_limits<double>::infinity()),
+          parent_(start_ + 2, -1),
+          isDone_(start_ + 2, 0) {}
+
+    bool search() {
+        reach(start_, -1, 0, positionOf(links_.mesh(), from_));
+        while (!open_.empty()) {
+            const int node = open_.top().second;
+            open_.pop();
+            if (node == start_ + 1) {
+                return true;
+            }
+            if (isDone_[node] == 0) {
+                isDone_[node] = 1;
+                expand(node, positionOf(links_.mesh(), pointOf(node)));
+            }
+        }
+        return false;
+    }
+
+    PathPolyline path() const {
+        PathPolyline path;
+        path.length = distance_[start_ + 1];
+        for (int node = start_ + 1; node >= 0; node = parent_[node]) {
+            path.points.push_back(pointOf(node));
+        }
+        std::reverse(path.points.begin(), path.points.end());
+        return path;
+    }
+
+private:
+    SurfacePoint pointOf(int node) const {
+        if (node < links_.vertexCount()) {
+            return links_.atVertex(node);
+        }
+        if (node < start_) {
+            const int k = node - links_.vertexCount();
+            return links_.onEdge(k / onEdge_, (1.0 + k % onEdge_) / (1 + onEdge_));
+        }
+        return node == start_ ? from_ : to_;
+    }
+
+    void reach(int node, int parent, double distance, const Eigen::Vector3d& at) {
+        if (isDone_[node] == 0 && distance < distance_[node]) {
+            distance_[node] = distance;
+            parent_[node] = parent;
+            open_.emplace(distance + (at - goalAt_).norm(), node);
+        }
+    }
+
+    void expand(int node, const Eigen::Vector3d& at) {
+        if (node < links_.vertexCount()) {
+            for (const int corner : links_.cornersAt(node)) {
+                expandAcross(corner / 3, node, at);
+            }
+        } else if (node < start_) {
+            const int e = (node - links_.vertexCount()) / onEdge_;
+            const EdgeTable& table = links_.table();
+            for (int i = table.useStart[e]; i < table.useStart[e + 1]; ++i) {
+                expandAcross(table.use[i] / 3, node, at);
+            }
+        } else {
+            for (const int face : links_.facesOf(links_.carrierOf(from_))) {
+                expandAcross(face, node, at);
+            }
+        }
+    }
+
+    void expandAcross(int face, int node, const Eigen::Vector3d& at) {
+        const MeshArrays& mesh = links_.mesh();
+        const double distance = distance_[node];
+        if (std::ranges::find(goalFaces_, face) != goalFaces_.end()) {
+            reach(start_ + 1, node, distance + (goalAt_ - at).norm(), goalAt_);
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int v = mesh.F(face, k);
+            const Eigen::Vector3d p = mesh.V.row(v);
+            reach(v, node, distance + (p - at).norm(), p);
+            const int e = links_.table().faceEdges(face, k);
+            const Eigen::Vector3d a = mesh.V.row(links_.table().edges(e, 0));
+            const Eigen::Vector3d b = mesh.V.row(links_.table().edges(e, 1));
+            for (int j = 0; j < onEdge_; ++j) {
+                const Eigen::Vector3d q = a + (1.0 + j) / (1 + onEdge_) * (b - a);
+                reach(links_.vertexCount() + e * onEdge_ + j, node, distance + (q - at).norm(), q);
+            }
+        }
+    }
+
+    const SurfaceLinks& links_;
+    int onEdge_;
+    int start_;
+    SurfacePoint from_, to_;
+    Eigen::Vector3d goalAt_;
+    std::vector<int> goalFaces_;
+    std::vector<double> distance_;
+    std::vector<int> parent_;
+    std::vector<char> isDone_;
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+};
+
+}  // namespace
+
+Result<PathPolyline> geodesicPath(const SurfaceLinks& links, const SurfacePoint& from,
+                                  const SurfacePoint& to) {
+    const int common = links.commonFace(from, to);
+    if (common >= 0) {
+        PathPolyline path{{*links.seenFrom(common, from), *links.seenFrom(common, to)}, 0};
+        path.length = measuredLength(links.mesh(), path);
+        return path;
+    }
+    SteinerGraph graph(links, from, to);
+    if (!graph.search()) {
+        return cutError("", "the points lie on parts that are not connected");
+    }
+    return straightened(links, graph.path());
+}
+
+Result<PathPolyline> geodesicPath(const MeshArrays& mesh, const EdgeTable& table,
+                                  const SurfacePoint& from, const SurfacePoint& to) {
+    return geodesicPath(SurfaceLinks(mesh, table), from, to);
+}
+
+}  // namespace toile

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/cut/surface_links.h"
+
+namespace toile {
+
+/// Short ways across the surface, through the insides of triangles: A* on a graph of vertices and
+/// points on edges (after [Lan99]) finds the side of every bump to pass on, then the way is pulled
+/// tight (see straightened). Locally shortest, and never longer than the way along edges; that no
+/// other way is shorter is likely, not promised. May run along a rim.
+/// @return  points from `from` to `to`; a single one twice where both are the same
+/// @errors  a cut error where the points are not connected
+/// Cost: O(n log n) in the triangles nearer to `from` than the way is long. Re-entrant.
+Result<PathPolyline> geodesicPath(const SurfaceLinks& links, const SurfacePoint& from,
+                                  const SurfacePoint& to);
+
+/// One path.
+Result<PathPolyline> geodesicPath(const MeshArrays& mesh, const EdgeTable& table,
+                                  const SurfacePoint& from, const SurfacePoint& to);
+
+}  // namespace toile

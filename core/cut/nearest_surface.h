@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/cut/surface_point.h"
+
+namespace toile {
+
+/// Finds the surface's nearest point again and again: a tree of boxes around the triangles. Keeps
+/// a reference to the mesh. Cost: O(#F log #F) to build, about O(log #F) a question. Immutable.
+class NearestSurface {
+public:
+    /// Precondition: at least one face, finite positions.
+    explicit NearestSurface(const MeshArrays& mesh);
+
+    /// Where several points are equally near, the one on the face with the least index.
+    SurfacePoint find(const Eigen::Vector3d& p) const;
+
+private:
+    struct Box {
+        Eigen::Vector3d low, high;
+        int first, count;  ///< faces order_[first ..], where it is a leaf
+        int left, right;   ///< child boxes, or -1
+
+        double squaredDistance(const Eigen::Vector3d& p) const;
+    };
+
+    Box boxAround(int first, int count) const;
+
+    const MeshArrays& mesh_;
+    std::vector<int> order_;
+    std::vector<Box> boxes_;
+};
+
+/// One question. Cost: that of building the tree.
+SurfacePoint nearestSurfacePoint(const MeshArrays& mesh, const Eigen::Vector3d& p);
+
+/// Weights of the point of a triangle nearest to `p`; exact zeros on its edges and corners.
+/// After Ericson, Real-Time Collision Detection, section 5.1.5.
+Eigen::Vector3d nearestInTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                                  const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
+}  // namespace toile

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/cut/surface_links.h"
+
+namespace toile {
+
+/// The triangles that a curve runs through, one after the other: `exits[i]` is the side by which
+/// triangle i is left. The curve starts in the first and ends in the last one.
+struct Strip {
+    SurfacePoint from;  ///< with weights for the first triangle
+    SurfacePoint to;    ///< with weights for the last triangle
+    std::vector<int> exits;
+};
+
+/// The strip along a polyline. At a vertex it turns to the side with the smaller angle, so that
+/// the polyline runs inside the strip or along its rim. Nothing where neighbouring points share no
+/// triangle, or where the way around a vertex is barred by walls on both sides.
+std::optional<Strip> stripAlong(const SurfaceLinks& links, const std::vector<SurfacePoint>& points);
+
+/// Sides crossed when going around `vertex` from one triangle to another; nothing where a wall bars
+/// the way. @param leftward  anti-clockwise, seen from the right side
+std::optional<std::vector<int>> exitsAround(const SurfaceLinks& links, int vertex, int fromFace,
+                                            int toFace, bool leftward);
+
+/// Takes out steps forth and back across one edge, and triangles at the ends that are not needed
+/// because the end point already touches the next one.
+void tidy(const SurfaceLinks& links, Strip& strip);
+
+}  // namespace toile

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/straighten.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "core/cut/funnel.h"
+
+namespace toile {
+namespace {
+
+/// A vertex is passed on the other side where that angle is smaller than pi by this much; what is
+/// left to gain below it is of the order of its square.
+constexpr double kStraightAngle = 1e-8;
+/// A crossing nearer to an edge's end than this fraction of the edge goes through the vertex.
+constexpr double kThroughVertex = 1e-9;
+constexpr int kMaxPasses = 10000;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+double angleBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return std::abs(std::atan2(cross(a, b), a.dot(b)));
+}
+
+/// A stretch of gates that share a vertex, and the way around the vertex's other side.
+struct Detour {
+    int first, last;  ///< gates
+    double angle;     ///< on the other side; below pi
+    std::vector<int> exits;
+};
+
+class Tightener {
+public:
+    Tightener(const SurfaceLinks& links, Strip strip) : links_(links), strip_(std::move(strip)) {}
+
+    PathPolyline run() {
+        double best = HUGE_VAL;
+        for (int pass = 0; pass < kMaxPasses; ++pass) {
+            flat_ = layFlat(links_, strip_);
+            bends_ = shortestThroughGates(flat_);
+            const double length = flatLength();
+            if (!(length < best * (1 - 1e-15))) {
+                break;
+            }
+            best = length;
+            const Strip before = strip_;
+            if (!takeDetours()) {
+                break;
+            }
+            tidy(links_, strip_);
+            // A detour that gains nothing in floating point would go on for ever.
+            const FlatStrip next = layFlat(links_, strip_);
+            if (!(lengthOf(next, shortestThroughGates(next)) < best)) {
+                strip_ = before;
+                break;
+            }
+        }
+        flat_ = layFlat(links_, strip_);
+        bends_ = shortestThroughGates(flat_);
+        return polyline();
+    }
+
+private:
+    static double lengthOf(const FlatStrip& flat, const std::vector<Bend>& bends) {
+        Eigen::Vector2d at = flat.from;
+        double sum = 0;
+        for (const Bend& bend : bends) {
+            sum += (bend.at - at).norm();
+            at = bend.at;
+        }
+        return sum + (flat.to - at).norm();
+    }
+
+    double flatLength() const { return lengthOf(flat_, bends_); }
+
+    int vertexAt(int gate, bool left) const {
+        return left ? flat_.gates[gate].leftVertex : flat_.gates[gate].rightVertex;
+    }
+
+    Eigen::Vector2d otherEnd(int gate, bool left) const {
+        return left ? flat_.gates[gate].right : flat_.gates[gate].left;
+    }
+
+    /// Last point before bend i and first after it.
+    Eigen::Vector2d before(std::size_t i) const { return i == 0 ? flat_.from : bends_[i - 1].at; }
+
+    Eigen::Vector2d after(std::size_t i) const {
+        return i + 1 == bends_.size() ? flat_.to : bends_[i + 1].at;
+    }
+
+    std::optional<Detour> detourAt(std::size_t i) const {
+        const Bend& bend = bends_[i];
+        const int vertex = vertexAt(bend.gate, bend.left);
+        const int count = static_cast<int>(flat_.gates.size());
+        Detour detour{bend.gate, bend.gate, 0, {}};
+        while (detour.first > 0 && vertexAt(detour.first - 1, bend.left) == vertex) {
+            --detour.first;
+        }
+        while (detour.last + 1 < count && vertexAt(detour.last + 1, bend.left) == vertex) {
+            ++detour.last;
+        }
+        if (!links_.isInner(vertex)) {
+            return std::nullopt;
+        }
+        double inside =
+            angleBetween(before(i) - bend.at, otherEnd(detour.first, bend.left) - bend.at) +
+            angleBetween(after(i) - bend.at, otherEnd(detour.last, bend.left) - bend.at);
+        for (int g = detour.first; g < detour.last; ++g) {
+            inside += angleBetween(otherEnd(g, bend.left) - bend.at,
+                                   otherEnd(g + 1, bend.left) - bend.at);
+        }
+        detour.angle = links_.angleAround(vertex) - inside;
+        if (!(detour.angle < std::numbers::pi - kStraightAngle)) {
+            return std::nullopt;
+        }
+        // The strip has the vertex on its left, so it turns leftwards around it: now rightwards.
+        const int fromFace = strip_.exits[detour.first] / 3;
+        const int toFace = links_.twin(strip_.exits[detour.last]) / 3;
+        const auto exits = exitsAround(links_, vertex, fromFace, toFace, !bend.left);
+        if (!exits) {
+            return std::nullopt;
+        }
+        detour.exits = *exits;
+        return detour;
+    }
+
+    /// Takes all detours that do not touch each other, those with most to gain first.
+    bool takeDetours() {
+        std::vector<Detour> found;
+        for (std::size_t i = 0; i < bends_.size(); ++i) {
+            if (auto detour = detourAt(i)) {
+                found.push_back(std::move(*detour));
+            }
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const Detour& a, const Detour& b) { return a.angle < b.angle; });
+        std::vector<Detour> taken;
+        for (Detour& detour : found) {
+            const bool isFree = std::ranges::none_of(taken, [&](const Detour& other) {
+                return detour.first <= other.last && other.first <= detour.last;
+            });
+            if (isFree) {
+                taken.push_back(std::move(detour));
+            }
+        }
+        std::ranges::sort(taken, {}, &Detour::first);
+        std::vector<int> exits;
+        int next = 0;
+        for (const Detour& detour : taken) {
+            exits.insert(exits.end(), strip_.exits.begin() + next,
+                         strip_.exits.begin() + detour.first);
+            exits.insert(exits.end(), detour.exits.begin(), detour.exits.end());
+            next = detour.last + 1;
+        }
+        exits.insert(exits.end(), strip_.exits.begin() + next, strip_.exits.end());
+        strip_.exits = std::move(exits);
+        return !taken.empty();
+    }
+
+    void add(PathPolyline& path, const SurfacePoint& point) const {
+        if (!path.points.empty()) {
+            const Carrier last = links_.carrierOf(path.points.back());
+            const Carrier next = links_.carrierOf(point);
+            if (last.kind == Carrier::Kind::Vertex && next.kind == Carrier::Kind::Vertex &&
+                last.index == next.index) {
+                return;
+            }
+        }
+        path.points.push_back(point);
+    }
+
+    /// Where the shortest way crosses each gate.
+    PathPolyline polyline() const {
+        PathPolyline path;
+        path.length = flatLength();
+        add(path, strip_.from);
+        std::size_t next = 0;  // bend
+        for (int g = 0; g < static_cast<int>(flat_.gates.size()); ++g) {
+            const FlatStrip::Gate& gate = flat_.gates[g];
+            const int use = strip_.exits[g];
+            SurfacePoint point{use / 3, Eigen::Vector3d::Zero()};
+            double t;
+            if (next < bends_.size() && bends_[next].gate == g) {
+                t = bends_[next].left ? 1 : 0;
+                while (next < bends_.size() && bends_[next].gate == g) {
+                    ++next;
+                }
+            } else {
+                const Eigen::Vector2d a = next == 0 ? flat_.from : bends_[next - 1].at;
+                const Eigen::Vector2d b = next < bends_.size() ? bends_[next].at : flat_.to;
+                const double right = cross(b - a, gate.right - a);
+                const double left = cross(b - a, gate.left - a);
+                if (right == left) {  // along the gate: its nearer end
+                    t = (a - gate.left).squaredNorm() <= (a - gate.right).squaredNorm() ? 1 : 0;
+                } else {
+                    t = right / (right - left);
+                }
+                t = t < kThroughVertex ? 0 : t > 1 - kThroughVertex ? 1 : t;
+            }
+            point.barycentric[use % 3] = 1 - t;
+            point.barycentric[(use % 3 + 1) % 3] = t;
+            add(path, point);
+        }
+        add(path, strip_.to);
+        return path;
+    }
+
+    const SurfaceLinks& links_;
+    Strip strip_;
+    FlatStrip flat_;
+    std::vector<Bend> bends_;
+};
+
+}  // namespace
+
+PathPolyline straightened(const SurfaceLinks& links, const PathPolyline& path) {
+    const auto strip = stripAlong(links, path.points);
+    return strip ? Tightener(links, *strip).run() : path;
+}
+
+}  // namespace toile

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/cut/surface_links.h"
+
+namespace toile {
+
+/// Pulls a curve tight on the surface with its ends held: the shortest way through the unfolded
+/// strip of triangles, after which the strip is led around the other side of every vertex where
+/// that is shorter, until nothing is ([XW07], the same idea). The result is locally shortest: it
+/// turns only at rims, and at vertices with more than a full turn around them. It can be deformed
+/// into the curve given, so that a loop around a handle stays one; it is never longer.
+/// Where neighbouring points share no triangle the curve is returned as it is.
+/// Cost: a few passes over the strip.
+PathPolyline straightened(const SurfaceLinks& links, const PathPolyline& path);
+
+}  // namespace toile

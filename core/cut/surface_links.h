@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/cut/surface_point.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// What a surface point lies on.
+struct Carrier {
+    enum class Kind { Vertex, Edge, Face };
+    Kind kind;
+    int index;  ///< of the vertex, the edge or the face
+};
+
+/// Steps from triangle to triangle and around vertices. Keeps references: the mesh and its table
+/// must outlive it. A *use* is 3 * face + k, the side from corner k to corner k + 1. An edge that
+/// does not join exactly two triangles of the same winding is a wall. Immutable, hence shareable.
+class SurfaceLinks {
+public:
+    SurfaceLinks(const MeshArrays& mesh, const EdgeTable& table);
+
+    const MeshArrays& mesh() const { return mesh_; }
+    const EdgeTable& table() const { return table_; }
+    int vertexCount() const { return static_cast<int>(mesh_.V.rows()); }
+    int faceCount() const { return static_cast<int>(mesh_.F.rows()); }
+    int edgeCount() const { return static_cast<int>(table_.edges.rows()); }
+
+    int tail(int use) const { return mesh_.F(use / 3, use % 3); }
+    int head(int use) const { return mesh_.F(use / 3, (use % 3 + 1) % 3); }
+    int edgeOf(int use) const { return table_.faceEdges(use / 3, use % 3); }
+    /// The same edge seen from the other triangle, or -1 at a wall.
+    int twin(int use) const { return twin_[use]; }
+    /// Corners 3 * face + k at the vertex, in face order.
+    std::span<const int> cornersAt(int vertex) const;
+    /// Corner of `face` at `vertex`, 0..2, or -1.
+    int cornerIn(int face, int vertex) const;
+    /// Interior angle of the triangle at a corner.
+    double angleAt(int corner) const;
+    /// True where every triangle around the vertex has a neighbour on both sides.
+    bool isInner(int vertex) const;
+    double angleAround(int vertex) const;
+
+    Carrier carrierOf(const SurfacePoint& point) const;
+    std::vector<int> facesOf(const Carrier& carrier) const;
+    /// The same point with weights for another triangle, or nothing where it does not touch it.
+    std::optional<SurfacePoint> seenFrom(int face, const SurfacePoint& point) const;
+    /// A triangle that both points touch, `preferred` if it does; -1 where there is none.
+    int commonFace(const SurfacePoint& a, const SurfacePoint& b, int preferred = -1) const;
+
+    /// Precondition: the vertex belongs to a triangle.
+    SurfacePoint atVertex(int vertex) const;
+    /// @param t  0 at the edge's first vertex in the table, 1 at its second
+    SurfacePoint onEdge(int edge, double t) const;
+
+private:
+    const MeshArrays& mesh_;
+    const EdgeTable& table_;
+    std::vector<int> twin_;
+    std::vector<int> cornerStart_, corners_;
+};
+
+}  // namespace toile

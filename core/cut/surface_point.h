@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// A barycentric coordinate below this is zero: the point lies on the opposite edge.
+inline constexpr double kOnEdge = 1e-12;
+
+/// A point of the surface: a triangle and three weights that sum to 1. A weight that is zero puts
+/// the point on the opposite edge, two zeros put it at a vertex; any triangle there will do.
+struct SurfacePoint {
+    int face = -1;
+    Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
+};
+
+/// A curve on the surface. Neighbouring points lie in the closure of one common triangle, and the
+/// curve runs straight between them. A closed curve repeats its first point at the end.
+struct PathPolyline {
+    std::vector<SurfacePoint> points;
+    double length = 0;  ///< in the mesh's unit
+};
+
+/// Position in space.
+Eigen::Vector3d positionOf(const MeshArrays& mesh, const SurfacePoint& point);
+
+/// Sum of the straight pieces. Cost: linear. Pure.
+double measuredLength(const MeshArrays& mesh, const PathPolyline& path);
+
+}  // namespace toile

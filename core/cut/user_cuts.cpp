@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cut/user_cuts.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/cut/cut_error.h"
+#include "core/cut/edge_path.h"
+#include "core/cut/geodesic.h"
+
+namespace toile {
+namespace {
+
+/// A path's end with a weight below this against a rim edge reaches the rim.
+constexpr double kReachesRim = 0.1;
+
+SurfacePoint ontoNearRim(const SurfaceLinks& links, SurfacePoint point) {
+    for (int k = 0; k < 3; ++k) {
+        const int v = links.mesh().F(point.face, k);
+        if (point.barycentric[k] > 1 - kReachesRim && !links.isInner(v)) {
+            return links.atVertex(v);
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        double& weight = point.barycentric[(k + 2) % 3];
+        if (links.twin(3 * point.face + k) < 0 && weight < kReachesRim) {
+            weight = 0;
+            point.barycentric /= point.barycentric.sum();
+        }
+    }
+    return point;
+}
+
+/// The rim's point nearest to p; no face where there is no rim.
+SurfacePoint nearestOnRim(const SurfaceLinks& links, const Eigen::Vector3d& p, double& distance) {
+    SurfacePoint best;
+    distance = std::numeric_limits<double>::infinity();
+    for (int use = 0; use < 3 * links.faceCount(); ++use) {
+        if (links.twin(use) >= 0) {
+            continue;
+        }
+        const Eigen::Vector3d a = links.mesh().V.row(links.tail(use));
+        const Eigen::Vector3d b = links.mesh().V.row(links.head(use));
+        const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+        const double d = (a + t * (b - a) - p).norm();
+        if (d < distance) {
+            distance = d;
+            best = {use / 3, Eigen::Vector3d::Zero()};
+            best.barycentric[use % 3] = 1 - t;
+            best.barycentric[(use % 3 + 1) % 3] = t;
+        }
+    }
+    return best;
+}
+
+/// Moves the end of a dart that is nearer to the rim onto it. False where there is no rim.
+bool putOnRim(const SurfaceLinks& links, std::vector<SurfacePoint>& points) {
+    double first = 0;
+    double last = 0;
+    const SurfacePoint atFirst =
+        nearestOnRim(links, positionOf(links.mesh(), points.front()), first);
+    const SurfacePoint atLast = nearestOnRim(links, positionOf(links.mesh(), points.back()), last);
+    if (atFirst.face < 0) {
+        return false;
+    }
+    (first <= last ? points.front() : points.back()) = first <= last ? atFirst : atLast;
+    return true;
+}
+
+SurfacePoint ontoVertex(const SurfaceLinks& links, const SurfacePoint& point) {
+    int heaviest = 0;
+    point.barycentric.maxCoeff(&heaviest);
+    return links.atVertex(links.mesh().F(point.face, heaviest));
+}
+
+Result<PathPolyline> leg(const SurfaceLinks& links, const SurfacePoint& from,
+                         const SurfacePoint& to, bool alongEdges) {
+    if (!alongEdges) {
+        return geodesicPath(links, from, to);
+    }
+    const auto path = edgePath(links.mesh(), links.table(), links.carrierOf(from).index,
+                               links.carrierOf(to).index);
+    if (!path) {
+        return path.error();
+    }
+    return polylineOf(links, path->vertices);
+}
+
+}  // namespace
+
+Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
+                                  const UserCut& cut) {
+    const std::size_t needed = cut.kind == UserCut::Kind::Loop ? 3 : 2;
+    if (cut.points.size() < needed) {
+        return cutError(cut.name, "it needs " + std::to_string(needed) + " points or more");
+    }
+    std::vector<SurfacePoint> points;
+    for (const Eigen::Vector3d& p : cut.points) {
+        if (!p.allFinite()) {
+            return cutError(cut.name, "a point is not finite");
+        }
+        points.push_back(nearest.find(p));
+    }
+    if (cut.kind == UserCut::Kind::Path) {
+        points.front() = ontoNearRim(links, points.front());
+        points.back() = ontoNearRim(links, points.back());
+    } else if (cut.kind == UserCut::Kind::Loop) {
+        points.push_back(points.front());
+    } else if (!putOnRim(links, points)) {
+        return cutError(cut.name, "a dart starts at the rim, and the piece has none");
+    }
+    if (cut.alongEdges) {
+        std::ranges::transform(points, points.begin(),
+                               [&](const SurfacePoint& point) { return ontoVertex(links, point); });
+    }
+    PathPolyline whole;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const auto part = leg(links, points[i - 1], points[i], cut.alongEdges);
+        if (!part) {
+            return cutError(cut.name, part.error().detail);
+        }
+        whole.points.insert(whole.points.end(), part->points.begin() + (i == 1 ? 0 : 1),
+                            part->points.end());
+        whole.length += part->length;
+    }
+    return whole;
+}
+
+Result<CutResult> applyUserCuts(const MeshArrays& mesh, const std::vector<UserCut>& cuts,
+                                const CutOptions& options) {
+    const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+    const SurfaceLinks links(mesh, table);
+    const NearestSurface nearest(mesh);
+    std::vector<PathPolyline> paths;
+    for (const UserCut& cut : cuts) {
+        auto path = traceUserCut(links, nearest, cut);
+        if (!path) {
+            return path.error();
+        }
+        paths.push_back(std::move(*path));
+    }
+    return cutAlong(mesh, paths, options);
+}
+
+}  // namespace toile

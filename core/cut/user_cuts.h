@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/cut/cut_along.h"
+#include "core/cut/nearest_surface.h"
+#include "core/cut/surface_links.h"
+
+namespace toile {
+
+/// A seam drawn by the user: points in space near the surface. It outlives a change of the mesh,
+/// since the points are put onto the nearest surface each time.
+struct UserCut {
+    enum class Kind {
+        Path,  ///< from the first point to the last
+        Loop,  ///< back to the first point; three points or more
+        Dart,  ///< from the rim to an inner point: the end nearer to the rim is moved onto it
+    };
+
+    std::string name;
+    Kind kind = Kind::Path;
+    std::vector<Eigen::Vector3d> points;  ///< mm
+    bool alongEdges = false;              ///< between the nearest vertices, along edges
+};
+
+/// The cut's curve on the surface. An end of a path that lies within a tenth of a triangle from the
+/// rim reaches it.
+/// @errors  a cut error, with the cut's name: too few points, points not connected, no rim
+Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
+                                  const UserCut& cut);
+
+/// Traces all cuts and cuts the mesh along them, in order. Errors: those of the two steps.
+Result<CutResult> applyUserCuts(const MeshArrays& mesh, const std::vector<UserCut>& cuts,
+                                const CutOptions& options = {});
+
+}  // namespace toile

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/cut/edge_path.h"
+#include "core/cut/nearest_surface.h"
+#include "core/cut/straighten.h"
+#include "tests/core/cut/surface.h"
+#include "tests/core/support/shapes.h"
+
+namespace toile {
+namespace {
+
+using test::expectSoundPath;
+using test::Surface;
+
+TEST(Straightened, KeepsALoopAroundAHandle) {
+    const Surface s(test::piercedTorus(32, 16));
+    std::vector<int> ring;
+    for (int i = 0; i <= 32; ++i) {  // around the long way, wavering, on the outside
+        ring.push_back(i % 32 * 16 + (i == 0 ? 0 : 1));
+        ring.push_back(i % 32 * 16);
+    }
+    const PathPolyline loop = polylineOf(s.links, ring);
+    const PathPolyline tight = straightened(s.links, loop);
+    EXPECT_LT(tight.length, loop.length);
+    EXPECT_GT(tight.length, 2 * std::numbers::pi * 30 * 0.98);  // not less than the inner equator
+    expectSoundPath(s, tight);
+}
+
+TEST(NearestSurface, FindsWhatASearchOfAllTrianglesFinds) {
+    const MeshArrays mesh = test::saddle(12, 100, 1.5);
+    const NearestSurface nearest(mesh);
+    std::mt19937 random(7);
+    for (int i = 0; i < 200; ++i) {
+        const Eigen::Vector3d p(random() % 200 - 100.0, random() % 200 - 100.0,
+                                random() % 200 - 100.0);
+        double least = HUGE_VAL;
+        for (int f = 0; f < mesh.F.rows(); ++f) {
+            const SurfacePoint point{
+                f, nearestInTriangle(p, mesh.V.row(mesh.F(f, 0)), mesh.V.row(mesh.F(f, 1)),
+                                     mesh.V.row(mesh.F(f, 2)))};
+            least = std::min(least, (positionOf(mesh, point) - p).norm());
+        }
+        const SurfacePoint found = nearest.find(p);
+        EXPECT_NEAR((positionOf(mesh, found) - p).norm(), least, 1e-12);
+        EXPECT_NEAR(found.barycentric.sum(), 1, 1e-12);
+        EXPECT_GE(found.barycentric.minCoeff(), -1e-15);
+    }
+    const SurfacePoint vertex = nearest.find(mesh.V.row(20).transpose());
+    EXPECT_EQ(vertex.barycentric.maxCoeff(), 1);
+}
+
+TEST(EdgePath, ObeysWeights) {
+    const Surface s(test::planeGrid(4, 1, 1));
+    EXPECT_NEAR(edgePath(s.mesh, s.table, 0, 4)->length, 4, 1e-15);
+    std::vector<double> weights(s.table.edges.rows(), 1);
+    weights[s.table.faceEdges(2, 0)] = 100;  // from vertex 1 to 2 is dear
+    const auto around = edgePath(s.mesh, s.table, 0, 4, weights);
+    EXPECT_GT(around->length, 4.4);
+}
+
+}  // namespace
+}  // namespace toile
