@@ -29,7 +29,13 @@ const std::map<std::string, Overlay> kOverlays = {{"none", Overlay::None},
                                                   {"angle", Overlay::Angle},
                                                   {"strain", Overlay::Strain}};
 
-/// How files are read: the same for every command.
+void addUnit(CLI::App& command, Typed& typed) {
+    command.add_option("--unit", typed.unit, "Unit of the input's coordinates")
+        ->type_name(kUnits)
+        ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+}
+
+/// How the commands read files. The window takes the unit alone so far.
 void addReading(CLI::App& command, Typed& typed, bool& strict) {
     command.add_option("--split", typed.split, "By what files are divided into pieces")
         ->type_name("auto|components|objects|groups|materials|uv")
@@ -37,9 +43,7 @@ void addReading(CLI::App& command, Typed& typed, bool& strict) {
         ->capture_default_str();
     command.add_flag("--strict", strict,
                      "Refuse a file in which anything has to be left out or mended");
-    command.add_option("--unit", typed.unit, "Unit of the input's coordinates")
-        ->type_name(kUnits)
-        ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+    addUnit(command, typed);
 }
 
 CLI::App* addFlatten(CLI::App& app, Typed& typed, bool& strict) {
@@ -141,7 +145,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
         ->type_name("none|checker|area|angle|strain")
         ->check(CLI::IsMember(kOverlays))
         ->capture_default_str();
-    addReading(app, typed, arguments.strict);
+    addUnit(app, typed);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -39,6 +39,9 @@ TEST(Arguments, FlattenTakesManyInputsAndOutputs) {
     EXPECT_EQ(a.options.method, Method::Natural);
     EXPECT_EQ(a.options.boundarySolver, BoundarySolver::Slcp);
     EXPECT_FALSE(a.unit);
+    EXPECT_EQ(a.split, SplitMode::Auto);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--split", "uv"}).split, SplitMode::Uv);
+    EXPECT_TRUE(parse({"info", "a.obj", "--strict"}).strict);
 }
 
 TEST(Arguments, AnOutputMayComeBeforeTheInput) {

@@ -118,6 +118,19 @@ TEST(Contract, TheNumberOfThreadsLeavesNoTrace) {
     EXPECT_EQ(folder.read("1.obj"), folder.read("2.obj"));
 }
 
+TEST(Contract, StrictRefusesWhatIsMendedOtherwise) {
+    const test::TemporaryFolder folder;
+    const auto input = folder.write("yoke.obj",
+                                    "v 0 0 0\nv 900 0 0\nv 0 900 0\nv 900 900 0\n"
+                                    "f 1 2 3\nf 2 3 4\n");
+    const auto mended = toileRun({"flatten", input.string(), "--unit", "mm"});
+    EXPECT_EQ(mended.status, 0);
+    EXPECT_NE(mended.err.find("turned"), std::string::npos) << mended.err;
+    const auto refused = toileRun({"flatten", input.string(), "--unit", "mm", "--strict"});
+    EXPECT_EQ(refused.status, 1) << refused.err;  // the piece stays as it is and is named
+    EXPECT_FALSE(refused.err.empty());
+}
+
 TEST(Contract, SeveralInputsArePrefixed) {
     const test::TemporaryFolder folder;
     const auto run = toileRun({"flatten", folder.write("left.obj", kTriangle).string(),
