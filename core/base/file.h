@@ -13,8 +13,8 @@ namespace toile {
 Result<std::string> readFile(const std::filesystem::path& path);
 
 /// Writes beside the target, flushes, renames: the target is either the old file or the whole new
-/// one, whatever happens; permissions and links stay. What is no file (a pipe, a terminal) is written
-/// to directly. Errors: FileUnwritable.
+/// one, whatever happens; permissions and links stay. What is no file (a pipe, a terminal) is
+/// written to directly. Errors: FileUnwritable.
 Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace toile
