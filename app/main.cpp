@@ -9,9 +9,9 @@ int main(int argc, char** argv) {
     const toile::Arguments arguments = toile::parseArguments(argc, argv);
 #ifdef TOILE_GUI
     if (arguments.command == toile::Arguments::Command::Window) {
-        return toile::runWindow(
-            argc, argv,
-            {arguments.inputs, arguments.unit, arguments.screenshot, arguments.overlay});
+        return toile::runWindow(argc, argv,
+                                {arguments.inputs, arguments.load, arguments.seams,
+                                 arguments.screenshot, arguments.overlay});
     }
 #endif
     return toile::runCommand(arguments);

@@ -115,7 +115,16 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     if (photograph) {
         window.resize(options.width, options.height);
     }
-    window.workspace().setUnit(options.unit);
+    LoadOptions load = options.load;
+    if (!options.seams.empty()) {
+        auto seams = readSeamsFile(options.seams);
+        if (!seams) {
+            complain(QString::fromStdString(sentence(seams.error())));
+            return kUnreadable;
+        }
+        load.seams = std::move(*seams);
+    }
+    window.workspace().setLoading(std::move(load));
     window.workspace().document().setOverlay(options.overlay);
     window.show();
     if (!options.files.empty()) {

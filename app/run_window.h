@@ -2,17 +2,17 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "app/document/view_state.h"
-#include "core/base/length_unit.h"
+#include "core/pipeline/pipeline.h"
 
 namespace toile {
 
 struct WindowOptions {
     std::vector<std::filesystem::path> files;  ///< opened as one garment
-    std::optional<LengthUnit> unit;            ///< guessed where not given
+    LoadOptions load;                          ///< how files are read, divided and cut
+    std::filesystem::path seams;               ///< a file of cuts and ease; may be empty
     /// Where set: load, flatten, wait for the views, write a picture of the whole window, leave.
     std::filesystem::path screenshot;
     Overlay overlay = Overlay::Checker;

@@ -95,7 +95,7 @@ void GarmentActions::connectUnits() {
     for (const auto& [id, unit] : kUnits) {
         connect(&actions_[id], &QAction::triggered, this,
                 [this, unit = unit] { workspace_.setUnit(unit); });
-        actions_[id].setChecked(workspace_.unit() == unit);
+        actions_[id].setChecked(workspace_.loading().unit == unit);
     }
 }
 

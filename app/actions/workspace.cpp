@@ -25,15 +25,50 @@ void Workspace::open(Paths files) {
     }
     requested_ = files;
     importing_ = true;
-    jobs_.replace(std::make_unique<ImportJob>(document_, std::move(files), LoadOptions{unit_}));
+    jobs_.replace(std::make_unique<ImportJob>(document_, std::move(files), loading_));
+}
+
+void Workspace::setLoading(LoadOptions loading) {
+    loading_ = std::move(loading);
+    open(requested_);
+}
+
+template <class Value>
+void Workspace::change(Value LoadOptions::*field, const Value& value) {
+    if (loading_.*field != value) {
+        loading_.*field = value;
+        open(requested_);
+    }
 }
 
 void Workspace::setUnit(std::optional<LengthUnit> unit) {
-    if (unit == unit_) {
-        return;
+    change(&LoadOptions::unit, unit);
+}
+
+void Workspace::setUpAxis(std::optional<UpAxis> up) {
+    change(&LoadOptions::up, up);
+}
+
+void Workspace::setSplit(SplitMode split) {
+    change(&LoadOptions::split, split);
+}
+
+void Workspace::setAutoCut(bool on) {
+    change(&LoadOptions::autoCut, on);
+}
+
+void Workspace::setWeld(bool on) {
+    change(&LoadOptions::weld, on);
+}
+
+Result<void> Workspace::readSeams(const std::filesystem::path& path) {
+    auto seams = readSeamsFile(path);
+    if (!seams) {
+        return seams.error();
     }
-    unit_ = unit;
+    loading_.seams = std::move(*seams);
     open(requested_);
+    return {};
 }
 
 void Workspace::setMethod(Method method) {

@@ -24,12 +24,25 @@ public:
 
     Document& document() { return document_; }
     JobRunner& jobs() { return jobs_; }
-    const std::optional<LengthUnit>& unit() const { return unit_; }
+    /// How files are read, divided and cut.
+    const LoadOptions& loading() const { return loading_; }
 
     /// Reads the files as one garment and flattens it. Whatever ran before is cancelled.
     void open(Paths files);
-    /// Unit of the files; none: guessed. Reads an open garment again.
+    /// Reads an open garment again with these options.
+    void setLoading(LoadOptions loading);
+    /// Unit of the files; none: guessed. Reads an open garment again where that is a change.
     void setUnit(std::optional<LengthUnit> unit);
+    /// The axis that points up in the files; none: guessed. As setUnit.
+    void setUpAxis(std::optional<UpAxis> up);
+    /// By what files are divided. As setUnit.
+    void setSplit(SplitMode split);
+    /// Whether pieces that are no disks are cut open. As setUnit.
+    void setAutoCut(bool on);
+    /// Whether vertices that lie on each other are joined. As setUnit.
+    void setWeld(bool on);
+    /// Takes cuts and ease from a seams file. Nothing changes where it cannot be read.
+    Result<void> readSeams(const std::filesystem::path& path);
     void setMethod(Method method);
     void setBoundarySolver(BoundarySolver solver);
     void flattenAgain();
@@ -42,13 +55,15 @@ signals:
     void exported(const QString& path);
 
 private:
+    template <class Value>
+    void change(Value LoadOptions::*field, const Value& value);
     void onChanged(DocumentChanges what);
     void onOver();
 
     Document document_;
     JobRunner jobs_{document_};
     Paths requested_;  ///< what was opened last, for reading it again
-    std::optional<LengthUnit> unit_;
+    LoadOptions loading_;
     bool importing_ = false;
 };
 

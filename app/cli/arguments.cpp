@@ -14,13 +14,11 @@
 namespace toile {
 namespace {
 
-constexpr const char* kUnits = "mm|cm|m|in";
-
 /// The strings CLI11 fills, before they become typed values.
 struct Typed {
     std::vector<std::string> inputs, windowFiles, outputs;
-    std::string unit, split = "auto", method = "wang2005", solver = "newton", report, screenshot,
-                      overlay = "checker";
+    std::string unit, up, split = "auto", seams, method = "wang2005", solver = "newton", report,
+                          screenshot, overlay = "checker";
 };
 
 const std::map<std::string, Overlay> kOverlays = {{"none", Overlay::None},
@@ -29,24 +27,31 @@ const std::map<std::string, Overlay> kOverlays = {{"none", Overlay::None},
                                                   {"angle", Overlay::Angle},
                                                   {"strain", Overlay::Strain}};
 
-void addUnit(CLI::App& command, Typed& typed) {
-    command.add_option("--unit", typed.unit, "Unit of the input's coordinates")
-        ->type_name(kUnits)
-        ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
-}
-
-/// How the commands read files. The window takes the unit alone so far.
-void addReading(CLI::App& command, Typed& typed, bool& strict) {
+/// How files are read, divided and cut: the commands and the window alike.
+void addReading(CLI::App& command, Typed& typed, LoadOptions& load) {
     command.add_option("--split", typed.split, "By what files are divided into pieces")
-        ->type_name("auto|components|objects|groups|materials|uv")
-        ->check(CLI::IsMember({"auto", "components", "objects", "groups", "materials", "uv"}))
+        ->type_name("auto|components|objects|groups|materials|uv|seams")
+        ->check(
+            CLI::IsMember({"auto", "components", "objects", "groups", "materials", "uv", "seams"}))
         ->capture_default_str();
-    command.add_flag("--strict", strict,
+    command.add_option("--unit", typed.unit, "Unit of the input's coordinates")
+        ->type_name("mm|cm|m|in")
+        ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+    command.add_option("--up", typed.up, "Axis of the input that points up")
+        ->type_name("y|z")
+        ->check(CLI::IsMember({"y", "z"}));
+    command
+        .add_option("--seams", typed.seams,
+                    "Cut the garment along the lines of this file, and take the ease of its seams "
+                    "from it (docs/seams.md)")
+        ->type_name("FILE.json");
+    command.add_flag("--auto-cut", load.autoCut, "Cut open whatever cannot lie flat as it is");
+    command.add_flag("--weld", load.weld, "Join vertices that lie on each other");
+    command.add_flag("--strict", load.strict,
                      "Refuse a file in which anything has to be left out or mended");
-    addUnit(command, typed);
 }
 
-CLI::App* addFlatten(CLI::App& app, Typed& typed, bool& strict) {
+CLI::App* addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App* flatten = app.add_subcommand("flatten", "Flatten every piece of a garment");
     flatten->add_option("INPUT", typed.inputs, "Garment mesh: .obj, .off, .ply or .stl")
         ->required()
@@ -65,19 +70,22 @@ CLI::App* addFlatten(CLI::App& app, Typed& typed, bool& strict) {
         ->type_name("newton|slcp")
         ->check(CLI::IsMember({"newton", "slcp"}))
         ->capture_default_str();
-    addReading(*flatten, typed, strict);
+    addReading(*flatten, typed, arguments.load);
+    flatten->add_flag("--ledger", arguments.ledger,
+                      "Print every seam with the lengths of its two sides");
     flatten
         ->add_option("--report", typed.report, "Write the JSON report (the same as -o FILE.json)")
         ->type_name("FILE.json");
     return flatten;
 }
 
-CLI::App* addInfo(CLI::App& app, Typed& typed, bool& strict) {
+CLI::App* addInfo(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App* info = app.add_subcommand("info", "Tell what a garment file holds");
     info->add_option("INPUT", typed.inputs, "Garment mesh: .obj, .off, .ply or .stl")
         ->required()
         ->type_name("FILE...");
-    addReading(*info, typed, strict);
+    addReading(*info, typed, arguments.load);
+    info->add_flag("--json", arguments.json, "Print as JSON");
     return info;
 }
 
@@ -133,8 +141,8 @@ Arguments parseArguments(int argc, const char* const* argv) {
 
     Typed typed;
     Arguments arguments;
-    const CLI::App* flatten = addFlatten(app, typed, arguments.strict);
-    const CLI::App* info = addInfo(app, typed, arguments.strict);
+    const CLI::App* flatten = addFlatten(app, typed, arguments);
+    const CLI::App* info = addInfo(app, typed, arguments);
     // A window's files stand where a command could: `toile dress.obj`.
     app.add_option("FILE", typed.windowFiles, "Garment to open in the window")
         ->type_name("FILE...");
@@ -145,7 +153,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
         ->type_name("none|checker|area|angle|strain")
         ->check(CLI::IsMember(kOverlays))
         ->capture_default_str();
-    addUnit(app, typed);
+    addReading(app, typed, arguments.load);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -164,8 +172,13 @@ Arguments parseArguments(int argc, const char* const* argv) {
     arguments.outputs.assign(typed.outputs.begin(), typed.outputs.end());
     arguments.screenshot = typed.screenshot;
     arguments.overlay = kOverlays.at(typed.overlay);
-    arguments.unit = parseLengthUnit(typed.unit);
-    arguments.split = parseSplitMode(typed.split).value_or(SplitMode::Auto);
+    arguments.load.unit = parseLengthUnit(typed.unit);
+    arguments.load.up = parseUpAxis(typed.up);
+    arguments.load.split = parseSplitMode(typed.split).value_or(SplitMode::Auto);
+    arguments.seams = typed.seams;
+    if (arguments.load.split == SplitMode::Seams && arguments.seams.empty()) {
+        return wrongUsage("--split seams divides by the cuts of a file: give it with --seams");
+    }
     arguments.options.method = parseMethod(typed.method).value_or(Method::Wang2005);
     arguments.options.boundarySolver =
         parseBoundarySolver(typed.solver).value_or(BoundarySolver::Newton);

@@ -2,15 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "app/document/view_state.h"
-#include "core/base/length_unit.h"
-#include "core/flatten/flatten.h"
-#include "core/garment/split.h"
+#include "core/pipeline/pipeline.h"
 
 namespace toile {
 
@@ -26,9 +22,10 @@ struct Arguments {
     Command command = Command::Window;
     std::vector<std::filesystem::path> inputs;
     std::vector<std::filesystem::path> outputs;
-    std::optional<LengthUnit> unit;
-    SplitMode split = SplitMode::Auto;
-    bool strict = false;
+    LoadOptions load;  ///< but for the seams file, which the command reads
+    std::filesystem::path seams;
+    bool json = false;    ///< info: as JSON
+    bool ledger = false;  ///< flatten: print the seams
     FlattenOptions options;
     std::filesystem::path screenshot;    ///< window: save a picture of itself and end
     Overlay overlay = Overlay::Checker;  ///< window: what is painted on the cloth at first

@@ -5,6 +5,8 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/ledger.h"
 #include "app/cli/table.h"
 #include "core/base/text.h"
 #include "core/pipeline/pipeline.h"
@@ -53,36 +55,29 @@ void printTable(const PieceResults& results, std::ostream& out) {
     table.print(out);
 }
 
-/// Every note and failure on its own line.
-void printProblems(const Garment& garment, const PieceResults& results, std::ostream& err) {
-    for (const auto& file : garment.files) {
-        for (const Error& problem : file->problems) {
-            err << "toile: " << sentence(problem) << '\n';
-        }
-    }
-    for (const auto& result : results) {
-        if (result->error) {
-            err << "toile: " << sentence(*result->error) << '\n';
-        }
-    }
-}
-
 }  // namespace
 
 int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     Progress progress;
-    const auto garment = loadGarment(arguments.inputs,
-                                     {arguments.unit, arguments.split, arguments.strict}, progress);
+    const auto garment = readInput(arguments, progress);
     if (!garment) {
         err << "toile: " << sentence(garment.error()) << '\n';
         return kExitUnreadable;
     }
     const PieceResults results = flattenGarment(*garment, arguments.options, progress);
+    printCuts(*garment, out);
     printTable(results, out);
-    printProblems(*garment, results, err);
-    int status = kExitDone;
+    printSeamSummary(*garment, results, out);
+    if (arguments.ledger) {
+        out << '\n';
+        printLedger(*garment, results, out);
+    }
+    int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
     for (const auto& result : results) {
-        status = result->error ? kExitSomeFailed : status;
+        if (result->error) {
+            err << "toile: " << sentence(*result->error) << '\n';
+            status = kExitSomeFailed;
+        }
     }
     for (const auto& output : arguments.outputs) {
         const auto written = exportFile(output, *garment, results);

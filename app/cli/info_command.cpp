@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <ostream>
 
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
+#include "app/cli/input.h"
 #include "app/cli/table.h"
 #include "core/base/text.h"
-#include "core/pipeline/pipeline.h"
+#include "core/export/writers.h"
+#include "core/seam/seam_measure.h"
 
 namespace toile {
 namespace {
@@ -18,42 +21,89 @@ void printFile(const SourceFile& file, std::ostream& out) {
     if (!file.unitReason.empty()) {
         out << " (" << file.unitReason << ")";
     }
-    out << '\n';
-    for (const Error& problem : file.problems) {
-        out << "  note: " << sentence(problem) << '\n';
+    if (file.up != UpAxis::Y || file.upInDoubt) {
+        out << ", up " << name(file.up);
+        if (!file.upReason.empty()) {
+            out << " (" << file.upReason << ")";
+        }
     }
+    out << ", divided by " << name(file.split.mode);
+    if (!file.split.reason.empty()) {
+        out << " (" << file.split.reason << ")";
+    }
+    out << '\n';
+}
+
+/// The lengths of the outline and of all other loops, the longest ones where there are many.
+std::string loopsOf(const Piece& piece) {
+    constexpr std::size_t kListed = 3;
+    std::vector<double> lengths = loopLengths(piece);
+    std::sort(lengths.rbegin(), lengths.rend());
+    std::string text = std::to_string(lengths.size());
+    for (std::size_t k = 0; k < std::min(lengths.size(), kListed); ++k) {
+        text += (k == 0 ? ": " : ", ") + fixed(lengths[k], 0);
+    }
+    return lengths.size() > kListed ? text + ", ..." : text;
 }
 
 std::vector<std::string> rowOf(const Piece& piece) {
     const auto size =
         (piece.mesh.V.colwise().maxCoeff() - piece.mesh.V.colwise().minCoeff()).eval();
+    const std::string holes =
+        piece.holes.empty() ? ""
+                            : ", " + counted(static_cast<long long>(piece.holes.size()), "hole");
     return {piece.name,
             std::to_string(piece.mesh.V.rows()),
             std::to_string(piece.mesh.F.rows()),
-            piece.defect ? "-" : std::to_string(piece.boundary.size()),
+            loopsOf(piece),
             fixed(size.x(), 0) + " x " + fixed(size.y(), 0) + " x " + fixed(size.z(), 0),
-            piece.defect ? std::string(name(piece.defect->code)) : "disk"};
+            piece.defect ? std::string(name(piece.defect->code)) : "disk" + holes};
+}
+
+void printPieces(const Garment& garment, std::ostream& out) {
+    Table table({"piece", "vertices", "triangles", "loops mm", "size mm", "kind"});
+    for (const auto& piece : garment.pieces) {
+        table.add(rowOf(*piece));
+    }
+    table.print(out);
+}
+
+void printSeams(const Garment& garment, std::ostream& out) {
+    if (garment.seams.seams.empty()) {
+        return;
+    }
+    Table table({"seam", "kind", "left mm", "right mm", "ease %"});
+    for (const Seam& seam : garment.seams.seams) {
+        const bool sewn = seam.right.piece >= 0;
+        table.add({seam.name, std::string(name(seam.kind)), fixed(seam.length3d[0], 1),
+                   sewn ? fixed(seam.length3d[1], 1) : "-",
+                   sewn ? fixed(100 * easeOf(seam), 1) : "-"});
+    }
+    out << '\n';
+    table.print(out);
 }
 
 }  // namespace
 
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     Progress progress;
-    const auto garment = loadGarment(arguments.inputs,
-                                     {arguments.unit, arguments.split, arguments.strict}, progress);
+    const auto garment = readInput(arguments, progress);
     if (!garment) {
         err << "toile: " << sentence(garment.error()) << '\n';
         return kExitUnreadable;
     }
-    for (const auto& file : garment->files) {
-        printFile(*file, out);
+    if (arguments.json) {
+        out << writeInfo(*garment);
+    } else {
+        for (const auto& file : garment->files) {
+            printFile(*file, out);
+        }
+        out << '\n';
+        printCuts(*garment, out);
+        printPieces(*garment, out);
+        printSeams(*garment, out);
     }
-    Table table({"piece", "vertices", "triangles", "boundary edges", "size mm", "kind"});
-    for (const auto& piece : garment->pieces) {
-        table.add(rowOf(*piece));
-    }
-    table.print(out);
-    int status = kExitDone;
+    int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
     for (const auto& piece : garment->pieces) {
         if (piece->defect) {
             err << "toile: " << sentence(*piece->defect) << '\n';

@@ -11,7 +11,7 @@ namespace toile {
 
 ImportJob::ImportJob(Document& document, std::vector<std::filesystem::path> files,
                      LoadOptions options)
-    : document_(document), files_(std::move(files)), options_(options) {}
+    : document_(document), files_(std::move(files)), options_(std::move(options)) {}
 
 QString ImportJob::title() const {
     const QString name = files_.empty()

@@ -74,6 +74,9 @@ Words wordsOf(ErrorCode code) {
         case ErrorCode::VerticesWelded:
             return {"vertices-welded", "vertices lie on each other without being joined",
                     "They are made one", true};
+        case ErrorCode::HolesKept:
+            return {"holes-kept", "holes in the cloth stay open inside the outline",
+                    "The lengths of their rims are measured, not kept", true};
         case ErrorCode::ClosedSurface:
             return {"closed-surface", "the piece is closed and has no outline",
                     "Cut it open along a seam"};
@@ -107,6 +110,9 @@ Words wordsOf(ErrorCode code) {
         case ErrorCode::CutImpossible:
             return {"cut-impossible", "the cut cannot be made",
                     "Move its points, or mend the piece first"};
+        case ErrorCode::NoSuchSeam:
+            return {"no-such-seam", "the garment has no seam of this name",
+                    "See the names with \"toile info\""};
         case ErrorCode::NoClosedOutline:
             return {"no-closed-outline",
                     "one boundary edge is as long as all the others together, so that no flat "

@@ -33,6 +33,7 @@ enum class ErrorCode {
     VerticesSplit,
     VerticesAdded,
     VerticesWelded,
+    HolesKept,
     // Pieces
     ClosedSurface,
     SeveralLoops,
@@ -45,6 +46,7 @@ enum class ErrorCode {
     DegenerateFace,
     ZeroLengthEdge,
     CutImpossible,
+    NoSuchSeam,
     // Solving
     NoClosedOutline,
     BoundaryNotConverged,

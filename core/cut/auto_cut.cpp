@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/text.h"
+#include "core/cut/cloth_holes.h"
 #include "core/cut/cut_error.h"
 #include "core/cut/cut_graph.h"
 #include "core/cut/edge_path.h"
@@ -48,7 +49,7 @@ public:
         : mesh_(mesh), links_(mesh, table), options_(options) {}
 
     Result<AutoCut> run(ErrorCode defect) {
-        if (auto error = sortLoops()) {
+        if (auto error = findLoops()) {
             return *error;
         }
         const FilledMesh filled = fillHoles(mesh_, proposal_.holesToFill);
@@ -81,16 +82,10 @@ public:
 
 private:
     /// Openings to be joined by seams, and holes to be filled.
-    std::optional<Error> sortLoops() {
-        double longest = 0;
-        std::vector<RimLoop> loops = rimLoops(links_);
-        for (const RimLoop& loop : loops) {
-            longest = std::max(longest, loop.perimeter);
-        }
-        for (RimLoop& loop : loops) {
-            const bool isHole = loop.perimeter < options_.smallHole * longest;
-            (isHole ? proposal_.holesToFill : openings_).push_back(std::move(loop));
-        }
+    std::optional<Error> findLoops() {
+        SortedLoops loops = sortLoops(links_, options_.smallHole);
+        openings_ = std::move(loops.openings);
+        proposal_.holesToFill = std::move(loops.holes);
         if (static_cast<int>(openings_.size()) > options_.maxLoops) {
             return Error{ErrorCode::SeveralLoops, "",
                          counted(static_cast<long long>(openings_.size()), "loop") +

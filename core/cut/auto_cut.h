@@ -4,17 +4,18 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/cut/cloth_holes.h"
 #include "core/cut/cut_along.h"
-#include "core/cut/fill_holes.h"
 
 namespace toile {
 
 enum class CutAuthor { User, Automatic };
 
 struct AutoCutOptions {
-    /// A loop shorter than this fraction of the piece's longest loop is a hole in the cloth, to be
-    /// filled for the solve and not joined to the outline by a seam. 0: none is.
-    double smallHole = 0.05;
+    /// Loops shorter than this fraction of the longest are holes in the cloth, as others may be
+    /// (sortLoops): filled for the solve and not joined to the outline by a seam. 0: no hole at
+    /// all.
+    double smallHole = kSmallHole;
     /// More loops than this, small holes aside, are a scan with gaps rather than a garment.
     int maxLoops = 64;
 };

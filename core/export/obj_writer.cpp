@@ -86,6 +86,7 @@ int appendPositions(std::string& out, const PolygonSoup& soup) {
 int appendAddedVertices(std::string& out, const Garment& garment, int file, int nextIndex,
                         ObjIndices& indices) {
     const double unit = millimetresPer(garment.files[file]->unit);
+    const UpAxis up = garment.files[file]->up;
     int count = 0;
     for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
         const Piece& piece = *garment.pieces[p];
@@ -93,7 +94,7 @@ int appendAddedVertices(std::string& out, const Garment& garment, int file, int 
             if (piece.sourceVertex[v] >= 0) {
                 continue;
             }
-            const auto row = piece.mesh.V.row(static_cast<Eigen::Index>(v));
+            const auto row = asInFile(up, piece.mesh.V.row(static_cast<Eigen::Index>(v)));
             appendNumbers(out, "v", {row.x() / unit, row.y() / unit, row.z() / unit});
             indices.addedVertex[p].resize(piece.sourceVertex.size(), 0);
             indices.addedVertex[p][v] = nextIndex + count++;

@@ -34,6 +34,7 @@ bool changesOutput(ErrorCode code) {
         case ErrorCode::NonFinitePosition:     // its faces are in no piece
         case ErrorCode::DegenerateFaceRecord:  // gone, or in no piece
         case ErrorCode::MalformedFile:         // what could not be read is gone
+        case ErrorCode::VerticesWelded:        // faces name other vertices
             return true;
         default:
             return false;

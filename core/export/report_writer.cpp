@@ -1,69 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-
-#include <nlohmann/json.hpp>
-
 #include "core/base/version.h"
+#include "core/export/json.h"
 #include "core/export/problems.h"
 #include "core/export/writers.h"
+#include "core/quality/measures.h"
 
 namespace toile {
 namespace {
 
-using Json = nlohmann::ordered_json;  // fields in the order of docs/report.md
-
 constexpr int kReportVersion = 1;  // of the fields: grows when one changes its meaning or goes
-constexpr int kIndent = 2;
-
-/// The one way of a number into the report: JSON has no NaN and no infinity.
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json number(const std::optional<double>& value) {
-    return value ? number(*value) : Json(nullptr);
-}
-
-Json text(std::string_view words) {
-    return Json(std::string(words));
-}
-
-Json problemJson(const Error& error, const Json& piece) {
-    return {{"code", text(name(error.code))}, {"piece", piece}, {"message", sentence(error)}};
-}
-
-/// The problem's place as a piece's name, or null where it is about the file.
-Json pieceOf(const Error& error, const Garment& garment, int file) {
-    for (const auto& piece : garment.pieces) {
-        if (piece->file == file && piece->name == error.where) {
-            return Json(piece->name);
-        }
-    }
-    return nullptr;
-}
-
-Json fileJson(const Garment& garment, const PieceResults& results, int index) {
-    const SourceFile& file = *garment.files[index];
-    Json problems = Json::array();
-    for (const Error& error : problemsOf(file)) {
-        problems.push_back(problemJson(error, pieceOf(error, garment, index)));
-    }
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        const Piece& piece = *garment.pieces[i];
-        if (piece.file == index && results[i]->error) {
-            problems.push_back(problemJson(*results[i]->error, Json(piece.name)));
-        }
-    }
-    return {{"path", pathText(file.path)},
-            {"unit", text(symbol(file.unit))},
-            {"unit_reason", file.unitReason.empty() ? Json(nullptr) : Json(file.unitReason)},
-            {"split", text(name(file.split.mode))},
-            {"split_reason", file.split.reason.empty() ? Json(nullptr) : Json(file.split.reason)},
-            {"vertices", file.soup.positions.size()},
-            {"faces", file.soup.faceCount()},
-            {"seconds_read", number(file.readSeconds)},
-            {"problems", std::move(problems)}};
-}
 
 /// Figures of a flat piece; all null for one that is not.
 void addQuality(Json& json, const PieceQuality* q) {
@@ -109,6 +54,18 @@ void addDiagnostics(Json& json, const PieceResult& result) {
     json["angle_energy"] = boundary ? number(result.flat->angleEnergy) : Json(nullptr);
 }
 
+/// Inner loops that stay open: their rims are measured, not kept.
+Json holesJson(const Piece& piece, const PieceResult& result) {
+    Json holes = Json::array();
+    for (const auto& hole : piece.holes) {
+        const Json flat =
+            result.flat ? number(boundaryLengths2d(result.flat->Q, hole).sum()) : Json(nullptr);
+        holes.push_back({{"length_3d", number(boundaryLengths3d(piece.mesh.V, hole).sum())},
+                         {"length_2d", flat}});
+    }
+    return holes;
+}
+
 Json secondsJson(const PieceResult& result, double readSeconds) {
     const FlatPiece* flat = result.flat ? &*result.flat : nullptr;
     return {{"read", number(readSeconds)},
@@ -140,6 +97,7 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
     }
     addQuality(json, result.flat && result.quality ? &*result.quality : nullptr);
     addDiagnostics(json, result);
+    json["holes"] = holesJson(piece, result);
     json["reference"] = referenceJson(result);
     json["seconds"] = secondsJson(result, file.readSeconds);
     return json;
@@ -149,16 +107,15 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
 
 std::string writeReport(const Garment& garment, const PieceResults& results) {
     Json report{{"version", kReportVersion}, {"toile", text(version())}};
-    report["files"] = Json::array();
-    for (std::size_t i = 0; i < garment.files.size(); ++i) {
-        report["files"].push_back(fileJson(garment, results, static_cast<int>(i)));
-    }
+    report["files"] = filesJson(garment, results);
     report["pieces"] = Json::array();
     for (std::size_t i = 0; i < results.size(); ++i) {
         report["pieces"].push_back(pieceJson(garment, *garment.pieces[i], *results[i]));
     }
-    // Names come from files: bytes that are no UTF-8 become U+FFFD instead of an exception.
-    return report.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+    report["cuts"] = cutsJson(garment);
+    report["seams"] = seamsJson(garment, results);
+    report["problems"] = problemsJson(garment);
+    return jsonText(report);
 }
 
 }  // namespace toile

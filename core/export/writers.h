@@ -34,4 +34,7 @@ std::string writeObj(const Garment& garment, const PieceResults& results,
 /// The JSON report of docs/report.md. Never NaN or Infinity: null.
 std::string writeReport(const Garment& garment, const PieceResults& results);
 
+/// What a garment holds before it is flat: files, pieces, cuts, seams and problems, as JSON.
+std::string writeInfo(const Garment& garment);
+
 }  // namespace toile

@@ -62,12 +62,15 @@ Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options, Pro
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, piece.name, ""};
     }
-    auto flat = runMethod(piece, options, progress);
+    // A hole is closed for the solve and its caps are forgotten: its rim follows the cloth around.
+    auto flat = piece.holes.empty() ? runMethod(piece, options, progress)
+                                    : runMethod(withHolesFilled(piece), options, progress);
     if (!flat) {
         Error error = flat.error();
         error.where = piece.name;
         return error;
     }
+    flat->Q.conservativeResize(piece.mesh.V.rows(), 2);
     standUpright(piece.mesh.V, flat->Q);
     if (!flat->Q.allFinite()) {
         return Error{ErrorCode::NotFinite, piece.name, "flat positions"};

@@ -42,7 +42,8 @@ struct FlatPiece {
 };
 
 /// Flattens one piece. The y axis points where the 3D +y axis points as seen in the plane.
-/// @param piece  a disk (no defect), millimetres
+/// Holes are filled for the solve; the lengths of their rims are not kept.
+/// @param piece  a disk, holes aside (no defect), millimetres
 /// @errors the piece's own defect, NoClosedOutline, BoundaryNotConverged, FactorisationFailed,
 ///         NotFinite, Cancelled
 /// Cost: one sparse factorisation of the interior, two back-substitutions. Re-entrant.

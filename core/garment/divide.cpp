@@ -9,6 +9,7 @@
 #include "core/garment/corner_uv.h"
 #include "core/garment/piece_names.h"
 #include "core/io/triangulate.h"
+#include "core/mesh/connected_parts.h"
 #include "core/mesh/repair.h"
 
 namespace toile {
@@ -21,8 +22,9 @@ constexpr double kExactScaleBand = 0.1;
 /// Takes the triangles of one part. Vertices are numbered in order of their index in the division,
 /// that is of their position in the file, so that the piece does not depend on the order of
 /// corners.
-MeshPart gather(const PolygonSoup& soup, const Triangulation& triangles, const Division& division,
-                const std::vector<int>& members, double millimetres, std::vector<int>& vertices) {
+MeshPart gather(const SourceFile& file, const Triangulation& triangles, const Division& division,
+                const std::vector<int>& members, std::vector<int>& vertices) {
+    const double millimetres = millimetresPer(file.unit);
     vertices.clear();
     for (const int t : members) {
         for (int k = 0; k < 3; ++k) {
@@ -37,7 +39,7 @@ MeshPart gather(const PolygonSoup& soup, const Triangulation& triangles, const D
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         part.sourceVertex.push_back(division.positionOf[vertices[v]]);
         part.mesh.V.row(static_cast<Eigen::Index>(v)) =
-            millimetres * soup.positions[part.sourceVertex.back()];
+            millimetres * withYUp(file.up, file.soup.positions[part.sourceVertex.back()]);
     }
     part.mesh.F.resize(static_cast<Eigen::Index>(members.size()), 3);
     for (std::size_t f = 0; f < members.size(); ++f) {
@@ -49,54 +51,6 @@ MeshPart gather(const PolygonSoup& soup, const Triangulation& triangles, const D
         part.sourceFace.push_back(triangles.sourceFace[members[f]]);
     }
     return part;
-}
-
-/// Mending may take a part to pieces, where they hung together by what had to be cut.
-std::vector<MeshPart> connectedParts(MeshPart part) {
-    const std::vector<int> label =
-        faceComponents(part.mesh.F, static_cast<int>(part.mesh.V.rows()));
-    const int count = label.empty() ? 0 : 1 + *std::max_element(label.begin(), label.end());
-    if (count == 1) {
-        std::vector<MeshPart> whole;
-        whole.push_back(std::move(part));
-        return whole;
-    }
-    std::vector<MeshPart> parts(count);
-    std::vector<int> newIndex(static_cast<std::size_t>(part.mesh.V.rows()), -1);
-    std::vector<int> partOfVertex(newIndex.size(), -1);
-    std::vector<int> faces(count, 0);
-    for (int f = 0; f < part.mesh.F.rows(); ++f) {
-        ++faces[label[f]];
-        for (int k = 0; k < 3; ++k) {
-            partOfVertex[part.mesh.F(f, k)] = label[f];
-        }
-    }
-    for (std::size_t v = 0; v < newIndex.size(); ++v) {
-        if (partOfVertex[v] >= 0) {
-            MeshPart& to = parts[partOfVertex[v]];
-            newIndex[v] = static_cast<int>(to.sourceVertex.size());
-            to.sourceVertex.push_back(part.sourceVertex[v]);
-        }
-    }
-    for (int p = 0; p < count; ++p) {
-        parts[p].mesh.V.resize(static_cast<Eigen::Index>(parts[p].sourceVertex.size()), 3);
-        parts[p].mesh.F.resize(faces[p], 3);
-    }
-    for (std::size_t v = 0; v < newIndex.size(); ++v) {
-        if (partOfVertex[v] >= 0) {
-            parts[partOfVertex[v]].mesh.V.row(newIndex[v]) =
-                part.mesh.V.row(static_cast<Eigen::Index>(v));
-        }
-    }
-    for (int f = 0; f < part.mesh.F.rows(); ++f) {
-        MeshPart& to = parts[label[f]];
-        const auto row = static_cast<Eigen::Index>(to.sourceFace.size());
-        for (int k = 0; k < 3; ++k) {
-            to.mesh.F(row, k) = newIndex[part.mesh.F(f, k)];
-        }
-        to.sourceFace.push_back(part.sourceFace[f]);
-    }
-    return parts;
 }
 
 /// The uv of each vertex of a piece, by its corners' faces; nothing where a corner has none.
@@ -143,7 +97,7 @@ DividedFile divide(const SourceFile& file, int fileIndex, const std::string& nam
     PieceNames names(soup, divided.split.mode);
     std::vector<int> vertices;
     for (const auto& faces : members) {
-        MeshPart part = gather(soup, triangles, division, faces, millimetres, vertices);
+        MeshPart part = gather(file, triangles, division, faces, vertices);
         const std::string wanted = names.inFile(part.sourceFace.front());
         std::string name = names.unique(wanted);
         if (options.repair) {
@@ -152,7 +106,7 @@ DividedFile divide(const SourceFile& file, int fileIndex, const std::string& nam
                                     mended.repairs.end());
             part = std::move(mended.part);
         }
-        for (MeshPart& connected : connectedParts(std::move(part))) {
+        for (auto& [connected, ignored] : connectedParts(std::move(part))) {
             if (name.empty()) {
                 name = names.unique(wanted);  // the part fell apart: its pieces share the name
             }

@@ -8,9 +8,12 @@
 
 #include "core/base/error.h"
 #include "core/base/length_unit.h"
+#include "core/garment/cut_pieces.h"
 #include "core/garment/piece.h"
+#include "core/garment/seam.h"
 #include "core/garment/split.h"
 #include "core/io/soup.h"
+#include "core/io/up_axis.h"
 
 namespace toile {
 
@@ -19,16 +22,25 @@ struct SourceFile {
     std::filesystem::path path;
     LengthUnit unit = LengthUnit::Millimetre;
     std::string unitReason;  ///< why this unit, where it was not stated; else empty
+    bool unitInDoubt = false;
+    UpAxis up = UpAxis::Y;  ///< the file's axis that points up; pieces have y up
+    std::string upReason;   ///< why this axis, where it was not stated; else empty
+    bool upInDoubt = false;
     PolygonSoup soup;
     SplitChoice split;  ///< by what the file was divided, and why
     Problems problems;  ///< of the file as a whole; a piece's own are with the piece
     double readSeconds = 0;
 };
 
-/// A garment: files and the pieces found in them, in order of their first face.
+/// A garment: files, the pieces found in them, in order of their first face, and how these are cut
+/// and sewn. All of it follows from the files and the orders given; nothing is changed later.
 struct Garment {
     std::vector<std::shared_ptr<const SourceFile>> files;
-    std::vector<std::shared_ptr<const Piece>> pieces;
+    std::vector<std::shared_ptr<const Piece>> wholes;  ///< as divided, before any cut
+    std::vector<std::shared_ptr<const Piece>> pieces;  ///< after it; those without cuts are shared
+    std::vector<MadeCut> cuts;
+    SeamGraph seams;    ///< of `pieces`
+    Problems problems;  ///< of the garment as a whole: cuts that could not be made
 };
 
 }  // namespace toile

@@ -18,7 +18,7 @@ class TriMesh;
 struct Piece {
     std::string name;               ///< unique within the garment
     int file = 0;                   ///< index into Garment::files
-    MeshArrays mesh;                ///< millimetres, the file's axes
+    MeshArrays mesh;                ///< millimetres, y up
     std::vector<int> sourceVertex;  ///< per vertex: position index in the file's soup, or -1
     std::vector<int> sourceFace;    ///< per triangle: face index in the file's soup
     EdgeTable table;                ///< edges, and the three of each triangle
@@ -27,14 +27,25 @@ struct Piece {
     /// with. May lie mirrored.
     std::optional<Points2> reference;
 
-    /// What follows is there only where the piece is a disk (defect is empty).
+    /// What follows is there only where the piece is a disk, holes aside (defect is empty).
     std::shared_ptr<const TriMesh> halfedges;  ///< same vertex and face indices as `mesh`
-    std::vector<int> boundary;    ///< the one loop, surface on its left; starts at its least index
-    std::optional<Error> defect;  ///< why the piece cannot be flattened as it is
+    std::vector<int> boundary;  ///< the outline, surface on its left; starts at its least index
+    std::vector<std::vector<int>> holes;  ///< loops inside the outline that stay open, surface on
+                                          ///< their left; their lengths are not kept when flat
+    std::optional<Error> defect;          ///< why the piece cannot be flattened as it is
 };
 
 /// Checks the mesh and builds its half-edges, or names the defect. The mapping back to a file is
-/// left empty. @param mesh  one connected component, mm  Cost: linear. Pure.
+/// left empty. Loops that are holes in the cloth (`sortLoops`) are no defect.
+/// @param mesh  one connected component, mm  Cost: linear. Pure.
 Piece makePiece(std::string name, MeshArrays mesh);
+
+/// Lengths of all boundary loops, mm; of a mesh that is not manifold, of those that can be
+/// followed.
+std::vector<double> loopLengths(const Piece& piece);
+
+/// The piece with its holes closed by caps, for a solver that wants a disk: the piece's vertices
+/// and faces first, with the same indices. Precondition: no defect. Cost: linear.
+Piece withHolesFilled(const Piece& piece);
 
 }  // namespace toile

@@ -13,7 +13,8 @@ namespace toile {
 namespace {
 
 constexpr std::array kModes = {SplitMode::Auto,   SplitMode::Components, SplitMode::Objects,
-                               SplitMode::Groups, SplitMode::Materials,  SplitMode::Uv};
+                               SplitMode::Groups, SplitMode::Materials,  SplitMode::Uv,
+                               SplitMode::Seams};
 
 /// What keeps a face apart from others: its object, group or material, 0 where the mode has none.
 int classOf(SplitMode mode, const PolygonSoup& soup, int face) {
@@ -30,6 +31,7 @@ int classOf(SplitMode mode, const PolygonSoup& soup, int face) {
         case SplitMode::Auto:
         case SplitMode::Components:
         case SplitMode::Uv:
+        case SplitMode::Seams:
             return 0;
     }
     return 0;
@@ -75,17 +77,46 @@ Division splitTriangles(SplitMode mode, const PolygonSoup& soup, const Triangula
     return division;
 }
 
+namespace {
+
+/// The share of parts that are disks, by Euler's number: the panels of a garment nearly all are,
+/// the islands of an artist's texture map are tubes and rings too.
+double diskShare(const Division& division) {
+    const auto vertexCount = static_cast<int>(division.positionOf.size());
+    std::vector<int> euler(division.partCount, 0);
+    std::vector<int> partOfVertex(vertexCount, -1);
+    for (int t = 0; t < division.cornerVertex.rows(); ++t) {
+        ++euler[division.partOfTriangle[t]];
+        for (int k = 0; k < 3; ++k) {
+            partOfVertex[division.cornerVertex(t, k)] = division.partOfTriangle[t];
+        }
+    }
+    for (const int part : partOfVertex) {
+        ++euler[part];
+    }
+    const EdgeTable table = buildEdgeTable(division.cornerVertex, vertexCount);
+    for (int e = 0; e < table.edges.rows(); ++e) {
+        --euler[partOfVertex[table.edges(e, 0)]];
+    }
+    return static_cast<double>(std::count(euler.begin(), euler.end(), 1)) / division.partCount;
+}
+
+}  // namespace
+
 SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangulation& triangles) {
     constexpr double kMostEdgesAreClose = 0.8;
+    constexpr double kMostIslandsAreDisks = 0.8;
     constexpr double kFewestTrianglesPerIsland = 4;  // an atlas of single triangles is no pattern
     if (wanted != SplitMode::Auto) {
         return {wanted, ""};
     }
     const auto scale = measureUvScale(soup, triangles);
     if (scale && scale->closeShare >= kMostEdgesAreClose) {
-        const int islands = splitTriangles(SplitMode::Uv, soup, triangles).partCount;
+        const Division division = splitTriangles(SplitMode::Uv, soup, triangles);
+        const int islands = division.partCount;
         if (islands > 1 &&
-            static_cast<double>(triangles.F.rows()) >= kFewestTrianglesPerIsland * islands) {
+            static_cast<double>(triangles.F.rows()) >= kFewestTrianglesPerIsland * islands &&
+            diskShare(division) >= kMostIslandsAreDisks) {
             return {SplitMode::Uv, "the UV map is a flat pattern of " + counted(islands, "panel") +
                                        " (" + fixed(100 * scale->closeShare, 0) +
                                        " % of its edges keep their length)"};
@@ -116,6 +147,8 @@ std::string_view name(SplitMode mode) {
             return "materials";
         case SplitMode::Uv:
             return "uv";
+        case SplitMode::Seams:
+            return "seams";
     }
     return "";
 }

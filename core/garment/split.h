@@ -20,6 +20,7 @@ enum class SplitMode {
     Groups,      ///< OBJ `g`
     Materials,   ///< OBJ `usemtl`
     Uv,          ///< islands of the UV map, by shared `vt` index, never by position
+    Seams,       ///< only where the user's cuts part it: like components, whatever names there are
 };
 
 /// A mode other than Auto, and why it was taken where the user stated none.
@@ -28,9 +29,9 @@ struct SplitChoice {
     std::string reason;  ///< for a person; empty where the mode was stated
 };
 
-/// The mode to use. For Auto: UV islands where they lie close to isometric (then they are the
-/// garment's own flat panels, as CLO and Marvelous Designer write them), else objects, else groups
-/// where the file names at least two, else components. Cost: one pass over the UV edges.
+/// The mode to use. For Auto: UV islands where they lie close to isometric and are disks (then they
+/// are the garment's own flat panels, as CLO and Marvelous Designer write them), else objects, else
+/// groups where the file names at least two, else components. Cost: one pass over the UV edges.
 SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangulation& triangles);
 
 /// A division of triangles: each triangle's part, numbered by first triangle, and the vertex that

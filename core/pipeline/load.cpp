@@ -7,6 +7,7 @@
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
 #include "core/garment/divide.h"
+#include "core/garment/weld_soup.h"
 #include "core/io/soup.h"
 #include "core/io/unit_guess.h"
 #include "core/pipeline/pipeline.h"
@@ -16,28 +17,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double largestExtent(const PolygonSoup& soup) {
+Eigen::Vector3d extentsOf(const PolygonSoup& soup) {
     Eigen::AlignedBox3d box;
     for (const int corner : soup.corners) {
         if (soup.positions[corner].allFinite()) {
             box.extend(soup.positions[corner]);
         }
     }
-    return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+    return box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.sizes());
 }
 
-void chooseUnit(SourceFile& file, const std::optional<LengthUnit>& stated) {
+void chooseUnit(SourceFile& file, const std::optional<LengthUnit>& stated, double largestExtent) {
     if (stated) {
         file.unit = *stated;
         return;
     }
-    const UnitGuess guess = guessUnit(largestExtent(file.soup));
+    const UnitGuess guess = guessUnit(largestExtent);
     file.unit = guess.unit;
     file.unitReason = guess.reason;
+    file.unitInDoubt = guess.inDoubt;
     if (guess.inDoubt) {
         file.problems.push_back(
             {ErrorCode::UnitGuessed, file.path.filename().string(), guess.reason});
     }
+}
+
+void chooseUpAxis(SourceFile& file, const std::optional<UpAxis>& stated,
+                  const Eigen::Vector3d& extents) {
+    if (stated) {
+        file.up = *stated;
+        return;
+    }
+    UpGuess guess = guessUpAxis(extents);
+    file.up = guess.axis;
+    file.upReason = std::move(guess.reason);
+    file.upInDoubt = guess.inDoubt;
 }
 
 void noteUnusedVertices(SourceFile& file) {
@@ -53,11 +67,52 @@ void noteUnusedVertices(SourceFile& file) {
 }
 
 /// The first note that something of the file was left out or read otherwise than written.
-const Error* firstChange(const Problems& problems) {
-    const auto found = std::find_if(problems.begin(), problems.end(), [](const Error& problem) {
-        return problem.code != ErrorCode::UnitGuessed && problem.code != ErrorCode::UnusedVertices;
+const Error* firstChange(const Problems& problems, const LoadOptions& options) {
+    const auto found = std::find_if(problems.begin(), problems.end(), [&](const Error& problem) {
+        return problem.code != ErrorCode::UnitGuessed &&
+               problem.code != ErrorCode::UnusedVertices &&
+               !(problem.code == ErrorCode::VerticesWelded && options.weld);
     });
     return found == problems.end() ? nullptr : &*found;
+}
+
+/// Everything about one file up to its pieces.
+struct LoadedFile {
+    std::shared_ptr<const SourceFile> file;
+    std::vector<std::shared_ptr<const Piece>> pieces;
+};
+
+Result<LoadedFile> loadFile(const fs::path& path, int index, const std::string& prefix,
+                            const LoadOptions& options, Progress& progress) {
+    const Stopwatch time;
+    auto soup = readSoup(path, progress);
+    if (!soup) {
+        return soup.error();
+    }
+    progress.advance(1);
+    auto file = std::make_shared<SourceFile>();
+    file->path = path;
+    file->soup = std::move(*soup);
+    file->problems = file->soup.problems;
+    const Eigen::Vector3d extents = extentsOf(file->soup);
+    chooseUnit(*file, options.unit, extents.maxCoeff());
+    chooseUpAxis(*file, options.up, extents);
+    noteUnusedVertices(*file);
+    const auto take = [&file](const Problems& problems) {
+        file->problems.insert(file->problems.end(), problems.begin(), problems.end());
+    };
+    take(weldSoup(file->soup, options.weld, millimetresPer(file->unit), path.filename().string()));
+    DividedFile divided = divide(*file, index, prefix, {options.split, !options.strict});
+    file->split = std::move(divided.split);
+    take(divided.problems);
+    if (options.strict) {
+        if (const Error* change = firstChange(file->problems, options)) {
+            return *change;
+        }
+    }
+    file->readSeconds = time.seconds();
+    progress.advance(1);
+    return LoadedFile{std::move(file), std::move(divided.pieces)};
 }
 
 /// Stems of the files, made unique, for piece names of a garment of several files.
@@ -82,42 +137,22 @@ Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOption
     const std::vector<std::string> prefix = prefixes(paths);
     progress.start(2.0 * static_cast<double>(paths.size()));
     for (std::size_t k = 0; k < paths.size(); ++k) {
-        const Stopwatch time;
-        auto soup = readSoup(paths[k], progress);
-        if (!soup) {
-            return soup.error();
+        auto loaded = loadFile(paths[k], static_cast<int>(k),
+                               paths.size() > 1 ? prefix[k] + "/" : "", options, progress);
+        if (!loaded) {
+            return loaded.error();
         }
-        progress.advance(1);
-        auto file = std::make_shared<SourceFile>();
-        file->path = paths[k];
-        file->soup = std::move(*soup);
-        file->problems = file->soup.problems;
-        chooseUnit(*file, options.unit);
-        noteUnusedVertices(*file);
-        DividedFile divided =
-            divide(*file, static_cast<int>(k), paths.size() > 1 ? prefix[k] + "/" : "",
-                   {options.split, !options.strict});
-        file->split = std::move(divided.split);
-        file->problems.insert(file->problems.end(), divided.problems.begin(),
-                              divided.problems.end());
-        if (options.strict) {
-            if (const Error* change = firstChange(file->problems)) {
-                return *change;
-            }
-        }
-        file->readSeconds = time.seconds();
-        garment.pieces.insert(garment.pieces.end(), divided.pieces.begin(), divided.pieces.end());
-        garment.files.push_back(std::move(file));
-        progress.advance(1);
+        garment.files.push_back(std::move(loaded->file));
+        garment.wholes.insert(garment.wholes.end(), loaded->pieces.begin(), loaded->pieces.end());
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled, "", ""};
         }
     }
-    if (garment.pieces.empty()) {
+    if (garment.wholes.empty()) {
         return Error{ErrorCode::NoGeometry, paths.empty() ? "" : paths.front().string(),
                      "no usable face is left"};
     }
-    return garment;
+    return cutGarment(garment, options, progress);
 }
 
 }  // namespace toile

@@ -7,6 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/cut/seams_file.h"
 #include "core/flatten/flatten.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
@@ -21,15 +22,26 @@ namespace toile {
 
 struct LoadOptions {
     std::optional<LengthUnit> unit;  ///< of all files; guessed per file where not given
+    std::optional<UpAxis> up;        ///< of all files; guessed per file where not given
     SplitMode split = SplitMode::Auto;
-    bool strict = false;  ///< refuse a file in which anything had to be left out or mended
+    bool weld = false;     ///< join vertices that lie on each other, within each object
+    bool strict = false;   ///< refuse a file in which anything had to be left out or mended
+    bool autoCut = false;  ///< cut open what is no disk
+    SeamsFile seams;       ///< the user's cuts, in the unit and axes of the first file, and ease
 };
 
-/// Reads files into one garment. With several files piece names are prefixed by the file's stem.
-/// Errors: those of readSoup, for the first file that cannot be read; nothing is loaded then.
-/// With `strict` also the first note about something left out or mended.
+/// Reads files into one garment: soup, weld, unit, division, repair, cuts, seams. With several
+/// files piece names are prefixed by the file's stem. A cut that cannot be made, or an ease for a
+/// seam that is not there, is a problem of the garment. Errors: those of readSoup, for the first
+/// file that cannot be read; nothing is loaded then. With `strict` also the first note about
+/// something left out or mended.
 Result<Garment> loadGarment(const std::vector<std::filesystem::path>& paths,
                             const LoadOptions& options, Progress& progress);
+
+/// The same garment cut and sewn anew, for an edit of the cuts or the ease: nothing is read, and
+/// pieces that no cut touches are the same pointers as before.
+/// Errors: Cancelled.
+Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, Progress& progress);
 
 /// Flattens and measures every piece, in parallel over pieces; a piece that fails leaves the
 /// others alone. Same input, same numbers, whatever the number of threads.

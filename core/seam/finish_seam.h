@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/garment/seam.h"
 #include "core/seam/choose_runs.h"
-#include "core/seam/seam.h"
 
 namespace toile {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/garment/piece.h"
+#include "core/garment/seam.h"
 #include "core/seam/outline.h"
-#include "core/seam/seam.h"
 
 namespace toile {
 

@@ -4,32 +4,95 @@
 #include <algorithm>
 
 namespace toile {
+namespace {
 
-double flatLength(const SeamSide& side, const Piece& piece, const Points2& Q) {
+/// A place nearer to a vertex than this fraction of the edge is the vertex.
+constexpr double kAtVertex = 1e-9;
+
+/// One edge of a stretch of outline and the part of it that belongs to the stretch.
+struct PartOfEdge {
+    int tail, head;   ///< vertices
+    double from, to;  ///< fractions of the edge; exactly 0 and 1 where the whole edge is in
+};
+
+/// The parts of a stretch, along the outline whatever the side's direction.
+std::vector<PartOfEdge> partsOf(const SeamSide& side, const Piece& piece) {
     const int n = static_cast<int>(piece.boundary.size());
+    const auto lengthOf = [&](int k) {
+        return (piece.mesh.V.row(piece.boundary[(k + 1) % n]) -
+                piece.mesh.V.row(piece.boundary[k % n]))
+            .norm();
+    };
     const auto [low, high] = std::minmax(side.start, side.end);
     // The arc length at which edge `first` begins, summed up as when the seam was found.
     double arc = 0;
     for (int k = 0; k < side.first; ++k) {
-        arc += (piece.mesh.V.row(piece.boundary[k + 1 < n ? k + 1 : 0]) -
-                piece.mesh.V.row(piece.boundary[k]))
-                   .norm();
+        arc += lengthOf(k);
     }
-    double flat = 0;
+    std::vector<PartOfEdge> parts;
     for (int k = side.first; k < side.first + side.count; ++k) {
-        const int u = piece.boundary[k % n], v = piece.boundary[(k + 1) % n];
-        const double length = (piece.mesh.V.row(v) - piece.mesh.V.row(u)).norm();
-        const double part = std::min(high, arc + length) - std::max(low, arc);
-        // A whole edge is taken whole, free of the rounding in the sums.
-        const double share = part > (1 - 1e-9) * length ? 1 : std::max(0.0, part / length);
-        flat += share * (Q.row(v) - Q.row(u)).norm();
+        const double length = lengthOf(k);
+        // An end at a vertex is put there exactly, free of the rounding in the sums.
+        const auto fraction = [&](double place) {
+            const double t = std::clamp((place - arc) / length, 0.0, 1.0);
+            return t < kAtVertex ? 0 : t > 1 - kAtVertex ? 1 : t;
+        };
+        parts.push_back({piece.boundary[k % n], piece.boundary[(k + 1) % n],
+                         length > 0 ? fraction(low) : 0, length > 0 ? fraction(high) : 1});
         arc += length;
+    }
+    return parts;
+}
+
+}  // namespace
+
+double flatLength(const SeamSide& side, const Piece& piece, const Points2& Q) {
+    double flat = 0;
+    for (const PartOfEdge& part : partsOf(side, piece)) {
+        flat += (part.to - part.from) * (Q.row(part.head) - Q.row(part.tail)).norm();
     }
     return flat;
 }
 
+Points2 flatLine(const SeamSide& side, const Piece& piece, const Points2& Q) {
+    const std::vector<PartOfEdge> parts = partsOf(side, piece);
+    if (parts.empty()) {
+        return {};
+    }
+    const auto at = [&Q](const PartOfEdge& part, double t) {
+        return ((1 - t) * Q.row(part.tail) + t * Q.row(part.head)).eval();
+    };
+    Points2 line(static_cast<Eigen::Index>(parts.size()) + 1, 2);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        line.row(static_cast<Eigen::Index>(i)) = at(parts[i], parts[i].from);
+    }
+    line.bottomRows<1>() = at(parts.back(), parts.back().to);
+    return side.reversed ? Points2(line.colwise().reverse()) : line;
+}
+
+double easeOf(const Seam& seam) {
+    if (seam.right.piece < 0 || !(seam.length3d[1] > 0)) {
+        return 0;
+    }
+    return seam.ease.value_or(seam.length3d[0] / seam.length3d[1] - 1);
+}
+
+std::string_view name(SeamKind kind) {
+    switch (kind) {
+        case SeamKind::Seam:
+            return "seam";
+        case SeamKind::Dart:
+            return "dart";
+        case SeamKind::Fold:
+            return "fold";
+        case SeamKind::Free:
+            return "free";
+    }
+    return "";
+}
+
 SeamMeasure measureSeam(const Seam& seam, const Piece& l, const Points2& Ql, const Piece& r,
-                        const Points2& Qr, std::optional<double> ease) {
+                        const Points2& Qr) {
     SeamMeasure measure;
     measure.length3d[0] = seam.length3d[0];
     measure.length3d[1] = seam.length3d[1];
@@ -39,7 +102,7 @@ SeamMeasure measureSeam(const Seam& seam, const Piece& l, const Points2& Ql, con
     }
     measure.length2dRight = flatLength(seam.right, r, Qr);
     measure.deltaMm = measure.length2dLeft - measure.length2dRight;
-    measure.ease = ease.value_or(seam.length3d[0] / seam.length3d[1] - 1);
+    measure.ease = easeOf(seam);
     measure.errorMm = measure.length2dLeft - (1 + measure.ease) * measure.length2dRight;
     return measure;
 }

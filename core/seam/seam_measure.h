@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <string_view>
 
 #include "core/garment/piece.h"
+#include "core/garment/seam.h"
 #include "core/mesh/mesh_arrays.h"
-#include "core/seam/seam.h"
 
 namespace toile {
 
@@ -24,13 +24,22 @@ struct SeamMeasure {
     double errorMm = 0;
 };
 
+/// The intended ease of a seam: its own, or where it states none, that of the 3D lengths, left /
+/// right - 1; zero for a free edge.
+double easeOf(const Seam& seam);
+
 /// Measures a seam between two flat pieces. A part of an edge counts in proportion.
 /// @param Ql, Qr  flat points, #V x 2, in the piece's vertex order; the same where l and r are one
-/// @param ease    intended ease; where not given, that of the 3D lengths: left / right - 1
 /// For a free edge `r` and `Qr` are not looked at, and the differences are zero.
 /// Cost: linear in the edges of the two outlines. Pure.
 SeamMeasure measureSeam(const Seam& seam, const Piece& l, const Points2& Ql, const Piece& r,
-                        const Points2& Qr, std::optional<double> ease = {});
+                        const Points2& Qr);
+
+/// Flat stretch of outline as a polyline, mm, in the side's direction: its two ends and the
+/// vertices between them. Cost: linear in the outline's edges. Pure.
+Points2 flatLine(const SeamSide& side, const Piece& piece, const Points2& Q);
+/// "seam", "dart", "fold", "free".
+std::string_view name(SeamKind kind);
 
 /// Flat length of a stretch of outline, mm.
 double flatLength(const SeamSide& side, const Piece& piece, const Points2& Q);

@@ -22,7 +22,7 @@ TEST(Arguments, NothingOrAFileOpensTheWindow) {
     const Arguments file = parse({"dress.obj", "belt.obj", "--unit", "cm"});
     EXPECT_EQ(file.command, Command::Window);
     EXPECT_EQ(file.inputs.size(), 2U);
-    EXPECT_EQ(file.unit, LengthUnit::Centimetre);
+    EXPECT_EQ(file.load.unit, LengthUnit::Centimetre);
     EXPECT_EQ(parse({"dress.obj", "--screenshot", "a.png"}).screenshot, "a.png");
     EXPECT_EQ(parse({"dress.obj", "--overlay", "strain"}).overlay, Overlay::Strain);
     EXPECT_EQ(parse({}).overlay, Overlay::Checker);
@@ -38,10 +38,10 @@ TEST(Arguments, FlattenTakesManyInputsAndOutputs) {
     EXPECT_EQ(a.outputs[2], "r.json");
     EXPECT_EQ(a.options.method, Method::Natural);
     EXPECT_EQ(a.options.boundarySolver, BoundarySolver::Slcp);
-    EXPECT_FALSE(a.unit);
-    EXPECT_EQ(a.split, SplitMode::Auto);
-    EXPECT_EQ(parse({"flatten", "a.obj", "--split", "uv"}).split, SplitMode::Uv);
-    EXPECT_TRUE(parse({"info", "a.obj", "--strict"}).strict);
+    EXPECT_FALSE(a.load.unit);
+    EXPECT_EQ(a.load.split, SplitMode::Auto);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--split", "uv"}).load.split, SplitMode::Uv);
+    EXPECT_TRUE(parse({"info", "a.obj", "--strict"}).load.strict);
 }
 
 TEST(Arguments, AnOutputMayComeBeforeTheInput) {

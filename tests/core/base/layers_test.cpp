@@ -23,15 +23,17 @@ const std::map<std::string, Folders> kMayUse = {
     {"linalg", {"base"}},
     {"cut", {"base", "mesh"}},
     {"io", {"base", "mesh"}},
-    {"garment", {"base", "mesh", "io"}},
+    {"garment", {"base", "mesh", "io", "cut"}},
     {"quality", {"base", "mesh", "garment"}},
     {"flatten", {"base", "mesh", "linalg", "garment", "quality"}},
     {"seam", {"base", "mesh", "garment", "quality", "flatten"}},
-    {"pattern", {"base", "mesh", "garment", "quality", "flatten"}},
+    {"pattern", {"base", "mesh", "garment", "quality", "flatten", "seam"}},
     {"sheet", {"base", "mesh", "pattern"}},
-    {"export", {"base", "mesh", "io", "garment", "quality", "flatten", "pattern", "sheet"}},
+    {"export",
+     {"base", "mesh", "io", "cut", "garment", "quality", "flatten", "seam", "pattern", "sheet"}},
     {"pipeline",
-     {"base", "mesh", "io", "garment", "quality", "flatten", "pattern", "sheet", "export"}},
+     {"base", "mesh", "io", "cut", "garment", "quality", "flatten", "seam", "pattern", "sheet",
+      "export"}},
 };
 
 template <class Visit>

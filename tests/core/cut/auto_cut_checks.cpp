@@ -14,8 +14,9 @@ AutoCut propose(const MeshArrays& mesh, const AutoCutOptions& options) {
     return proposal ? *proposal : AutoCut{};
 }
 
-AutoCut expectOneDisk(const MeshArrays& mesh, const std::string& what) {
-    const AutoCut proposal = propose(mesh);
+AutoCut expectOneDisk(const MeshArrays& mesh, const std::string& what,
+                      const AutoCutOptions& options) {
+    const AutoCut proposal = propose(mesh, options);
     const auto result = applyAutoCut(mesh, proposal);
     EXPECT_TRUE(result) << what;
     if (!result) {

@@ -11,6 +11,7 @@ namespace toile::test {
 AutoCut propose(const MeshArrays& mesh, const AutoCutOptions& options = {});
 
 /// Proposes and cuts; expects a sound cut and one disk.
-AutoCut expectOneDisk(const MeshArrays& mesh, const std::string& what);
+AutoCut expectOneDisk(const MeshArrays& mesh, const std::string& what,
+                      const AutoCutOptions& options = {});
 
 }  // namespace toile::test

@@ -51,9 +51,14 @@ TEST(AutoCut, JoinsThreeLoopsByTwoSeams) {
         const int row = f / 40;
         return (row == 5 || row == 6) && (column == 4 || column == 5 || column / 3 == 4);
     });
-    const AutoCut proposal = test::expectOneDisk(mesh, "two holes");
+    AutoCutOptions never;
+    never.smallHole = 0;
+    const AutoCut proposal = test::expectOneDisk(mesh, "two holes", never);
     EXPECT_EQ(proposal.cuts.size(), 2U);
     EXPECT_TRUE(proposal.holesToFill.empty());
+    const AutoCut flat = test::expectOneDisk(mesh, "two holes in flat cloth");
+    EXPECT_TRUE(flat.cuts.empty());
+    EXPECT_EQ(flat.holesToFill.size(), 2U);
 }
 
 TEST(AutoCut, FillsASmallHoleInsteadOfCuttingToIt) {

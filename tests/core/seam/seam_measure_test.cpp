@@ -39,7 +39,9 @@ TEST(SeamMeasure, WhatFlatteningAddsIsAnErrorAndEaseIsNot) {
     const SeamMeasure wrong = measureSeam(seam, *l, flat(*l, 1.1), *r, flat(*r));
     EXPECT_NEAR(wrong.deltaMm, 10, 1e-9);
     EXPECT_NEAR(wrong.errorMm, 10, 1e-9);
-    const SeamMeasure eased = measureSeam(seam, *l, flat(*l, 1.1), *r, flat(*r), 0.1);
+    Seam meant = seam;
+    meant.ease = 0.1;
+    const SeamMeasure eased = measureSeam(meant, *l, flat(*l, 1.1), *r, flat(*r));
     EXPECT_NEAR(eased.deltaMm, 10, 1e-9);
     EXPECT_NEAR(eased.errorMm, 0, 1e-9);
     EXPECT_NEAR(eased.ease, 0.1, 1e-12);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/garment/piece.h"
-#include "core/seam/seam.h"
+#include "core/garment/seam.h"
 
 namespace toile::test {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,9 @@ struct Seam {
     std::vector<SeamMatch> matches;
     double length3d[2] = {0, 0};  ///< mm, left and right; right is 0 where the edge is free
     double gap = 0;               ///< mean distance between the sides in 3D, mm
+    /// How much longer the left side is meant to be than the right, as a part of the right (0.1 =
+    /// 10 %), where the user has said so; else the 3D lengths tell.
+    std::optional<double> ease;
     /// The right side lies on a place that another seam already takes: a third layer.
     bool stacked = false;
     bool closed = false;  ///< the seam is a closed line: it ends where it starts

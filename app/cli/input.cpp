@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/input.h"
+
+#include <ostream>
+
+#include "app/cli/arguments.h"
+#include "app/cli/table.h"
+#include "core/base/text.h"
+
+namespace toile {
+
+Result<Garment> readInput(const Arguments& arguments, Progress& progress) {
+    LoadOptions options = arguments.load;
+    if (!arguments.seams.empty()) {
+        auto seams = readSeamsFile(arguments.seams);
+        if (!seams) {
+            return seams.error();
+        }
+        options.seams = std::move(*seams);
+    }
+    return loadGarment(arguments.inputs, options, progress);
+}
+
+void printCuts(const Garment& garment, std::ostream& out) {
+    if (garment.cuts.empty()) {
+        return;
+    }
+    Table table({"cut", "made by", "of", "length mm"});
+    for (const MadeCut& cut : garment.cuts) {
+        table.add({cut.name, cut.author == CutAuthor::User ? "user" : "Toile", cut.piece,
+                   fixed(cut.length, 1)});
+    }
+    table.print(out);
+    out << '\n';
+}
+
+bool printProblems(const Garment& garment, std::ostream& err) {
+    bool failed = false;
+    for (const auto& file : garment.files) {
+        for (const Error& problem : file->problems) {
+            err << "toile: " << sentence(problem) << '\n';
+        }
+    }
+    for (const Error& problem : garment.problems) {
+        err << "toile: " << sentence(problem) << '\n';
+        failed = failed || !isNote(problem.code);
+    }
+    return failed;
+}
+
+}  // namespace toile

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/length_unit.h"
+#include "core/base/result.h"
+#include "core/cut/user_cuts.h"
+
+namespace toile {
+
+/// What a seams file orders: cuts of the user's, and how much ease seams are meant to have. The
+/// format is described in docs/seams.md.
+struct SeamsFile {
+    /// Of the cuts' points; without one they are in the unit of the garment's own file.
+    std::optional<LengthUnit> unit;
+    std::vector<UserCut> cuts;  ///< points as written, in the axes of the garment's file
+    /// By the seam's name: intended extra length of its left side, as a part of the right (0.1 = 10
+    /// %; the file has percent).
+    std::map<std::string, double> ease;
+
+    bool empty() const { return cuts.empty() && ease.empty(); }
+};
+
+/// Errors: FileUnreadable; MalformedFile, naming the cut and what is wrong with it. Linear.
+Result<SeamsFile> readSeamsFile(const std::filesystem::path& path);
+/// The same for a text in memory. `name` is used in messages only.
+Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name);
+/// The file's text; reads back to the same values.
+std::string writeSeamsFile(const SeamsFile& file);
+
+/// "path", "loop", "dart".
+std::string_view name(UserCut::Kind kind);
+
+}  // namespace toile

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/json.h"
+
+#include <cmath>
+
+#include "core/cut/seams_file.h"
+#include "core/export/problems.h"
+#include "core/seam/seam_measure.h"
+
+namespace toile {
+namespace {
+
+constexpr int kIndent = 2;
+
+/// The problem's place as a piece's name, or null where it is about the file.
+Json pieceOf(const Error& error, const Garment& garment, int file) {
+    for (const auto* pieces : {&garment.pieces, &garment.wholes}) {
+        for (const auto& piece : *pieces) {
+            if (piece->file == file && piece->name == error.where) {
+                return Json(piece->name);
+            }
+        }
+    }
+    return nullptr;
+}
+
+/// Why a piece is not flat, or will not be.
+const Error* errorOf(const Garment& garment, const PieceResults& results, std::size_t index) {
+    const auto& error = results.empty() ? garment.pieces[index]->defect : results[index]->error;
+    return error ? &*error : nullptr;
+}
+
+Json fileJson(const Garment& garment, const PieceResults& results, int index) {
+    const SourceFile& file = *garment.files[index];
+    Json problems = Json::array();
+    for (const Error& error : problemsOf(file)) {
+        problems.push_back(problemJson(error, pieceOf(error, garment, index)));
+    }
+    for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
+        const Error* error = errorOf(garment, results, i);
+        if (error && garment.pieces[i]->file == index) {
+            problems.push_back(problemJson(*error, Json(garment.pieces[i]->name)));
+        }
+    }
+    return {{"path", pathText(file.path)},
+            {"unit", text(symbol(file.unit))},
+            {"unit_reason", textOrNull(file.unitReason)},
+            {"up", text(name(file.up))},
+            {"up_reason", textOrNull(file.upReason)},
+            {"split", text(name(file.split.mode))},
+            {"split_reason", textOrNull(file.split.reason)},
+            {"vertices", file.soup.positions.size()},
+            {"faces", file.soup.faceCount()},
+            {"seconds_read", number(file.readSeconds)},
+            {"problems", std::move(problems)}};
+}
+
+Json seamJson(const Garment& garment, const PieceResults& results, const Seam& seam) {
+    const bool sewn = seam.right.piece >= 0;
+    const auto flatOf = [&results](int piece) -> const FlatPiece* {
+        const bool flat = piece >= 0 && !results.empty() && results[piece]->flat;
+        return flat ? &*results[piece]->flat : nullptr;
+    };
+    Json pieces = Json::array({garment.pieces[seam.left.piece]->name});
+    if (sewn) {
+        pieces.push_back(garment.pieces[seam.right.piece]->name);
+    }
+    const FlatPiece* left = flatOf(seam.left.piece);
+    const FlatPiece* right = flatOf(seam.right.piece);
+    std::optional<double> length2dLeft, length2dRight, delta, error;
+    if (left) {
+        length2dLeft = flatLength(seam.left, *garment.pieces[seam.left.piece], left->Q);
+    }
+    if (right) {
+        length2dRight = flatLength(seam.right, *garment.pieces[seam.right.piece], right->Q);
+    }
+    const double ease = easeOf(seam);
+    if (left && right) {
+        delta = *length2dLeft - *length2dRight;
+        error = *length2dLeft - (1 + ease) * *length2dRight;
+    }
+    return {{"name", seam.name},
+            {"kind", text(name(seam.kind))},
+            {"pieces", std::move(pieces)},
+            {"length_3d", number(seam.length3d[0])},
+            {"length_3d_right", sewn ? number(seam.length3d[1]) : Json(nullptr)},
+            {"length_2d_left", number(length2dLeft)},
+            {"length_2d_right", number(length2dRight)},
+            {"delta_mm", number(delta)},
+            {"ease", sewn ? number(ease) : Json(nullptr)},
+            {"ease_stated", seam.ease.has_value()},
+            {"error_mm", number(error)},
+            {"stacked", seam.stacked},
+            {"closed", seam.closed}};
+}
+
+}  // namespace
+
+Json number(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json number(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
+
+Json text(std::string_view words) {
+    return Json(std::string(words));
+}
+
+Json textOrNull(const std::string& words) {
+    return words.empty() ? Json(nullptr) : Json(words);
+}
+
+Json problemJson(const Error& error, const Json& piece) {
+    return {{"code", text(name(error.code))}, {"piece", piece}, {"message", sentence(error)}};
+}
+
+Json filesJson(const Garment& garment, const PieceResults& results) {
+    Json files = Json::array();
+    for (std::size_t i = 0; i < garment.files.size(); ++i) {
+        files.push_back(fileJson(garment, results, static_cast<int>(i)));
+    }
+    return files;
+}
+
+Json cutsJson(const Garment& garment) {
+    Json cuts = Json::array();
+    for (const MadeCut& cut : garment.cuts) {
+        cuts.push_back({{"name", cut.name},
+                        {"kind", text(name(cut.kind))},
+                        {"author", cut.author == CutAuthor::User ? "user" : "automatic"},
+                        {"piece", cut.piece},
+                        {"length", number(cut.length)}});
+    }
+    return cuts;
+}
+
+Json seamsJson(const Garment& garment, const PieceResults& results) {
+    Json seams = Json::array();
+    for (const Seam& seam : garment.seams.seams) {
+        seams.push_back(seamJson(garment, results, seam));
+    }
+    return seams;
+}
+
+Json problemsJson(const Garment& garment) {
+    Json problems = Json::array();
+    for (const Error& error : garment.problems) {
+        Json piece = nullptr;
+        for (const auto& one : garment.pieces) {
+            if (one->name == error.where) {
+                piece = one->name;
+            }
+        }
+        problems.push_back(problemJson(error, piece));
+    }
+    return problems;
+}
+
+std::string jsonText(const Json& json) {
+    return json.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace toile

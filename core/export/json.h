@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "core/flatten/piece_result.h"
+#include "core/garment/garment.h"
+
+/// The parts that the report and the description of a garment share. Include in writers only: the
+/// JSON library takes a second to compile.
+namespace toile {
+
+using Json = nlohmann::ordered_json;  // fields in the order of docs/report.md
+
+/// The one way of a number into a file: JSON has no NaN and no infinity.
+Json number(double value);
+Json number(const std::optional<double>& value);
+Json text(std::string_view words);
+/// The text, or null where there is none.
+Json textOrNull(const std::string& words);
+Json problemJson(const Error& error, const Json& piece);
+
+/// @param results  one per piece, or empty where nothing is flat yet
+Json filesJson(const Garment& garment, const PieceResults& results);
+Json cutsJson(const Garment& garment);
+Json seamsJson(const Garment& garment, const PieceResults& results);
+/// What there is to say about the garment beyond its files.
+Json problemsJson(const Garment& garment);
+
+/// The document as text. Names come from files: bytes that are no UTF-8 become U+FFFD.
+std::string jsonText(const Json& json);
+
+}  // namespace toile

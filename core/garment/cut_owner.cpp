@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/garment/cut_owner.h"
+
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "core/base/text.h"
+#include "core/cut/cut_error.h"
+#include "core/cut/nearest_surface.h"
+
+namespace toile {
+namespace {
+
+/// How far a cut's points lie from a piece.
+struct Distance {
+    double sum = 0;
+    double farthest = 0;
+    Eigen::Vector3d where = Eigen::Vector3d::Zero();  ///< the farthest point
+};
+
+Distance distanceTo(const MeshArrays& mesh, const NearestSurface& surface, const UserCut& cut) {
+    Distance distance;
+    for (const Eigen::Vector3d& point : cut.points) {
+        const double d = (positionOf(mesh, surface.find(point)) - point).norm();
+        distance.sum += d;
+        if (d >= distance.farthest) {
+            distance.farthest = d;
+            distance.where = point;
+        }
+    }
+    return distance;
+}
+
+/// What is wrong with a cut before any piece is looked at; empty where nothing is.
+std::string faultOf(const UserCut& cut) {
+    if (cut.points.empty()) {
+        return "it has no points";
+    }
+    for (const Eigen::Vector3d& point : cut.points) {
+        if (!point.allFinite()) {
+            return "a point is not finite";
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
+CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                        const std::vector<UserCut>& cuts) {
+    CutOwners owners;
+    owners.cutsOf.resize(pieces.size());
+    if (cuts.empty()) {
+        return owners;
+    }
+    std::vector<std::pair<Distance, std::size_t>> best(
+        cuts.size(), {Distance{std::numeric_limits<double>::infinity()}, pieces.size()});
+    Eigen::AlignedBox3d box;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const MeshArrays& mesh = pieces[p]->mesh;
+        if (mesh.F.rows() == 0 || !mesh.V.allFinite()) {
+            continue;  // a piece left as it was, for its defect to name
+        }
+        box.extend(mesh.V.colwise().minCoeff().transpose());
+        box.extend(mesh.V.colwise().maxCoeff().transpose());
+        const NearestSurface surface(mesh);
+        for (std::size_t c = 0; c < cuts.size(); ++c) {
+            if (faultOf(cuts[c]).empty()) {
+                const Distance distance = distanceTo(mesh, surface, cuts[c]);
+                if (distance.sum < best[c].first.sum) {
+                    best[c] = {distance, p};
+                }
+            }
+        }
+    }
+    const double limit = box.isEmpty() ? 0 : kFarFromSurface * box.diagonal().norm();
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+        const auto& [distance, piece] = best[c];
+        if (const std::string fault = faultOf(cuts[c]); !fault.empty()) {
+            owners.problems.push_back(cutError(cuts[c].name, fault));
+        } else if (piece == pieces.size()) {
+            owners.problems.push_back(cutError(cuts[c].name, "there is no piece to cut"));
+        } else if (distance.farthest > limit) {
+            const Eigen::Vector3d& at = distance.where;
+            owners.problems.push_back(cutError(
+                cuts[c].name, "its point " + fixed(at.x(), 1) + ", " + fixed(at.y(), 1) + ", " +
+                                  fixed(at.z(), 1) + " mm lies " + fixed(distance.farthest, 0) +
+                                  " mm from the nearest piece, " + pieces[piece]->name));
+        } else {
+            owners.cutsOf[piece].push_back(&cuts[c]);
+        }
+    }
+    return owners;
+}
+
+}  // namespace toile

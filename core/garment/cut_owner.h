@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/cut/user_cuts.h"
+#include "core/garment/piece.h"
+
+namespace toile {
+
+/// The user's cuts of each piece: every cut goes to the piece whose surface lies nearest to its
+/// points, in the sum of distances, the first of equals.
+struct CutOwners {
+    std::vector<std::vector<const UserCut*>> cutsOf;  ///< per piece, in the order given
+    Problems problems;  ///< cuts with a point far from every piece, or without any finite point
+};
+
+/// A point farther from its piece than this fraction of the garment's diagonal is a mistake: of the
+/// unit, or of the garment.
+inline constexpr double kFarFromSurface = 0.1;
+
+/// Cost: a tree of boxes per piece, and one question per piece and point; nothing without cuts.
+CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                        const std::vector<UserCut>& cuts);
+
+}  // namespace toile

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/garment/cut_pieces.h"
+
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/cut/cut_error.h"
+#include "core/garment/cut_owner.h"
+#include "core/mesh/connected_parts.h"
+
+namespace toile {
+namespace {
+
+using PiecePointer = std::shared_ptr<const Piece>;
+
+/// A point of the designer's flat panel by its place on the surface.
+Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const SurfacePoint& place) {
+    Eigen::RowVector2d point = Eigen::RowVector2d::Zero();
+    for (int k = 0; k < 3; ++k) {
+        point += place.barycentric[k] * panel.row(F(place.face, k));
+    }
+    return point;
+}
+
+/// Cuts one piece along curves. What comes of it has the old piece's file, sources and panel, and
+/// its name; several parts are the caller's to name.
+/// @param opened  gets the length that each curve opened, mm
+Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPolyline>& paths,
+                                    std::vector<double>& opened) {
+    auto cut = cutAlong(piece.mesh, paths);
+    if (!cut) {
+        Error error = cut.error();
+        error.where = piece.name;
+        return error;
+    }
+    for (const OpenedCut& one : cut->cuts) {
+        opened.push_back(one.length);
+    }
+    MeshPart part;
+    for (const int v : cut->sourceVertex) {
+        part.sourceVertex.push_back(v < 0 ? -1 : piece.sourceVertex[v]);
+    }
+    for (const int f : cut->sourceFace) {
+        part.sourceFace.push_back(piece.sourceFace[f]);
+    }
+    part.mesh = std::move(cut->mesh);
+    std::vector<Piece> made;
+    for (auto& [connected, vertex] : connectedParts(std::move(part))) {
+        Piece& next = made.emplace_back(makePiece(piece.name, std::move(connected.mesh)));
+        next.file = piece.file;
+        next.sourceVertex = std::move(connected.sourceVertex);
+        next.sourceFace = std::move(connected.sourceFace);
+        if (piece.reference) {
+            next.reference.emplace(next.mesh.V.rows(), 2);
+            for (std::size_t v = 0; v < vertex.size(); ++v) {
+                next.reference->row(static_cast<Eigen::Index>(v)) =
+                    panelPoint(*piece.reference, piece.mesh.F, cut->place[vertex[v]]);
+            }
+        }
+    }
+    return made;
+}
+
+bool cutsCanMend(ErrorCode defect) {
+    return defect == ErrorCode::ClosedSurface || defect == ErrorCode::SeveralLoops ||
+           defect == ErrorCode::Handle;
+}
+
+class Cutter {
+public:
+    Cutter(const std::vector<PiecePointer>& wholes, bool automatic) : automatic_(automatic) {
+        for (const PiecePointer& whole : wholes) {
+            names_.insert(whole->name);
+        }
+    }
+
+    void cut(const PiecePointer& whole, const std::vector<const UserCut*>& cuts) {
+        std::vector<Piece> parts = byHand(*whole, cuts);
+        if (parts.empty()) {  // no cut of the user's, or none that could be made
+            if (!automatic_ || !whole->defect || !cutsCanMend(whole->defect->code)) {
+                made_.pieces.push_back(whole);
+                return;
+            }
+            parts.push_back(*whole);
+        }
+        const bool several = parts.size() > 1;
+        for (Piece& part : parts) {
+            if (several) {
+                part.name = numbered(whole->name);
+                if (part.defect) {
+                    part.defect->where = part.name;
+                }
+            }
+            if (automatic_ && part.defect && cutsCanMend(part.defect->code)) {
+                byItself(part);
+            }
+            made_.pieces.push_back(std::make_shared<Piece>(std::move(part)));
+        }
+    }
+
+    CutPieces take() { return std::move(made_); }
+
+    void fail(Error error) { made_.problems.push_back(std::move(error)); }
+
+private:
+    /// The parts after the user's cuts; none where no cut was made.
+    std::vector<Piece> byHand(const Piece& piece, const std::vector<const UserCut*>& cuts) {
+        if (cuts.empty()) {
+            return {};
+        }
+        const SurfaceLinks links(piece.mesh, piece.table);
+        const NearestSurface nearest(piece.mesh);
+        std::vector<PathPolyline> paths;
+        std::vector<const UserCut*> traced;
+        for (const UserCut* cut : cuts) {
+            auto path = traceUserCut(links, nearest, *cut);
+            if (path) {
+                paths.push_back(std::move(*path));
+                traced.push_back(cut);
+            } else {
+                fail(cutError(cut->name, "in " + piece.name + ", " + path.error().detail));
+            }
+        }
+        if (paths.empty()) {
+            return {};
+        }
+        std::vector<double> opened;
+        auto parts = cutPiece(piece, paths, opened);
+        if (!parts) {
+            fail(parts.error());
+            return {};
+        }
+        for (std::size_t c = 0; c < traced.size(); ++c) {
+            if (opened[c] > 0) {
+                made_.cuts.push_back(
+                    {traced[c]->name, CutAuthor::User, traced[c]->kind, piece.name, opened[c]});
+            } else {
+                fail(cutError(traced[c]->name, "in " + piece.name +
+                                                   " it runs along the outline or along another "
+                                                   "cut, and opens nothing"));
+            }
+        }
+        return std::move(*parts);
+    }
+
+    /// Makes a disk of a piece, or says in its defect why that is not done.
+    void byItself(Piece& piece) {
+        const auto proposal = proposeCuts(piece.mesh, piece.table);
+        if (!proposal) {
+            piece.defect = proposal.error();
+            piece.defect->where = piece.name;
+            return;
+        }
+        std::vector<PathPolyline> paths;
+        for (const ProposedCut& cut : proposal->cuts) {
+            paths.push_back(cut.path);
+        }
+        std::vector<double> opened;
+        auto parts = cutPiece(piece, paths, opened);
+        if (!parts || parts->size() != 1) {
+            piece.defect =
+                parts ? cutError(piece.name, "the cuts would separate the piece") : parts.error();
+            return;
+        }
+        for (std::size_t c = 0; c < opened.size(); ++c) {
+            made_.cuts.push_back({piece.name + ", automatic cut " + std::to_string(c + 1),
+                                  CutAuthor::Automatic, UserCut::Kind::Path, piece.name,
+                                  opened[c]});
+        }
+        piece = std::move(parts->front());
+    }
+
+    std::string numbered(const std::string& name) {
+        for (int& k = nextNumber_[name];;) {
+            std::string candidate = name + " " + std::to_string(++k);
+            if (names_.insert(candidate).second) {
+                return candidate;
+            }
+        }
+    }
+
+    bool automatic_;
+    std::set<std::string> names_;
+    std::map<std::string, int> nextNumber_;
+    CutPieces made_;
+};
+
+}  // namespace
+
+CutPieces cutPieces(const std::vector<PiecePointer>& wholes, const std::vector<UserCut>& cuts,
+                    bool automatic, const Progress& progress) {
+    CutOwners owners = findCutOwners(wholes, cuts);
+    Cutter cutter(wholes, automatic);
+    for (Error& problem : owners.problems) {
+        cutter.fail(std::move(problem));
+    }
+    for (std::size_t p = 0; p < wholes.size() && !progress.isCancelled(); ++p) {
+        cutter.cut(wholes[p], owners.cutsOf[p]);
+    }
+    return cutter.take();
+}
+
+}  // namespace toile

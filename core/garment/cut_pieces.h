@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/cut/auto_cut.h"
+#include "core/cut/user_cuts.h"
+#include "core/garment/piece.h"
+
+namespace toile {
+
+/// A cut that was made in a piece.
+struct MadeCut {
+    std::string name;  ///< the user's; "front, automatic cut 1"
+    CutAuthor author = CutAuthor::User;
+    UserCut::Kind kind = UserCut::Kind::Path;
+    std::string piece;  ///< what it opened, by the name before the cut
+    double length = 0;  ///< mm, of the line that came open
+};
+
+/// Pieces after cutting, and what was done.
+struct CutPieces {
+    std::vector<std::shared_ptr<const Piece>> pieces;
+    std::vector<MadeCut> cuts;
+    Problems problems;  ///< CutImpossible, for each cut of the user's that could not be made
+};
+
+/// Makes the user's cuts, each in the piece that lies nearest to its points, and then, where asked,
+/// those that make a disk of every piece that is none (`proposeCuts`). A piece that comes apart is
+/// numbered: "leggings 1", "leggings 2". A piece without cuts is handed on as it is, by pointer. A
+/// cut that fails leaves the others, and its piece, alone; a piece that no automatic cut opens
+/// keeps its defect, with the reason. Cost: the cuts'; nothing for the pieces without.
+/// Deterministic. Re-entrant.
+CutPieces cutPieces(const std::vector<std::shared_ptr<const Piece>>& wholes,
+                    const std::vector<UserCut>& cuts, bool automatic, const Progress& progress);
+
+}  // namespace toile
