@@ -86,15 +86,16 @@ status=0
     -o "out/$name.svg" -o "out/$name.dxf" -o "out/$name.obj" -o "out/$name.json" || status=$?
 
 if [ "$status" -le 1 ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
-    unit=()
-    while [ $# -gt 0 ]; do # of the options, only the unit concerns the window
+    reading=()
+    while [ $# -gt 0 ]; do # of the options, those of reading concern the window too
         case $1 in
-            --unit) unit=(--unit "$2") ;;
-            --unit=*) unit=("$1") ;;
+            --unit | --up | --split | --seams) reading+=("$1" "$2") ;;
+            --unit=* | --up=* | --split=* | --seams=* | --auto-cut | --weld | --strict)
+                reading+=("$1") ;;
         esac
         shift
     done
     echo "Opening the window ..."
-    "$toile" "$garment" "${unit[@]}"
+    "$toile" "$garment" "${reading[@]}"
 fi
 exit "$status"

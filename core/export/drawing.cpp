@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/export/label.h"
+#include "core/export/seam_marks.h"
 
 namespace toile {
 namespace {
@@ -40,6 +41,13 @@ void addPiece(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d
     keepOnPage(text, drawing);
     drawing.paths.push_back(std::move(path));
     drawing.texts.push_back(std::move(text));
+    for (std::size_t k = 0; k < piece.holes.size(); ++k) {
+        DrawnPath hole{"piece-" + piece.id + "-hole-" + std::to_string(k + 1), LayerKind::Cut,
+                       piece.holes[k]};
+        hole.points.rowwise() += offset.transpose();
+        drawing.paths.push_back(std::move(hole));
+    }
+    addSeamMarks(drawing, piece, offset);
 }
 
 void addCheckSquare(Drawing& drawing, const Eigen::Vector2d& corner) {

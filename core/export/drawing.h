@@ -12,10 +12,11 @@
 namespace toile {
 
 /// What a drawing's layer holds; each writer knows its name and colour for it.
-enum class LayerKind { Cut, Text, Check };
+enum class LayerKind { Cut, Marks, Text, Check };
 
 /// Every kind, in the order in which layers are written.
-inline constexpr std::array kLayerKinds{LayerKind::Cut, LayerKind::Text, LayerKind::Check};
+inline constexpr std::array kLayerKinds{LayerKind::Cut, LayerKind::Marks, LayerKind::Text,
+                                        LayerKind::Check};
 
 /// From one baseline of a text to the next, in heights of a capital letter.
 inline constexpr double kLineSpacing = 1.7;
@@ -25,7 +26,8 @@ inline constexpr double kCharacterWidth = 0.8;
 struct DrawnPath {
     std::string id;  ///< unique in the drawing
     LayerKind layer;
-    Points2 points;  ///< mm, y up; closed, first point not repeated
+    Points2 points;  ///< mm, y up; where closed, the first point is not repeated
+    bool closed = true;
 };
 
 struct DrawnText {
@@ -34,6 +36,7 @@ struct DrawnText {
     Eigen::Vector2d position;  ///< middle of the first line, mm, y up; lines are centred on it
     double height;             ///< of a capital letter, mm
     std::vector<std::string> lines;
+    double angle = 0;  ///< of the lines, anti-clockwise about the position, radians
 };
 
 /// The one picture of a pattern that every writer turns into its format: true scale, millimetres,
@@ -45,9 +48,10 @@ struct Drawing {
     std::vector<DrawnText> texts;
 };
 
-/// Draws every piece's net outline, its name with "net outline, no allowance", and a 100 mm check
-/// square to the right of the pieces, with a margin of 10 mm around all. Width and height are whole
-/// millimetres. Ids: `piece-<id>-cut`, `piece-<id>-name`, `check-square`, `check-square-text`.
+/// Draws every piece's net outline and holes, its name with "net outline, no allowance", the names
+/// and ticks of its seams (seam_marks.h), and a 100 mm check square to the right of the pieces,
+/// with a margin of 10 mm around all. Width and height are whole millimetres. Ids:
+/// `piece-<id>-cut`, `piece-<id>-hole-<k>`, `piece-<id>-name`, `check-square`, `check-square-text`.
 /// Cost: that of placeLabel (label.h) per piece.
 Drawing draw(const Pattern& pattern, const Sheet& sheet);
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <numbers>
+
+#include <Eigen/Geometry>
 
 #include "core/base/text.h"
 #include "core/export/characters.h"
@@ -21,6 +24,8 @@ LayerStyle styleOf(LayerKind kind) {
     switch (kind) {
         case LayerKind::Cut:
             return {"CUT", 1};  // red
+        case LayerKind::Marks:
+            return {"MARKS", 3};  // green
         case LayerKind::Text:
             return {"TEXT", 7};  // black on white, white on black
         case LayerKind::Check:
@@ -138,7 +143,7 @@ void writePath(TagWriter& out, const DrawnPath& path) {
     out.tag(8, layer);
     out.tag(66, 1);  // vertices follow
     out.point(10, 0, 0);
-    out.tag(70, 1);  // closed
+    out.tag(70, path.closed ? 1 : 0);
     for (Eigen::Index i = 0; i < path.points.rows(); ++i) {
         out.tag(0, "VERTEX");
         out.tag(8, layer);
@@ -148,19 +153,26 @@ void writePath(TagWriter& out, const DrawnPath& path) {
     out.tag(8, layer);
 }
 
-void writeLine(TagWriter& out, const DrawnText& text, const std::string& line, double y) {
+/// One line of a text, `below` the first one.
+void writeLine(TagWriter& out, const DrawnText& text, const std::string& line, double below) {
     const std::string ascii = dxfText(line);
-    const double x = text.position.x(), baseline = y - 0.5 * text.height;
     const double width = textExtent({ascii}, text.height).x();
+    const Eigen::Rotation2Dd turn(text.angle);
+    const Eigen::Vector2d middle =
+        text.position + turn * Eigen::Vector2d(0, -below - 0.5 * text.height);
+    const Eigen::Vector2d left = middle + turn * Eigen::Vector2d(-0.5 * width, 0);
     out.tag(0, "TEXT");
     out.tag(8, styleOf(text.layer).name);
-    out.point(10, x - 0.5 * width, baseline);  // for readers that do not centre
+    out.point(10, left.x(), left.y());  // for readers that do not centre
     out.tag(40, text.height);
     out.tag(1, ascii);
+    if (text.angle != 0) {
+        out.tag(50, text.angle * 180 / std::numbers::pi);
+    }
     out.tag(41, kCharacterWidth);  // the stroke fonts of CAD are as wide as high
     out.tag(7, "STANDARD");
     out.tag(72, 1);  // centred on the point that follows
-    out.point(11, x, baseline);
+    out.point(11, middle.x(), middle.y());
 }
 
 }  // namespace
@@ -174,10 +186,10 @@ std::string writeDxf(const Drawing& drawing) {
         writePath(out, path);
     }
     for (const DrawnText& text : drawing.texts) {
-        double y = text.position.y();
+        double below = 0;
         for (const std::string& line : text.lines) {
-            writeLine(out, text, line, y);
-            y -= kLineSpacing * text.height;
+            writeLine(out, text, line, below);
+            below += kLineSpacing * text.height;
         }
     }
     out.endSection();

@@ -80,8 +80,8 @@ public:
     FaceWriter(std::string& out, const Garment& garment, int file, const ObjIndices& indices)
         : out_(out), garment_(garment), indices_(indices), file_(file) {}
 
-    /// Writes a face of the input; false where it is not as it was.
-    bool face(std::span<const int> corners, std::span<const PieceTriangle> triangles) {
+    /// Writes a face of the input.
+    void face(std::span<const int> corners, std::span<const PieceTriangle> triangles) {
         if (triangles.empty()) {
             enter(kNoPiece);
             out_ += 'f';
@@ -89,23 +89,28 @@ public:
                 integer(' ', indices_.firstVertex[file_] + corner);
             }
             out_ += '\n';
-            return true;
+            return;
         }
         if (!isWhole(corners, triangles)) {
             for (const PieceTriangle& t : triangles) {
                 triangle(t);
             }
-            return false;
+            ++changes_.divided;
+            return;
         }
         const int p = triangles.front().piece;
+        const bool turned = isTurned(corners, triangles.front());
         enter(p);
         out_ += 'f';
-        for (const int corner : corners) {
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const int corner = corners[turned ? corners.size() - 1 - k : k];
             vertex(p, vertexFor(*garment_.pieces[p], triangles, corner));
         }
         out_ += '\n';
-        return true;
+        changes_.turned += turned ? 1 : 0;
     }
+
+    const FaceChanges& changes() const { return changes_; }
 
     void triangle(const PieceTriangle& t) {
         enter(t.piece);
@@ -146,6 +151,19 @@ private:
         return true;
     }
 
+    /// Whether a triangle of the polygon runs round against it.
+    bool isTurned(std::span<const int> corners, const PieceTriangle& t) const {
+        const Piece& piece = *garment_.pieces[t.piece];
+        std::ptrdiff_t place[3];
+        for (int k = 0; k < 3; ++k) {
+            const int position = piece.sourceVertex[piece.mesh.F(t.triangle, k)];
+            place[k] = std::find(corners.begin(), corners.end(), position) - corners.begin();
+        }
+        // Along the polygon the places rise but for one step back to the start.
+        const int rises = (place[0] < place[1]) + (place[1] < place[2]) + (place[2] < place[0]);
+        return rises == 1;
+    }
+
     void enter(int piece) {
         if (piece != current_ || first_) {
             out_ += "g ";
@@ -176,26 +194,27 @@ private:
     const Garment& garment_;
     const ObjIndices& indices_;
     int file_;
+    FaceChanges changes_;
     int current_ = kNoPiece;
     bool first_ = true;  // the first face of a file always gets its `g`
 };
 
 }  // namespace
 
-int appendFaces(std::string& out, const Garment& garment, int file, const ObjIndices& indices) {
+FaceChanges appendFaces(std::string& out, const Garment& garment, int file,
+                        const ObjIndices& indices) {
     const PolygonSoup& soup = garment.files[file]->soup;
     const FaceTriangles triangles(garment, file, soup.faceCount());
     FaceWriter writer(out, garment, file, indices);
-    int changed = 0;
     for (int face = 0; face < soup.faceCount(); ++face) {
         const std::span corners(soup.corners.data() + soup.faceStart[face],
                                 static_cast<std::size_t>(soup.cornerCount(face)));
-        changed += writer.face(corners, triangles.of(face)) ? 0 : 1;
+        writer.face(corners, triangles.of(face));
     }
     for (const PieceTriangle& added : triangles.added()) {
         writer.triangle(added);
     }
-    return changed;
+    return writer.changes();
 }
 
 }  // namespace toile

@@ -17,15 +17,21 @@ struct ObjIndices {
                                                 ///< line, 0 where the input has it; may be empty
 };
 
+/// How many faces of the input are not written as they were.
+struct FaceChanges {
+    int divided = 0;  ///< as the triangles used
+    int turned = 0;   ///< with the opposite winding
+};
+
 /// The name of faces that lie in no piece because they could not be used.
 inline constexpr const char* kUnassignedGroup = "unassigned";
 
 /// Appends the `g` and `f` lines of one file, in its face order. A polygon is kept whole as long as
 /// its corners still stand for it; a face that cleaning divided (over pieces, or with vertices of
-/// its own) is written as the triangles it became, and triangles that come from no face follow at
-/// the end. Corners take their vt from the piece that holds the face.
-/// @return how many faces of the input are not written as they were
-/// Cost: linear in triangles; quadratic in the corners of one polygon.
-int appendFaces(std::string& out, const Garment& garment, int file, const ObjIndices& indices);
+/// its own) is written as the triangles it became, one that mending turned over is written turned,
+/// and triangles that come from no face follow at the end. Corners take their vt from the piece
+/// that holds the face. Cost: linear in triangles; quadratic in the corners of one polygon.
+FaceChanges appendFaces(std::string& out, const Garment& garment, int file,
+                        const ObjIndices& indices);
 
 }  // namespace toile

@@ -116,7 +116,8 @@ void comment(std::string& out, const std::string& text) {
 
 /// What a file gave, and what is not as it was.
 struct FileNotes {
-    int first = 1, vertices = 0, added = 0, replaced = 0, changedFaces = 0;
+    int first = 1, vertices = 0, added = 0, replaced = 0;
+    FaceChanges faces;
 };
 
 void appendFileHead(std::string& out, const SourceFile& file, const FileNotes& notes) {
@@ -137,9 +138,13 @@ void appendFileHead(std::string& out, const SourceFile& file, const FileNotes& n
         comment(out, "differs from the input: " + counted(notes.replaced, "vertex") +
                          " without a finite position written with 0");
     }
-    if (notes.changedFaces > 0) {
-        comment(out, "differs from the input: " + counted(notes.changedFaces, "face") +
+    if (notes.faces.divided > 0) {
+        comment(out, "differs from the input: " + counted(notes.faces.divided, "face") +
                          " written as the triangles used");
+    }
+    if (notes.faces.turned > 0) {
+        comment(out, "differs from the input: " + counted(notes.faces.turned, "face") +
+                         " turned over to agree with the neighbours");
     }
 }
 
@@ -175,7 +180,7 @@ std::string writeObj(const Garment& garment, const PieceResults& results,
     for (std::size_t f = 0; f < garment.files.size(); ++f) {
         const SourceFile& file = *garment.files[f];
         faces.reserve(faces.size() + static_cast<std::size_t>(file.soup.faceCount()) * kFaceBytes);
-        notes[f].changedFaces = appendFaces(faces, garment, static_cast<int>(f), indices);
+        notes[f].faces = appendFaces(faces, garment, static_cast<int>(f), indices);
     }
 
     std::string out;

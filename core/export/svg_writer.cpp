@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <numbers>
+
 #include <pugixml.hpp>
 
 #include "core/base/text.h"
@@ -22,6 +24,8 @@ LayerStyle styleOf(LayerKind kind) {
     switch (kind) {
         case LayerKind::Cut:
             return {"cut", "#ff0000"};
+        case LayerKind::Marks:
+            return {"marks", "#008000"};
         case LayerKind::Text:
             return {"text", "#000000"};
         case LayerKind::Check:
@@ -51,8 +55,8 @@ std::string plain(double value) {
     return shortest(value);  // sizes that are whole numbers read better without decimals
 }
 
-/// "M x,y L x,y ... Z" with y counted downwards from the page's top.
-std::string pathData(const Points2& points, double pageHeight) {
+/// "M x,y L x,y ... Z" with y counted downwards from the page's top; no Z where it is open.
+std::string pathData(const Points2& points, bool closed, double pageHeight) {
     std::string data;
     data.reserve(static_cast<std::size_t>(points.rows()) * 22);
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -61,13 +65,13 @@ std::string pathData(const Points2& points, double pageHeight) {
         data += ',';
         appendFixed(data, pageHeight - points(i, 1), kDecimals);
     }
-    return data + " Z";
+    return closed ? data + " Z" : data;
 }
 
 void addPath(pugi::xml_node layer, const DrawnPath& path, double pageHeight) {
     pugi::xml_node node = layer.append_child("path");
     set(node, "id", path.id);
-    set(node, "d", pathData(path.points, pageHeight));
+    set(node, "d", pathData(path.points, path.closed, pageHeight));
 }
 
 void addText(pugi::xml_node layer, const DrawnText& text, const char* colour, double pageHeight) {
@@ -78,6 +82,12 @@ void addText(pugi::xml_node layer, const DrawnText& text, const char* colour, do
     set(node, "text-anchor", "middle");
     set(node, "fill", colour);
     set(node, "stroke", "none");
+    if (text.angle != 0) {
+        const double degrees = -text.angle * 180 / std::numbers::pi;  // y points down here
+        set(node, "transform",
+            "rotate(" + number(degrees) + " " + number(text.position.x()) + " " +
+                number(pageHeight - text.position.y()) + ")");
+    }
     // Capitals are centred on the line's middle; no reader agrees on dominant-baseline.
     double baseline = pageHeight - text.position.y() + 0.5 * text.height;
     for (const std::string& line : text.lines) {

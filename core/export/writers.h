@@ -14,11 +14,12 @@ namespace toile {
 /// follow the user's locale.
 
 /// SVG in true millimetres: width and height in mm, a viewBox in mm, one layer per kind, closed
-/// paths ending in Z, no transforms, ids kept. 4 decimals.
+/// paths ending in Z, ids kept; no transforms but of the names along seams. 4 decimals.
 std::string writeSvg(const Drawing& drawing);
 
-/// DXF R12 ASCII, profile "plain": LTYPE and LAYER tables, no blocks, closed POLYLINEs on named
-/// coloured layers (CUT, TEXT, CHECK), millimetres, y up, CRLF. 4 decimals. Texts become ASCII.
+/// DXF R12 ASCII, profile "plain": LTYPE and LAYER tables, no blocks, POLYLINEs, closed but for
+/// ticks, on named coloured layers (CUT, MARKS, TEXT, CHECK), millimetres, y up, CRLF. 4 decimals.
+/// Texts become ASCII.
 std::string writeDxf(const Drawing& drawing);
 
 /// The input again as OBJ with the pattern as its UV map: `v` lines with the file's own digits,

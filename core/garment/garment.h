@@ -36,11 +36,12 @@ struct SourceFile {
 /// and sewn. All of it follows from the files and the orders given; nothing is changed later.
 struct Garment {
     std::vector<std::shared_ptr<const SourceFile>> files;
-    std::vector<std::shared_ptr<const Piece>> wholes;  ///< as divided, before any cut
-    std::vector<std::shared_ptr<const Piece>> pieces;  ///< after it; those without cuts are shared
-    std::vector<MadeCut> cuts;
-    SeamGraph seams;    ///< of `pieces`
-    Problems problems;  ///< of the garment as a whole: cuts that could not be made
+    std::vector<std::shared_ptr<const Piece>> pieces;    ///< as cut
+    std::vector<std::shared_ptr<const Piece>> wholes{};  ///< as divided, before any cut; those that
+                                                         ///< no cut touches are the same pointers
+    std::vector<MadeCut> cuts{};
+    SeamGraph seams{};    ///< of `pieces`
+    Problems problems{};  ///< of the garment as a whole: cuts that could not be made
 };
 
 }  // namespace toile

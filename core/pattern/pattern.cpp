@@ -7,14 +7,43 @@
 #include "core/base/text.h"
 #include "core/flatten/flatten.h"
 #include "core/garment/garment.h"
+#include "core/seam/seam_measure.h"
 
 namespace toile {
 
-PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat) {
+namespace {
+
+void addMark(PatternPiece& made, const Piece& piece, const FlatPiece& flat, const Seam& seam,
+             int number, const SeamSide& side) {
+    Points2 line = flatLine(side, piece, flat.Q);
+    if (side.reversed) {
+        line = line.colwise().reverse().eval();
+    }
+    made.seams.push_back({number, seam.name, std::move(line), seam.closed});
+}
+
+}  // namespace
+
+PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat, const SeamGraph& seams,
+                              int index) {
     PatternPiece made;
     made.name = piece.name;
     made.id = slug(piece.name);
     made.outline = flat.Q(piece.boundary, Eigen::all);
+    for (const auto& hole : piece.holes) {
+        made.holes.emplace_back(flat.Q(hole, Eigen::all));
+    }
+    for (std::size_t k = 0; k < seams.seams.size(); ++k) {
+        const Seam& seam = seams.seams[k];
+        if (seam.kind == SeamKind::Free) {
+            continue;
+        }
+        for (const SeamSide& side : {seam.left, seam.right}) {
+            if (side.piece == index) {
+                addMark(made, piece, flat, seam, static_cast<int>(k) + 1, side);
+            }
+        }
+    }
     return made;
 }
 

@@ -10,6 +10,15 @@ namespace toile {
 
 struct Piece;
 struct FlatPiece;
+struct SeamGraph;
+
+/// Where a seam runs along a piece's outline, so that it can be found again on the other piece.
+struct SeamMark {
+    int number = 0;    ///< of the seam in the garment, from 1: the same on both sides
+    std::string name;  ///< "front / sleeve left"
+    Points2 line;      ///< #n x 2, along the outline, from end to end
+    bool closed = false;
+};
 
 /// One flat piece as a pattern maker knows it. Millimetres, y up, the fabric's right side facing
 /// the reader, never mirrored.
@@ -17,6 +26,8 @@ struct PatternPiece {
     std::string name;  ///< as in the garment
     std::string id;    ///< unique slug, stable for the same garment
     Points2 outline;   ///< net outline (seam line), anti-clockwise, first vertex not repeated
+    std::vector<Points2> holes{};   ///< closed lines inside it, clockwise
+    std::vector<SeamMark> seams{};  ///< by number; free edges have none
 };
 
 struct Pattern {
@@ -24,8 +35,10 @@ struct Pattern {
     std::vector<PatternPiece> pieces;
 };
 
-/// The net outline of a flattened piece, in boundary order.
-PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat);
+/// The net outline and holes of a flattened piece, in boundary order, and the marks of its seams.
+/// @param index  of the piece in the garment that the seams belong to
+PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat, const SeamGraph& seams,
+                              int index);
 
 /// Pieces whose names give the same slug get "-2", "-3" in pattern order.
 void makeIdsUnique(Pattern& pattern);

@@ -21,9 +21,10 @@ LaidOutPattern layOut(const Garment& garment, const PieceResults& results) {
     LaidOutPattern laid;
     laid.pattern.name =
         garment.files.empty() ? std::string() : garment.files.front()->path.stem().string();
-    for (const auto& result : results) {
-        if (result->flat) {
-            laid.pattern.pieces.push_back(makePatternPiece(*result->piece, *result->flat));
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        if (results[i]->flat) {
+            laid.pattern.pieces.push_back(makePatternPiece(
+                *results[i]->piece, *results[i]->flat, garment.seams, static_cast<int>(i)));
         }
     }
     makeIdsUnique(laid.pattern);

@@ -21,13 +21,13 @@ namespace toile {
 /// shared between threads.
 
 struct LoadOptions {
-    std::optional<LengthUnit> unit;  ///< of all files; guessed per file where not given
-    std::optional<UpAxis> up;        ///< of all files; guessed per file where not given
+    std::optional<LengthUnit> unit{};  ///< of all files; guessed per file where not given
+    std::optional<UpAxis> up{};        ///< of all files; guessed per file where not given
     SplitMode split = SplitMode::Auto;
     bool weld = false;     ///< join vertices that lie on each other, within each object
     bool strict = false;   ///< refuse a file in which anything had to be left out or mended
     bool autoCut = false;  ///< cut open what is no disk
-    SeamsFile seams;       ///< the user's cuts, in the unit and axes of the first file, and ease
+    SeamsFile seams{};     ///< the user's cuts, in the unit and axes of the first file, and ease
 };
 
 /// Reads files into one garment: soup, weld, unit, division, repair, cuts, seams. With several

@@ -57,6 +57,24 @@ TEST(Arguments, DefaultsAreTheLengthPreservedBoundaryByNewton) {
     EXPECT_TRUE(a.outputs.empty());
 }
 
+TEST(Arguments, TheWindowReadsFilesAsTheCommandsDo) {
+    for (const bool window : {true, false}) {
+        std::vector<const char*> typed{"a.obj",  "--split",    "seams",  "--seams",
+                                       "a.json", "--auto-cut", "--weld", "--up",
+                                       "z",      "--unit",     "in",     "--strict"};
+        if (!window) {
+            typed.insert(typed.begin(), "info");
+        }
+        const Arguments a = parse(typed);
+        EXPECT_EQ(a.command, window ? Command::Window : Command::Info) << a.message;
+        EXPECT_EQ(a.load.split, SplitMode::Seams);
+        EXPECT_EQ(a.seams, "a.json");
+        EXPECT_EQ(a.load.up, UpAxis::Z);
+        EXPECT_EQ(a.load.unit, LengthUnit::Inch);
+        EXPECT_TRUE(a.load.autoCut && a.load.weld && a.load.strict);
+    }
+}
+
 TEST(Arguments, HelpAndVersionAreMessages) {
     const Arguments help = parse({"--help"});
     EXPECT_EQ(help.command, Command::Message);
@@ -73,6 +91,8 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         {"flatten", "a.obj", "--unit", "ell"},
         {"flatten", "a.obj", "--method", "magic"},
         {"flatten", "a.obj", "--report", "r.txt"},
+        {"flatten", "a.obj", "--split", "seams"},
+        {"flatten", "a.obj", "--up", "x"},
         {"flatten", "a.obj", "--nonsense"},
         {"flatten", "a.obj", "-o"},
         {"info"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line as other programs meet it: the built program, run without a display.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -43,6 +44,68 @@ TEST(Contract, FlattenWritesEveryFormatAndPrintsATable) {
     for (const char* file : {"a.svg", "a.dxf", "a.obj", "a.json"}) {
         EXPECT_GT(folder.read(file).size(), 1000U) << file;
     }
+}
+
+TEST(Contract, CutsAreMadeListedAndPrinted) {
+    const test::TemporaryFolder folder;
+    const std::string seams =
+        std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.seams.json";
+    const auto run = toileRun({"flatten", kSample, "--unit", "mm", "--seams", seams, "--ledger",
+                               "--report", (folder / "a.json").string()});
+    EXPECT_EQ(run.status, 0) << run.err;
+    for (const char* said : {"centre back", "waist dart left", "user", "back 1", "back 2",
+                             "front, dart 1", "largest error 0.00 mm"}) {
+        EXPECT_NE(run.out.find(said), std::string::npos) << said << '\n' << run.out;
+    }
+    const auto report = nlohmann::json::parse(folder.read("a.json"));
+    EXPECT_EQ(report["cuts"].size(), 3U);
+    EXPECT_EQ(report["pieces"].size(), 6U);
+    for (const auto& seam : report["seams"]) {
+        if (seam["kind"] != "free") {
+            EXPECT_LE(std::abs(seam["error_mm"].get<double>()), 1e-6) << seam["name"];
+        }
+    }
+}
+
+TEST(Contract, ATubeIsOpenedOnlyWhenAsked) {
+    const test::TemporaryFolder folder;
+    std::string tube;
+    for (int k = 0; k < 16; ++k) {
+        tube += "v " + std::to_string(k % 4 == 1 || k % 4 == 2 ? 300 : 0) + " " +
+                std::to_string(k / 4 * 300) + " " + std::to_string(k % 4 > 1 ? 300 : 0) + "\n";
+    }
+    for (int k = 0; k < 12; ++k) {
+        const int right = k % 4 == 3 ? k - 3 : k + 1;
+        for (const int corner : {k, right, right + 4, k + 4}) {
+            tube += (corner == k ? "f " : " ") + std::to_string(corner + 1);
+        }
+        tube += "\n";
+    }
+    const std::string file = folder.write("tube.obj", tube).string();
+    const auto plain = toileRun({"flatten", file});
+    EXPECT_EQ(plain.status, 1);
+    EXPECT_NE(plain.err.find("several boundary loops"), std::string::npos) << plain.err;
+    const auto cut = toileRun({"flatten", file, "--auto-cut"});
+    EXPECT_EQ(cut.status, 0) << cut.err;
+    EXPECT_NE(cut.out.find("automatic cut 1"), std::string::npos) << cut.out;
+    const auto info = toileRun({"info", file, "--auto-cut", "--json"});
+    EXPECT_EQ(nlohmann::json::parse(info.out)["cuts"].size(), 1U);
+}
+
+TEST(Contract, ABadSeamsFileIsRefusedAndABadCutIsNot) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.write("a.obj", kTriangle).string();
+    const auto bad =
+        toileRun({"info", file, "--seams", folder.write("b.json", "{\"version\": 7}").string()});
+    EXPECT_EQ(bad.status, 3);
+    EXPECT_EQ(std::count(bad.err.begin(), bad.err.end(), '\n'), 1) << bad.err;
+    const auto far = folder.write(
+        "c.json",
+        R"({"version": 1, "cuts": [{"name": "x", "points": [[9000, 0, 0], [9000, 1, 0]]}]})");
+    const auto run = toileRun({"flatten", file, "--seams", far.string()});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.err.find("x: the cut cannot be made"), std::string::npos) << run.err;
+    EXPECT_NE(run.out.find("flap"), std::string::npos);
 }
 
 TEST(Contract, TheReportHasEveryPromisedField) {

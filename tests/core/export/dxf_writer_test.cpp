@@ -47,7 +47,8 @@ TEST(WriteDxf, IsPlainMetricR12WithoutBlocks) {
     EXPECT_EQ(file.header.at("$MEASUREMENT")[0].value, "1");
     EXPECT_EQ(file.header.at("$INSUNITS")[0].value, "4");
     EXPECT_EQ(file.blocks, 0);
-    EXPECT_EQ(file.layers, (std::map<std::string, int>{{"CUT", 1}, {"TEXT", 7}, {"CHECK", 5}}));
+    EXPECT_EQ(file.layers,
+              (std::map<std::string, int>{{"CUT", 1}, {"MARKS", 3}, {"TEXT", 7}, {"CHECK", 5}}));
 }
 
 TEST(WriteDxf, WritesNamesInAscii) {

@@ -123,7 +123,15 @@ void expectDocumented(const Json& json, const std::string& page) {
 TEST(WriteReport, HasNoFieldThatIsNotInItsDocumentation) {
     const auto page = readFile(TOILE_SOURCE_DIR "/docs/report.md");
     ASSERT_TRUE(page);
-    expectDocumented(report(test::handmadeGarment()), *page);
+    test::GarmentAndResults all = test::handmadeGarment();
+    all.garment.cuts = {{"inseam", CutAuthor::User, UserCut::Kind::Path, "front 1", 12}};
+    all.garment.problems = {{ErrorCode::HolesKept, "front 1", "1 hole"}};
+    Seam edge;
+    edge.kind = SeamKind::Free;
+    edge.left.piece = 1;
+    all.garment.seams.seams = {edge};
+    expectDocumented(report(all), *page);
+    expectDocumented(Json::parse(writeInfo(all.garment)), *page);
 }
 
 TEST(WriteReport, GivesTheSameBytesTwiceAndInAnyLocale) {

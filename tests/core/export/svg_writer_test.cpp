@@ -123,7 +123,7 @@ TEST(WriteSvg, PutsEachKindOnItsColouredLayer) {
         EXPECT_STREQ(layer.attribute("fill").value(), "none");
         colours[layer.attribute("stroke").value()] = label;
     }
-    EXPECT_EQ(colours.size(), 3u) << "a colour for each";
+    EXPECT_EQ(colours.size(), 4u) << "a colour for each";
     const auto layerOf = [&](const char* id) {
         const std::string query = std::string("//*[@id='") + id + "']";
         return std::string(

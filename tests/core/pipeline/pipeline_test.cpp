@@ -104,6 +104,23 @@ TEST(Pipeline, ABadPieceFailsAloneAndIsExportedAround) {
               ErrorCode::FileUnwritable);
 }
 
+TEST(Pipeline, WritesTurnedFacesTurned) {
+    const test::TemporaryFolder folder;
+    const Garment garment = load({folder.write("a.obj",
+                                               "v 0 0 0\nv 10 0 0\nv 20 0 0\nv 0 10 0\nv 10 10 0\n"
+                                               "v 20 10 0\nv 30 0 0\nv 30 10 0\n"
+                                               "f 1 2 5 4\nf 2 5 6 3\nf 3 7 8 6\n")});
+    ASSERT_EQ(garment.files[0]->problems.size(), 1U);
+    EXPECT_EQ(garment.files[0]->problems[0].code, ErrorCode::WindingsTurned);
+    Progress progress;
+    const PieceResults results = flattenGarment(garment, {}, progress);
+    ASSERT_TRUE(exportFile(folder / "out.obj", garment, results));
+    EXPECT_NE(folder.read("out.obj").find("1 face turned over"), std::string::npos);
+    const Garment again = load({folder / "out.obj"});
+    EXPECT_TRUE(again.files[0]->problems.empty());
+    EXPECT_EQ(again.pieces[0]->mesh.F.rows(), 6);
+}
+
 TEST(Pipeline, CancellingMarksWhatIsNotDone) {
     const Garment garment = load({kSamples / "tshirt.obj"});
     Progress progress;

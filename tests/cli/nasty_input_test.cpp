@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of broken files: the built program takes every file of the nasty set, and the table
+// in docs/input.md is what it said.
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/docs_table.h"
+#include "tests/cli/run_program.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Outcome {
+    int status = 0;
+    int flat = 0, failed = 0, cuts = 0;
+    std::vector<std::string> said;  ///< sentences, one per code
+};
+
+std::string readText(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// One sentence for each code, with how many more there are.
+std::vector<std::string> summarise(const std::vector<std::pair<std::string, std::string>>& said) {
+    std::vector<std::string> codes;
+    std::map<std::string, std::pair<std::string, int>> first;
+    for (const auto& [code, sentence] : said) {
+        auto [entry, isNew] = first.try_emplace(code, sentence, 0);
+        if (isNew) {
+            codes.push_back(code);
+        } else {
+            ++entry->second.second;
+        }
+    }
+    std::vector<std::string> lines;
+    for (const std::string& code : codes) {
+        const auto& [sentence, more] = first[code];
+        lines.push_back(sentence + (more > 0 ? " (" + std::to_string(more) + " more)" : ""));
+    }
+    return lines;
+}
+
+/// Flattens the file into every format and reads what came of it.
+Outcome flatten(const std::filesystem::path& file, const std::vector<std::string>& options) {
+    const test::TemporaryFolder folder;
+    std::vector<std::string> arguments{"flatten", file.string()};
+    for (const char* output : {"out.svg", "out.dxf", "out.obj", "out.json"}) {
+        arguments.insert(arguments.end(), {"-o", (folder / output).string()});
+    }
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto run = test::run(TOILE_PROGRAM, arguments);
+    Outcome outcome;
+    outcome.status = run.status;
+    if (run.status == 3) {
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+        std::string sentence = run.err.substr(0, run.err.find('\n'));
+        const std::string where = file.string();
+        if (const auto at = sentence.find(where); at != std::string::npos) {
+            sentence.replace(at, where.size(), file.filename().string());
+        }
+        outcome.said = {std::regex_replace(sentence, std::regex("^toile: "), "")};
+        return outcome;
+    }
+    for (const char* output : {"out.svg", "out.dxf", "out.obj"}) {
+        const std::string text = folder.read(output);
+        EXPECT_FALSE(text.empty()) << output;
+        static const std::regex notANumber("(^|[^a-zA-Z])(nan|inf)([^a-zA-Z]|$)");
+        EXPECT_FALSE(std::regex_search(text.substr(0, 2000000), notANumber)) << output;
+    }
+    const Json report = Json::parse(folder.read("out.json"));
+    std::vector<std::pair<std::string, std::string>> said;
+    for (const Json& problem : report["files"][0]["problems"]) {
+        said.emplace_back(problem["code"], problem["message"]);
+    }
+    for (const Json& problem : report["problems"]) {
+        said.emplace_back(problem["code"], problem["message"]);
+    }
+    outcome.said = summarise(said);
+    for (const Json& piece : report["pieces"]) {
+        (piece["status"] == "flat" ? outcome.flat : outcome.failed) += 1;
+    }
+    outcome.cuts = static_cast<int>(report["cuts"].size());
+    EXPECT_EQ(outcome.status, outcome.failed > 0 ? 1 : 0);
+    return outcome;
+}
+
+std::string piecesCell(const Outcome& outcome) {
+    if (outcome.status == 3) {
+        return "refused (3)";
+    }
+    std::string cell = std::to_string(outcome.flat) + " flat";
+    if (outcome.failed > 0) {
+        cell += ", " + std::to_string(outcome.failed) + " not";
+    }
+    if (outcome.cuts > 0) {
+        cell += "; " + std::to_string(outcome.cuts) + (outcome.cuts > 1 ? " cuts" : " cut");
+    }
+    return cell + " (" + std::to_string(outcome.status) + ")";
+}
+
+std::string row(const std::filesystem::path& file) {
+    const Outcome plain = flatten(file, {});
+    const Outcome cut = flatten(file, {"--auto-cut"});
+    EXPECT_NE(plain.status, -1);
+    EXPECT_TRUE(plain.status != 0 || !plain.said.empty() || plain.flat > 0);
+    std::string said;
+    for (const std::string& sentence : plain.said) {
+        said += (said.empty() ? "" : "<br>") + sentence;
+    }
+    return "| `" + file.filename().string() + "` | " + piecesCell(plain) + " | " + piecesCell(cut) +
+           " | " + (said.empty() ? "nothing to say" : said) + " |\n";
+}
+
+TEST(NastyInput, EveryFileHasItsOutcomeInTheTable) {
+    const auto folder = test::sharedFile("nasty");
+    TOILE_NEEDS_SHARED(folder);
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    ASSERT_GE(files.size(), 28U);
+    std::string table =
+        "| File | Pieces (exit status) | with `--auto-cut` | What Toile says |\n"
+        "|---|---|---|---|\n";
+    for (const auto& file : files) {
+        SCOPED_TRACE(file.filename());
+        table += row(file);
+    }
+    test::expectTableInDocs("input.md", "broken files", table);
+}
+
+/// The independent counts of the files agree with what the report says was read and mended.
+TEST(NastyInput, CountsAgreeWithTheIndex) {
+    const auto indexFile = test::sharedFile("index.json");
+    TOILE_NEEDS_SHARED(indexFile);
+    int compared = 0;
+    for (const Json& entry : Json::parse(readText(indexFile))) {
+        const std::string name = entry["file"];
+        if (!name.starts_with("nasty/")) {
+            continue;
+        }
+        SCOPED_TRACE(name);
+        const auto run = test::run(TOILE_PROGRAM, {"info", test::sharedFile(name.c_str()).string(),
+                                                   "--json", "--split", "components"});
+        if (run.status == 3) {
+            EXPECT_TRUE(entry["faces"] == 0 || entry["zero_area_triangles"] == entry["faces"] ||
+                        entry["faces"] == entry["degenerate_records"])
+                << run.err;
+            continue;
+        }
+        const Json info = Json::parse(run.out);
+        EXPECT_EQ(info["files"][0]["vertices"], entry["vertices"]);
+        ++compared;
+    }
+    EXPECT_GE(compared, 20);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/garment/cut_pieces.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/quality/measures.h"
+#include "tests/core/cut/cut_shapes.h"
+#include "tests/core/support/shapes.h"
+
+namespace toile {
+namespace {
+
+using Pieces = std::vector<std::shared_ptr<const Piece>>;
+
+/// A piece that knows where it comes from, as `divide` makes them.
+std::shared_ptr<const Piece> sourced(MeshArrays mesh, const std::string& name) {
+    auto piece = std::make_shared<Piece>(makePiece(name, std::move(mesh)));
+    for (int v = 0; v < piece->mesh.V.rows(); ++v) {
+        piece->sourceVertex.push_back(1000 + v);
+    }
+    for (int f = 0; f < piece->mesh.F.rows(); ++f) {
+        piece->sourceFace.push_back(2000 + f);
+    }
+    return piece;
+}
+
+CutPieces cut(const Pieces& pieces, const std::vector<UserCut>& cuts, bool automatic) {
+    return cutPieces(pieces, cuts, automatic, Progress());
+}
+
+MeshArrays moved(MeshArrays mesh, double x) {
+    mesh.V.col(0).array() += x;
+    return mesh;
+}
+
+TEST(CutPieces, HandOnPiecesWithoutCutsByPointer) {
+    const Pieces pieces{sourced(test::planeGrid(4, 4, 10), "front"),
+                        sourced(test::tube(16, 6), "sleeve")};
+    const CutPieces none = cut(pieces, {}, false);
+    EXPECT_EQ(none.pieces, pieces);
+    EXPECT_TRUE(none.cuts.empty());
+    const CutPieces automatic = cut(pieces, {}, true);
+    EXPECT_EQ(automatic.pieces[0], pieces[0]);
+    EXPECT_NE(automatic.pieces[1], pieces[1]);
+}
+
+TEST(CutPieces, OpenATubeByItselfAndSaySo) {
+    const CutPieces made = cut({sourced(test::tube(24, 9), "sleeve")}, {}, true);
+    ASSERT_EQ(made.pieces.size(), 1U);
+    EXPECT_FALSE(made.pieces[0]->defect);
+    EXPECT_EQ(made.pieces[0]->name, "sleeve");
+    ASSERT_EQ(made.cuts.size(), 1U);
+    EXPECT_EQ(made.cuts[0].author, CutAuthor::Automatic);
+    EXPECT_EQ(made.cuts[0].name, "sleeve, automatic cut 1");
+    EXPECT_EQ(made.cuts[0].piece, "sleeve");
+    EXPECT_NEAR(made.cuts[0].length, 180, 1e-9);
+    for (const int source : made.pieces[0]->sourceVertex) {
+        EXPECT_TRUE(source == -1 || source >= 1000);
+    }
+}
+
+TEST(CutPieces, GoToThePieceNearestToTheirPoints) {
+    const Pieces pieces{sourced(test::planeGrid(10, 10, 10), "left"),
+                        sourced(moved(test::planeGrid(10, 10, 10), 200), "right")};
+    const UserCut across{"across", UserCut::Kind::Path, {{203, 50, 2}, {297, 52, 2}}, false};
+    const CutPieces made = cut(pieces, {across}, false);
+    ASSERT_EQ(made.pieces.size(), 3U);
+    EXPECT_EQ(made.pieces[0], pieces[0]);
+    EXPECT_EQ(made.pieces[1]->name, "right 1");
+    EXPECT_EQ(made.pieces[2]->name, "right 2");
+    EXPECT_EQ(made.cuts[0].author, CutAuthor::User);
+    EXPECT_NEAR(made.cuts[0].length, 100, 0.1);
+    const double area =
+        triangleAreas3d(made.pieces[1]->mesh).sum() + triangleAreas3d(made.pieces[2]->mesh).sum();
+    EXPECT_NEAR(area, 1e4, 1e-8);
+}
+
+TEST(CutPieces, NumberPartsPastNamesThatAreTaken) {
+    const Pieces pieces{sourced(test::planeGrid(6, 6, 10), "leg"),
+                        sourced(moved(test::planeGrid(6, 6, 10), 200), "leg 1")};
+    const UserCut across{"across", UserCut::Kind::Path, {{0, 31, 0}, {60, 31, 0}}, true};
+    const CutPieces made = cut(pieces, {across}, false);
+    ASSERT_EQ(made.pieces.size(), 3U);
+    EXPECT_EQ(made.pieces[0]->name, "leg 2");
+    EXPECT_EQ(made.pieces[1]->name, "leg 3");
+    EXPECT_EQ(made.pieces[2]->name, "leg 1");
+}
+
+TEST(CutPieces, KeepTheDesignersPanel) {
+    auto piece = std::make_shared<Piece>(*sourced(test::planeGrid(6, 6, 10), "front"));
+    piece->reference = piece->mesh.V.leftCols<2>() * 2;
+    const UserCut dart{"dart", UserCut::Kind::Dart, {{31, 1, 0}, {33, 37, 0}}, false};
+    const CutPieces made = cut({piece}, {dart}, false);
+    ASSERT_EQ(made.pieces.size(), 1U);
+    const Piece& open = *made.pieces[0];
+    ASSERT_TRUE(open.reference);
+    EXPECT_GT(open.mesh.V.rows(), piece->mesh.V.rows());
+    EXPECT_LT((*open.reference - 2 * open.mesh.V.leftCols<2>()).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(CutPieces, OneThatFailsLeavesTheOthersAlone) {
+    const Pieces pieces{sourced(test::planeGrid(10, 10, 10), "front")};
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<UserCut> cuts{
+        {"no points", UserCut::Kind::Path, {}, false},
+        {"not finite", UserCut::Kind::Path, {{nan, 0, 0}, {1, 1, 0}}, false},
+        {"far away", UserCut::Kind::Path, {{5000, 0, 0}, {5000, 90, 0}}, false},
+        {"one point", UserCut::Kind::Path, {{10, 10, 0}}, false},
+        {"on the rim", UserCut::Kind::Path, {{0, 0, 0}, {100, 0, 0}}, true},
+        {"good", UserCut::Kind::Path, {{50, 0, 0}, {50, 100, 0}}, true}};
+    const CutPieces made = cut(pieces, cuts, false);
+    EXPECT_EQ(made.pieces.size(), 2U);
+    ASSERT_EQ(made.cuts.size(), 1U);
+    EXPECT_EQ(made.cuts[0].name, "good");
+    ASSERT_EQ(made.problems.size(), 5U);
+    for (const Error& problem : made.problems) {
+        EXPECT_EQ(problem.code, ErrorCode::CutImpossible) << sentence(problem);
+        EXPECT_FALSE(problem.where.empty());
+    }
+}
+
+TEST(CutPieces, APieceThatNoCutOpensKeepsItsDefect) {
+    const CutPieces made = cut({sourced(test::moebiusStrip(12), "strip")}, {}, true);
+    ASSERT_EQ(made.pieces.size(), 1U);
+    ASSERT_TRUE(made.pieces[0]->defect);
+    EXPECT_EQ(made.pieces[0]->defect->code, ErrorCode::NotOrientable);
+}
+
+/// A flat ring: a poncho.
+MeshArrays ring() {
+    return test::without(test::planeGrid(20, 20, 10), [](int f) {
+        const int column = f / 2 % 20, row = f / 40;
+        return column > 5 && column < 14 && row > 5 && row < 14;
+    });
+}
+
+TEST(Holes, AFlatRingIsADiskWithAHole) {
+    const Piece poncho = makePiece("poncho", ring());
+    ASSERT_FALSE(poncho.defect);
+    EXPECT_EQ(poncho.boundary.size(), 80U);
+    ASSERT_EQ(poncho.holes.size(), 1U);
+    EXPECT_EQ(poncho.holes[0].size(), 32U);
+    EXPECT_EQ(loopLengths(poncho), (std::vector<double>{800, 320}));
+    const Piece filled = withHolesFilled(poncho);
+    EXPECT_FALSE(filled.defect);
+    EXPECT_TRUE(filled.holes.empty());
+    EXPECT_EQ(filled.boundary, poncho.boundary);
+    EXPECT_EQ(filled.mesh.F.topRows(poncho.mesh.F.rows()), poncho.mesh.F);
+}
+
+TEST(Holes, TheEndsOfATubeAreNone) {
+    const Piece sleeve = makePiece("sleeve", test::tube(24, 9));
+    ASSERT_TRUE(sleeve.defect);
+    EXPECT_EQ(sleeve.defect->code, ErrorCode::SeveralLoops);
+}
+
+/// Trousers with their hems folded inwards: the rim of such a hem lies in a flat ring.
+TEST(Holes, AHemFoldedInwardsIsNone) {
+    MeshArrays tube = test::tube(24, 9);
+    tube.V.topRows(24).leftCols<1>() *= 0.5;
+    tube.V.topRows(24).rightCols<1>() *= 0.5;
+    tube.V.topRows(24).col(1) = tube.V.row(24).col(1).replicate(24, 1);
+    const Piece sleeve = makePiece("sleeve", tube);
+    ASSERT_TRUE(sleeve.defect);
+    EXPECT_EQ(sleeve.defect->code, ErrorCode::SeveralLoops);
+}
+
+}  // namespace
+}  // namespace toile

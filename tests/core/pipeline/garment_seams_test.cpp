@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What Toile exists for, on real garments: both sides of every seam come out equally long.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/pipeline/pipeline.h"
+#include "core/seam/seam_measure.h"
+#include "tests/core/support/shared_data.h"
+#include "tests/core/support/temporary_folder.h"
+
+namespace toile {
+namespace {
+
+constexpr double kEqual = 1e-6;  // mm
+
+struct Flat {
+    Garment garment;
+    PieceResults results;
+};
+
+Flat flattenFile(const std::filesystem::path& path, const LoadOptions& load,
+                 Method method = Method::Wang2005) {
+    Progress progress;
+    auto garment = loadGarment({path}, load, progress);
+    EXPECT_TRUE(garment) << (garment ? "" : sentence(garment.error()));
+    Flat flat;
+    if (garment) {
+        flat.garment = std::move(*garment);
+        FlattenOptions options;
+        options.method = method;
+        flat.results = flattenGarment(flat.garment, options, progress);
+    }
+    return flat;
+}
+
+/// One entry per seam, free edges aside. Every piece must be flat.
+std::vector<std::pair<const Seam*, SeamMeasure>> ledger(const Flat& flat) {
+    std::vector<std::pair<const Seam*, SeamMeasure>> rows;
+    for (const Seam& seam : flat.garment.seams.seams) {
+        if (seam.kind != SeamKind::Free) {
+            const PieceResult& left = *flat.results[seam.left.piece];
+            const PieceResult& right = *flat.results[seam.right.piece];
+            rows.emplace_back(
+                &seam, measureSeam(seam, *left.piece, left.flat->Q, *right.piece, right.flat->Q));
+        }
+    }
+    return rows;
+}
+
+void expectAllFlat(const Flat& flat) {
+    for (const auto& result : flat.results) {
+        EXPECT_TRUE(result->flat) << sentence(*result->error);
+    }
+}
+
+class WeldedGarments : public testing::TestWithParam<std::pair<const char*, std::size_t>> {};
+
+TEST_P(WeldedGarments, SewWithoutADifferenceAndWouldNotUnderAConformalMap) {
+    const auto path = test::sharedFile(GetParam().first);
+    TOILE_NEEDS_SHARED(path);
+    LoadOptions load;
+    load.split = SplitMode::Uv;
+    const Flat exact = flattenFile(path, load);
+    expectAllFlat(exact);
+    const auto rows = ledger(exact);
+    EXPECT_GE(rows.size(), GetParam().second);
+    for (const auto& [seam, measure] : rows) {
+        if (seam->gap == 0) {
+            EXPECT_LE(std::abs(measure.deltaMm), kEqual) << seam->name;
+            EXPECT_NEAR(measure.length2dLeft, measure.length3d[0], kEqual) << seam->name;
+        }
+        EXPECT_LE(std::abs(measure.errorMm), kEqual) << seam->name;
+    }
+    const Flat natural = flattenFile(path, load, Method::Natural);
+    expectAllFlat(natural);
+    double worst = 0;
+    for (const auto& row : ledger(natural)) {
+        worst = std::max(worst, std::abs(row.second.errorMm));
+    }
+    EXPECT_GT(worst, 4);  // mm: red in the ledger
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, WeldedGarments,
+                         testing::Values(std::pair("garments/dress.obj", 26),
+                                         std::pair("garments/longsleeve.obj", 14),
+                                         std::pair("garments/polo.obj", 17),
+                                         std::pair("garments/tee_sim.obj", 12),
+                                         std::pair("garments/tshirt.obj", 10)));
+
+TEST(GarmentSeams, AGatheredSkirtShowsEaseAndNoError) {
+    const auto path = test::sharedFile("garments/dress14_pieces.obj");
+    TOILE_NEEDS_SHARED(path);
+    const Flat dress = flattenFile(path, {});
+    const auto rows = ledger(dress);
+    EXPECT_GT(rows.size(), 20U);
+    double largestEase = 0;
+    for (const auto& [seam, measure] : rows) {
+        largestEase = std::max(largestEase, std::abs(measure.ease));
+        EXPECT_LE(std::abs(measure.errorMm), kEqual) << seam->name;
+    }
+    EXPECT_GT(largestEase, 0.02);
+}
+
+TEST(GarmentSeams, LeggingsOpenByThemselves) {
+    const auto path = test::sharedFile("garments/leggings.ply");
+    TOILE_NEEDS_SHARED(path);
+    LoadOptions load;
+    load.autoCut = true;
+    const Flat leggings = flattenFile(path, load);
+    expectAllFlat(leggings);
+    ASSERT_EQ(leggings.garment.cuts.size(), 2U);
+    for (const MadeCut& cut : leggings.garment.cuts) {
+        EXPECT_EQ(cut.author, CutAuthor::Automatic);
+        EXPECT_NEAR(cut.length, 935, 5);
+    }
+    for (const auto& [seam, measure] : ledger(leggings)) {
+        EXPECT_LE(std::abs(measure.deltaMm), kEqual) << seam->name;
+    }
+}
+
+TEST(GarmentSeams, AHandWrittenFileMakesTwoLegsWithOneInseamEach) {
+    const auto path = test::sharedFile("garments/leggings.ply");
+    TOILE_NEEDS_SHARED(path);
+    const auto seams = readSeamsFile(std::filesystem::path(TOILE_SOURCE_DIR) / "tests" / "data" /
+                                     "leggings.seams.json");
+    ASSERT_TRUE(seams) << sentence(seams.error());
+    LoadOptions load;
+    load.split = SplitMode::Seams;
+    load.seams = *seams;
+    const Flat leggings = flattenFile(path, load);
+    expectAllFlat(leggings);
+    EXPECT_TRUE(leggings.garment.problems.empty());
+    EXPECT_EQ(leggings.garment.pieces.size(), 2U);
+    EXPECT_EQ(leggings.garment.cuts.size(), 3U);
+    int inseams = 0, between = 0;
+    for (const auto& [seam, measure] : ledger(leggings)) {
+        (seam->left.piece == seam->right.piece ? inseams : between) += 1;
+        EXPECT_LE(std::abs(measure.deltaMm), kEqual) << seam->name;
+    }
+    EXPECT_EQ(inseams, 2);
+    EXPECT_EQ(between, 2);  // front and back, from the waist to the crotch
+}
+
+TEST(GarmentSeams, ASuitWithoutSeamsOpensByItself) {
+    const auto path = test::sharedFile("garments/suit_mh.obj");
+    TOILE_NEEDS_SHARED(path);
+    LoadOptions load;
+    load.autoCut = true;
+    const Flat suit = flattenFile(path, load);
+    EXPECT_EQ(suit.garment.files[0]->split.mode, SplitMode::Components);  // an artist's UV map
+    expectAllFlat(suit);
+    EXPECT_EQ(suit.garment.pieces.size(), 2U);
+    EXPECT_EQ(suit.garment.cuts.size(), 5U);
+}
+
+/// Two squares of 10 x 10 mm with a common edge, as two objects.
+constexpr const char* kTwoSquares =
+    "v 0 0 0\nv 10 0 0\nv 20 0 0\nv 0 10 0\nv 10 10 0\nv 20 10 0\n"
+    "o left\nf 1 2 5 4\no right\nf 2 3 6 5\n";
+
+TEST(GarmentSeams, EaseIsStatedByName) {
+    const test::TemporaryFolder folder;
+    LoadOptions load;
+    load.unit = LengthUnit::Millimetre;
+    load.seams.ease = {{"left / right", 0.25}, {"left / sleeve", 0.1}};
+    const Flat flat = flattenFile(folder.write("a.obj", kTwoSquares), load);
+    const auto rows = ledger(flat);
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows[0].first->ease, 0.25);
+    EXPECT_NEAR(rows[0].second.errorMm, -2.5, 1e-12);
+    ASSERT_EQ(flat.garment.problems.size(), 1U);
+    EXPECT_EQ(flat.garment.problems[0].code, ErrorCode::NoSuchSeam);
+    EXPECT_EQ(flat.garment.problems[0].where, "left / sleeve");
+}
+
+TEST(GarmentSeams, CuttingAnewKeepsThePiecesWithoutCuts) {
+    const test::TemporaryFolder folder;
+    Progress progress;
+    LoadOptions load;
+    load.unit = LengthUnit::Millimetre;
+    const auto before = loadGarment({folder.write("a.obj", kTwoSquares)}, load, progress);
+    ASSERT_TRUE(before);
+    load.seams.cuts = {{"across", UserCut::Kind::Path, {{12, 5, 0}, {20, 5, 0}}, false}};
+    const auto after = cutGarment(*before, load, progress);
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->pieces[0], before->pieces[0]);
+    EXPECT_NE(after->pieces[1], before->pieces[1]);
+    EXPECT_EQ(after->wholes, before->wholes);
+    EXPECT_EQ(after->cuts.size(), 1U);
+    const auto undone = cutGarment(*after, {}, progress);
+    ASSERT_TRUE(undone);
+    EXPECT_EQ(undone->pieces, before->pieces);
+}
+
+TEST(GarmentSeams, CutsFollowTheUnitAndTheAxesOfTheFile) {
+    const test::TemporaryFolder folder;
+    // The same squares standing in a file where z is up, in cm.
+    const auto path = folder.write("a.obj",
+                                   "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 0 1\nv 1 0 1\nv 2 0 1\n"
+                                   "o left\nf 1 2 5 4\no right\nf 2 3 6 5\n");
+    LoadOptions load;
+    load.unit = LengthUnit::Centimetre;
+    load.up = UpAxis::Z;
+    load.seams.cuts = {{"across", UserCut::Kind::Path, {{1.2, 0, 0.5}, {2, 0, 0.5}}, false}};
+    const Flat flat = flattenFile(path, load);
+    ASSERT_EQ(flat.garment.cuts.size(), 1U);
+    EXPECT_NEAR(flat.garment.cuts[0].length, 8, 0.2);
+    EXPECT_EQ(flat.garment.pieces[0]->mesh.V.col(1).maxCoeff(), 10);
+    ASSERT_TRUE(exportFile(folder / "out.obj", flat.garment, flat.results));
+    const auto again = flattenFile(folder / "out.obj", {LengthUnit::Centimetre, UpAxis::Z});
+    double area = 0;
+    for (const auto& result : again.results) {
+        ASSERT_TRUE(result->quality);
+        area += result->quality->area3d;
+    }
+    EXPECT_NEAR(area, 200, 1e-9);
+}
+
+}  // namespace
+}  // namespace toile
