@@ -2,53 +2,15 @@
 #include <limits>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
-#include <vector>
 
-#include "core/io/readable_name.h"
+#include "core/io/face_names.h"
 #include "core/io/soup.h"
 #include "core/io/soup_builder.h"
 #include "core/io/text_cursor.h"
 
 namespace toile {
 namespace {
-
-/// The names of one kind of line (`o`, `g` or `usemtl`) and which one each face carries.
-class FaceNames {
-public:
-    FaceNames(std::vector<std::string>& names, std::vector<int>& perFace)
-        : names_(names), perFace_(perFace) {}
-
-    /// The name of all faces to come; an empty one ends the last.
-    void change(std::string_view text, int faceCount) {
-        if (text.empty()) {
-            current_ = -1;
-            return;
-        }
-        if (names_.empty()) {
-            perFace_.assign(static_cast<std::size_t>(faceCount), -1);
-        }
-        std::string name = readableName(text);
-        const auto [found, isNew] = index_.try_emplace(name, static_cast<int>(names_.size()));
-        if (isNew) {
-            names_.push_back(std::move(name));
-        }
-        current_ = found->second;
-    }
-
-    void addFace() {
-        if (!names_.empty()) {
-            perFace_.push_back(current_);
-        }
-    }
-
-private:
-    std::vector<std::string>& names_;
-    std::vector<int>& perFace_;
-    std::unordered_map<std::string, int> index_;
-    int current_ = -1;
-};
 
 /// Position in a list that has `count` entries so far of an index that counts from 1, or back from
 /// the end where it is negative; `none` where there can be no such entry.

@@ -37,7 +37,8 @@ public:
         }
         soup_.positions.reserve(static_cast<std::size_t>(vertexCount));
         soup_.positionText.reserve(static_cast<std::size_t>(vertexCount));
-        for (int i = 0; i < vertexCount + faceCount; ++i) {
+        const long long records = static_cast<long long>(vertexCount) + faceCount;
+        for (long long i = 0; i < records; ++i) {
             cursor_.skipSpaceAndComments();
             if (cursor_.atEnd()) {
                 return truncated(i, vertexCount, faceCount);
@@ -110,10 +111,11 @@ private:
                counted(faceCount, "face");
     }
 
-    Error truncated(int records, int vertexCount, int faceCount) const {
+    Error truncated(long long records, int vertexCount, int faceCount) const {
+        const long long vertices = std::min<long long>(records, vertexCount);
         return builder_.malformed(promised(vertexCount, faceCount) + ", the file ends after " +
-                                  counted(std::min(records, vertexCount), "vertex") + " and " +
-                                  counted(std::max(records - vertexCount, 0), "face"));
+                                  counted(vertices, "vertex") + " and " +
+                                  counted(records - vertices, "face"));
     }
 
     Error malformed(const std::string& what) const {

@@ -99,7 +99,7 @@ private:
             case PlyType::UInt32:
                 return readBytes<std::uint32_t>(at, order_);
             case PlyType::Float32:
-                return double{readBytes<float>(at, order_)};
+                return static_cast<double>(readBytes<float>(at, order_));
             case PlyType::Float64:
                 return readBytes<double>(at, order_);
         }

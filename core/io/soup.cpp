@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/soup.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/base/file.h"
 #include "core/io/readable_name.h"
 #include "core/io/text_cursor.h"
+#ifdef TOILE_ASSIMP
+#include "core/io/assimp_reader.h"
+#endif
 
 namespace toile {
 namespace {
@@ -25,6 +30,13 @@ Reader readerFor(std::string_view ending) {
     return nullptr;
 }
 
+bool isForAssimp(std::string_view ending) {
+    constexpr std::string_view kEndings[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf"};
+    return std::any_of(std::begin(kEndings), std::end(kEndings), [ending](std::string_view known) {
+        return equalsIgnoringCase(ending, known);
+    });
+}
+
 std::string utf8(const std::filesystem::path& path) {
     const std::u8string text = path.u8string();
     return readableName(std::string(text.begin(), text.end()));
@@ -35,6 +47,15 @@ std::string utf8(const std::filesystem::path& path) {
 Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progress) {
     const std::string name = utf8(path.filename());
     const std::string ending = utf8(path.extension());
+    if (isForAssimp(ending)) {
+#ifdef TOILE_ASSIMP
+        return readWithAssimp(path, name, progress);
+#else
+        return Error{
+            ErrorCode::UnknownFormat, name,
+            "\"" + ending + "\" needs Toile built with -DTOILE_ASSIMP=ON, or an export as OBJ"};
+#endif
+    }
     const Reader reader = readerFor(ending);
     if (reader == nullptr) {
         return Error{ErrorCode::UnknownFormat, name,

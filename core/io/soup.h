@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "core/base/length_unit.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 
@@ -18,6 +20,12 @@ namespace toile {
 struct TextSpan {
     std::uint64_t offset = 0;
     std::uint32_t length = 0;
+};
+
+/// The unit that a file or its format fixes, and what says so, for a person.
+struct StatedUnit {
+    LengthUnit unit;
+    std::string reason;  ///< "glTF files are in metres"
 };
 
 /// What a mesh file says, before anything is divided or checked: polygons over shared positions,
@@ -42,6 +50,8 @@ struct PolygonSoup {
     std::vector<TextSpan> positionText;
     std::shared_ptr<const std::string> text;  ///< the file, where positionText is used
 
+    std::optional<StatedUnit> statedUnit;  ///< of the positions; OBJ, OFF, PLY and STL have none
+
     Problems problems;
 
     int faceCount() const { return static_cast<int>(faceStart.size()) - 1; }
@@ -51,6 +61,7 @@ struct PolygonSoup {
 
 /// Reads OBJ, OFF, PLY (ASCII, binary) or STL (ASCII, binary) by the file's ending; STL, whose
 /// triangles repeat their corners, gets equal positions merged. Positions are read as doubles.
+/// Where Toile is built with TOILE_ASSIMP also glTF, FBX, Collada and 3MF, see `readWithAssimp`.
 /// Errors: FileUnreadable, UnknownFormat, MalformedFile, NoGeometry, Cancelled.
 /// Cost: linear, one pass. Re-entrant.
 Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progress);

@@ -41,7 +41,8 @@ bool isBinary(const std::string& bytes) {
 
 Eigen::Vector3d positionAt(const char* bytes) {
     const auto number = [bytes](std::size_t axis) {
-        return double{readBytes<float>(bytes + sizeof(float) * axis, std::endian::little)};
+        return static_cast<double>(
+            readBytes<float>(bytes + sizeof(float) * axis, std::endian::little));
     };
     return {number(0), number(1), number(2)};
 }

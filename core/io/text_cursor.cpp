@@ -116,22 +116,6 @@ bool TextCursor::readDoubles(double* values, int count) {
     return true;
 }
 
-TextCursor::IntStatus TextCursor::readInt(int& value) {
-    const char* first = p_;
-    if (first != end_ && *first == '+') {
-        ++first;
-        if (first != end_ && *first == '-') {
-            return IntStatus::NotANumber;
-        }
-    }
-    const auto [last, status] = std::from_chars(first, end_, value);
-    if (status == std::errc::invalid_argument) {
-        return IntStatus::NotANumber;
-    }
-    p_ = last;
-    return status == std::errc() ? IntStatus::Ok : IntStatus::TooLarge;
-}
-
 bool hasDecimalComma(std::string_view text) {
     for (std::size_t i = 1; i + 1 < text.size(); ++i) {
         if (text[i] == ',' && isDigit(text[i - 1]) && isDigit(text[i + 1])) {

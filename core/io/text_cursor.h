@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <string_view>
+#include <system_error>
 
 namespace toile {
 
@@ -72,7 +74,22 @@ public:
 
     enum class IntStatus { Ok, TooLarge, NotANumber };
     /// Reads a whole number; whatever follows stays. Moves past it also where it is too large.
-    IntStatus readInt(int& value);
+    /// Inline, as a file has millions of them: a tenth of the time to read an OBJ file.
+    IntStatus readInt(int& value) {
+        const char* first = p_;
+        if (first != end_ && *first == '+') {
+            ++first;
+            if (first != end_ && *first == '-') {
+                return IntStatus::NotANumber;
+            }
+        }
+        const auto [last, status] = std::from_chars(first, end_, value);
+        if (status == std::errc::invalid_argument) {
+            return IntStatus::NotANumber;
+        }
+        p_ = last;
+        return status == std::errc() ? IntStatus::Ok : IntStatus::TooLarge;
+    }
 
     /// True at a blank, a line's end, the text's end or a backslash.
     bool atTokenEnd() const { return p_ == end_ || isBlank(*p_) || isNewline(*p_) || *p_ == '\\'; }

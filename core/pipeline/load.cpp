@@ -32,6 +32,11 @@ void chooseUnit(SourceFile& file, const std::optional<LengthUnit>& stated, doubl
         file.unit = *stated;
         return;
     }
+    if (file.soup.statedUnit) {
+        file.unit = file.soup.statedUnit->unit;
+        file.unitReason = file.soup.statedUnit->reason;
+        return;
+    }
     const UnitGuess guess = guessUnit(largestExtent);
     file.unit = guess.unit;
     file.unitReason = guess.reason;

@@ -16,8 +16,7 @@ using ReadFunction = Result<PolygonSoup> (*)(std::shared_ptr<const std::string>,
 /// Reads bytes that stand for a file named "test".
 Result<PolygonSoup> read(ReadFunction reader, std::string bytes);
 
-/// Fails the test where the soup breaks one of the promises in its header: indices in range, three
-/// corners per face, lists of matching lengths, text inside the file.
+/// Fails the test where the soup breaks one of the promises in its header.
 void expectSound(const PolygonSoup& soup);
 
 /// Corners of a face.

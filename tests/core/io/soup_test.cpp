@@ -46,13 +46,28 @@ TEST_F(ReadSoup, ChoosesTheReaderByTheEnding) {
 }
 
 TEST_F(ReadSoup, RefusesOtherEndings) {
-    for (const char* fileName : {"a.fbx", "obj", "a.obj.txt", ".obj"}) {
+    for (const char* fileName : {"a.blend", "obj", "a.obj.txt", ".obj"}) {
         const Result<PolygonSoup> soup = readAs(fileName, sampleObj());
         ASSERT_FALSE(soup) << fileName;
         EXPECT_EQ(soup.error().code, ErrorCode::UnknownFormat) << fileName;
         EXPECT_EQ(soup.error().where, fileName);
     }
 }
+
+#ifndef TOILE_ASSIMP
+TEST_F(ReadSoup, SaysHowToReadWhatNeedsAssimp) {
+    for (const char* fileName : {"a.glb", "a.gltf", "a.FBX", "a.dae", "a.3mf"}) {
+        const Result<PolygonSoup> soup = readAs(fileName, "");
+        ASSERT_FALSE(soup) << fileName;
+        EXPECT_EQ(soup.error().code, ErrorCode::UnknownFormat) << fileName;
+    }
+    EXPECT_EQ(
+        sentence(readAs("skirt.glb", "").error()),
+        "skirt.glb: the file's ending names no format Toile knows (\".glb\" needs Toile built "
+        "with -DTOILE_ASSIMP=ON, or an export as OBJ); read .obj, .off, .ply or .stl; write "
+        ".svg, .dxf, .obj or .json.");
+}
+#endif
 
 TEST_F(ReadSoup, RefusesWhatCannotBeRead) {
     Progress progress;

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/assimp_reader.h"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/material.h>
+#include <assimp/scene.h>
+
+#include "core/base/file.h"
+#include "core/io/assimp_unit.h"
+#include "core/io/face_names.h"
+#include "core/io/position_merger.h"
+#include "core/io/readable_name.h"
+#include "core/io/soup_builder.h"
+
+namespace toile {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector3d;
+
+std::string_view textOf(const aiString& text) {
+    return {text.data, text.length};
+}
+
+Matrix4d matrixOf(const aiMatrix4x4& m) {
+    Matrix4d matrix;
+    for (unsigned row = 0; row < 4; ++row) {
+        for (unsigned column = 0; column < 4; ++column) {
+            matrix(row, column) = static_cast<double>(m[row][column]);
+        }
+    }
+    return matrix;
+}
+
+Vector3d vectorOf(const aiVector3D& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+/// Positions and texture coordinates of one object, equal ones merged.
+class ObjectCorners {
+public:
+    explicit ObjectCorners(const PolygonSoup& soup)
+        : firstPosition_(static_cast<int>(soup.positions.size())),
+          firstUv_(static_cast<int>(soup.uvs.size())) {}
+
+    int position(const Vector3d& position, bool& isNew) {
+        return firstPosition_ + positionMerger_.indexOf(position, isNew);
+    }
+
+    /// Texture coordinates are one where they are equal and belong to one position.
+    int uv(int position, const aiVector3D& uv) {
+        bool isNew = false;
+        return firstUv_ + uvMerger_.indexOf({static_cast<double>(position),
+                                             static_cast<double>(uv.x), static_cast<double>(uv.y)},
+                                            isNew);
+    }
+
+    /// Hands the texture coordinates over; the positions have been taken as they came.
+    void appendUvs(std::vector<Eigen::Vector2d>& uvs) const {
+        for (const Vector3d& uv : uvs_) {
+            uvs.emplace_back(uv.y(), uv.z());
+        }
+    }
+
+private:
+    int firstPosition_, firstUv_;
+    std::vector<Vector3d> positions_;
+    std::vector<Vector3d> uvs_;  ///< position index, u, v
+    PositionMerger positionMerger_{positions_};
+    PositionMerger uvMerger_{uvs_};
+};
+
+class SceneReader {
+public:
+    SceneReader(const aiScene& scene, const std::string& name, AssimpUnit unit)
+        : scene_(scene), builder_(name, "face"), soup_(builder_.soup()), scale_(unit.scale) {
+        soup_.statedUnit = std::move(unit.stated);
+    }
+
+    Result<PolygonSoup> read(const Progress& progress) {
+        std::vector<std::pair<const aiNode*, Matrix4d>> open;  // a tree may be deep: no recursion
+        if (scene_.mRootNode != nullptr) {
+            open.emplace_back(scene_.mRootNode, matrixOf(scene_.mRootNode->mTransformation));
+        }
+        while (!open.empty()) {
+            const auto [node, placement] = open.back();
+            open.pop_back();
+            if (progress.isCancelled()) {
+                return builder_.cancelled();
+            }
+            if (!readObject(*node, placement)) {
+                return builder_.malformed("more corners than can be counted");
+            }
+            for (unsigned i = node->mNumChildren; i-- > 0;) {  // the first child is the next
+                const aiNode* child = node->mChildren[i];
+                open.emplace_back(child, placement * matrixOf(child->mTransformation));
+            }
+        }
+        return builder_.finish();
+    }
+
+private:
+    /// False where the corners would no longer fit an index.
+    bool readObject(const aiNode& node, const Matrix4d& placement) {
+        if (node.mNumMeshes == 0) {
+            return true;
+        }
+        objects_.change(textOf(node.mName), soup_.faceCount());
+        const bool mirrored = placement.topLeftCorner<3, 3>().determinant() < 0;
+        ObjectCorners corners(soup_);
+        for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+            const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[i]];
+            materials_.change(materialOf(mesh), soup_.faceCount());
+            for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+                const aiFace& face = mesh.mFaces[f];
+                if (face.mNumIndices > kMostCorners - soup_.corners.size()) {
+                    return false;
+                }
+                if (face.mNumIndices >= 3) {
+                    readFace(mesh, face, placement, mirrored, corners);
+                }
+            }
+        }
+        corners.appendUvs(soup_.uvs);
+        return true;
+    }
+
+    void readFace(const aiMesh& mesh, const aiFace& face, const Matrix4d& placement, bool mirrored,
+                  ObjectCorners& corners) {
+        const int place = soup_.faceCount() + 1;
+        for (unsigned k = 0; k < face.mNumIndices; ++k) {
+            readCorner(mesh, face.mIndices[mirrored ? face.mNumIndices - 1 - k : k], placement,
+                       place, corners);
+        }
+        if (builder_.endFace(place)) {
+            objects_.addFace();
+            materials_.addFace();
+        }
+    }
+
+    /// Assimp does not check the indices of every format; the builder leaves out what is not there.
+    void readCorner(const aiMesh& mesh, unsigned v, const Matrix4d& placement, int place,
+                    ObjectCorners& corners) {
+        int position = kNoSuchPosition, uv = kNoUv;
+        if (mesh.HasPositions() && v < mesh.mNumVertices) {
+            const Vector3d placed =
+                scale_ * (placement * vectorOf(mesh.mVertices[v]).homogeneous()).head<3>();
+            bool isNew = false;
+            position = corners.position(placed, isNew);
+            if (isNew) {
+                builder_.addPosition(placed, place);
+            }
+            uv = mesh.HasTextureCoords(0) ? corners.uv(position, mesh.mTextureCoords[0][v]) : kNoUv;
+        }
+        soup_.corners.push_back(position);
+        soup_.cornerUvs.push_back(uv);
+    }
+
+    /// Empty where the file gives the mesh none and assimp made one up.
+    std::string materialOf(const aiMesh& mesh) const {
+        if (mesh.mMaterialIndex >= scene_.mNumMaterials) {
+            return "";
+        }
+        const aiString name = scene_.mMaterials[mesh.mMaterialIndex]->GetName();
+        return textOf(name) == AI_DEFAULT_MATERIAL_NAME ? "" : std::string(textOf(name));
+    }
+
+    static constexpr std::size_t kMostCorners = std::numeric_limits<int>::max();
+
+    const aiScene& scene_;
+    SoupBuilder builder_;
+    PolygonSoup& soup_;
+    double scale_;
+    FaceNames objects_{soup_.objects, soup_.faceObject};
+    FaceNames materials_{soup_.materials, soup_.faceMaterial};
+};
+
+}  // namespace
+
+Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, const std::string& name,
+                                   Progress& progress) {
+    Assimp::Importer importer;
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // not their ids
+    const aiScene* scene = importer.ReadFile(path.string(), 0);
+    if (scene == nullptr) {
+        // Assimp does not say whether the file or its bytes are at fault.
+        const Result<std::string> bytes = readFile(path);
+        return bytes
+                   ? Error{ErrorCode::MalformedFile, name, readableName(importer.GetErrorString())}
+                   : bytes.error();
+    }
+    return SceneReader(*scene, name, unitOf(*scene, path.extension().string())).read(progress);
+}
+
+}  // namespace toile

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/assimp_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "core/pipeline/pipeline.h"
+#include "tests/core/io/soup_checks.h"
+#include "tests/core/support/temporary_folder.h"
+
+namespace toile::test {
+namespace {
+
+/// Two triangles that make a unit square, six vertices. Nodes: "front", moved by (1, 2, 3) and
+/// twice as large; its child "lining" in the same place, whose triangles lie apart in the UV map;
+/// "back", mirrored in x.
+constexpr const char* kGltf =
+    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
+"nodes": [
+  {"name": "front", "mesh": 0, "translation": [1, 2, 3], "scale": [2, 2, 2], "children": [1]},
+  {"name": "lining", "mesh": 1, "translation": [0, 0, 0]},
+  {"name": "back", "mesh": 0, "scale": [-1, 1, 1]}],
+"meshes": [
+  {"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]},
+  {"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 2}}]}],
+"materials": [{"name": "denim"}],
+"accessors": [
+  {"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3",
+   "min": [0, 0, 0], "max": [1, 1, 0]},
+  {"bufferView": 1, "componentType": 5126, "count": 6, "type": "VEC2"},
+  {"bufferView": 2, "componentType": 5126, "count": 6, "type": "VEC2"}],
+"bufferViews": [
+  {"buffer": 0, "byteLength": 72},
+  {"buffer": 0, "byteOffset": 72, "byteLength": 48},
+  {"buffer": 0, "byteOffset": 120, "byteLength": 48}],
+"buffers": [{"byteLength": 168, "uri": "data:application/octet-stream;base64,)"
+    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAAAAAAAAAAACAPwAAgD8AAAAAAAAA"
+    "AAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAAAAgD8AAIA/AAAAAAAAAAAAAIA/AACAPwAAAAAAAIA/AAAAAAAA"
+    "AAAAAIA/AAAAAAAAgD8AAIA/AACgQAAAAAAAAMBAAACAPwAAoEAAAIA/"
+    R"("}]})";
+
+/// A rectangle of 30 cm by 20 cm as one quad, on a node that is moved up by a metre.
+constexpr const char* kCollada = R"(<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="centimeter" meter="0.01"/><up_axis>Y_UP</up_axis></asset>
+<library_geometries><geometry id="g" name="g"><mesh>
+<source id="p"><float_array id="a" count="12">0 0 0 30 0 0 30 20 0 0 20 0</float_array>
+<technique_common><accessor source="#a" count="4" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<polylist count="1"><input semantic="VERTEX" source="#v" offset="0"/><vcount>4</vcount>
+<p>0 1 2 3</p></polylist></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node id="n" name="yoke">
+<translate>0 100 0</translate><instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+
+std::string fbxWithUnit(const std::string& centimetres) {
+    return "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\n FBXHeaderVersion: 1003\n"
+           " FBXVersion: 7400\n}\nGlobalSettings:  {\n Version: 1000\n Properties70:  {\n"
+           "  P: \"UnitScaleFactor\", \"double\", \"Number\", \"\"," +
+           centimetres +
+           "\n }\n}\nObjects:  {\n Geometry: 1001, \"Geometry::\", \"Mesh\" {\n  Vertices: *12 {\n"
+           "   a: 0,0,0,10,0,0,10,10,0,0,10,0\n  }\n  PolygonVertexIndex: *4 {\n   a: 0,1,2,-4\n"
+           "  }\n  GeometryVersion: 124\n }\n Model: 1002, \"Model::yoke\", \"Mesh\" {\n"
+           "  Version: 232\n }\n}\nConnections:  {\n C: \"OO\",1001,1002\n C: \"OO\",1002,0\n}\n";
+}
+
+class AssimpReader : public testing::Test {
+protected:
+    Result<PolygonSoup> readAs(const std::string& fileName, const std::string& text) {
+        Progress progress;
+        return readSoup(folder_.write(fileName, text), progress);
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(AssimpReader, MakesAnObjectOfEveryNodeThatHasAMesh) {
+    const Result<PolygonSoup> soup = readAs("a.gltf", kGltf);
+    ASSERT_TRUE(soup) << sentence(soup.error());
+    expectSound(soup.value());
+    EXPECT_EQ(soup.value().objects, (std::vector<std::string>{"front", "lining", "back"}));
+    EXPECT_EQ(soup.value().faceObject, (std::vector<int>{0, 0, 1, 1, 2, 2}));
+    EXPECT_EQ(soup.value().materials, std::vector<std::string>{"denim"});
+    EXPECT_EQ(soup.value().faceMaterial, (std::vector<int>{0, 0, -1, -1, 0, 0}));
+    EXPECT_TRUE(soup.value().problems.empty());
+}
+
+TEST_F(AssimpReader, MergesPositionsWithinAnObjectAndNeverAcross) {
+    const Result<PolygonSoup> soup = readAs("a.gltf", kGltf);
+    ASSERT_TRUE(soup);
+    EXPECT_EQ(soup.value().positions.size(), 12U);  // four for each of the three squares
+    EXPECT_EQ(face(soup.value(), 0), (std::vector<int>{0, 1, 2}));
+    EXPECT_EQ(face(soup.value(), 1), (std::vector<int>{0, 2, 3}));
+    EXPECT_EQ(face(soup.value(), 3), (std::vector<int>{4, 6, 7}));
+}
+
+TEST_F(AssimpReader, IslandsOfTheUvMapHangTogetherByIndex) {
+    const Result<PolygonSoup> soup = readAs("a.gltf", kGltf);
+    ASSERT_TRUE(soup);
+    EXPECT_EQ(soup.value().uvs.size(), 4U + 6U + 4U);  // the lining's diagonal is a seam
+    const std::vector<int>& uvs = soup.value().cornerUvs;
+    EXPECT_EQ(std::vector<int>(uvs.begin(), uvs.begin() + 6), (std::vector<int>{0, 1, 2, 0, 2, 3}));
+    EXPECT_EQ(std::vector<int>(uvs.begin() + 6, uvs.begin() + 12),
+              (std::vector<int>{4, 5, 6, 7, 8, 9}));
+}
+
+TEST_F(AssimpReader, PlacesObjectsAndTurnsMirroredFacesBack) {
+    const Result<PolygonSoup> soup = readAs("a.gltf", kGltf);
+    ASSERT_TRUE(soup);
+    const auto& at = soup.value().positions;
+    EXPECT_EQ(at[0], Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(at[2], Eigen::Vector3d(3, 4, 3));
+    EXPECT_EQ(at[6], at[2]);  // a child is placed by its parent
+    const std::vector<int> corners = face(soup.value(), 4);
+    EXPECT_EQ(at[corners[0]], Eigen::Vector3d(-1, 1, 0));
+    EXPECT_EQ(at[corners[1]], Eigen::Vector3d(-1, 0, 0));
+    EXPECT_EQ(at[corners[2]], Eigen::Vector3d(0, 0, 0));
+}
+
+TEST_F(AssimpReader, GltfIsInMetres) {
+    Progress progress;
+    const Result<Garment> garment = loadGarment({folder_.write("a.gltf", kGltf)}, {}, progress);
+    ASSERT_TRUE(garment) << sentence(garment.error());
+    EXPECT_EQ(garment.value().files[0]->unit, LengthUnit::Metre);
+    EXPECT_EQ(garment.value().files[0]->unitReason, "glTF files are in metres");
+    EXPECT_EQ(garment.value().pieces[0]->mesh.V(0, 1), 2000);
+}
+
+TEST_F(AssimpReader, ColladaKeepsPolygonsAndStatesItsUnit) {
+    const Result<PolygonSoup> soup = readAs("a.dae", kCollada);
+    ASSERT_TRUE(soup) << sentence(soup.error());
+    expectSound(soup.value());
+    EXPECT_EQ(soup.value().objects, std::vector<std::string>{"yoke"});
+    EXPECT_EQ(face(soup.value(), 0), (std::vector<int>{0, 1, 2, 3}));
+    EXPECT_TRUE(soup.value().positions[2].isApprox(Eigen::Vector3d(0.3, 1.2, 0), 1e-6));
+    ASSERT_TRUE(soup.value().statedUnit);
+    EXPECT_EQ(soup.value().statedUnit->unit, LengthUnit::Metre);
+}
+
+TEST_F(AssimpReader, FbxStatesItsUnitInCentimetres) {
+    const std::pair<const char*, LengthUnit> units[] = {{"0.1", LengthUnit::Millimetre},
+                                                        {"1", LengthUnit::Centimetre},
+                                                        {"100", LengthUnit::Metre},
+                                                        {"2.54", LengthUnit::Inch}};
+    for (const auto& [centimetres, unit] : units) {
+        const Result<PolygonSoup> soup = readAs("a.fbx", fbxWithUnit(centimetres));
+        ASSERT_TRUE(soup) << sentence(soup.error());
+        ASSERT_TRUE(soup.value().statedUnit) << centimetres;
+        EXPECT_EQ(soup.value().statedUnit->unit, unit);
+        EXPECT_EQ(soup.value().positions[2], Eigen::Vector3d(10, 10, 0));
+    }
+    const Result<PolygonSoup> feet = readAs("a.fbx", fbxWithUnit("30.48"));
+    ASSERT_TRUE(feet);
+    EXPECT_EQ(feet.value().statedUnit->unit, LengthUnit::Centimetre);
+    EXPECT_NEAR(feet.value().positions[2].x(), 304.8, 1e-4);
+}
+
+TEST_F(AssimpReader, RefusesWithAReason) {
+    const Result<PolygonSoup> broken = readAs("a.glb", "no glTF at all");
+    ASSERT_FALSE(broken);
+    EXPECT_EQ(broken.error().code, ErrorCode::MalformedFile);
+    EXPECT_EQ(broken.error().where, "a.glb");
+    EXPECT_FALSE(broken.error().detail.empty());
+    Progress progress;
+    const Result<PolygonSoup> missing = readSoup("/nowhere/a.glb", progress);
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().code, ErrorCode::FileUnreadable);
+    progress.cancel();
+    const Result<PolygonSoup> cancelled = readSoup(folder_.write("b.gltf", kGltf), progress);
+    ASSERT_FALSE(cancelled);
+    EXPECT_EQ(cancelled.error().code, ErrorCode::Cancelled);
+}
+
+}  // namespace
+}  // namespace toile::test
