@@ -31,8 +31,12 @@ std::vector<Row> measuredSeams(const Garment& garment, const PieceResults& resul
                 {&seam, measureSeam(seam, *left.piece, left.flat->Q, *right.piece, right.flat->Q)});
         }
     }
-    std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-        return std::abs(a.measure.errorMm) > std::abs(b.measure.errorMm);
+    // Rounding is no order: equal errors stay in the order of the seams.
+    const auto nanometres = [](const Row& row) {
+        return std::llround(std::abs(row.measure.errorMm) * 1e6);
+    };
+    std::stable_sort(rows.begin(), rows.end(), [&nanometres](const Row& a, const Row& b) {
+        return nanometres(a) > nanometres(b);
     });
     return rows;
 }

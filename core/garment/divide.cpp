@@ -55,6 +55,7 @@ MeshPart gather(const SourceFile& file, const Triangulation& triangles, const Di
 
 /// The uv of each vertex of a piece, by its corners' faces; nothing where a corner has none.
 std::optional<Points2> flatPanel(const PolygonSoup& soup, const Piece& piece, double scale) {
+    CornerUvs uvs(soup);
     Points2 panel = Points2::Constant(piece.mesh.V.rows(), 2, std::nan(""));
     for (int f = 0; f < piece.mesh.F.rows(); ++f) {
         if (piece.sourceFace[f] < 0) {
@@ -62,7 +63,7 @@ std::optional<Points2> flatPanel(const PolygonSoup& soup, const Piece& piece, do
         }
         for (int k = 0; k < 3; ++k) {
             const int v = piece.mesh.F(f, k);
-            const int uv = cornerUv(soup, piece.sourceFace[f], piece.sourceVertex[v]);
+            const int uv = uvs.at(piece.sourceFace[f], piece.sourceVertex[v]);
             if (uv >= 0) {
                 panel.row(v) = scale * soup.uvs[uv];
             }

@@ -46,11 +46,11 @@ Division splitTriangles(SplitMode mode, const PolygonSoup& soup, const Triangula
     const bool byUv = mode == SplitMode::Uv;
     const auto count = static_cast<int>(triangles.F.size());
     std::vector<Corner> corners(count);
+    CornerUvs uvs(soup);
     for (int c = 0; c < count; ++c) {
         const int face = triangles.sourceFace[c / 3];
         const int position = triangles.F(c / 3, c % 3);
-        corners[c] = {position, byUv ? cornerUv(soup, face, position) : classOf(mode, soup, face),
-                      c};
+        corners[c] = {position, byUv ? uvs.at(face, position) : classOf(mode, soup, face), c};
     }
     std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
         return std::tie(a.position, a.kind, a.index) < std::tie(b.position, b.kind, b.index);

@@ -10,13 +10,14 @@ namespace toile {
 std::optional<UvScale> measureUvScale(const PolygonSoup& soup, const Triangulation& triangles) {
     std::vector<double> ratios;
     int uncovered = 0;
+    CornerUvs uvs(soup);
     for (int t = 0; t < triangles.F.rows(); ++t) {
         const int face = triangles.sourceFace[t];
         for (int k = 0; k < 3; ++k) {
             const int v = triangles.F(t, k);
             const int w = triangles.F(t, (k + 1) % 3);
-            const int a = cornerUv(soup, face, v);
-            const int b = cornerUv(soup, face, w);
+            const int a = uvs.at(face, v);
+            const int b = uvs.at(face, w);
             const double flat = a < 0 || b < 0 ? 0.0 : (soup.uvs[a] - soup.uvs[b]).norm();
             const double ratio = (soup.positions[v] - soup.positions[w]).norm() / flat;
             if (std::isfinite(ratio) && ratio > 0) {

@@ -24,7 +24,8 @@ Json seamsOf(const std::filesystem::path& garment, const std::string& method) {
                                   "--report", (folder / "a.json").string()});
     EXPECT_EQ(run.status, 0) << run.err;
     Json seams = Json::object();
-    for (const Json& seam : Json::parse(folder.read("a.json"))["seams"]) {
+    const Json report = Json::parse(folder.read("a.json"));
+    for (const Json& seam : report["seams"]) {
         if (seam["kind"] != "free") {
             seams[seam["name"].get<std::string>()] = seam;
         }
@@ -75,6 +76,7 @@ TEST_P(Ledger, StandsInTheDocumentation) {
     const Json exact = seamsOf(garment, "wang2005");
     const Json natural = seamsOf(garment, "natural");
     ASSERT_EQ(exact.size(), natural.size());
+    ASSERT_GE(exact.size(), 10U);
     for (const auto& [seam, values] : exact.items()) {
         EXPECT_LE(errorOf(values), 1e-6) << seam;
     }

@@ -7,7 +7,7 @@
 # mend the reader, and add the reduced input to seeds/ under a name that tells what it did.
 #
 #   tests/fuzz/run.sh [SECONDS]           seconds per target, 300 if not given
-#   FORMATS="obj ply" tests/fuzz/run.sh   only these targets
+#   FORMATS="obj ply" tests/fuzz/run.sh   only these targets; "garment" is the whole road
 #   BUILD=folder JOBS=1 tests/fuzz/run.sh build there instead of in build/fuzz, one file at a time
 set -euo pipefail
 seconds=${1:-300}
@@ -19,14 +19,16 @@ cmake --preset fuzz -B "$build"
 cmake --build "$build" --target toile_fuzz --parallel "${JOBS:-2}"
 
 status=0
-for format in ${FORMATS:-obj off ply stl}; do
+for format in ${FORMATS:-obj off ply stl garment}; do
     work=$build/found/$format
     mkdir -p "$work/corpus" "$work/broken"
     printf '\n== %s, %s seconds\n' "$format" "$seconds"
+    words=$format
+    [ "$format" != garment ] || words=off # the whole road starts from an OFF file
     # Seconds for one input and megabytes in all are findings too.
     "$build/tests/fuzz/toile_fuzz_$format" -max_total_time="$seconds" -timeout=10 \
         -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 \
-        -dict="tests/fuzz/words/$format.dict" -artifact_prefix="$work/broken/" \
+        -dict="tests/fuzz/words/$words.dict" -artifact_prefix="$work/broken/" \
         "$work/corpus" "tests/fuzz/seeds/$format" 2>"$work/log" || status=1
     tail -n 12 "$work/log"
 done

@@ -64,7 +64,7 @@ TEST(CutPieces, OpenATubeByItselfAndSaySo) {
 TEST(CutPieces, GoToThePieceNearestToTheirPoints) {
     const Pieces pieces{sourced(test::planeGrid(10, 10, 10), "left"),
                         sourced(moved(test::planeGrid(10, 10, 10), 200), "right")};
-    const UserCut across{"across", UserCut::Kind::Path, {{203, 50, 2}, {297, 52, 2}}, false};
+    const UserCut across{"across", UserCut::Kind::Path, {{200.4, 50, 2}, {299.6, 52, 2}}, false};
     const CutPieces made = cut(pieces, {across}, false);
     ASSERT_EQ(made.pieces.size(), 3U);
     EXPECT_EQ(made.pieces[0], pieces[0]);

@@ -133,6 +133,47 @@ TEST(Divide, APanelSewnToItselfComesOpen) {
     EXPECT_EQ(closed.pieces[0]->defect->code, ErrorCode::SeveralLoops);
 }
 
+/// Two flat frames of four squares around a hole, with their own places as UV map.
+TEST(Divide, AUvMapOfRingsIsNoPattern) {
+    std::string obj;
+    for (int frame = 0; frame < 2; ++frame) {
+        for (int k = 0; k < 8; ++k) {
+            const int side = k < 4 ? 3 : 1;
+            const int x = (k % 4 == 1 || k % 4 == 2 ? side : -side) + 10 * frame;
+            const int y = k % 4 > 1 ? side : -side;
+            const std::string at = std::to_string(x) + " " + std::to_string(y);
+            obj += "v " + at + " 0\nvt " + at + "\n";
+        }
+    }
+    for (int k = 0; k < 8; ++k) {
+        const int first = k / 4 * 8 + 1;
+        obj += "f";
+        for (const int corner :
+             {first + k % 4, first + (k + 1) % 4, first + 4 + (k + 1) % 4, first + 4 + k % 4}) {
+            obj += " " + std::to_string(corner) + "/" + std::to_string(corner);
+        }
+        obj += "\n";
+    }
+    const DividedFile divided = divide(fileOf(obj), 0, "", {});
+    EXPECT_EQ(divided.split.mode, SplitMode::Components);
+    ASSERT_EQ(divided.pieces.size(), 2U);
+    EXPECT_FALSE(divided.pieces[0]->defect);  // a flat ring: the hole stays
+    EXPECT_EQ(divided.pieces[0]->holes.size(), 1U);
+}
+
+TEST(Divide, AUvOfAPolygonOfManyCornersIsFound) {
+    std::string obj, face = "f";
+    for (int k = 0; k < 40; ++k) {
+        const std::string at = std::to_string(k < 20 ? k : 39 - k) + " " + (k < 20 ? "0" : "9");
+        obj += "v " + at + " 0\nvt " + at + "\n";
+        face += " " + std::to_string(k + 1) + "/" + std::to_string(k + 1);
+    }
+    const DividedFile divided = divide(fileOf(obj + face + "\n"), 0, "", {SplitMode::Uv});
+    ASSERT_EQ(divided.pieces.size(), 1U);
+    ASSERT_TRUE(divided.pieces[0]->reference);
+    EXPECT_TRUE(divided.pieces[0]->reference->isApprox(divided.pieces[0]->mesh.V.leftCols<2>()));
+}
+
 TEST(Divide, SplitsByMaterialsAndGroups) {
     const std::string obj =
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
@@ -146,8 +187,9 @@ TEST(Divide, SplitsByMaterialsAndGroups) {
 }
 
 TEST(SplitModes, ReadBackTheirNames) {
-    for (const SplitMode mode : {SplitMode::Auto, SplitMode::Components, SplitMode::Objects,
-                                 SplitMode::Groups, SplitMode::Materials, SplitMode::Uv}) {
+    for (const SplitMode mode :
+         {SplitMode::Auto, SplitMode::Components, SplitMode::Objects, SplitMode::Groups,
+          SplitMode::Materials, SplitMode::Uv, SplitMode::Seams}) {
         EXPECT_EQ(parseSplitMode(name(mode)), mode);
     }
     EXPECT_FALSE(parseSplitMode("magic"));

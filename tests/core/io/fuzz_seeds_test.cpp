@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.h"
+#include "tests/fuzz/check_garment.h"
 #include "tests/fuzz/check_reader.h"
 
 namespace toile::fuzz {
@@ -18,9 +19,9 @@ struct Target {
     ReadFunction reader;
 };
 
-class FuzzSeeds : public testing::TestWithParam<Target> {};
+class ReaderSeeds : public testing::TestWithParam<Target> {};
 
-TEST_P(FuzzSeeds, BreakNoPromise) {
+TEST_P(ReaderSeeds, BreakNoPromise) {
     const fs::path folder = fs::path(TOILE_SOURCE_DIR) / "tests/fuzz/seeds" / GetParam().format;
     int seeds = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -32,7 +33,18 @@ TEST_P(FuzzSeeds, BreakNoPromise) {
     EXPECT_GE(seeds, 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllFormats, FuzzSeeds,
+TEST(FuzzSeeds, BreakNoPromiseOnTheWholeRoad) {
+    for (const char* folder : {"off", "garment"}) {
+        const fs::path seeds = fs::path(TOILE_SOURCE_DIR) / "tests/fuzz/seeds" / folder;
+        for (const auto& entry : fs::directory_iterator(seeds)) {
+            const Result<std::string> bytes = readFile(entry.path());
+            ASSERT_TRUE(bytes) << sentence(bytes.error());
+            EXPECT_EQ(whatBreaksOnTheWay(*bytes), "") << entry.path().filename();
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllFormats, ReaderSeeds,
                          testing::Values(Target{"obj", readObj}, Target{"off", readOff},
                                          Target{"ply", readPly}, Target{"stl", readStl}),
                          [](const auto& test) { return std::string(test.param.format); });

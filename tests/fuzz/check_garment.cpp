@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/check_garment.h"
+
+#include <cmath>
+
+#include "core/export/drawing.h"
+#include "core/export/writers.h"
+#include "core/garment/divide.h"
+#include "core/pipeline/pipeline.h"
+#include "core/quality/measures.h"
+#include "core/seam/find_seams.h"
+
+namespace toile::fuzz {
+namespace {
+
+constexpr int kMostFaces = 400;
+constexpr std::size_t kMostBytes = 16 * 1024;
+
+double areaOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
+    double area = 0;
+    for (const auto& piece : pieces) {
+        area += triangleAreas3d(piece->mesh).sum();
+    }
+    return area;
+}
+
+/// The garment of one file; one cut runs between the first and the last vertex of the first piece.
+Garment cutAndSewn(SourceFile file) {
+    Garment garment;
+    file.path = "fuzz.off";
+    garment.wholes = divide(file, 0, "", {}).pieces;
+    garment.files.push_back(std::make_shared<SourceFile>(std::move(file)));
+    std::vector<UserCut> cuts;
+    if (!garment.wholes.empty()) {
+        const Points3& V = garment.wholes.front()->mesh.V;
+        cuts.push_back({"line",
+                        UserCut::Kind::Path,
+                        {V.topRows<1>().transpose(), V.bottomRows<1>().transpose()},
+                        false});
+    }
+    CutPieces cut = cutPieces(garment.wholes, cuts, true, Progress());
+    garment.pieces = std::move(cut.pieces);
+    garment.cuts = std::move(cut.cuts);
+    garment.problems = std::move(cut.problems);
+    garment.seams = findSeams(garment.pieces);
+    return garment;
+}
+
+std::string brokenBySeams(const Garment& garment) {
+    for (const Seam& seam : garment.seams.seams) {
+        const bool finite = std::isfinite(seam.length3d[0]) && std::isfinite(seam.length3d[1]) &&
+                            std::isfinite(seam.gap);
+        const auto count = static_cast<int>(garment.pieces.size());
+        if (!finite || seam.left.piece < 0 || seam.left.piece >= count ||
+            seam.right.piece >= count) {
+            return "a seam has no finite length or no piece";
+        }
+    }
+    return "";
+}
+
+std::string brokenByFiles(const Garment& garment, const PieceResults& results) {
+    for (const auto& result : results) {
+        if (result->flat.has_value() == result->error.has_value()) {
+            return "a piece is neither flat nor failed";
+        }
+        if (result->flat && (!result->flat->Q.allFinite() ||
+                             result->flat->Q.rows() != result->piece->mesh.V.rows())) {
+            return "flat points are not finite";
+        }
+    }
+    const LaidOutPattern laid = layOut(garment, results);
+    const Drawing drawing = draw(laid.pattern, laid.sheet);
+    for (const std::string& file :
+         {writeSvg(drawing), writeDxf(drawing), writeObj(garment, results, laid.offsets)}) {
+        if (file.find("nan") != std::string::npos || file.find("inf") != std::string::npos) {
+            return "a file holds what is no number";
+        }
+    }
+    return writeReport(garment, results).empty() ? "no report" : "";
+}
+
+}  // namespace
+
+std::string whatBreaksOnTheWay(std::string bytes) {
+    if (bytes.size() > kMostBytes) {
+        return "";
+    }
+    Progress progress;
+    auto soup = readOff(std::make_shared<const std::string>(std::move(bytes)), "fuzz", progress);
+    if (!soup || soup->faceCount() > kMostFaces) {
+        return "";
+    }
+    SourceFile file;
+    file.soup = std::move(*soup);
+    const Garment garment = cutAndSewn(std::move(file));
+    const double before = areaOf(garment.wholes);
+    if (std::isfinite(before) && std::abs(areaOf(garment.pieces) - before) > 1e-9 * before) {
+        return "cutting has changed the area";
+    }
+    if (std::string broken = brokenBySeams(garment); !broken.empty()) {
+        return broken;
+    }
+    for (const Method method : {Method::Wang2005, Method::Natural}) {
+        FlattenOptions options;
+        options.method = method;
+        const PieceResults results = flattenGarment(garment, options, progress);
+        if (std::string broken = brokenByFiles(garment, results); !broken.empty()) {
+            return broken;
+        }
+    }
+    return "";
+}
+
+}  // namespace toile::fuzz
