@@ -23,11 +23,17 @@ Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const Su
     return point;
 }
 
+/// What came of one curve: the length that came open, mm, and a point in the middle of each run.
+struct Opened {
+    double length = 0;
+    std::vector<Eigen::Vector3d> middles;
+};
+
 /// Cuts one piece along curves. What comes of it has the old piece's file, sources and panel, and
 /// its name; several parts are the caller's to name.
-/// @param opened  gets the length that each curve opened, mm
+/// @param opened  gets what each curve opened
 Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPolyline>& paths,
-                                    std::vector<double>& opened) {
+                                    std::vector<Opened>& opened) {
     auto cut = cutAlong(piece.mesh, paths);
     if (!cut) {
         Error error = cut.error();
@@ -35,7 +41,13 @@ Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPo
         return error;
     }
     for (const OpenedCut& one : cut->cuts) {
-        opened.push_back(one.length);
+        opened.push_back({one.length, {}});
+        for (const CutRun& run : one.runs) {
+            const std::size_t k = (run.left.size() - 1) / 2;
+            opened.back().middles.emplace_back(
+                0.5 *
+                (cut->mesh.V.row(run.left[k]) + cut->mesh.V.row(run.left[k + 1])).transpose());
+        }
     }
     MeshPart part;
     for (const int v : cut->sourceVertex) {
@@ -125,16 +137,16 @@ private:
         if (paths.empty()) {
             return {};
         }
-        std::vector<double> opened;
+        std::vector<Opened> opened;
         auto parts = cutPiece(piece, paths, opened);
         if (!parts) {
             fail(parts.error());
             return {};
         }
         for (std::size_t c = 0; c < traced.size(); ++c) {
-            if (opened[c] > 0) {
-                made_.cuts.push_back(
-                    {traced[c]->name, CutAuthor::User, traced[c]->kind, piece.name, opened[c]});
+            if (opened[c].length > 0) {
+                made_.cuts.push_back({traced[c]->name, CutAuthor::User, traced[c]->kind, piece.name,
+                                      opened[c].length, std::move(opened[c].middles)});
             } else {
                 fail(cutError(traced[c]->name, "in " + piece.name +
                                                    " it runs along the outline or along another "
@@ -156,7 +168,7 @@ private:
         for (const ProposedCut& cut : proposal->cuts) {
             paths.push_back(cut.path);
         }
-        std::vector<double> opened;
+        std::vector<Opened> opened;
         auto parts = cutPiece(piece, paths, opened);
         if (!parts || parts->size() != 1) {
             piece.defect =
@@ -166,7 +178,7 @@ private:
         for (std::size_t c = 0; c < opened.size(); ++c) {
             made_.cuts.push_back({piece.name + ", automatic cut " + std::to_string(c + 1),
                                   CutAuthor::Automatic, UserCut::Kind::Path, piece.name,
-                                  opened[c]});
+                                  opened[c].length, std::move(opened[c].middles)});
         }
         piece = std::move(parts->front());
     }

@@ -20,6 +20,7 @@ struct MadeCut {
     UserCut::Kind kind = UserCut::Kind::Path;
     std::string piece;  ///< what it opened, by the name before the cut
     double length = 0;  ///< mm, of the line that came open
+    std::vector<Eigen::Vector3d> middles{};  ///< a point in the middle of each run of it, mm
 };
 
 /// Pieces after cutting, and what was done.

@@ -5,6 +5,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/seam/find_seams.h"
+#include "core/seam/name_after_cuts.h"
 
 namespace toile {
 namespace {
@@ -71,6 +72,7 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, P
     made.problems = std::move(cut.problems);
     noteHoles(made);
     made.seams = findSeams(made.pieces);
+    nameAfterCuts(made.seams, made.pieces, made.cuts);
     setEase(made, options.seams);
     return made;
 }

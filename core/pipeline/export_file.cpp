@@ -23,8 +23,8 @@ LaidOutPattern layOut(const Garment& garment, const PieceResults& results) {
         garment.files.empty() ? std::string() : garment.files.front()->path.stem().string();
     for (std::size_t i = 0; i < results.size(); ++i) {
         if (results[i]->flat) {
-            laid.pattern.pieces.push_back(makePatternPiece(
-                *results[i]->piece, *results[i]->flat, garment.seams, static_cast<int>(i)));
+            laid.pattern.pieces.push_back(makePatternPiece(*results[i]->piece, *results[i]->flat,
+                                                           garment.seams, static_cast<int>(i)));
         }
     }
     makeIdsUnique(laid.pattern);

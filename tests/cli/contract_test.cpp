@@ -53,8 +53,8 @@ TEST(Contract, CutsAreMadeListedAndPrinted) {
     const auto run = toileRun({"flatten", kSample, "--unit", "mm", "--seams", seams, "--ledger",
                                "--report", (folder / "a.json").string()});
     EXPECT_EQ(run.status, 0) << run.err;
-    for (const char* said : {"centre back", "waist dart left", "user", "back 1", "back 2",
-                             "front, dart 1", "largest error 0.00 mm"}) {
+    for (const char* said :
+         {"centre back", "waist dart left", "user", "back 1", "back 2", "largest error 0.00 mm"}) {
         EXPECT_NE(run.out.find(said), std::string::npos) << said << '\n' << run.out;
     }
     const auto report = nlohmann::json::parse(folder.read("a.json"));

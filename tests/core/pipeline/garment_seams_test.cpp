@@ -135,12 +135,17 @@ TEST(GarmentSeams, AHandWrittenFileMakesTwoLegsWithOneInseamEach) {
     EXPECT_EQ(leggings.garment.pieces.size(), 2U);
     EXPECT_EQ(leggings.garment.cuts.size(), 3U);
     int inseams = 0, between = 0;
+    std::vector<std::string> names;
     for (const auto& [seam, measure] : ledger(leggings)) {
+        names.push_back(seam->name);
         (seam->left.piece == seam->right.piece ? inseams : between) += 1;
         EXPECT_LE(std::abs(measure.deltaMm), kEqual) << seam->name;
     }
     EXPECT_EQ(inseams, 2);
     EXPECT_EQ(between, 2);  // front and back, from the waist to the crotch
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, (std::vector<std::string>{"centre front and back 1", "centre front and back 2",
+                                               "left inseam", "right inseam"}));
 }
 
 TEST(GarmentSeams, ASuitWithoutSeamsOpensByItself) {
