@@ -10,8 +10,13 @@ int main(int argc, char** argv) {
 #ifdef TOILE_GUI
     if (arguments.command == toile::Arguments::Command::Window) {
         return toile::runWindow(argc, argv,
-                                {arguments.inputs, arguments.load, arguments.seams,
-                                 arguments.screenshot, arguments.overlay});
+                                {.files = arguments.inputs,
+                                 .load = arguments.load,
+                                 .seams = arguments.seams,
+                                 .screenshot = arguments.screenshot,
+                                 .overlay = arguments.overlay,
+                                 .method = arguments.options.method,
+                                 .panel = arguments.panel});
     }
 #endif
     return toile::runCommand(arguments);

@@ -6,28 +6,27 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLabel>
-#include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QToolButton>
+#include <QTreeView>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include "app/actions/file_dialogs.h"
 #include "app/actions/garment_actions.h"
+#include "app/panels/garment_summary.h"
 #include "app/panels/messages_panel.h"
 #include "app/panels/pieces_panel.h"
+#include "app/panels/seams_panel.h"
 #include "app/panels/welcome_page.h"
 #include "app/settings/preferences.h"
 #include "app/views/view_area.h"
 #include "app/widgets/banner.h"
-#include "app/widgets/icon.h"
-#include "core/base/version.h"
+#include "app/widgets/garment_card.h"
 
 namespace toile {
 
@@ -78,7 +77,7 @@ MainWindow::~MainWindow() {
     // to go before it.
     workspace_.jobs().shutdown();
     for (QWidget* part :
-         std::initializer_list<QWidget*>{piecesDock_, messagesDock_, centralWidget()}) {
+         std::initializer_list<QWidget*>{piecesDock_, seamsDock_, messagesDock_, centralWidget()}) {
         delete part;
     }
 }
@@ -89,6 +88,11 @@ void MainWindow::makeCentre() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     banner_ = new Banner(centre);
+    connect(garmentActions_, &GarmentActions::failed, banner_, &Banner::showSentence);
+    card_ = new GarmentCard(centre);
+    connect(card_, &GarmentCard::unitChosen, &workspace_, &Workspace::setUnit);
+    connect(card_, &GarmentCard::upAxisChosen, &workspace_, &Workspace::setUpAxis);
+    connect(card_, &GarmentCard::kept, this, [this] { keptGuesses_ = workspace_.openPaths(); });
     pages_ = new QStackedWidget(centre);
     auto* welcome = new WelcomePage(pages_);
     connect(welcome, &WelcomePage::openWanted, &actions_[ActionId::Open], &QAction::trigger);
@@ -99,104 +103,62 @@ void MainWindow::makeCentre() {
     pages_->addWidget(welcome);
     pages_->addWidget(views_);
     layout->addWidget(banner_);
+    layout->addWidget(card_);
     layout->addWidget(pages_, 1);
     setCentralWidget(centre);
 }
 
 void MainWindow::makeDocks() {
-    auto* pieces = new PiecesPanel(workspace_.document());
-    connect(pieces, &PiecesPanel::activated, views_, &ViewArea::frameSelection);
-    piecesDock_ = new QDockWidget(tr("Pieces"), this);
-    piecesDock_->setObjectName("piecesDock");
-    piecesDock_->setWidget(pieces);
-    addDockWidget(Qt::BottomDockWidgetArea, piecesDock_);
+    pieces_ = new PiecesPanel(workspace_.document());
+    seams_ = new SeamsPanel(workspace_.document());
+    messages_ = new MessagesPanel(workspace_.document());
+    piecesDock_ = makeDock(tr("Pieces"), "piecesDock", pieces_);
+    seamsDock_ = makeDock(tr("Seams"), "seamsDock", seams_);
+    messagesDock_ = makeDock(tr("Messages"), "messagesDock", messages_);
+    tabifyDockWidget(piecesDock_, seamsDock_);
+    tabifyDockWidget(seamsDock_, messagesDock_);
+    piecesDock_->raise();
+    resizeDocks({piecesDock_}, {215}, Qt::Vertical);
+    connectPanels();
+}
 
-    auto* messages = new MessagesPanel(workspace_.document());
-    messagesDock_ = new QDockWidget(tr("Messages"), this);
-    messagesDock_->setObjectName("messagesDock");
-    messagesDock_->setWidget(messages);
-    addDockWidget(Qt::BottomDockWidgetArea, messagesDock_);
-    connect(messages, &MessagesPanel::countChanged, this, [this](int count) {
+QDockWidget* MainWindow::makeDock(const QString& title, const char* name, QWidget* panel) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(panel);
+    addDockWidget(Qt::BottomDockWidgetArea, dock);
+    return dock;
+}
+
+void MainWindow::connectPanels() {
+    connect(pieces_, &PiecesPanel::activated, views_, &ViewArea::frameSelection);
+    connect(seams_, &SeamsPanel::activated, views_, &ViewArea::frameSeam);
+    connect(seams_, &SeamsPanel::easeWanted, &workspace_, &Workspace::setEase);
+    connect(messages_, &MessagesPanel::countChanged, this, [this](int count) {
         messagesDock_->setWindowTitle(count == 0 ? tr("Messages") : tr("Messages (%1)").arg(count));
     });
-    tabifyDockWidget(piecesDock_, messagesDock_);
-    piecesDock_->raise();
-    resizeDocks({piecesDock_}, {190}, Qt::Vertical);
+    connect(&actions_[ActionId::GoToPieces], &QAction::triggered, this,
+            [this] { goTo(Panel::Pieces); });
+    connect(&actions_[ActionId::GoToSeams], &QAction::triggered, this,
+            [this] { goTo(Panel::Seams); });
+    connect(&actions_[ActionId::GoToMessages], &QAction::triggered, this,
+            [this] { goTo(Panel::Messages); });
+    connect(&actions_[ActionId::StateEase], &QAction::triggered, this, [this] {
+        goTo(Panel::Seams);
+        seams_->editEase();
+    });
 }
 
-void MainWindow::makeMenus() {
-    const auto fill = [this](QMenu& menu, std::initializer_list<ActionId> ids) {
-        for (const ActionId id : ids) {
-            menu.addAction(&actions_[id]);
-        }
-    };
-    QMenu& file = *menuBar()->addMenu(tr("&File"));
-    fill(file, {ActionId::Open});
-    QMenu& unit = *file.addMenu(tr("&Unit of the file"));
-    fill(unit, {ActionId::UnitAuto, ActionId::UnitMillimetre, ActionId::UnitCentimetre,
-                ActionId::UnitMetre, ActionId::UnitInch});
-    file.addSeparator();
-    QMenu& exports = *file.addMenu(tr("&Export pattern"));
-    exports.setObjectName("exportMenu");
-    fill(exports,
-         {ActionId::ExportSvg, ActionId::ExportDxf, ActionId::ExportObj, ActionId::ExportReport});
-    file.addSeparator();
-    fill(file, {ActionId::Quit});
-
-    QMenu& edit = *menuBar()->addMenu(tr("&Edit"));
-    fill(edit, {ActionId::SelectAll, ActionId::SelectNone});
-
-    QMenu& view = *menuBar()->addMenu(tr("&View"));
-    fill(view, {ActionId::OverlayNone, ActionId::OverlayChecker, ActionId::OverlayArea,
-                ActionId::OverlayAngle, ActionId::OverlayStrain});
-    view.addSeparator();
-    fill(view, {ActionId::Wireframe, ActionId::Frame});
-    view.addSeparator();
-    view.addAction(piecesDock_->toggleViewAction());
-    view.addAction(messagesDock_->toggleViewAction());
-
-    QMenu& flatten = *menuBar()->addMenu(tr("F&latten"));
-    fill(flatten, {ActionId::MethodWang2005, ActionId::MethodNatural});
-    flatten.addSeparator();
-    fill(flatten, {ActionId::SolverNewton, ActionId::SolverSlcp});
-    flatten.addSeparator();
-    fill(flatten, {ActionId::FlattenAgain, ActionId::Cancel});
-
-    QMenu& help = *menuBar()->addMenu(tr("&Help"));
-    fill(help, {ActionId::About});
-    connect(&actions_[ActionId::About], &QAction::triggered, this, &MainWindow::showAbout);
-    connect(&actions_[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
-}
-
-void MainWindow::makeToolBar() {
-    QToolBar& bar = *addToolBar(tr("Tools"));
-    bar.setObjectName("toolBar");
-    bar.setMovable(false);
-    bar.setIconSize({20, 20});
-    bar.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    bar.addAction(&actions_[ActionId::Open]);
-    auto* exports = new QToolButton(&bar);
-    exports->setText(tr("Export"));
-    exports->setIcon(themedIcon("export"));
-    exports->setToolTip(tr("Write the pattern to a file"));
-    exports->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    exports->setPopupMode(QToolButton::InstantPopup);
-    exports->setMenu(menuBar()->findChild<QMenu*>("exportMenu"));
-    const QAction& exportAction = actions_[ActionId::ExportSvg];
-    connect(&exportAction, &QAction::enabledChanged, exports, &QWidget::setEnabled);
-    exports->setEnabled(exportAction.isEnabled());
-    bar.addWidget(exports);
-    bar.addSeparator();
-    bar.addAction(&actions_[ActionId::FlattenAgain]);
-    bar.addAction(&actions_[ActionId::Frame]);
-    bar.addSeparator();
-    for (const ActionId id :
-         {ActionId::OverlayNone, ActionId::OverlayChecker, ActionId::OverlayArea,
-          ActionId::OverlayAngle, ActionId::OverlayStrain}) {
-        bar.addAction(&actions_[id]);
-    }
-    bar.addSeparator();
-    bar.addAction(&actions_[ActionId::Wireframe]);
+void MainWindow::goTo(Panel panel) {
+    QDockWidget* dock = panel == Panel::Pieces  ? piecesDock_
+                        : panel == Panel::Seams ? seamsDock_
+                                                : messagesDock_;
+    QWidget* list = panel == Panel::Pieces  ? static_cast<QWidget*>(&pieces_->table())
+                    : panel == Panel::Seams ? static_cast<QWidget*>(&seams_->table())
+                                            : messages_;
+    dock->show();
+    dock->raise();
+    list->setFocus();
 }
 
 void MainWindow::makeStatusBar() {
@@ -207,6 +169,14 @@ void MainWindow::makeStatusBar() {
     hints_->setMinimumWidth(60);
     statusBar()->addWidget(hints_, 1);
 
+    summary_ = new QLabel;
+    summary_->setObjectName("garmentSummary");
+    summary_->setContentsMargins(8, 0, 8, 0);
+    statusBar()->addPermanentWidget(summary_);
+    makeWorkDisplay();
+}
+
+void MainWindow::makeWorkDisplay() {
     work_ = new QWidget;
     auto* row = new QHBoxLayout(work_);
     row->setContentsMargins(0, 0, 0, 0);
@@ -257,6 +227,18 @@ void MainWindow::onChanged(DocumentChanges what) {
     banner_->hide();
     showGarmentParts(workspace_.document().garment() != nullptr);
     updateTitle();
+    updateSummary();
+    askAboutGarment();
+}
+
+void MainWindow::updateSummary() {
+    summary_->setText(garmentSummary(workspace_.document()));
+    summary_->setToolTip(garmentReasons(workspace_.document()));
+}
+
+void MainWindow::askAboutGarment() {
+    const bool kept = keptGuesses_ == workspace_.openPaths();
+    card_->ask(kept ? GarmentQuestions{} : garmentQuestions(workspace_.document()));
 }
 
 void MainWindow::showGarmentParts(bool shown) {
@@ -264,15 +246,17 @@ void MainWindow::showGarmentParts(bool shown) {
     hints_->setVisible(shown);
     // Only the first garment brings the docks in; one that the person has closed stays closed.
     const bool first = shown && !piecesDock_->toggleViewAction()->isEnabled();
-    for (QDockWidget* dock : {piecesDock_, messagesDock_}) {
+    const auto docks = {piecesDock_, seamsDock_, messagesDock_};
+    for (QDockWidget* dock : docks) {
         dock->toggleViewAction()->setEnabled(shown);
         if (!shown) {
             dock->hide();
         }
     }
     if (first) {
-        piecesDock_->show();
-        messagesDock_->show();
+        for (QDockWidget* dock : docks) {
+            dock->show();
+        }
         piecesDock_->raise();
         restoreState(preferences_.windowState());  // as the person left them, where known
     }
@@ -281,21 +265,6 @@ void MainWindow::showGarmentParts(bool shown) {
 void MainWindow::updateTitle() {
     const QString garment = workspace_.document().title();
     setWindowTitle(garment.isEmpty() ? tr("Toile") : tr("%1 – Toile").arg(garment));
-}
-
-void MainWindow::showAbout() {
-    const std::string_view number = version();
-    auto* box = new QMessageBox(this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setWindowTitle(tr("About Toile"));
-    box->setIconPixmap(QIcon(":/icons/toile.svg").pixmap(64, 64));
-    box->setText(QString("<h3>Toile %1</h3>")
-                     .arg(QString::fromUtf8(number.data(), static_cast<qsizetype>(number.size()))));
-    box->setInformativeText(
-        tr("Sewing patterns from 3D garments, every seam line at its true length: the "
-           "length-preserved natural boundary of Wang (2005).\n\nFree software under the GNU "
-           "General Public License, version 3 or later."));
-    box->open();
 }
 
 void MainWindow::openFiles(const QStringList& files) {

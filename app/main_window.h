@@ -15,8 +15,11 @@ namespace toile {
 
 class Banner;
 class GarmentActions;
+class GarmentCard;
+class MessagesPanel;
 class PiecesPanel;
 class Preferences;
+class SeamsPanel;
 class ViewArea;
 
 /// Puts the parts together: menus, toolbar, views, panels, status bar. Holds no garment state.
@@ -33,8 +36,11 @@ public:
     GarmentActions& garmentActions() { return *garmentActions_; }
     ViewArea& views() { return *views_; }
     Banner& banner() { return *banner_; }
+    GarmentCard& card() { return *card_; }
 
     void openFiles(const QStringList& files);
+    /// Brings a list to the front and moves the keyboard there.
+    void goTo(Panel panel);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -44,13 +50,20 @@ protected:
 private:
     void makeCentre();
     void makeDocks();
+    QDockWidget* makeDock(const QString& title, const char* name, QWidget* panel);
     void makeMenus();
+    void makeGarmentMenu();
+    void makeViewMenu();
     void makeToolBar();
     void makeStatusBar();
+    void makeWorkDisplay();
     void connectJobs();
+    void connectPanels();
     void onChanged(DocumentChanges what);
     void showGarmentParts(bool shown);
     void updateTitle();
+    void updateSummary();
+    void askAboutGarment();
     void showAbout();
 
     Preferences& preferences_;
@@ -60,10 +73,16 @@ private:
     QStackedWidget* pages_ = nullptr;
     ViewArea* views_ = nullptr;
     Banner* banner_ = nullptr;
-    QDockWidget *piecesDock_ = nullptr, *messagesDock_ = nullptr;
+    GarmentCard* card_ = nullptr;
+    PiecesPanel* pieces_ = nullptr;
+    SeamsPanel* seams_ = nullptr;
+    MessagesPanel* messages_ = nullptr;
+    QDockWidget *piecesDock_ = nullptr, *seamsDock_ = nullptr, *messagesDock_ = nullptr;
     QProgressBar* progress_ = nullptr;
     QLabel *task_ = nullptr, *hints_ = nullptr;
-    QWidget* work_ = nullptr;  ///< task, progress and cancel button, there while a job runs
+    QLabel* summary_ = nullptr;     ///< height, unit and division of the garment
+    QWidget* work_ = nullptr;       ///< task, progress and cancel button, there while a job runs
+    Workspace::Paths keptGuesses_;  ///< files whose guesses the person has found right
 };
 
 }  // namespace toile

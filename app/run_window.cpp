@@ -5,6 +5,7 @@
 #include <QIcon>
 #include <QTimer>
 #include <cstdio>
+#include <utility>
 
 #include "app/main_window.h"
 #include "app/render/gl_support.h"
@@ -89,6 +90,17 @@ private:
     int quietRounds_ = 0;
 };
 
+/// The lists come in with the first garment.
+void showOnceOpen(MainWindow& window, Panel panel) {
+    QObject::connect(
+        &window.workspace().document(), &Document::changed, &window,
+        [&window, panel, shown = false](DocumentChanges what) mutable {
+            if (what.testFlag(DocumentChange::Garment) && !std::exchange(shown, true)) {
+                window.goTo(panel);
+            }
+        });
+}
+
 }  // namespace
 
 int runWindow(int argc, char** argv, const WindowOptions& options) {
@@ -125,10 +137,14 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
         load.seams = std::move(*seams);
     }
     window.workspace().setLoading(std::move(load));
+    window.workspace().setMethod(options.method);
     window.workspace().document().setOverlay(options.overlay);
     window.show();
     if (!options.files.empty()) {
         window.openFiles(toStrings(options.files));
+    }
+    if (options.panel) {
+        showOnceOpen(window, *options.panel);
     }
     std::optional<Photographer> photographer;
     if (photograph) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "app/document/view_state.h"
@@ -16,6 +17,8 @@ struct WindowOptions {
     /// Where set: load, flatten, wait for the views, write a picture of the whole window, leave.
     std::filesystem::path screenshot;
     Overlay overlay = Overlay::Checker;
+    Method method = Method::Wang2005;
+    std::optional<Panel> panel;       ///< the list in front; none: as it was left
     int width = 1600, height = 1000;  ///< of the screenshot, logical pixels
 };
 

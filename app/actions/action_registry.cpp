@@ -13,7 +13,7 @@ namespace toile {
 namespace {
 
 /// Actions of one group exclude each other; those of Toggle stand alone.
-enum class Group { None, Toggle, Overlay, Method, Solver, Unit };
+enum class Group { None, Toggle, Overlay, Method, Solver, Unit, UpAxis, Split };
 
 struct ActionSpec {
     ActionId id;
@@ -42,9 +42,10 @@ constexpr ActionSpec kActions[] = {
     {ActionId::Quit, "quit", TR("&Quit"), "Ctrl+Q", TR("Close the window")},
     {ActionId::SelectAll, "selectAll", TR("Select &all"), "Ctrl+A", TR("Select every piece")},
     {ActionId::SelectNone, "selectNone", TR("Select &none"), "Ctrl+Shift+A",
-     TR("Clear the selection")},
+     TR("Clear the selection of pieces and seams")},
     {ActionId::Frame, "frame", TR("&Frame"), "F",
-     TR("Show the selected pieces, or everything where none is selected"), "frame", TR("Frame")},
+     TR("Show the selected pieces or seam, or everything where none is selected"), "frame",
+     TR("Frame")},
     {ActionId::OverlayNone, "overlayNone", TR("Piece &colours"), "1",
      TR("Every piece in its own colour"), "overlay-none", TR("Plain"), Group::Overlay},
     {ActionId::OverlayChecker, "overlayChecker", TR("Check&erboard"), "2",
@@ -61,6 +62,9 @@ constexpr ActionSpec kActions[] = {
      TR("Strain"), Group::Overlay},
     {ActionId::Wireframe, "wireframe", TR("Show &wireframe"), "W",
      TR("Draw the triangles of the cloth"), "wireframe", TR("Wireframe"), Group::Toggle},
+    {ActionId::DesignerOutline, "designerOutline", TR("&Designer's outline"), "D",
+     TR("Draw the designer's own panels over the flat pieces, where the file carries them"), "", "",
+     Group::Toggle},
     {ActionId::MethodWang2005, "methodWang2005", TR("&Keep seam line lengths (Wang 2005)"), "",
      TR("Every outline keeps exactly the length it has on the garment, so that seams match"), "",
      "", Group::Method},
@@ -70,10 +74,12 @@ constexpr ActionSpec kActions[] = {
      TR("The fast way to the outline"), "", "", Group::Solver},
     {ActionId::SolverSlcp, "solverSlcp", TR("Outline by &linearly constrained steps"), "",
      TR("The published way to the same outline"), "", "", Group::Solver},
-    {ActionId::FlattenAgain, "flattenAgain", TR("Flatten &again"), "F5",
+    {ActionId::FlattenAgain, "flattenAgain", TR("Flatten &again"), "Ctrl+F5",
      TR("Flatten every piece again"), "flatten", TR("Flatten")},
     {ActionId::Cancel, "cancel", TR("&Cancel"), "Esc", TR("Stop what is running"), "cancel"},
-    {ActionId::UnitAuto, "unitAuto", TR("&Guess from the size"), "",
+    {ActionId::Reload, "reload", TR("&Reload"), "F5",
+     TR("Read the garment's files again as they are now")},
+    {ActionId::UnitAuto, "unitAuto", TR("&Automatic"), "",
      TR("Choose the unit that gives a garment of human size"), "", "", Group::Unit},
     {ActionId::UnitMillimetre, "unitMillimetre", TR("&Millimetres"), "",
      TR("Read the file's numbers as millimetres"), "", "", Group::Unit},
@@ -83,6 +89,42 @@ constexpr ActionSpec kActions[] = {
      "", "", Group::Unit},
     {ActionId::UnitInch, "unitInch", TR("&Inches"), "", TR("Read the file's numbers as inches"), "",
      "", Group::Unit},
+    {ActionId::UpAuto, "upAuto", TR("&Automatic"), "",
+     TR("Choose the axis along which a garment would stand upright"), "", "", Group::UpAxis},
+    {ActionId::UpY, "upY", TR("&Y points up"), "", TR("The garment stands along the file's y axis"),
+     "", "", Group::UpAxis},
+    {ActionId::UpZ, "upZ", TR("&Z points up"), "", TR("The garment stands along the file's z axis"),
+     "", "", Group::UpAxis},
+    {ActionId::SplitAuto, "splitAuto", TR("&Automatic"), "",
+     TR("Divide the garment into pieces by what the file has"), "", "", Group::Split},
+    {ActionId::SplitComponents, "splitComponents", TR("&Parts"), "",
+     TR("Whatever hangs together is one piece"), "", "", Group::Split},
+    {ActionId::SplitObjects, "splitObjects", TR("&Objects"), "",
+     TR("Each object of the file is one piece"), "", "", Group::Split},
+    {ActionId::SplitGroups, "splitGroups", TR("&Groups"), "",
+     TR("Each group of the file is one piece"), "", "", Group::Split},
+    {ActionId::SplitMaterials, "splitMaterials", TR("&Materials"), "",
+     TR("Each material of the file is one piece"), "", "", Group::Split},
+    {ActionId::SplitUv, "splitUv", TR("&UV islands"), "",
+     TR("Each island of the file's UV map is one piece"), "", "", Group::Split},
+    {ActionId::SplitSeams, "splitSeams", TR("&Cuts only"), "",
+     TR("One piece until a cut of the seams file parts it"), "", "", Group::Split},
+    {ActionId::AutoCut, "autoCut", TR("&Cut open automatically"), "",
+     TR("Cut open every piece that cannot lie flat as it is"), "", "", Group::Toggle},
+    {ActionId::Weld, "weld", TR("&Weld vertices"), "",
+     TR("Join vertices of an object that lie on each other"), "", "", Group::Toggle},
+    {ActionId::SeamsFromFile, "seamsFromFile", TR("&Seams from file…"), "",
+     TR("Take cuts and ease from a seams file (JSON)")},
+    {ActionId::StateEase, "stateEase", TR("State the &ease…"), "F2",
+     TR("Say how much longer the left edge of the selected seam is meant to be")},
+    {ActionId::ForgetEase, "forgetEase", TR("Ease &from the garment"), "Del",
+     TR("Take the ease of the selected seam from its 3D lengths again")},
+    {ActionId::GoToPieces, "goToPieces", TR("Go to &pieces"), "Ctrl+1",
+     TR("Show the list of pieces and move the keyboard there")},
+    {ActionId::GoToSeams, "goToSeams", TR("Go &to seams"), "Ctrl+2",
+     TR("Show the list of seams and move the keyboard there")},
+    {ActionId::GoToMessages, "goToMessages", TR("Go to &messages"), "Ctrl+3",
+     TR("Show the messages and move the keyboard there")},
     {ActionId::About, "about", TR("&About Toile"), "", TR("Version, licence, and what Toile does")},
 };
 
@@ -123,6 +165,7 @@ ActionRegistry::ActionRegistry(QObject* parent) : QObject(parent) {
         }
         actions_.emplace(spec.id, action);
     }
+    actions_.at(ActionId::ForgetEase)->setShortcuts({Qt::Key_Delete, Qt::Key_Backspace});
     actions_.at(ActionId::Quit)->setMenuRole(QAction::QuitRole);
     actions_.at(ActionId::About)->setMenuRole(QAction::AboutRole);
 }

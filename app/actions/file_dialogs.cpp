@@ -19,6 +19,11 @@ FileDialogs FileDialogs::native() {
             QCoreApplication::translate("FileDialogs", "3D garments (%1);;All files (*)")
                 .arg(patterns));
     };
+    dialogs.openSeams = [](QWidget* parent, const QString& folder) {
+        return QFileDialog::getOpenFileName(
+            parent, QCoreApplication::translate("FileDialogs", "Read cuts and ease"), folder,
+            QCoreApplication::translate("FileDialogs", "Seams files (*.json);;All files (*)"));
+    };
     dialogs.save = [](QWidget* parent, const QString& suggestion, const QString& filter) {
         return QFileDialog::getSaveFileName(
             parent, QCoreApplication::translate("FileDialogs", "Export the pattern"), suggestion,

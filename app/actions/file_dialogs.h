@@ -12,6 +12,8 @@ namespace toile {
 struct FileDialogs {
     /// Files to open as one garment; empty where the person thought better of it.
     std::function<QStringList(QWidget* parent, const QString& folder)> open;
+    /// A seams file to read; empty where the person thought better of it.
+    std::function<QString(QWidget* parent, const QString& folder)> openSeams;
     /// File to write; empty where the person thought better of it. The suggestion is a full path
     /// whose ending is the format's.
     std::function<QString(QWidget* parent, const QString& suggestion, const QString& filter)> save;

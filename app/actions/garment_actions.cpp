@@ -6,7 +6,9 @@
 #include <QWidget>
 #include <utility>
 
+#include "app/actions/reading_actions.h"
 #include "app/actions/workspace.h"
+#include "app/render/scene.h"
 #include "app/settings/preferences.h"
 
 namespace toile {
@@ -19,14 +21,6 @@ constexpr std::pair<ActionId, Overlay> kOverlays[] = {
     {ActionId::OverlayStrain, Overlay::Strain},
 };
 
-const std::pair<ActionId, std::optional<LengthUnit>> kUnits[] = {
-    {ActionId::UnitAuto, std::nullopt},
-    {ActionId::UnitMillimetre, LengthUnit::Millimetre},
-    {ActionId::UnitCentimetre, LengthUnit::Centimetre},
-    {ActionId::UnitMetre, LengthUnit::Metre},
-    {ActionId::UnitInch, LengthUnit::Inch},
-};
-
 }  // namespace
 
 GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
@@ -36,7 +30,8 @@ GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
     connectSelection();
     connectView();
     connectFlattening();
-    connectUnits();
+    connectSeams();
+    new ReadingActions(actions, workspace, this);
     connect(&workspace_.document(), &Document::changed, this, &GarmentActions::onChanged);
     connect(&workspace_.jobs(), &JobRunner::started, this, &GarmentActions::updateEnabled);
     connect(&workspace_.jobs(), &JobRunner::idle, this, &GarmentActions::updateEnabled);
@@ -63,8 +58,10 @@ void GarmentActions::connectSelection() {
         }
         workspace_.document().setSelection(std::move(all));
     });
-    connect(&actions_[ActionId::SelectNone], &QAction::triggered, this,
-            [this] { workspace_.document().setSelection({}); });
+    connect(&actions_[ActionId::SelectNone], &QAction::triggered, this, [this] {
+        workspace_.document().setSelection({});
+        workspace_.document().setSeam({});
+    });
 }
 
 void GarmentActions::connectView() {
@@ -74,6 +71,8 @@ void GarmentActions::connectView() {
     }
     connect(&actions_[ActionId::Wireframe], &QAction::toggled, &workspace_.document(),
             &Document::setWireframe);
+    connect(&actions_[ActionId::DesignerOutline], &QAction::toggled, &workspace_.document(),
+            &Document::setDesignerOutline);
 }
 
 void GarmentActions::connectFlattening() {
@@ -91,12 +90,14 @@ void GarmentActions::connectFlattening() {
             [this] { workspace_.jobs().cancel(); });
 }
 
-void GarmentActions::connectUnits() {
-    for (const auto& [id, unit] : kUnits) {
-        connect(&actions_[id], &QAction::triggered, this,
-                [this, unit = unit] { workspace_.setUnit(unit); });
-        actions_[id].setChecked(workspace_.loading().unit == unit);
-    }
+void GarmentActions::connectSeams() {
+    connect(&actions_[ActionId::SeamsFromFile], &QAction::triggered, this,
+            &GarmentActions::askAndReadSeams);
+    connect(&actions_[ActionId::ForgetEase], &QAction::triggered, this, [this] {
+        if (const auto seam = workspace_.document().seam()) {
+            workspace_.setEase(*seam, std::nullopt);
+        }
+    });
 }
 
 void GarmentActions::askAndOpen() {
@@ -113,6 +114,17 @@ void GarmentActions::openFiles(const QStringList& files) {
         paths.emplace_back(file.toStdU16String());
     }
     workspace_.open(std::move(paths));
+}
+
+void GarmentActions::askAndReadSeams() {
+    const QString path = dialogs_.openSeams(&window_, preferences_.openFolder());
+    if (path.isEmpty()) {
+        return;
+    }
+    const auto read = workspace_.readSeams(path.toStdU16String());
+    if (!read) {
+        emit failed(QString::fromStdString(sentence(read.error())));
+    }
 }
 
 void GarmentActions::askAndExport(const QString& suffix, const QString& filter) {
@@ -143,6 +155,7 @@ void GarmentActions::onChanged(DocumentChanges what) {
             actions_[id].setChecked(document.view().overlay == overlay);
         }
         actions_[ActionId::Wireframe].setChecked(document.view().wireframe);
+        actions_[ActionId::DesignerOutline].setChecked(document.view().designerOutline);
     }
     if (what.testFlag(DocumentChange::Options)) {
         const FlattenOptions& options = document.options();
@@ -159,8 +172,9 @@ void GarmentActions::updateEnabled() {
     const Document& document = workspace_.document();
     const bool open = document.garment() != nullptr;
     const bool constrained = document.options().method == Method::Wang2005;
-    for (const ActionId id : {ActionId::SelectAll, ActionId::SelectNone, ActionId::Frame,
-                              ActionId::FlattenAgain, ActionId::Wireframe}) {
+    for (const ActionId id :
+         {ActionId::SelectAll, ActionId::SelectNone, ActionId::Frame, ActionId::FlattenAgain,
+          ActionId::Wireframe, ActionId::GoToPieces, ActionId::GoToSeams, ActionId::GoToMessages}) {
         actions_[id].setEnabled(open);
     }
     for (const auto& [id, overlay] : kOverlays) {
@@ -170,6 +184,13 @@ void GarmentActions::updateEnabled() {
          {ActionId::ExportSvg, ActionId::ExportDxf, ActionId::ExportObj, ActionId::ExportReport}) {
         actions_[id].setEnabled(workspace_.canExport());
     }
+    const bool hasDesigner =
+        document.scene() && !document.scene()->patternLines.runs.designer.empty();
+    actions_[ActionId::DesignerOutline].setEnabled(hasDesigner);
+    const Seam* seam =
+        document.seam() ? &document.garment()->seams.seams[std::size_t(*document.seam())] : nullptr;
+    actions_[ActionId::StateEase].setEnabled(seam && seam->kind != SeamKind::Free);
+    actions_[ActionId::ForgetEase].setEnabled(seam && seam->ease);
     // A free outline has no boundary problem to solve.
     actions_[ActionId::SolverNewton].setEnabled(constrained);
     actions_[ActionId::SolverSlcp].setEnabled(constrained);

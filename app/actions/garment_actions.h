@@ -26,13 +26,18 @@ public:
     /// Opens what the person has chosen or dropped, and remembers the folder.
     void openFiles(const QStringList& files);
 
+signals:
+    /// A wish could not be granted, and why.
+    void failed(const QString& sentence);
+
 private:
     void connectFiles();
     void connectSelection();
     void connectView();
     void connectFlattening();
-    void connectUnits();
+    void connectSeams();
     void askAndOpen();
+    void askAndReadSeams();
     void askAndExport(const QString& suffix, const QString& filter);
     void onChanged(DocumentChanges what);
     void updateEnabled();

@@ -23,21 +23,40 @@ void Workspace::open(Paths files) {
     if (files.empty()) {
         return;
     }
-    requested_ = files;
-    importing_ = true;
-    jobs_.replace(std::make_unique<ImportJob>(document_, std::move(files), loading_));
+    if (!requested_.empty() && files != requested_) {
+        loading_.unit.reset();
+        loading_.up.reset();
+        loading_.seams = {};
+        if (loading_.split == SplitMode::Seams) {
+            loading_.split = SplitMode::Auto;
+        }
+    }
+    requested_ = std::move(files);
+    read();
+}
+
+void Workspace::reload() {
+    read();
+}
+
+void Workspace::read() {
+    emit loadingChanged();
+    if (!requested_.empty()) {
+        importing_ = true;
+        jobs_.replace(std::make_unique<ImportJob>(document_, requested_, loading_));
+    }
 }
 
 void Workspace::setLoading(LoadOptions loading) {
     loading_ = std::move(loading);
-    open(requested_);
+    read();
 }
 
 template <class Value>
 void Workspace::change(Value LoadOptions::*field, const Value& value) {
     if (loading_.*field != value) {
         loading_.*field = value;
-        open(requested_);
+        read();
     }
 }
 
@@ -67,8 +86,27 @@ Result<void> Workspace::readSeams(const std::filesystem::path& path) {
         return seams.error();
     }
     loading_.seams = std::move(*seams);
-    open(requested_);
+    read();
     return {};
+}
+
+void Workspace::setEase(int seam, std::optional<double> ease) {
+    const std::string name = document_.garment()->seams.seams[static_cast<std::size_t>(seam)].name;
+    const auto note = [&](LoadOptions& options) {
+        if (ease) {
+            options.seams.ease[name] = *ease;
+        } else {
+            options.seams.ease.erase(name);
+        }
+    };
+    note(loaded_);
+    document_.setSeamEase(seam, ease);
+    if (requested_ == openPaths()) {
+        note(loading_);
+        if (importing_) {
+            read();  // the reading under way does not know of it
+        }
+    }
 }
 
 void Workspace::setMethod(Method method) {
@@ -105,6 +143,7 @@ void Workspace::exportTo(const std::filesystem::path& path) {
 void Workspace::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Garment)) {
         importing_ = false;
+        loaded_ = loading_;
     }
     if (what & (DocumentChange::Garment | DocumentChange::Options)) {
         flattenAgain();
@@ -116,12 +155,22 @@ void Workspace::onOver() {
     if (jobs_.hasWaiting() || !std::exchange(importing_, false)) {
         return;
     }
-    requested_.clear();
+    requested_ = openPaths();
+    if (document_.garment()) {
+        // What was asked for did not come: the garment is still as it was read.
+        loading_ = loaded_;
+        emit loadingChanged();
+    }
+}
+
+Workspace::Paths Workspace::openPaths() const {
+    Paths paths;
     if (document_.garment()) {
         for (const auto& file : document_.garment()->files) {
-            requested_.push_back(file->path);
+            paths.push_back(file->path);
         }
     }
+    return paths;
 }
 
 }  // namespace toile

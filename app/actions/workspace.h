@@ -26,9 +26,15 @@ public:
     JobRunner& jobs() { return jobs_; }
     /// How files are read, divided and cut.
     const LoadOptions& loading() const { return loading_; }
+    /// The files of the document's garment.
+    Paths openPaths() const;
 
-    /// Reads the files as one garment and flattens it. Whatever ran before is cancelled.
+    /// Reads the files as one garment and flattens it. Whatever ran before is cancelled. Files
+    /// other than those before begin anew: the unit, the up axis, cuts and ease that were stated
+    /// were said about another garment.
     void open(Paths files);
+    /// Reads the open garment's files again, as they are on the disk now.
+    void reload();
     /// Reads an open garment again with these options.
     void setLoading(LoadOptions loading);
     /// Unit of the files; none: guessed. Reads an open garment again where that is a change.
@@ -43,6 +49,9 @@ public:
     void setWeld(bool on);
     /// Takes cuts and ease from a seams file. Nothing changes where it cannot be read.
     Result<void> readSeams(const std::filesystem::path& path);
+    /// Says how much longer a seam's left side is meant to be, as a part of the right; none: as
+    /// the 3D lengths have it. Nothing is read or flattened again; a later reading keeps it.
+    void setEase(int seam, std::optional<double> ease);
     void setMethod(Method method);
     void setBoundarySolver(BoundarySolver solver);
     void flattenAgain();
@@ -52,9 +61,12 @@ public:
     void exportTo(const std::filesystem::path& path);
 
 signals:
+    /// `loading` is another now.
+    void loadingChanged();
     void exported(const QString& path);
 
 private:
+    void read();
     template <class Value>
     void change(Value LoadOptions::*field, const Value& value);
     void onChanged(DocumentChanges what);
@@ -64,6 +76,7 @@ private:
     JobRunner jobs_{document_};
     Paths requested_;  ///< what was opened last, for reading it again
     LoadOptions loading_;
+    LoadOptions loaded_;  ///< as the document's garment was read
     bool importing_ = false;
 };
 

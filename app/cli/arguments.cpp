@@ -18,7 +18,7 @@ namespace {
 struct Typed {
     std::vector<std::string> inputs, windowFiles, outputs;
     std::string unit, up, split = "auto", seams, method = "wang2005", solver = "newton", report,
-                          screenshot, overlay = "checker";
+                          screenshot, overlay = "checker", panel;
 };
 
 const std::map<std::string, Overlay> kOverlays = {{"none", Overlay::None},
@@ -26,6 +26,9 @@ const std::map<std::string, Overlay> kOverlays = {{"none", Overlay::None},
                                                   {"area", Overlay::Area},
                                                   {"angle", Overlay::Angle},
                                                   {"strain", Overlay::Strain}};
+
+const std::map<std::string, Panel> kPanels = {
+    {"pieces", Panel::Pieces}, {"seams", Panel::Seams}, {"messages", Panel::Messages}};
 
 /// How files are read, divided and cut: the commands and the window alike.
 void addReading(CLI::App& command, Typed& typed, LoadOptions& load) {
@@ -51,6 +54,13 @@ void addReading(CLI::App& command, Typed& typed, LoadOptions& load) {
                      "Refuse a file in which anything has to be left out or mended");
 }
 
+void addMethod(CLI::App& command, Typed& typed) {
+    command.add_option("--method", typed.method, "Flattening method")
+        ->type_name("natural|wang2005")
+        ->check(CLI::IsMember({"natural", "wang2005"}))
+        ->capture_default_str();
+}
+
 CLI::App* addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App* flatten = app.add_subcommand("flatten", "Flatten every piece of a garment");
     flatten->add_option("INPUT", typed.inputs, "Garment mesh: .obj, .off, .ply or .stl")
@@ -62,10 +72,7 @@ CLI::App* addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
                      "its UV map) or .json (report). May be given several times")
         ->type_name("FILE")
         ->allow_extra_args(false);  // so that inputs may follow
-    flatten->add_option("--method", typed.method, "Flattening method")
-        ->type_name("natural|wang2005")
-        ->check(CLI::IsMember({"natural", "wang2005"}))
-        ->capture_default_str();
+    addMethod(*flatten, typed);
     flatten->add_option("--boundary-solver", typed.solver, "Solver of the boundary problem")
         ->type_name("newton|slcp")
         ->check(CLI::IsMember({"newton", "slcp"}))
@@ -153,6 +160,10 @@ Arguments parseArguments(int argc, const char* const* argv) {
         ->type_name("none|checker|area|angle|strain")
         ->check(CLI::IsMember(kOverlays))
         ->capture_default_str();
+    app.add_option("--panel", typed.panel, "The list that the window shows in front at first")
+        ->type_name("pieces|seams|messages")
+        ->check(CLI::IsMember(kPanels));
+    addMethod(app, typed);
     addReading(app, typed, arguments.load);
     try {
         app.parse(argc, argv);
@@ -172,6 +183,9 @@ Arguments parseArguments(int argc, const char* const* argv) {
     arguments.outputs.assign(typed.outputs.begin(), typed.outputs.end());
     arguments.screenshot = typed.screenshot;
     arguments.overlay = kOverlays.at(typed.overlay);
+    if (!typed.panel.empty()) {
+        arguments.panel = kPanels.at(typed.panel);
+    }
     arguments.load.unit = parseLengthUnit(typed.unit);
     arguments.load.up = parseUpAxis(typed.up);
     arguments.load.split = parseSplitMode(typed.split).value_or(SplitMode::Auto);

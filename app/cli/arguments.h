@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Arguments {
     FlattenOptions options;
     std::filesystem::path screenshot;    ///< window: save a picture of itself and end
     Overlay overlay = Overlay::Checker;  ///< window: what is painted on the cloth at first
+    std::optional<Panel> panel;          ///< window: the list in front
 
     std::string message;
     int status = 0;

@@ -14,6 +14,10 @@ int Document::pieceCount() const {
     return garment_ ? static_cast<int>(garment_->pieces.size()) : 0;
 }
 
+int Document::seamCount() const {
+    return garment_ ? static_cast<int>(garment_->seams.seams.size()) : 0;
+}
+
 QString Document::title() const {
     if (!garment_ || garment_->files.empty()) {
         return {};
@@ -30,8 +34,10 @@ void Document::setGarment(std::shared_ptr<const Garment> garment,
     scene_ = std::move(scene);
     results_.clear();
     selection_.clear();
+    seam_.reset();
     ++revision_;
-    emit changed(DocumentChange::Garment | DocumentChange::Results | DocumentChange::Selection);
+    emit changed(DocumentChange::Garment | DocumentChange::Results | DocumentChange::Selection |
+                 DocumentChange::Seams | DocumentChange::SeamSelection);
 }
 
 void Document::setResults(PieceResults results, std::shared_ptr<const Scene> scene) {
@@ -67,6 +73,30 @@ void Document::toggleSelected(int piece) {
     setSelection(std::move(selection));
 }
 
+void Document::setSeam(std::optional<int> seam) {
+    if (seam && (*seam < 0 || *seam >= seamCount())) {
+        seam.reset();
+    }
+    if (seam == seam_) {
+        return;
+    }
+    seam_ = seam;
+    emit changed(DocumentChange::SeamSelection);
+}
+
+void Document::setSeamEase(int seam, std::optional<double> ease) {
+    Q_ASSERT(seam >= 0 && seam < seamCount());
+    const auto at = static_cast<std::size_t>(seam);
+    if (garment_->seams.seams[at].ease == ease) {
+        return;
+    }
+    // Jobs and the views may hold the garment as it was, so it is not touched.
+    auto garment = std::make_shared<Garment>(*garment_);
+    garment->seams.seams[at].ease = ease;
+    garment_ = std::move(garment);
+    emit changed(DocumentChange::Seams);
+}
+
 void Document::setOverlay(Overlay overlay) {
     if (view_.overlay == overlay) {
         return;
@@ -76,10 +106,18 @@ void Document::setOverlay(Overlay overlay) {
 }
 
 void Document::setWireframe(bool on) {
-    if (view_.wireframe == on) {
+    changeView(&ViewState::wireframe, on);
+}
+
+void Document::setDesignerOutline(bool on) {
+    changeView(&ViewState::designerOutline, on);
+}
+
+void Document::changeView(bool ViewState::*field, bool on) {
+    if (view_.*field == on) {
         return;
     }
-    view_.wireframe = on;
+    view_.*field = on;
     emit changed(DocumentChange::View);
 }
 

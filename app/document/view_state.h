@@ -19,10 +19,14 @@ constexpr bool isMeasured(Overlay overlay) {
     return overlay == Overlay::Area || overlay == Overlay::Angle || overlay == Overlay::Strain;
 }
 
+/// The lists below the views.
+enum class Panel { Pieces, Seams, Messages };
+
 /// How the garment is shown; not part of what is saved with a garment.
 struct ViewState {
     Overlay overlay = Overlay::Checker;
     bool wireframe = false;
+    bool designerOutline = false;  ///< the designer's own panels over the pattern
 
     bool operator==(const ViewState&) const = default;
 };

@@ -9,6 +9,13 @@
 
 namespace toile {
 
+namespace {
+
+/// Of the job's time, about, on garments of 10 000 to 100 000 triangles; the rest is the scene.
+constexpr double kReadingShare = 0.97;
+
+}  // namespace
+
 ImportJob::ImportJob(Document& document, std::vector<std::filesystem::path> files,
                      LoadOptions options)
     : document_(document), files_(std::move(files)), options_(std::move(options)) {}
@@ -21,11 +28,13 @@ QString ImportJob::title() const {
 }
 
 Result<void> ImportJob::process(Progress& progress) {
+    progress.setShare(0, kReadingShare);
     Result<Garment> garment = loadGarment(files_, options_, progress);
     if (!garment) {
         return garment.error();
     }
     garment_ = std::make_shared<const Garment>(std::move(garment).value());
+    progress.setShare(kReadingShare, 1);
     scene_ = buildScene(*garment_, {}, {}, progress);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, {}, {}};

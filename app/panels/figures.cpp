@@ -47,6 +47,36 @@ QString signedPercent(double fraction) {
     return (value < 0 ? QString(kMinus) : QString('+')) + percent(std::abs(fraction));
 }
 
+QString millimetres(double value) {
+    return QLocale().toString(value, 'f', 1);
+}
+
+QString signedNumber(double value, int decimals) {
+    const QString size = QLocale().toString(std::abs(value), 'f', decimals);
+    if (size == QLocale().toString(0.0, 'f', decimals)) {
+        return size;
+    }
+    return (value < 0 ? QString(kMinus) : QString('+')) + size;
+}
+
+std::optional<EnteredPercent> parsePercent(QString text) {
+    text.remove('%');
+    text.replace(kMinus, '-');
+    text = text.trimmed();
+    if (text.isEmpty()) {
+        return EnteredPercent{};
+    }
+    bool isNumber = false;
+    double value = QLocale().toDouble(text, &isNumber);
+    if (!isNumber) {
+        value = QLocale::c().toDouble(text, &isNumber);
+    }
+    if (!isNumber || !(value > -100 && value <= 1000)) {  // not a number either
+        return std::nullopt;
+    }
+    return EnteredPercent{value / 100};
+}
+
 QString boundaryError(double fraction) {
     return fraction < kExact ? tr("exact") : percent(fraction);
 }

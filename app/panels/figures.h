@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "core/pipeline/pipeline.h"
 
@@ -15,6 +16,17 @@ QString centimetres(double millimetres);
 /// Fraction as percent with a sign: "+1.24", "−0.30", "0".
 QString signedPercent(double fraction);
 QString percent(double fraction);
+/// "412.3": one decimal, without the unit.
+QString millimetres(double value);
+/// "+1.24", "−0.30", and "0.00" for what rounds to nothing.
+QString signedNumber(double value, int decimals);
+/// What a person typed for a percentage; no fraction where the field was left empty.
+struct EnteredPercent {
+    std::optional<double> fraction;
+};
+/// "2", "+2,5 %", "-3" in the user's locale or with a point; nothing where it is no percentage
+/// above -100 and up to 1000.
+std::optional<EnteredPercent> parsePercent(QString text);
 /// Largest relative length error of an outline: "exact" where it is below what any tool can cut.
 QString boundaryError(double fraction);
 /// "−1.2 … +3.4", or a dash where unknown.

@@ -2,6 +2,7 @@
 #include "app/panels/messages_panel.h"
 
 #include <QStyle>
+#include <algorithm>
 
 #include "app/document/document.h"
 
@@ -20,8 +21,9 @@ MessagesPanel::MessagesPanel(Document& document, QWidget* parent)
     setWordWrap(true);
     setAlternatingRowColors(true);
     connect(&document_, &Document::changed, this, &MessagesPanel::onChanged);
-    connect(this, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
-        const int piece = item->data(kPieceRole).toInt();
+    connect(this, &QListWidget::itemSelectionChanged, this, [this] {
+        const QList<QListWidgetItem*> items = selectedItems();
+        const int piece = items.isEmpty() ? -1 : items.front()->data(kPieceRole).toInt();
         if (piece >= 0) {
             document_.setSelection({piece});
         }
@@ -39,14 +41,17 @@ void MessagesPanel::rebuild() {
     if (document_.garment()) {
         for (const auto& file : document_.garment()->files) {
             for (const Error& problem : file->problems) {
-                add(QString::fromStdString(sentence(problem)), !isNote(problem.code), -1);
+                add(problem, -1);
             }
+        }
+        for (const Error& problem : document_.garment()->problems) {
+            add(problem, pieceNamed(problem.where));
         }
     }
     int piece = 0;
     for (const auto& result : document_.results()) {
         if (result->error) {
-            add(QString::fromStdString(sentence(*result->error)), true, piece);
+            add(*result->error, piece);
         }
         ++piece;
     }
@@ -58,10 +63,17 @@ void MessagesPanel::rebuild() {
     }
 }
 
-void MessagesPanel::add(const QString& sentence, bool serious, int piece) {
-    const QIcon icon = style()->standardIcon(serious ? QStyle::SP_MessageBoxWarning
-                                                     : QStyle::SP_MessageBoxInformation);
-    auto* item = new QListWidgetItem(icon, sentence, this);
+int MessagesPanel::pieceNamed(const std::string& name) const {
+    const auto& pieces = document_.garment()->pieces;
+    const auto found = std::find_if(pieces.begin(), pieces.end(),
+                                    [&name](const auto& piece) { return piece->name == name; });
+    return found == pieces.end() ? -1 : static_cast<int>(found - pieces.begin());
+}
+
+void MessagesPanel::add(const Error& problem, int piece) {
+    const QIcon icon = style()->standardIcon(isNote(problem.code) ? QStyle::SP_MessageBoxInformation
+                                                                  : QStyle::SP_MessageBoxWarning);
+    auto* item = new QListWidgetItem(icon, QString::fromStdString(sentence(problem)), this);
     item->setData(kPieceRole, piece);
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QListWidget>
+#include <string>
 
 #include "app/document/document_change.h"
+#include "core/base/error.h"
 
 namespace toile {
 
@@ -23,7 +25,9 @@ signals:
 private:
     void onChanged(DocumentChanges what);
     void rebuild();
-    void add(const QString& sentence, bool serious, int piece);
+    /// Index of the piece of that name, or -1.
+    int pieceNamed(const std::string& name) const;
+    void add(const Error& problem, int piece);
 
     Document& document_;
 };

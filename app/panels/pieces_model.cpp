@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPixmap>
+#include <algorithm>
 
 #include "app/document/document.h"
 #include "app/panels/figures.h"
@@ -88,6 +89,13 @@ QVariant PiecesModel::data(const QModelIndex& index, int role) const {
     }
 }
 
+bool PiecesModel::hasDesigner() const {
+    const auto& results = document_.results();
+    return std::any_of(results.begin(), results.end(), [](const auto& result) {
+        return result->quality && result->quality->reference;
+    });
+}
+
 QVariant PiecesModel::decoration(int row) const {
     const PieceResult* known = result(row);
     return swatch(known && known->flat ? pieceColour(row) : neutralColour());
@@ -132,6 +140,13 @@ QString PiecesModel::measuredText(const PieceResult& known, int column) const {
             return QLocale().toString(quality.flippedTriangles);
         case Crossings:
             return QLocale().toString(quality.outlineCrossings);
+        case DesignerRms:
+        case DesignerMax:
+            return quality.reference
+                       ? QLocale().toString(column == DesignerRms ? quality.reference->rms
+                                                                  : quality.reference->max,
+                                            'f', 2)
+                       : QString(QChar(0x2013));
         default:
             return {};
     }
@@ -165,6 +180,10 @@ QVariant PiecesModel::sortValue(int row, int column) const {
             return quality.flippedTriangles;
         case Crossings:
             return quality.outlineCrossings;
+        case DesignerRms:
+            return quality.reference ? quality.reference->rms : -1.0;
+        case DesignerMax:
+            return quality.reference ? quality.reference->max : -1.0;
         default:
             return {};
     }
@@ -204,6 +223,9 @@ QVariant PiecesModel::headerData(int section, Qt::Orientation orientation, int r
         {tr("Strain range %"), tr("From most surplus to most stretch; + is stretch")},
         {tr("Flips"), tr("Triangles that lie upside down in the pattern: must be 0")},
         {tr("Crossings"), tr("Places where the outline crosses itself: must be 0")},
+        {tr("To designer rms mm"), tr("Distance from the designer's own panel, laid on as well as "
+                                      "it goes: root mean square")},
+        {tr("To designer max mm"), tr("Distance from the designer's own panel: the largest")},
     };
     if (role == Qt::DisplayRole) {
         return headers[section].title;

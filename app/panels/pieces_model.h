@@ -26,9 +26,15 @@ public:
         StrainRange,
         Flips,
         Crossings,
+        DesignerRms,
+        DesignerMax,
         ColumnCount
     };
     static constexpr int SortRole = Qt::UserRole;
+    /// True for columns about the designer's own panels.
+    static constexpr bool isAboutDesigner(int column) {
+        return column == DesignerRms || column == DesignerMax;
+    }
 
     explicit PiecesModel(const Document& document, QObject* parent = nullptr);
 
@@ -36,6 +42,8 @@ public:
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    /// True where a flat piece carries the designer's own panel.
+    bool hasDesigner() const;
 
 private:
     void onChanged(DocumentChanges what);

@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QScopedValueRollback>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QSortFilterProxyModel>
 #include <QTreeView>
 #include <algorithm>
@@ -22,8 +23,8 @@ namespace {
 
 QString row(const QString& name, const QString& value) {
     return QString(
-               "<tr><td style='padding-right:12px; white-space:nowrap'>%1</td><td "
-               "align='right'>%2</td></tr>")
+               "<tr><td style='padding-right:12px'>%1</td><td "
+               "align='right' style='white-space:nowrap'>%2</td></tr>")
         .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
 }
 
@@ -46,8 +47,8 @@ PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
     scroll->setWidget(details_);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setMinimumWidth(230);
-    scroll->setMaximumWidth(320);
+    scroll->setMinimumWidth(290);
+    scroll->setMaximumWidth(330);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
     auto* layout = new QHBoxLayout(this);
@@ -78,6 +79,10 @@ void PiecesPanel::makeTable() {
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &PiecesPanel::selectInDocument);
     connect(table_, &QTreeView::doubleClicked, this, &PiecesPanel::activated);
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
+        connect(new QShortcut(key, table_, {}, {}, Qt::WidgetShortcut), &QShortcut::activated, this,
+                &PiecesPanel::activated);
+    }
 }
 
 void PiecesPanel::onChanged(DocumentChanges what) {
@@ -94,7 +99,12 @@ void PiecesPanel::onChanged(DocumentChanges what) {
 
 void PiecesPanel::fitColumns() {
     constexpr int kAir = 6;
+    const bool hasDesigner = model_->hasDesigner();
     for (int column = 0; column < PiecesModel::ColumnCount; ++column) {
+        table_->setColumnHidden(column, PiecesModel::isAboutDesigner(column) && !hasDesigner);
+        if (table_->isColumnHidden(column)) {
+            continue;
+        }
         table_->resizeColumnToContents(column);
         table_->setColumnWidth(column, table_->columnWidth(column) + kAir);
     }
@@ -175,6 +185,12 @@ QString PiecesPanel::details(int piece) const {
         text += row(tr("Strain, mean"), tr("%1 %").arg(percent(*quality.strainMeanAbs)));
     }
     text += row(tr("Strain, range"), tr("%1 %").arg(strainRange(quality)));
+    if (quality.reference) {
+        text += row(tr("To designer, rms / max"),
+                    tr("%1 / %2 mm")
+                        .arg(locale.toString(quality.reference->rms, 'f', 2),
+                             locale.toString(quality.reference->max, 'f', 2)));
+    }
     if (quality.quasiConformalMean) {
         text += row(tr("Uneven stretch (1 = even)"),
                     locale.toString(*quality.quasiConformalMean, 'f', 3));

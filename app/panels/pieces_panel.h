@@ -25,7 +25,7 @@ public:
     QTreeView& table() { return *table_; }
 
 signals:
-    /// A piece was double-clicked: it is to be shown.
+    /// A piece was double-clicked or Enter pressed on it: it is to be shown.
     void activated();
 
 protected:

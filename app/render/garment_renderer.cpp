@@ -19,6 +19,11 @@ constexpr VertexAttribute kAttributes[] = {
     {4, 1, offsetof(GarmentVertex, piece)},
 };
 
+constexpr VertexAttribute kLineAttributes[] = {
+    {0, 3, offsetof(GarmentLineVertex, position)},
+    {4, 1, offsetof(GarmentLineVertex, piece)},
+};
+
 }  // namespace
 
 SceneRenderer::ProgramFiles GarmentRenderer::programFiles() const {
@@ -26,8 +31,9 @@ SceneRenderer::ProgramFiles GarmentRenderer::programFiles() const {
             {"piece_table.glsl", "garment_line.vert", "line.geom", "line.frag"}};
 }
 
-void GarmentRenderer::uploadMesh(Gl& gl, const Scene& scene, GpuMesh& mesh) {
+void GarmentRenderer::upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
     mesh.upload(gl, scene.garment, kAttributes);
+    lines.upload(gl, scene.garmentLines, kLineAttributes);
 }
 
 void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style,

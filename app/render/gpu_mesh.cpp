@@ -3,15 +3,21 @@
 
 namespace toile {
 
-void GpuMesh::uploadVertices(Gl& gl, const void* data, std::size_t count, std::size_t stride,
-                             std::span<const VertexAttribute> attributes) {
-    release(gl);
-    ++uploads_;
-    gl.glGenVertexArrays(1, &array_);
-    gl.glGenBuffers(1, &vertices_);
-    gl.glBindVertexArray(array_);
-    gl.glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    gl.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * stride), data, GL_STATIC_DRAW);
+GLuint makeVertexBuffer(Gl& gl, const void* data, std::size_t bytes) {
+    GLuint buffer = 0;
+    gl.glGenBuffers(1, &buffer);
+    gl.glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+    gl.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    return buffer;
+}
+
+GLuint makeVertexArray(Gl& gl, GLuint buffer, std::size_t stride,
+                       std::span<const VertexAttribute> attributes) {
+    GLuint array = 0;
+    gl.glGenVertexArrays(1, &array);
+    gl.glBindVertexArray(array);
+    gl.glBindBuffer(GL_ARRAY_BUFFER, buffer);
     for (const VertexAttribute& attribute : attributes) {
         gl.glEnableVertexAttribArray(attribute.location);
         gl.glVertexAttribPointer(attribute.location, attribute.size, GL_FLOAT, GL_FALSE,
@@ -20,6 +26,15 @@ void GpuMesh::uploadVertices(Gl& gl, const void* data, std::size_t count, std::s
     }
     gl.glBindVertexArray(0);
     gl.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    return array;
+}
+
+void GpuMesh::uploadVertices(Gl& gl, const void* data, std::size_t count, std::size_t stride,
+                             std::span<const VertexAttribute> attributes) {
+    release(gl);
+    ++uploads_;
+    vertices_ = makeVertexBuffer(gl, data, count * stride);
+    array_ = makeVertexArray(gl, vertices_, stride, attributes);
 }
 
 void GpuMesh::uploadIndices(Gl& gl, const IndexLists& lists) {

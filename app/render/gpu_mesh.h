@@ -15,6 +15,11 @@ struct VertexAttribute {
     std::size_t offset;
 };
 
+/// A vertex buffer with these bytes, and a vertex array that reads attributes from one.
+GLuint makeVertexBuffer(Gl& gl, const void* data, std::size_t bytes);
+GLuint makeVertexArray(Gl& gl, GLuint buffer, std::size_t stride,
+                       std::span<const VertexAttribute> attributes);
+
 /// The GPU's copy of a MeshBuffers. Every call needs the same context current; `release` must be
 /// called before that context goes.
 class GpuMesh {

@@ -22,6 +22,12 @@ constexpr VertexAttribute kAttributes[] = {
     {2, 1, offsetof(PatternVertex, piece)},
 };
 
+constexpr VertexAttribute kLineAttributes[] = {
+    {0, 2, offsetof(PatternLineVertex, flat)},
+    {2, 1, offsetof(PatternLineVertex, piece)},
+    {3, 1, offsetof(PatternLineVertex, along)},
+};
+
 }  // namespace
 
 GridSteps gridSteps(double pixelsPerMillimetre) {
@@ -36,8 +42,9 @@ SceneRenderer::ProgramFiles PatternRenderer::programFiles() const {
             {"piece_table.glsl", "pattern_line.vert", "line.geom", "line.frag"}};
 }
 
-void PatternRenderer::uploadMesh(Gl& gl, const Scene& scene, GpuMesh& mesh) {
+void PatternRenderer::upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
     mesh.upload(gl, scene.pattern, kAttributes);
+    lines.upload(gl, scene.patternLines, kLineAttributes);
 }
 
 void PatternRenderer::setGrid(const Camera2D& camera, double pixelRatio) {
@@ -64,8 +71,13 @@ void PatternRenderer::paint(const Camera2D& camera, const ViewState& view, const
     }
     gl_->glViewport(0, 0, width, height);
     gl_->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const Frame frame{glm::mat4(camera.projection()), view, style, width, height,
-                      static_cast<float>(pixelRatio)};
+    const Frame frame{glm::mat4(camera.projection()),
+                      view,
+                      style,
+                      width,
+                      height,
+                      static_cast<float>(pixelRatio),
+                      static_cast<float>(1 / (camera.pixelsPerMillimetre() * pixelRatio))};
     setGrid(camera, pixelRatio);
     paintBackdrop(frame);
     if (!synchronize()) {

@@ -24,7 +24,8 @@ public:
 
 protected:
     ProgramFiles programFiles() const override;
-    void uploadMesh(Gl& gl, const Scene& scene, GpuMesh& mesh) override;
+    void upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) override;
+    const LineRuns& lineRuns(const Scene& scene) const override { return scene.patternLines.runs; }
 
 private:
     void setGrid(const Camera2D& camera, double pixelRatio);

@@ -10,14 +10,33 @@ bool isDark(const QPalette& palette) {
 }
 
 RenderStyle renderStyle(const QPalette& palette) {
+    RenderStyle style;
+    style.seam = QColor(255, 214, 10);
+    style.seamHalo = QColor(18, 20, 24);
     if (isDark(palette)) {
-        return {QColor(52, 55, 61),    QColor(36, 38, 43),    QColor(82, 87, 96),
-                QColor(14, 15, 18),    QColor(10, 11, 14),    QColor(255, 92, 178),
-                QColor(226, 229, 234), QColor(158, 164, 174), QColor(24, 26, 30, 200)};
+        style.top = QColor(52, 55, 61);
+        style.bottom = QColor(36, 38, 43);
+        style.grid = QColor(82, 87, 96);
+        style.outline = QColor(14, 15, 18);
+        style.wire = QColor(10, 11, 14);
+        style.selection = QColor(255, 92, 178);
+        style.designer = QColor(92, 214, 255);
+        style.text = QColor(226, 229, 234);
+        style.faintText = QColor(158, 164, 174);
+        style.plate = QColor(24, 26, 30, 200);
+        return style;
     }
-    return {QColor(250, 250, 251), QColor(232, 235, 239), QColor(196, 203, 212),
-            QColor(52, 58, 68),    QColor(40, 46, 56),    QColor(214, 16, 118),
-            QColor(40, 45, 53),    QColor(104, 112, 123), QColor(255, 255, 255, 200)};
+    style.top = QColor(250, 250, 251);
+    style.bottom = QColor(232, 235, 239);
+    style.grid = QColor(196, 203, 212);
+    style.outline = QColor(52, 58, 68);
+    style.wire = QColor(40, 46, 56);
+    style.selection = QColor(214, 16, 118);
+    style.designer = QColor(0, 92, 230);
+    style.text = QColor(40, 45, 53);
+    style.faintText = QColor(104, 112, 123);
+    style.plate = QColor(255, 255, 255, 200);
+    return style;
 }
 
 }  // namespace toile

@@ -14,6 +14,8 @@ struct RenderStyle {
     QColor outline;  ///< of pieces
     QColor wire;
     QColor selection;        ///< magenta: in no piece and on no colour bar
+    QColor seam, seamHalo;   ///< the selected seam: yellow on near black reads on any cloth
+    QColor designer;         ///< the designer's own outline
     QColor text, faintText;  ///< captions over the backdrop
     QColor plate;            ///< behind names on the cloth
 };

@@ -46,6 +46,42 @@ struct MeshBuffers {
     std::vector<std::uint32_t> outline;    ///< 2 per boundary edge
 };
 
+struct GarmentLineVertex {
+    float position[3];
+    float piece;
+};
+
+struct PatternLineVertex {
+    float flat[2];  ///< mm, before the sheet's offset
+    float piece;
+    float along;  ///< mm from the line's beginning, for dashes
+};
+
+/// A polyline: a run of vertices in LineBuffers::vertices.
+struct VertexRun {
+    std::uint32_t first = 0, count = 0;
+};
+
+/// Where the lines are that a view draws over the cloth.
+struct LineRuns {
+    /// Per seam of the garment its left and its right side; count 0 where there is none: the right
+    /// side of a free edge, and in the pattern a side whose piece is not flat.
+    std::vector<std::array<VertexRun, 2>> seams;
+    std::vector<VertexRun> designer;  ///< loops of the designer's panels; in the pattern only
+};
+
+template <class Vertex>
+struct LineBuffers {
+    std::vector<Vertex> vertices;
+    LineRuns runs;
+};
+
+/// Per seam: where it is, for framing. Empty where nothing of it is drawn.
+struct SeamScene {
+    Eigen::AlignedBox3d box;      ///< both sides, relative to Scene::origin
+    Eigen::AlignedBox2d flatBox;  ///< both sides, at their places on the sheet
+};
+
 /// Per piece: where it is, for framing, picking and labels.
 struct PieceScene {
     bool flat = false;
@@ -67,7 +103,10 @@ struct Scene {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     MeshBuffers<GarmentVertex> garment;
     MeshBuffers<PatternVertex> pattern;  ///< pieces that are flat only
+    LineBuffers<GarmentLineVertex> garmentLines;
+    LineBuffers<PatternLineVertex> patternLines;
     std::vector<PieceScene> pieces;
+    std::vector<SeamScene> seams;                    ///< one per seam of the garment
     std::array<OverlayScale, kOverlayCount> scales;  ///< by Overlay
     Eigen::AlignedBox3d box;                         ///< relative to origin
     Eigen::AlignedBox2d sheetBox;

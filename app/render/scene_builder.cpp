@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/render/label_point.h"
+#include "app/render/line_builder.h"
 #include "app/render/vertex_values.h"
 
 namespace toile {
@@ -163,7 +164,7 @@ void reserve(const Garment& garment, Scene& scene) {
 
 std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResults& results,
                                         const std::vector<Eigen::Vector2d>& offsets,
-                                        const Progress& progress) {
+                                        Progress& progress) {
     auto scene = std::make_shared<Scene>();
     for (const auto& piece : garment.pieces) {
         scene->box.extend(boundsOf(piece->mesh.V));
@@ -174,13 +175,20 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
     }
     reserve(garment, *scene);
 
+    progress.start(static_cast<double>(garment.pieces.size()));
     Builder builder(*scene);
     for (std::size_t i = 0; i < garment.pieces.size() && !progress.isCancelled(); ++i) {
         const PieceResult* result = i < results.size() ? results[i].get() : nullptr;
         const FlatPiece* flat = result && result->flat ? &*result->flat : nullptr;
         builder.addPiece(*garment.pieces[i], flat,
                          i < offsets.size() ? offsets[i] : Eigen::Vector2d::Zero());
+        progress.advance(1);
     }
+    if (progress.isCancelled()) {
+        return scene;
+    }
+    addSeamLines(garment, results, *scene);
+    addDesignerLines(garment, results, *scene);
 
     const auto at = [&scene](Overlay overlay) -> OverlayScale& {
         return scene->scales[static_cast<std::size_t>(overlay)];

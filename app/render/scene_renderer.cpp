@@ -19,6 +19,10 @@ constexpr int kPieceTableUnit = 0, kColourMapUnit = 1;
 
 /// Widths in logical pixels.
 constexpr float kOutlineWidth = 1.25F, kSelectedWidth = 3.0F, kWireWidth = 0.7F;
+constexpr float kSeamWidth = 4.0F, kSeamHaloWidth = 8.0F, kDesignerWidth = 1.5F;
+constexpr float kDashPixels = 11.0F;
+/// How much of a seam shows through the cloth that hides it.
+constexpr int kHiddenSeamAlpha = 75;
 
 GLuint makeTexture(Gl& gl, GLint filter) {
     GLuint texture = 0;
@@ -38,6 +42,12 @@ GLuint makeColourMapTexture(Gl& gl, const ColourMap& map) {
                     map.data());
     gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     return texture;
+}
+
+void beginBlending(Gl& gl) {
+    gl.glEnable(GL_BLEND);
+    // Alpha of the framebuffer stays 1: the window is not to shine through.
+    gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 }  // namespace
@@ -79,6 +89,7 @@ void SceneRenderer::release() {
         return;
     }
     mesh_.release(*gl_);
+    overLines_.release(*gl_);
     gl_->glDeleteVertexArrays(1, &emptyArray_);
     for (GLuint* texture : {&pieceTable_, &divergingMap_, &sequentialMap_}) {
         gl_->glDeleteTextures(1, texture);
@@ -109,7 +120,7 @@ bool SceneRenderer::synchronize() {
         return false;
     }
     if (std::exchange(sceneChanged_, false)) {
-        uploadMesh(*gl_, *scene_, mesh_);
+        upload(*gl_, *scene_, mesh_, overLines_);
     }
     if (std::exchange(tableChanged_, false)) {
         uploadPieceTable();
@@ -153,38 +164,92 @@ QOpenGLShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
     return program;
 }
 
-void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
+QOpenGLShaderProgram& SceneRenderer::beginLines(const Frame& frame, float depthShift) {
     QOpenGLShaderProgram& program = *lines_;
     program.bind();
     bindPieceTable();
     program.setUniformValue("pieceTable", kPieceTableUnit);
     program.setUniformValue("depthShift", depthShift);
+    program.setUniformValue("dashLength", 0.0F);
     program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
                             static_cast<float>(frame.height));
     setUniform(*gl_, program, "viewProjection", frame.viewProjection);
+    return program;
+}
 
-    const auto set = [&program, &frame](const QColor& colour, float width, bool selectedOnly) {
-        program.setUniformValue("lineColour", colour);
-        program.setUniformValue("lineWidth", width * frame.pixelRatio);
-        program.setUniformValue("selectedOnly", selectedOnly);
-    };
+void SceneRenderer::setLine(const QColor& colour, float width, bool selectedOnly,
+                            const Frame& frame) {
+    lines_->setUniformValue("lineColour", colour);
+    lines_->setUniformValue("lineWidth", width * frame.pixelRatio);
+    lines_->setUniformValue("selectedOnly", selectedOnly);
+}
+
+void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
+    QOpenGLShaderProgram& program = beginLines(frame, depthShift);
     if (frame.view.wireframe) {
-        QColor wire = frame.style.wire;
-        wire.setAlpha(110);
-        gl_->glEnable(GL_BLEND);
-        // Alpha of the framebuffer stays 1: the window is not to shine through.
-        gl_->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE,
-                                 GL_ONE_MINUS_SRC_ALPHA);
-        set(wire, kWireWidth, false);
-        mesh_.drawEdges(*gl_);
-        gl_->glDisable(GL_BLEND);
+        paintWireframe(frame);
     }
-    set(frame.style.outline, kOutlineWidth, false);
+    setLine(frame.style.outline, kOutlineWidth, false, frame);
     mesh_.drawOutline(*gl_);
     program.setUniformValue("depthShift", 2 * depthShift);
-    set(frame.style.selection, kSelectedWidth, true);
+    setLine(frame.style.selection, kSelectedWidth, true, frame);
     mesh_.drawOutline(*gl_);
+    if (frame.view.designerOutline) {
+        paintDesignerLines(frame);
+    }
+    paintSeam(frame, depthShift);
     program.release();
+}
+
+void SceneRenderer::paintWireframe(const Frame& frame) {
+    QColor wire = frame.style.wire;
+    wire.setAlpha(110);
+    beginBlending(*gl_);
+    setLine(wire, kWireWidth, false, frame);
+    mesh_.drawEdges(*gl_);
+    gl_->glDisable(GL_BLEND);
+}
+
+void SceneRenderer::paintDesignerLines(const Frame& frame) {
+    lines_->setUniformValue("dashLength",
+                            kDashPixels * frame.pixelRatio * frame.millimetresPerPixel);
+    setLine(frame.style.designer, kDesignerWidth, false, frame);
+    for (const VertexRun& run : lineRuns(*scene_).designer) {
+        overLines_.draw(*gl_, run);
+    }
+    lines_->setUniformValue("dashLength", 0.0F);
+}
+
+void SceneRenderer::paintSeam(const Frame& frame, float depthShift) {
+    const LineRuns& runs = lineRuns(*scene_);
+    if (!seam_ || *seam_ >= static_cast<int>(runs.seams.size())) {
+        return;
+    }
+    const auto drawSides = [&] {
+        for (const VertexRun& side : runs.seams[static_cast<std::size_t>(*seam_)]) {
+            overLines_.draw(*gl_, side);
+        }
+    };
+    const bool inDepth = gl_->glIsEnabled(GL_DEPTH_TEST) == GL_TRUE;
+    if (inDepth) {
+        // Faintly through the cloth, so that a seam on the far side is found.
+        QColor hidden = frame.style.seam;
+        hidden.setAlpha(kHiddenSeamAlpha);
+        gl_->glDisable(GL_DEPTH_TEST);
+        beginBlending(*gl_);
+        setLine(hidden, kSeamWidth, false, frame);
+        drawSides();
+        gl_->glDisable(GL_BLEND);
+        gl_->glEnable(GL_DEPTH_TEST);
+    }
+    // The halo leaves no depth behind: at bends it would cover parts of the line itself.
+    gl_->glDepthMask(GL_FALSE);
+    lines_->setUniformValue("depthShift", 3 * depthShift);
+    setLine(frame.style.seamHalo, kSeamHaloWidth, false, frame);
+    drawSides();
+    setLine(frame.style.seam, kSeamWidth, false, frame);
+    drawSides();
+    gl_->glDepthMask(GL_TRUE);
 }
 
 void SceneRenderer::paintBackdrop(const Frame& frame) {

@@ -10,6 +10,13 @@
 
 namespace toile {
 
+namespace {
+
+/// Room left around a framed seam, as a part of its extent.
+constexpr double kAirAroundSeam = 0.15;
+
+}  // namespace
+
 GarmentView::GarmentView(Document& document, QWidget* parent)
     : SceneView(document, std::make_unique<GarmentRenderer>(), parent) {
     setObjectName("garmentView");
@@ -25,6 +32,18 @@ void GarmentView::framePieces(const std::set<int>& pieces) {
         boxes.push_back(scene()->pieces[static_cast<std::size_t>(piece)].box);
     }
     camera_.frame(boxes);
+}
+
+bool GarmentView::frameLines(const SeamScene& seam) {
+    if (seam.box.isEmpty()) {
+        return false;
+    }
+    // With the cloth around it, that one sees what is sewn to what.
+    const Eigen::Vector3d air =
+        Eigen::Vector3d::Constant(kAirAroundSeam * seam.box.sizes().maxCoeff());
+    const Eigen::AlignedBox3d boxes[] = {{seam.box.min() - air, seam.box.max() + air}};
+    camera_.frame(boxes);
+    return true;
 }
 
 void GarmentView::drag(Drag kind, const QPointF& delta) {
@@ -57,7 +76,14 @@ void GarmentView::paintScene(const RenderStyle& style, int width, int height, do
 }
 
 void GarmentView::paintText(QPainter& painter, const RenderStyle& style) {
-    paintCaption(painter, style, tr("Garment"), {});
+    QString note;
+    if (const auto seam = document_.seam()) {
+        note = tr("seam %1: %2")
+                   .arg(*seam + 1)
+                   .arg(QString::fromStdString(
+                       document_.garment()->seams.seams[static_cast<std::size_t>(*seam)].name));
+    }
+    paintCaption(painter, style, tr("Garment"), note);
 }
 
 }  // namespace toile

@@ -18,6 +18,7 @@ public:
 protected:
     void setCameraViewport(double width, double height) override;
     void framePieces(const std::set<int>& pieces) override;
+    bool frameLines(const SeamScene& seam) override;
     void drag(Drag kind, const QPointF& delta) override;
     void zoom(const QPointF& at, double factor) override;
     std::optional<int> pieceAt(const QPointF& at) const override;

@@ -35,6 +35,14 @@ void PatternView::framePieces(const std::set<int>& pieces) {
     camera_.frame(box, kMargins);
 }
 
+bool PatternView::frameLines(const SeamScene& seam) {
+    if (seam.flatBox.isEmpty()) {
+        return false;
+    }
+    camera_.frame(seam.flatBox, kMargins);
+    return true;
+}
+
 void PatternView::drag(Drag, const QPointF& delta) {
     camera_.pan(delta.x(), delta.y());
 }

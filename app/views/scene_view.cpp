@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/document/document.h"
+#include "app/render/scene.h"
 #include "app/render/scene_renderer.h"
 
 namespace toile {
@@ -30,6 +31,7 @@ SceneView::SceneView(Document& document, std::unique_ptr<SceneRenderer> renderer
     connect(&document_, &Document::changed, this, &SceneView::onChanged);
     renderer_->setScene(document_.scene());
     renderer_->setSelection(document_.selection());
+    renderer_->setSeam(document_.seam());
 }
 
 SceneView::~SceneView() {
@@ -59,6 +61,9 @@ void SceneView::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Selection)) {
         renderer_->setSelection(document_.selection());
     }
+    if (what.testFlag(DocumentChange::SeamSelection)) {
+        renderer_->setSeam(document_.seam());
+    }
     update();
 }
 
@@ -80,14 +85,30 @@ void SceneView::frameAll() {
 }
 
 void SceneView::frameSelection() {
-    if (document_.selection().empty() || !scene()) {
+    if (!scene() || (document_.selection().empty() && !document_.seam())) {
         frameAll();
+        return;
+    }
+    if (document_.selection().empty()) {
+        frameSeam();
         return;
     }
     followsAll_ = false;
     setCameraViewport(width(), height());
     framePieces(document_.selection());
     update();
+}
+
+void SceneView::frameSeam() {
+    const std::optional<int> seam = document_.seam();
+    if (!scene() || !seam || *seam >= static_cast<int>(scene()->seams.size())) {
+        return;
+    }
+    setCameraViewport(width(), height());
+    if (frameLines(scene()->seams[static_cast<std::size_t>(*seam)])) {
+        followsAll_ = false;
+        update();
+    }
 }
 
 bool SceneView::isUpToDate() const {
@@ -168,6 +189,7 @@ void SceneView::select(const QPointF& at, Qt::KeyboardModifiers modifiers) {
         document_.setSelection({*piece});
     } else if (!adds) {
         document_.setSelection({});
+        document_.setSeam({});
     }
 }
 

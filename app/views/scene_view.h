@@ -16,6 +16,7 @@ namespace toile {
 class Document;
 class SceneRenderer;
 struct Scene;
+struct SeamScene;
 
 /// A view of the document's scene: selection by click, navigation by drag and wheel, and the
 /// bookkeeping of a GL widget. Derived views say what a drag does and how to paint. Holds a camera
@@ -26,8 +27,10 @@ class SceneView : public QOpenGLWidget {
 public:
     ~SceneView() override;
 
-    /// Shows the selection, or everything where nothing is selected.
+    /// Shows the selected pieces; where there are none the selected seam, else everything.
     void frameSelection();
+    /// Shows both sides of the selected seam; does nothing where none is selected.
+    void frameSeam();
     void frameAll();
     /// True once the present scene is on the screen: for pictures made by the program itself.
     bool isUpToDate() const;
@@ -43,6 +46,8 @@ protected:
     virtual void setCameraViewport(double width, double height) = 0;
     /// @param pieces never empty
     virtual void framePieces(const std::set<int>& pieces) = 0;
+    /// @return false where nothing of the seam is drawn
+    virtual bool frameLines(const SeamScene& seam) = 0;
     virtual void drag(Drag kind, const QPointF& delta) = 0;
     virtual void zoom(const QPointF& at, double factor) = 0;
     virtual std::optional<int> pieceAt(const QPointF& at) const = 0;

@@ -60,6 +60,15 @@ void ViewArea::frameSelection() {
     }
 }
 
+void ViewArea::frameSeam() {
+    if (garmentView_) {
+        garmentView_->frameSeam();
+    }
+    if (patternView_) {
+        patternView_->frameSeam();
+    }
+}
+
 bool ViewArea::isUpToDate() const {
     return (!garmentView_ || garmentView_->isUpToDate()) &&
            (!patternView_ || patternView_->isUpToDate());

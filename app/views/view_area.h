@@ -25,6 +25,8 @@ public:
     PatternView* patternView() const { return patternView_; }
 
     void frameSelection();
+    /// Shows both sides of the selected seam.
+    void frameSeam();
     /// True once both views show the present scene.
     bool isUpToDate() const;
 

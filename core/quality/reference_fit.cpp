@@ -6,27 +6,45 @@
 namespace toile {
 namespace {
 
-/// The best rotation in the plane has a closed form.
-ReferenceFit fitRotated(const Points2& flat, const Points2& reference, bool mirrored) {
-    const Eigen::Matrix2d H = flat.transpose() * reference;
+/// The motion that brings the reference to the flat piece: reference -> turn, about the means.
+struct Motion {
+    Eigen::Matrix2d turn;  ///< acts on rows from the right; with a reflection where mirrored
+    ReferenceFit fit;
+};
+
+/// The best rotation in the plane has a closed form. Both point sets about their means.
+Motion turnTo(const Points2& flat, const Points2& reference, bool mirrored) {
+    Eigen::Matrix2d reflection = Eigen::Matrix2d::Identity();
+    reflection(0, 0) = mirrored ? -1 : 1;
+    const Eigen::Matrix2d H = (reference * reflection).transpose() * flat;
     const double angle = std::atan2(H(0, 1) - H(1, 0), H(0, 0) + H(1, 1));
     Eigen::Matrix2d R;
     R << std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle);
-    const Eigen::VectorXd distance = (flat * R - reference).rowwise().norm();
-    return {std::sqrt(distance.squaredNorm() / static_cast<double>(distance.size())),
-            distance.maxCoeff(), mirrored};
+    const Eigen::Matrix2d turn = reflection * R;
+    const Eigen::VectorXd distance = (reference * turn - flat).rowwise().norm();
+    return {turn,
+            {std::sqrt(distance.squaredNorm() / static_cast<double>(distance.size())),
+             distance.maxCoeff(), mirrored}};
+}
+
+Motion bestMotion(const Points2& flat, const Points2& reference) {
+    const Points2 to = flat.rowwise() - flat.colwise().mean();
+    const Points2 from = reference.rowwise() - reference.colwise().mean();
+    const Motion turned = turnTo(to, from, false);
+    const Motion mirrored = turnTo(to, from, true);
+    return mirrored.fit.rms < turned.fit.rms ? mirrored : turned;
 }
 
 }  // namespace
 
 ReferenceFit fitToReference(const Points2& flat, const Points2& reference) {
-    const Points2 from = flat.rowwise() - flat.colwise().mean();
-    const Points2 to = reference.rowwise() - reference.colwise().mean();
-    Points2 reflected = from;
-    reflected.col(0) *= -1;
-    const ReferenceFit turned = fitRotated(from, to, false);
-    const ReferenceFit mirrored = fitRotated(reflected, to, true);
-    return mirrored.rms < turned.rms ? mirrored : turned;
+    return bestMotion(flat, reference).fit;
+}
+
+Points2 placedReference(const Points2& flat, const Points2& reference) {
+    const Motion motion = bestMotion(flat, reference);
+    return ((reference.rowwise() - reference.colwise().mean()) * motion.turn).rowwise() +
+           flat.colwise().mean();
 }
 
 }  // namespace toile

@@ -16,4 +16,8 @@ struct ReferenceFit {
 /// @param flat, reference  #V x 2 each, vertex by vertex, at least one vertex. Pure; linear.
 ReferenceFit fitToReference(const Points2& flat, const Points2& reference);
 
+/// The given panel laid on the flat piece by that motion: #V x 2, mm, in the flat piece's
+/// coordinates. `fitToReference` tells how far the points then lie from the piece's. Pure; linear.
+Points2 placedReference(const Points2& flat, const Points2& reference);
+
 }  // namespace toile

@@ -44,6 +44,24 @@ std::vector<PartOfEdge> partsOf(const SeamSide& side, const Piece& piece) {
     return parts;
 }
 
+/// The stretch as a polyline through points given per vertex, in the plane or in space.
+template <class Points>
+Points lineThrough(const SeamSide& side, const Piece& piece, const Points& at) {
+    const std::vector<PartOfEdge> parts = partsOf(side, piece);
+    if (parts.empty()) {
+        return {};
+    }
+    const auto between = [&at](const PartOfEdge& part, double t) {
+        return ((1 - t) * at.row(part.tail) + t * at.row(part.head)).eval();
+    };
+    Points line(static_cast<Eigen::Index>(parts.size()) + 1, at.cols());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        line.row(static_cast<Eigen::Index>(i)) = between(parts[i], parts[i].from);
+    }
+    line.template bottomRows<1>() = between(parts.back(), parts.back().to);
+    return side.reversed ? Points(line.colwise().reverse()) : line;
+}
+
 }  // namespace
 
 double flatLength(const SeamSide& side, const Piece& piece, const Points2& Q) {
@@ -55,19 +73,11 @@ double flatLength(const SeamSide& side, const Piece& piece, const Points2& Q) {
 }
 
 Points2 flatLine(const SeamSide& side, const Piece& piece, const Points2& Q) {
-    const std::vector<PartOfEdge> parts = partsOf(side, piece);
-    if (parts.empty()) {
-        return {};
-    }
-    const auto at = [&Q](const PartOfEdge& part, double t) {
-        return ((1 - t) * Q.row(part.tail) + t * Q.row(part.head)).eval();
-    };
-    Points2 line(static_cast<Eigen::Index>(parts.size()) + 1, 2);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        line.row(static_cast<Eigen::Index>(i)) = at(parts[i], parts[i].from);
-    }
-    line.bottomRows<1>() = at(parts.back(), parts.back().to);
-    return side.reversed ? Points2(line.colwise().reverse()) : line;
+    return lineThrough(side, piece, Q);
+}
+
+Points3 spaceLine(const SeamSide& side, const Piece& piece) {
+    return lineThrough(side, piece, piece.mesh.V);
 }
 
 double easeOf(const Seam& seam) {

@@ -38,6 +38,9 @@ SeamMeasure measureSeam(const Seam& seam, const Piece& l, const Points2& Ql, con
 /// Flat stretch of outline as a polyline, mm, in the side's direction: its two ends and the
 /// vertices between them. Cost: linear in the outline's edges. Pure.
 Points2 flatLine(const SeamSide& side, const Piece& piece, const Points2& Q);
+/// The same stretch on the garment: a polyline in space, mm, as long as the side. Pure.
+Points3 spaceLine(const SeamSide& side, const Piece& piece);
+
 /// "seam", "dart", "fold", "free".
 std::string_view name(SeamKind kind);
 

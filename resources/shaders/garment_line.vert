@@ -6,9 +6,11 @@ uniform mat4 viewProjection;
 uniform float depthShift;  // towards the eye, in depth units: lines lie on the cloth, not in it
 
 flat out int lineFlags;
+out float lineAlong;  // dashes are drawn on the sheet only
 
 void main() {
     lineFlags = int(pieceColourAndFlags(piece).a + 0.5);
+    lineAlong = 0.0;
     gl_Position = viewProjection * vec4(position, 1.0);
     gl_Position.z -= depthShift * gl_Position.w;
 }

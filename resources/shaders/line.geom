@@ -6,6 +6,9 @@ layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
 
 flat in int lineFlags[];
+in float lineAlong[];
+
+noperspective out float millimetresAlong;
 
 uniform vec2 viewportPixels;
 uniform float lineWidth;
@@ -37,12 +40,16 @@ void main() {
     vec2 end = along * lineWidth / viewportPixels;
     vec2 side = across * lineWidth / viewportPixels;
 
+    millimetresAlong = lineAlong[0];
     gl_Position = vec4(a.xy + (-end + side) * a.w, a.zw);
     EmitVertex();
+    millimetresAlong = lineAlong[0];
     gl_Position = vec4(a.xy + (-end - side) * a.w, a.zw);
     EmitVertex();
+    millimetresAlong = lineAlong[1];
     gl_Position = vec4(b.xy + (end + side) * b.w, b.zw);
     EmitVertex();
+    millimetresAlong = lineAlong[1];
     gl_Position = vec4(b.xy + (end - side) * b.w, b.zw);
     EmitVertex();
     EndPrimitive();

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 layout(location = 0) in vec2 flatPoint;
 layout(location = 2) in float piece;
+layout(location = 3) in float along;  // mm from the line's beginning
 
 uniform mat4 viewProjection;
 
 flat out int lineFlags;
+out float lineAlong;
 
 void main() {
     lineFlags = int(pieceColourAndFlags(piece).a + 0.5);
+    lineAlong = along;
     gl_Position = viewProjection * vec4(flatPoint + pieceOffset(piece), 0.0, 1.0);
 }

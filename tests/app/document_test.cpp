@@ -97,6 +97,49 @@ private slots:
         QCOMPARE(lastChange(spy), DocumentChanges(DocumentChange::Results));
     }
 
+    void selectedSeamIsOneOfTheGarments() {
+        Document document;
+        document.setGarment(test::makeSewnCap(), nullptr);
+        QSignalSpy spy(&document, &Document::changed);
+        document.setSeam(0);
+        QCOMPARE(document.seam(), std::optional(0));
+        QCOMPARE(lastChange(spy), DocumentChanges(DocumentChange::SeamSelection));
+        document.setSeam(0);
+        QCOMPARE(spy.count(), 1);
+        document.setSeam(document.seamCount());
+        QVERIFY(!document.seam());
+        document.setSeam(0);
+        document.setGarment(twoPieces(), nullptr);
+        QVERIFY(!document.seam());
+    }
+
+    void easeIsSwappedInAndEverythingElseStays() {
+        Document document;
+        document.setGarment(test::makeSewnCap(), std::make_shared<Scene>());
+        document.setResults(PieceResults(2, std::make_shared<PieceResult>()),
+                            std::make_shared<Scene>());
+        document.setSelection({1});
+        document.setSeam(0);
+        const auto before = document.garment();
+        const auto scene = document.scene();
+        const auto revision = document.revision();
+        QSignalSpy spy(&document, &Document::changed);
+        document.setSeamEase(0, 0.04);
+        QCOMPARE(lastChange(spy), DocumentChanges(DocumentChange::Seams));
+        QCOMPARE(document.garment()->seams.seams[0].ease, std::optional(0.04));
+        QVERIFY(!before->seams.seams[0].ease);  // a job may hold it
+        QCOMPARE(document.garment()->pieces[0], before->pieces[0]);
+        QCOMPARE(document.scene(), scene);
+        QCOMPARE(document.results().size(), std::size_t(2));
+        QCOMPARE(document.selection(), Document::Selection{1});
+        QCOMPARE(document.seam(), std::optional(0));
+        QCOMPARE(document.revision(), revision);
+        document.setSeamEase(0, 0.04);
+        QCOMPARE(spy.count(), 1);
+        document.setSeamEase(0, std::nullopt);
+        QVERIFY(!document.garment()->seams.seams[0].ease);
+    }
+
     void titleIsTheFilesName() {
         Document document;
         QVERIFY(document.title().isEmpty());

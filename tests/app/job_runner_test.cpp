@@ -5,11 +5,13 @@
 #include <QTest>
 #include <QThread>
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <thread>
 
 #include "app/document/document.h"
+#include "app/jobs/flatten_job.h"
 #include "tests/app/support/garments.h"
 
 using namespace toile;
@@ -228,6 +230,20 @@ private slots:
         }
         // Either it never began or it is over: nothing works on a destroyed job.
         QCOMPARE(over.load(), begun.load());
+    }
+
+    void flatteningIsAtItsEndWhenTheSceneIsMade() {
+        Document document;
+        document.setGarment(test::makeSewnCap(), nullptr);
+        FlattenJob job(document);
+        Progress progress;
+        QVERIFY(job.process(progress));
+        QVERIFY(std::abs(progress.fraction() - 1) < 1e-12);
+        // The parts of the job share the bar: flattening alone does not fill it.
+        Progress shared;
+        shared.setShare(0, 0.5);
+        (void)flattenGarment(*document.garment(), {}, shared);
+        QVERIFY(std::abs(shared.fraction() - 0.5) < 1e-12);
     }
 };
 

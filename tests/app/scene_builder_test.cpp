@@ -48,7 +48,8 @@ Built build(double scale) {
     failed->error = pieces[1]->defect;
     const PieceResults results = {flatResult(pieces[0], plane(*pieces[0], scale, 1)), failed,
                                   flatResult(pieces[2], plane(*pieces[2], 1, 1))};
-    built.scene = buildScene(*built.garment, results, {{5, 7}, {0, 0}, {200, 7}}, Progress());
+    Progress progress;
+    built.scene = buildScene(*built.garment, results, {{5, 7}, {0, 0}, {200, 7}}, progress);
     return built;
 }
 
@@ -117,7 +118,8 @@ private slots:
     void farFromTheOriginNothingIsLost() {
         const auto garment =
             test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6, {4e7, -3e7, 1e7})}});
-        const auto scene = buildScene(*garment, {}, {}, Progress());
+        Progress progress;
+        const auto scene = buildScene(*garment, {}, {}, progress);
         const auto& vertices = scene->garment.vertices;
         QVERIFY(std::abs(vertices[1].position[0] - vertices[0].position[0] - 10.0F) < 1e-4F);
         QVERIFY(std::abs(scene->box.max().x() - 50) < 1e-4);
@@ -133,7 +135,8 @@ private slots:
 
     void beforeFlatteningThereIsTheGarmentAlone() {
         const auto garment = test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6)}});
-        const auto scene = buildScene(*garment, {}, {}, Progress());
+        Progress progress;
+        const auto scene = buildScene(*garment, {}, {}, progress);
         QCOMPARE(scene->garment.vertices.size(), std::size_t(77));
         QVERIFY(scene->pattern.vertices.empty());
         QVERIFY(scene->sheetBox.isEmpty());
@@ -161,6 +164,34 @@ private slots:
         QCOMPARE(scene->sheetBox.max().x(), 280.0);
         QCOMPARE(scene->sheetBox.min().y(), 7.0);
         QCOMPARE(scene->sheetBox.max().y(), 67.0);
+    }
+
+    void rimsOfHolesAreOutlinesInBothViews() {
+        // A sheet of 6 by 6 squares without the four in its middle.
+        MeshArrays mesh = test::makeSheet(60, 60, 6, 6);
+        Triangles kept(mesh.F.rows() - 8, 3);
+        Eigen::Index count = 0;
+        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+            const auto square = f / 2;
+            const auto row = square / 6, column = square % 6;
+            if (row < 2 || row > 3 || column < 2 || column > 3) {
+                kept.row(count++) = mesh.F.row(f);
+            }
+        }
+        // The vertex in the middle belongs to nothing now: the last takes its place.
+        const int last = static_cast<int>(mesh.V.rows()) - 1, middle = 24;
+        mesh.V.row(middle) = mesh.V.row(last);
+        mesh.V.conservativeResize(last, 3);
+        mesh.F = (kept.array() == last).select(middle, kept);
+        const auto garment = test::makeGarment({{"ring", mesh}});
+        QCOMPARE(garment->pieces[0]->holes.size(), std::size_t(1));
+        Progress progress;
+        const PieceResults results = {
+            flatResult(garment->pieces[0], plane(*garment->pieces[0], 1, 1))};
+        const auto scene = buildScene(*garment, results, {{0, 0}}, progress);
+        QCOMPARE(scene->garment.outline.size(), std::size_t(2 * (24 + 8)));
+        QCOMPARE(scene->pattern.outline.size(), std::size_t(2 * (24 + 8)));
+        QCOMPARE(progress.fraction(), 1.0);
     }
 
     void labelOfACrescentLiesInside() {

@@ -26,6 +26,9 @@ TEST(Arguments, NothingOrAFileOpensTheWindow) {
     EXPECT_EQ(parse({"dress.obj", "--screenshot", "a.png"}).screenshot, "a.png");
     EXPECT_EQ(parse({"dress.obj", "--overlay", "strain"}).overlay, Overlay::Strain);
     EXPECT_EQ(parse({}).overlay, Overlay::Checker);
+    EXPECT_EQ(parse({"dress.obj", "--panel", "seams"}).panel, Panel::Seams);
+    EXPECT_FALSE(parse({"dress.obj"}).panel);
+    EXPECT_EQ(parse({"dress.obj", "--method", "natural"}).options.method, Method::Natural);
 }
 
 TEST(Arguments, FlattenTakesManyInputsAndOutputs) {
@@ -98,6 +101,7 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         {"info"},
         {"a.obj", "flatten", "b.obj"},
         {"--overlay", "magic"},
+        {"--panel", "wardrobe"},
         {"--nonsense"},
     };
     for (const auto& typed : wrong) {

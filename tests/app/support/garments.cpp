@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/seam/find_seams.h"
+
 namespace toile::test {
 
 namespace {
@@ -57,12 +59,30 @@ MeshArrays makeBentStrip(double x) {
 }
 
 MeshArrays makeCap(double x) {
+    return makeCapPart(x, 0, 1, 16);
+}
+
+MeshArrays makeCapPart(double x, double from, double to, int columns) {
     constexpr double kRadius = 100, kOpening = std::numbers::pi / 3;
-    return makeGrid(16, 16, [&](double u, double v) -> Eigen::Vector3d {
-        const double across = (2 * u - 1) * kOpening, along = (2 * v - 1) * kOpening;
+    return makeGrid(columns, 16, [&](double u, double v) -> Eigen::Vector3d {
+        const double across = (2 * (from + u * (to - from)) - 1) * kOpening;
+        const double along = (2 * v - 1) * kOpening;
         const Eigen::Vector3d direction(std::tan(across), std::tan(along), 1);
         return Eigen::Vector3d(x, 75, 0) + kRadius * direction.normalized();
     });
+}
+
+std::vector<std::pair<std::string, MeshArrays>> sewnCapParts() {
+    MeshArrays narrow = makeCapPart(0, 0, 0.25, 4), wide = makeCapPart(0, 0.25, 1, 12);
+    narrow.V *= 2;
+    wide.V *= 2;
+    return {{"narrow", narrow}, {"wide", wide}};
+}
+
+std::shared_ptr<const Garment> makeSewnCap() {
+    auto garment = std::make_shared<Garment>(*makeGarment(sewnCapParts()));
+    garment->seams = findSeams(garment->pieces);
+    return garment;
 }
 
 MeshArrays makeTetrahedron(double size) {

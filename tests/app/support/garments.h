@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/pipeline/pipeline.h"
 
@@ -19,10 +21,19 @@ MeshArrays makeSheet(double width, double height, int columns, int rows,
 MeshArrays makeBentStrip(double x);
 /// Cap of a sphere of radius 100 mm, opening 60 degrees to either side, bulging to +z.
 MeshArrays makeCap(double x);
+/// The part of that cap between two shares of its width, 0 to 1. Parts that share a border have
+/// the same vertices there.
+MeshArrays makeCapPart(double x, double from, double to, int columns);
 /// Closed: no disk.
 MeshArrays makeTetrahedron(double size);
 
 std::shared_ptr<const Garment> makeGarment(std::vector<std::pair<std::string, MeshArrays>> pieces);
+
+/// Two unequal parts of a cap of radius 200 mm, sewn along the line between them, which is bent on
+/// either: freely flattened its two sides come out of different length. The seams are found.
+std::shared_ptr<const Garment> makeSewnCap();
+/// The same two parts, "narrow" and "wide", for a file.
+std::vector<std::pair<std::string, MeshArrays>> sewnCapParts();
 
 /// The pieces as one OBJ file, an object each, millimetres.
 void writeObj(const std::filesystem::path& path,

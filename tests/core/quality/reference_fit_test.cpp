@@ -37,5 +37,20 @@ TEST(ReferenceFit, MeasuresWhatIsLeft) {
     EXPECT_GE(fit.max, fit.rms);
 }
 
+TEST(ReferenceFit, PlacesThePanelOnThePiece) {
+    Eigen::Matrix2d turn;
+    turn << std::cos(2.0), std::sin(2.0), -std::sin(2.0), std::cos(2.0);
+    for (const double mirror : {1.0, -1.0}) {
+        Points2 panel = (flag() * turn).rowwise() + Eigen::RowVector2d(300, -20);
+        panel.col(1) *= mirror;
+        EXPECT_LT((placedReference(flag(), panel) - flag()).cwiseAbs().maxCoeff(), 1e-10);
+    }
+    // Where the two differ, the distances left are those of the fit.
+    Points2 stretched = flag();
+    stretched.col(0) *= 1.1;
+    const Eigen::VectorXd left = (placedReference(flag(), stretched) - flag()).rowwise().norm();
+    EXPECT_NEAR(left.maxCoeff(), fitToReference(flag(), stretched).max, 1e-12);
+}
+
 }  // namespace
 }  // namespace toile

@@ -68,5 +68,21 @@ TEST(SeamMeasure, AFreeEdgeHasALengthAndNoDifference) {
     EXPECT_EQ(m.errorMm, 0);
 }
 
+TEST(SeamMeasure, LinesInSpaceAreAsLongAsTheSidesAndRunTogether) {
+    const auto l = asPiece(rectangle(0, 0, 50, 140, 5, 14), "front");
+    const auto r = asPiece(rectangle(50, 0, 70, 95, 7, 9), "back");
+    const Seam seam = named(findSeams({l, r}), "front / back");
+    const auto length = [](const Points3& line) {
+        const Eigen::Index n = line.rows() - 1;
+        return (line.bottomRows(n) - line.topRows(n)).rowwise().norm().sum();
+    };
+    const Points3 left = spaceLine(seam.left, *l), right = spaceLine(seam.right, *r);
+    EXPECT_NEAR(length(left), 95, 1e-9);
+    EXPECT_NEAR(length(right), 95, 1e-9);
+    EXPECT_LT((left.topRows<1>() - right.topRows<1>()).norm(), 1e-9);
+    EXPECT_LT((left.bottomRows<1>() - right.bottomRows<1>()).norm(), 1e-9);
+    EXPECT_EQ(left.rows(), flatLine(seam.left, *l, flat(*l)).rows());
+}
+
 }  // namespace
 }  // namespace toile

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLineEdit>
+#include <QStyledItemDelegate>
+
+namespace toile {
+
+/// Edits a percentage in a table cell: empty at first where nothing is stated, with what the cell
+/// shows as a hint behind it.
+class EaseDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                          const QModelIndex& index) const override {
+        auto* editor = new QLineEdit(parent);
+        editor->setObjectName("easeEditor");
+        editor->setFrame(false);
+        editor->setAlignment(Qt::AlignRight);
+        editor->setPlaceholderText(index.data(Qt::DisplayRole).toString());
+        return editor;
+    }
+};
+
+}  // namespace toile

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/garment_summary.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+
+#include "app/document/document.h"
+#include "app/render/scene.h"
+
+namespace toile {
+
+namespace {
+
+constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre,
+                                 LengthUnit::Inch};
+/// From here on metres are easier to read.
+constexpr double kMetresFrom = 10000;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("GarmentSummary", text);
+}
+
+QString symbolOf(LengthUnit unit) {
+    const std::string_view text = symbol(unit);
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString wordOf(LengthUnit unit) {
+    switch (unit) {
+        case LengthUnit::Millimetre:
+            return tr("millimetres");
+        case LengthUnit::Centimetre:
+            return tr("centimetres");
+        case LengthUnit::Metre:
+            return tr("metres");
+        case LengthUnit::Inch:
+            return tr("inches");
+    }
+    return {};
+}
+
+QString divisionWord(SplitMode mode) {
+    switch (mode) {
+        case SplitMode::Auto:
+        case SplitMode::Components:
+            return tr("by parts");
+        case SplitMode::Objects:
+            return tr("by objects");
+        case SplitMode::Groups:
+            return tr("by groups");
+        case SplitMode::Materials:
+            return tr("by materials");
+        case SplitMode::Uv:
+            return tr("by UV");
+        case SplitMode::Seams:
+            return tr("by cuts");
+    }
+    return {};
+}
+
+/// "15 mm", "1225 mm", "14.8 m".
+QString heightText(double millimetres) {
+    const QLocale locale;
+    return millimetres < kMetresFrom
+               ? tr("%1 mm").arg(locale.toString(millimetres, 'f', millimetres < 10 ? 1 : 0)
+                                     .remove(locale.groupSeparator()))
+               : tr("%1 m").arg(locale.toString(millimetres / 1000, 'f', 1));
+}
+
+/// Box of the pieces of one file, mm.
+Eigen::Vector3d extentsOf(const Document& document, int file) {
+    Eigen::AlignedBox3d box;
+    const auto& pieces = document.garment()->pieces;
+    const auto& drawn = document.scene()->pieces;
+    for (std::size_t i = 0; i < std::min(pieces.size(), drawn.size()); ++i) {
+        if (pieces[i]->file == file) {
+            box.extend(drawn[i].box);
+        }
+    }
+    return box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.sizes());
+}
+
+void askUnit(const SourceFile& file, const Eigen::Vector3d& extents, GarmentQuestions& questions) {
+    const double perUnit = millimetresPer(file.unit);
+    questions.unitSentence =
+        tr("The garment measures %1 mm in height, read as %2 (largest extent %3). Is that right?")
+            .arg(QLocale().toString(extents.y(), 'f', 1), wordOf(file.unit),
+                 QLocale().toString(extents.maxCoeff() / perUnit, 'g', 4));
+    for (const LengthUnit unit : kUnits) {
+        questions.units.push_back(
+            {unit,
+             QString("%1: %2").arg(symbolOf(unit),
+                                   heightText(extents.y() / perUnit * millimetresPer(unit))),
+             unit == file.unit});
+    }
+}
+
+void askUpAxis(const SourceFile& file, GarmentQuestions& questions) {
+    questions.upSentence = file.up == UpAxis::Y
+                               ? tr("The garment was read as standing along y, but it may stand "
+                                    "along z. Which axis points up?")
+                               : tr("The garment was read as standing along z, but it may stand "
+                                    "along y. Which axis points up?");
+    questions.axes = {{UpAxis::Y, tr("y up"), file.up == UpAxis::Y},
+                      {UpAxis::Z, tr("z up"), file.up == UpAxis::Z}};
+}
+
+}  // namespace
+
+QString garmentSummary(const Document& document) {
+    if (!document.garment() || !document.scene()) {
+        return {};
+    }
+    QStringList units, divisions;
+    for (const auto& file : document.garment()->files) {
+        const QString unit = symbolOf(file->unit);
+        units << (file->unitReason.empty() ? unit : tr("%1 (guessed)").arg(unit));
+        divisions << divisionWord(file->split.mode);
+    }
+    units.removeDuplicates();
+    divisions.removeDuplicates();
+    const int count = document.pieceCount();
+    const double height = document.scene()->box.isEmpty() ? 0 : document.scene()->box.sizes().y();
+    return tr("height %1 · %2 · %3 %4")
+        .arg(heightText(height), units.join(", "),
+             count == 1 ? tr("1 piece") : tr("%1 pieces").arg(count), divisions.join(", "));
+}
+
+QString garmentReasons(const Document& document) {
+    if (!document.garment()) {
+        return {};
+    }
+    QStringList lines;
+    const auto& files = document.garment()->files;
+    for (const auto& file : files) {
+        if (files.size() > 1) {
+            lines << QString::fromStdU16String(file->path.filename().u16string());
+        }
+        const auto add = [&lines](const QString& what, const std::string& reason,
+                                  const QString& stated) {
+            lines << tr("%1: %2").arg(what,
+                                      reason.empty() ? stated : QString::fromStdString(reason));
+        };
+        add(tr("Unit"), file->unitReason, tr("%1, as stated").arg(wordOf(file->unit)));
+        add(tr("Up axis"), file->upReason,
+            file->up == UpAxis::Y ? tr("y, as stated") : tr("z, as stated"));
+        add(tr("Pieces"), file->split.reason,
+            tr("%1, as stated").arg(divisionWord(file->split.mode)));
+    }
+    return lines.join('\n');
+}
+
+GarmentQuestions garmentQuestions(const Document& document) {
+    GarmentQuestions questions;
+    if (!document.garment() || !document.scene()) {
+        return questions;
+    }
+    int index = 0;
+    for (const auto& file : document.garment()->files) {
+        if (file->unitInDoubt && questions.units.empty()) {
+            askUnit(*file, extentsOf(document, index), questions);
+        }
+        if (file->upInDoubt && questions.axes.empty()) {
+            askUpAxis(*file, questions);
+        }
+        ++index;
+    }
+    return questions;
+}
+
+}  // namespace toile

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "app/widgets/garment_card.h"
+
+namespace toile {
+
+class Document;
+
+/// What was assumed about the garment's files, in a person's words.
+
+/// "height 1225 mm · cm (guessed) · 13 pieces by UV". Empty where nothing is open.
+QString garmentSummary(const Document& document);
+/// Why: unit, up axis and division of every file, a line each.
+QString garmentReasons(const Document& document);
+/// What to ask the person: the unit and the up axis of the first file where they are in doubt.
+GarmentQuestions garmentQuestions(const Document& document);
+
+}  // namespace toile

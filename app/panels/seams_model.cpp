@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/seams_model.h"
+
+#include <QApplication>
+#include <QBrush>
+#include <QFont>
+#include <QPalette>
+#include <cmath>
+
+#include "app/document/document.h"
+#include "app/panels/figures.h"
+#include "app/panels/seam_fit.h"
+#include "app/panels/seam_summary.h"
+
+namespace toile {
+
+namespace {
+
+constexpr QChar kDash(0x2013);
+/// Tint behind an error: strong enough to be seen, weak enough to be read on.
+constexpr float kTint = 0.30F;
+
+constexpr bool isNumber(int column) {
+    return column == SeamsModel::Number ||
+           (column >= SeamsModel::Length3d && column <= SeamsModel::Error);
+}
+
+QString kindWord(SeamKind kind) {
+    switch (kind) {
+        case SeamKind::Seam:
+            return SeamsModel::tr("seam");
+        case SeamKind::Dart:
+            return SeamsModel::tr("dart");
+        case SeamKind::Fold:
+            return SeamsModel::tr("pleat");
+        case SeamKind::Free:
+            return SeamsModel::tr("free edge");
+    }
+    return {};
+}
+
+}  // namespace
+
+SeamsModel::SeamsModel(const Document& document, QObject* parent)
+    : QAbstractTableModel(parent), document_(document) {
+    connect(&document_, &Document::changed, this, &SeamsModel::onChanged);
+}
+
+void SeamsModel::onChanged(DocumentChanges what) {
+    if (what.testFlag(DocumentChange::Garment)) {
+        beginResetModel();
+        measureAll();
+        endResetModel();
+    } else if ((what & (DocumentChange::Results | DocumentChange::Seams)) && rowCount() > 0) {
+        measureAll();
+        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    }
+}
+
+void SeamsModel::measureAll() {
+    measures_.clear();
+    for (int i = 0; i < document_.seamCount(); ++i) {
+        measures_.push_back(measured(*document_.garment(), document_.results(), i));
+    }
+}
+
+int SeamsModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(measures_.size());
+}
+
+int SeamsModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+const Seam& SeamsModel::seam(int row) const {
+    return document_.garment()->seams.seams[static_cast<std::size_t>(row)];
+}
+
+Qt::ItemFlags SeamsModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
+    const bool eased =
+        index.isValid() && index.column() == Ease && seam(index.row()).kind != SeamKind::Free;
+    return eased ? usual | Qt::ItemIsEditable : usual;
+}
+
+bool SeamsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role != Qt::EditRole || !flags(index).testFlag(Qt::ItemIsEditable)) {
+        return false;
+    }
+    const std::optional<EnteredPercent> ease = parsePercent(value.toString());
+    if (!ease) {
+        return false;
+    }
+    emit easeWanted(index.row(), ease->fraction);
+    return true;
+}
+
+QVariant SeamsModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= rowCount()) {
+        return {};
+    }
+    const int row = index.row(), column = index.column();
+    const bool stated = column == Ease && seam(row).ease.has_value();
+    switch (role) {
+        case Qt::DisplayRole:
+            return text(row, column);
+        case Qt::EditRole:
+            return stated ? text(row, column) : QString();
+        case Qt::ToolTipRole:
+            return tip(row, column);
+        case Qt::DecorationRole:
+            return column == Fit
+                       ? QVariant(fitMark(seamFit(seam(row), measures_[std::size_t(row)])))
+                       : QVariant();
+        case Qt::TextAlignmentRole:
+            return int((isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        case Qt::BackgroundRole:
+            return background(row, column);
+        case Qt::FontRole: {
+            QFont font = QApplication::font("QAbstractItemView");
+            font.setBold(stated);
+            return column == Ease ? QVariant(font) : QVariant();
+        }
+        case Qt::ForegroundRole:
+            return column == Ease && !stated
+                       ? QVariant(QApplication::palette().brush(QPalette::PlaceholderText))
+                       : QVariant();
+        case SortRole:
+            return sortValue(row, column);
+        case FreeRole:
+            return seam(row).kind == SeamKind::Free;
+        default:
+            return {};
+    }
+}
+
+QVariant SeamsModel::background(int row, int column) const {
+    const SeamFit fit = seamFit(seam(row), measures_[static_cast<std::size_t>(row)]);
+    if (column != Error || fit == SeamFit::Unknown) {
+        return {};
+    }
+    QColor tint = fitColour(fit);
+    tint.setAlphaF(kTint);
+    return QBrush(tint);
+}
+
+QString SeamsModel::text(int row, int column) const {
+    const Seam& asked = seam(row);
+    switch (column) {
+        case Number:
+            return QString::number(row + 1);
+        case Name:
+            return QString::fromStdString(asked.name);
+        case Kind:
+            return kindWord(asked.kind);
+        case Length3d: {
+            const QString left = millimetres(asked.length3d[0]);
+            const QString right = millimetres(asked.length3d[1]);
+            return asked.kind == SeamKind::Free || left == right ? left
+                                                                 : tr("%1 / %2").arg(left, right);
+        }
+        default:
+            return measuredText(row, column);
+    }
+}
+
+QString SeamsModel::measuredText(int row, int column) const {
+    const Seam& asked = seam(row);
+    const auto& measure = measures_[static_cast<std::size_t>(row)];
+    const bool sewn = asked.kind != SeamKind::Free;
+    if (column == Ease) {
+        return sewn ? signedNumber(100 * easeOf(asked), 1) : QString(kDash);
+    }
+    if (!measure || (column > FlatLeft && !sewn)) {
+        return column == Fit ? QString() : QString(kDash);
+    }
+    switch (column) {
+        case FlatLeft:
+            return millimetres(measure->length2dLeft);
+        case FlatRight:
+            return millimetres(measure->length2dRight);
+        case Difference:
+            return signedNumber(measure->deltaMm, 2);
+        case Error:
+            return signedNumber(measure->errorMm, 2);
+        case Fit:
+            return fitWord(seamFit(asked, measure));
+        default:
+            return {};
+    }
+}
+
+QString SeamsModel::tip(int row, int column) const {
+    const Seam& asked = seam(row);
+    if (column != Ease || asked.kind == SeamKind::Free) {
+        return column == Name && asked.stacked
+                   ? tr("%1: a third layer in a seam of two").arg(text(row, column))
+                   : text(row, column);
+    }
+    return asked.ease
+               ? tr("Stated by you. Delete takes the ease from the 3D lengths again.")
+               : tr("From the 3D lengths. Double click or press F2 to state the ease you want.");
+}
+
+QVariant SeamsModel::sortValue(int row, int column) const {
+    const Seam& asked = seam(row);
+    const auto& measure = measures_[static_cast<std::size_t>(row)];
+    switch (column) {
+        case Number:
+            return row;
+        case Length3d:
+            return asked.length3d[0];
+        case FlatLeft:
+            return measure ? measure->length2dLeft : -1;
+        case FlatRight:
+            return measure ? measure->length2dRight : -1;
+        case Difference:
+            return measure ? measure->deltaMm : 0;
+        case Ease:
+            return easeOf(asked);
+        case Error:
+        case Fit:
+            // As shown, so that rounding noise does not shuffle seams that all match.
+            return measure && asked.kind != SeamKind::Free
+                       ? std::round(100 * std::abs(measure->errorMm))
+                       : -1;
+        default:
+            return text(row, column);
+    }
+}
+
+QString SeamsModel::summary() const {
+    return measures_.empty() ? QString() : seamSummary(document_.garment()->seams, measures_);
+}
+
+QVariant SeamsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    struct Header {
+        QString title, tip;
+    };
+    const Header headers[ColumnCount] = {
+        {tr("No."), tr("Number of the seam in the garment")},
+        {tr("Seam"), tr("The pieces sewn together; the left one is named first")},
+        {tr("Kind"), tr("Seam, dart, pleat, or a free edge that is sewn to nothing")},
+        {tr("3D mm"), tr("Length on the garment; left / right where they differ")},
+        {tr("Flat left mm"), tr("Length of the left piece's edge in the pattern")},
+        {tr("Flat right mm"), tr("Length of the right piece's edge in the pattern")},
+        {tr("Difference mm"), tr("Flat left less flat right: what must be eased in when sewing")},
+        {tr("Ease %"), tr("How much longer the left edge is meant to be. Grey: as on the garment; "
+                          "bold: stated by you. Double click or F2 to state it, Delete to take it "
+                          "from the garment")},
+        {tr("Error mm"), tr("What is left of the difference when the ease is taken out")},
+        {tr("Fit"), tr("Matches: up to 0.5 mm; nearly: up to 1.6 mm; does not match: more")},
+    };
+    switch (role) {
+        case Qt::DisplayRole:
+            return headers[section].title;
+        case Qt::ToolTipRole:
+            return headers[section].tip;
+        case Qt::TextAlignmentRole:
+            return int((isNumber(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        default:
+            return {};
+    }
+}
+
+}  // namespace toile

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+#include "app/document/document_change.h"
+#include "core/seam/seam_measure.h"
+
+namespace toile {
+
+class Document;
+struct Seam;
+
+/// The document's seams and free edges as a table: row i is seam i, measured on the flat pieces.
+/// The ease of a seam can be edited, in percent; the model asks for it and shows what comes of it.
+class SeamsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column {
+        Number,
+        Name,
+        Kind,
+        Length3d,
+        FlatLeft,
+        FlatRight,
+        Difference,
+        Ease,
+        Error,
+        Fit,
+        ColumnCount
+    };
+    static constexpr int SortRole = Qt::UserRole;
+    static constexpr int FreeRole = Qt::UserRole + 1;  ///< bool: a free edge
+
+    explicit SeamsModel(const Document& document, QObject* parent = nullptr);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+    /// One line about all seams: "26 seams · worst 0.00 mm". Empty where there is none.
+    QString summary() const;
+
+signals:
+    /// @param ease a part of the right side's length; none: as the 3D lengths have it
+    void easeWanted(int seam, std::optional<double> ease);
+
+private:
+    void onChanged(DocumentChanges what);
+    void measureAll();
+    const Seam& seam(int row) const;
+    QString text(int row, int column) const;
+    QString measuredText(int row, int column) const;
+    QString tip(int row, int column) const;
+    QVariant sortValue(int row, int column) const;
+    QVariant background(int row, int column) const;
+
+    const Document& document_;
+    std::vector<std::optional<SeamMeasure>> measures_;  ///< one per seam
+};
+
+}  // namespace toile

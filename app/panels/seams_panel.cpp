@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/seams_panel.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScopedValueRollback>
+#include <QShortcut>
+#include <QSortFilterProxyModel>
+#include <QStackedWidget>
+#include <QTreeView>
+#include <algorithm>
+
+#include "app/document/document.h"
+#include "app/panels/cuts_panel.h"
+#include "app/panels/ease_delegate.h"
+#include "app/panels/seams_model.h"
+
+namespace toile {
+
+/// Sorts the seams and leaves free edges out unless they are asked for.
+class SeamsPanel::Filter : public QSortFilterProxyModel {
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+
+    void showFree(bool shown) {
+        showsFree_ = shown;
+        invalidateFilter();
+    }
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
+        const QModelIndex index = sourceModel()->index(row, 0, parent);
+        return showsFree_ || !index.data(SeamsModel::FreeRole).toBool();
+    }
+
+private:
+    bool showsFree_ = false;
+};
+
+SeamsPanel::SeamsPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      model_(new SeamsModel(document, this)),
+      sorted_(new Filter(this)),
+      table_(new QTreeView(this)),
+      summary_(new QLabel(this)),
+      empty_(new QLabel(this)),
+      free_(new QCheckBox(tr("Show free edges"), this)),
+      pages_(new QStackedWidget(this)) {
+    makeTable();
+    empty_->setObjectName("seamsEmpty");
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setWordWrap(true);
+    empty_->setContentsMargins(24, 8, 24, 8);
+    pages_->addWidget(table_);
+    pages_->addWidget(empty_);
+
+    auto* ledger = new QVBoxLayout;
+    ledger->setSpacing(0);
+    ledger->addWidget(makeHead());
+    ledger->addWidget(pages_, 1);
+    auto* cuts = new CutsPanel(document, this);
+    cuts->setMinimumWidth(300);
+    cuts->setMaximumWidth(460);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addLayout(ledger, 3);
+    layout->addWidget(cuts, 1);
+
+    connect(model_, &SeamsModel::easeWanted, this, &SeamsPanel::easeWanted);
+    // After the model's own connection: its rows are the new ones by then.
+    connect(&document_, &Document::changed, this, &SeamsPanel::onChanged);
+    updateHead();
+}
+
+QWidget* SeamsPanel::makeHead() {
+    auto* head = new QWidget(this);
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(8, 3, 8, 3);
+    summary_->setObjectName("seamSummary");
+    QFont strong = summary_->font();
+    strong.setWeight(QFont::DemiBold);
+    summary_->setFont(strong);
+    free_->setObjectName("showFreeEdges");
+    free_->setToolTip(tr("Also list hems, openings and other edges that are sewn to nothing"));
+    connect(free_, &QCheckBox::toggled, this, &SeamsPanel::showFreeEdges);
+    row->addWidget(summary_, 1);
+    row->addWidget(free_);
+    return head;
+}
+
+void SeamsPanel::makeTable() {
+    sorted_->setSourceModel(model_);
+    sorted_->setSortRole(SeamsModel::SortRole);
+    table_->setObjectName("seamTable");
+    table_->setAccessibleName(tr("Seams"));
+    table_->setModel(sorted_);
+    table_->setRootIsDecorated(false);
+    table_->setUniformRowHeights(true);
+    table_->setAlternatingRowColors(true);
+    table_->setAllColumnsShowFocus(true);
+    table_->setFrameShape(QFrame::NoFrame);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    table_->setItemDelegateForColumn(SeamsModel::Ease, new EaseDelegate(table_));
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(SeamsModel::Error, Qt::DescendingOrder);  // the worst first
+    table_->header()->setMinimumSectionSize(48);
+    connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &SeamsPanel::selectInDocument);
+    connect(table_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
+        if (!(index.flags() & Qt::ItemIsEditable)) {
+            emit activated();
+        }
+    });
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
+        connect(new QShortcut(key, table_, {}, {}, Qt::WidgetShortcut), &QShortcut::activated, this,
+                &SeamsPanel::activated);
+    }
+}
+
+void SeamsPanel::onChanged(DocumentChanges what) {
+    if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Seams)) {
+        updateHead();
+        fitColumns();
+    }
+    if (what & (DocumentChange::Garment | DocumentChange::SeamSelection)) {
+        selectInTable();
+    }
+}
+
+void SeamsPanel::showFreeEdges(bool shown) {
+    sorted_->showFree(shown);
+    updateHead();
+    fitColumns();
+}
+
+void SeamsPanel::updateHead() {
+    const QString summary = model_->summary();
+    summary_->setText(summary.isEmpty() ? tr("No seams") : summary);
+    empty_->setText(
+        tr("No two edges of this garment lie on each other, so nothing is sewn. "
+           "“Show free edges” lists the edges there are."));
+    pages_->setCurrentWidget(sorted_->rowCount() > 0 ? static_cast<QWidget*>(table_) : empty_);
+}
+
+void SeamsPanel::fitColumns() {
+    constexpr int kAir = 4, kLongestName = 380;
+    // The last column takes what is left: figures stand beside the names they belong to.
+    for (int column = 0; column < SeamsModel::Fit; ++column) {
+        table_->resizeColumnToContents(column);
+        const int width = table_->columnWidth(column) + kAir;
+        table_->setColumnWidth(column,
+                               column == SeamsModel::Name ? std::min(width, kLongestName) : width);
+    }
+}
+
+void SeamsPanel::selectInTable() {
+    if (synchronizing_) {
+        return;
+    }
+    const QScopedValueRollback guard(synchronizing_, true);
+    QModelIndex index;
+    if (const std::optional<int> seam = document_.seam()) {
+        index = sorted_->mapFromSource(model_->index(*seam, SeamsModel::Name));
+    }
+    if (!index.isValid()) {
+        table_->selectionModel()->clearSelection();
+        return;
+    }
+    table_->selectionModel()->setCurrentIndex(
+        index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    table_->scrollTo(index);
+}
+
+void SeamsPanel::selectInDocument() {
+    if (synchronizing_) {
+        return;
+    }
+    const QScopedValueRollback guard(synchronizing_, true);
+    const QModelIndexList rows = table_->selectionModel()->selectedRows();
+    document_.setSeam(rows.isEmpty() ? std::optional<int>()
+                                     : sorted_->mapToSource(rows.front()).row());
+}
+
+void SeamsPanel::editEase() {
+    if (const std::optional<int> seam = document_.seam()) {
+        const QModelIndex index = sorted_->mapFromSource(model_->index(*seam, SeamsModel::Ease));
+        if (index.flags() & Qt::ItemIsEditable) {
+            table_->setFocus();
+            table_->setCurrentIndex(index);
+            table_->edit(index);
+        }
+    }
+}
+
+}  // namespace toile

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/document/document_change.h"
+
+class QCheckBox;
+class QLabel;
+class QSortFilterProxyModel;
+class QStackedWidget;
+class QTreeView;
+
+namespace toile {
+
+class Document;
+class SeamsModel;
+
+/// The seam ledger: every seam with the lengths of its two sides, the worst first, and beside it
+/// the cuts that were made. The table's selected row is the document's selected seam.
+class SeamsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SeamsPanel(Document& document, QWidget* parent = nullptr);
+
+    QTreeView& table() { return *table_; }
+    /// Opens the editor for the selected seam's ease; does nothing where no seam is selected.
+    void editEase();
+
+signals:
+    /// A seam was double-clicked or Enter pressed on it: it is to be shown.
+    void activated();
+    /// @param ease a part of the right side's length; none: as the 3D lengths have it
+    void easeWanted(int seam, std::optional<double> ease);
+
+private:
+    QWidget* makeHead();
+    void makeTable();
+    void onChanged(DocumentChanges what);
+    void showFreeEdges(bool shown);
+    void updateHead();
+    void fitColumns();
+    void selectInTable();
+    void selectInDocument();
+
+    class Filter;
+
+    Document& document_;
+    SeamsModel* model_;
+    Filter* sorted_;
+    QTreeView* table_;
+    QLabel *summary_, *empty_;
+    QCheckBox* free_;
+    QStackedWidget* pages_;       ///< the table, or why it is empty
+    bool synchronizing_ = false;  ///< keeps the two selections from answering each other
+};
+
+}  // namespace toile

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/widgets/garment_card.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace toile {
+
+GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
+    setObjectName("garmentCard");
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::AlternateBase);
+    unit_ = makeRow("unitQuestion");
+    up_ = makeRow("upQuestion");
+    auto* keep = new QPushButton(tr("&Keep"), this);
+    keep->setObjectName("keepGuess");
+    keep->setToolTip(tr("The guess is right: do not ask again about this garment"));
+    connect(keep, &QPushButton::clicked, this, &GarmentCard::keep);
+
+    auto* rows = new QVBoxLayout;
+    rows->setSpacing(4);
+    rows->addWidget(unit_.widget);
+    rows->addWidget(up_.widget);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(14, 6, 10, 6);
+    layout->setSpacing(12);
+    layout->addLayout(rows, 1);
+    layout->addWidget(keep, 0, Qt::AlignVCenter);
+    hide();
+}
+
+GarmentCard::Row GarmentCard::makeRow(const char* name) {
+    Row row{new QWidget(this), new QLabel(this)};
+    row.widget->setObjectName(name);
+    row.sentence->setWordWrap(true);
+    auto* layout = new QHBoxLayout(row.widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(12);
+    layout->addWidget(row.sentence, 1);
+    return row;
+}
+
+template <class Value, class Chosen>
+void GarmentCard::fillRow(Row& row, const QString& sentence,
+                          const std::vector<CardChoice<Value>>& choices, const Chosen& chosen) {
+    row.sentence->setText(sentence);
+    row.widget->setVisible(!choices.empty());
+    if (row.buttons) {
+        // One of them may be the sender.
+        row.buttons->hide();
+        row.buttons->deleteLater();
+    }
+    row.buttons = new QWidget(row.widget);
+    auto* layout = new QHBoxLayout(row.buttons);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(6);
+    for (const auto& choice : choices) {
+        auto* button = new QPushButton(choice.text, row.buttons);
+        button->setCheckable(true);
+        button->setChecked(choice.present);
+        connect(button, &QPushButton::clicked, this,
+                [this, choice, chosen] { choice.present ? keep() : chosen(choice.value); });
+        layout->addWidget(button);
+    }
+    row.widget->layout()->addWidget(row.buttons);
+    row.buttons->setVisible(true);
+}
+
+void GarmentCard::ask(const GarmentQuestions& questions) {
+    fillRow(unit_, questions.unitSentence, questions.units,
+            [this](LengthUnit unit) { emit unitChosen(unit); });
+    fillRow(up_, questions.upSentence, questions.axes,
+            [this](UpAxis axis) { emit upAxisChosen(axis); });
+    setVisible(!questions.empty());
+}
+
+QString GarmentCard::sentence() const {
+    return unit_.sentence->text() + up_.sentence->text();
+}
+
+void GarmentCard::keep() {
+    hide();
+    emit kept();
+}
+
+}  // namespace toile

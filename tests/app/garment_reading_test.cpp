@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QLabel>
+#include <QPushButton>
+#include <QTreeView>
+#include <fstream>
+
+#include "app/panels/pieces_model.h"
+#include "app/render/gl_support.h"
+#include "app/render/scene.h"
+#include "app/resources.h"
+#include "app/widgets/garment_card.h"
+#include "tests/app/support/garments.h"
+#include "tests/app/support/window_fixture.h"
+
+using namespace toile;
+
+namespace {
+
+/// Two sheets that touch, 240 by 220 in all, `scale` times as large, as islands of a UV map.
+void writeWithUv(const std::string& path, double scale) {
+    std::ofstream out(path);
+    out << "o shirt\n";
+    Eigen::Index first = 1;
+    for (const auto& [name, mesh] :
+         {std::pair{"left", test::makeSheet(150, 220, 6, 8)},
+          std::pair{"right", test::makeSheet(90, 220, 4, 8, {150, 0, 0})}}) {
+        for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+            out << "v " << scale * mesh.V(v, 0) << ' ' << scale * mesh.V(v, 1) << ' '
+                << scale * mesh.V(v, 2) << "\nvt " << mesh.V(v, 0) / 500 << ' '
+                << mesh.V(v, 1) / 500 << '\n';
+        }
+        out << "g " << name << '\n';
+        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+            out << 'f';
+            for (int k = 0; k < 3; ++k) {
+                out << ' ' << mesh.F(f, k) + first << '/' << mesh.F(f, k) + first;
+            }
+            out << '\n';
+        }
+        first += mesh.V.rows();
+    }
+}
+
+}  // namespace
+
+/// How a garment is read, and what the window asks and offers about it.
+class GarmentReadingTest : public QObject {
+    Q_OBJECT
+
+private:
+    test::WindowFixture fixture_;
+
+    Document& document() { return fixture_.document(); }
+    GarmentCard& card() { return fixture_.window().card(); }
+    QString summary() { return fixture_.find<QLabel>("garmentSummary").text(); }
+
+    QPushButton* cardButton(const QString& text) {
+        for (auto* button : card().findChildren<QPushButton*>()) {
+            if (button->text() == text && button->isVisible()) {
+                return button;
+            }
+        }
+        return nullptr;
+    }
+
+private slots:
+    void initTestCase() {
+        loadResources();
+        QLocale::setDefault(QLocale::c());
+        if (!glProblem().isEmpty()) {
+            QSKIP("no OpenGL 3.3 context can be made here");
+        }
+        // 12 units wide: a shirt for a doll in centimetres?
+        writeWithUv(fixture_.path("small.obj").toStdString(), 0.05);
+        writeWithUv(fixture_.path("sure.obj").toStdString(), 2.0);
+        // Flatter along y than along z, and not by enough.
+        test::writeObj(fixture_.path("lying.obj").toStdString(),
+                       {{"top", test::makeSheet(900, 260, 4, 4)},
+                        {"far", test::makeSheet(900, 20, 4, 4, {0, 0, 520})}});
+    }
+
+    void init() { fixture_.open(); }
+
+    void cleanup() { fixture_.close(); }
+
+    void nothingIsAskedWhereThereIsNoDoubt() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
+        QVERIFY(!card().isVisible());
+        QCOMPARE(summary(), QString("height 440 mm · mm (guessed) · 2 pieces by UV"));
+        const QString reasons = fixture_.find<QLabel>("garmentSummary").toolTip();
+        QVERIFY(reasons.contains("largest extent 480, read as millimetres"));
+        QVERIFY(reasons.contains("Up axis: "));
+        QCOMPARE(reasons.count('\n'), 2);
+    }
+
+    void aDoubtfulUnitIsAskedForAndTheAnswerReadsAgain() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("small.obj")));
+        QVERIFY(card().isVisible());
+        QVERIFY(card().sentence().contains("110.0 mm in height, read as centimetres"));
+        QVERIFY(card().sentence().contains("(largest extent 12)"));
+        QVERIFY(cardButton("cm: 110 mm")->isChecked());
+        QVERIFY(!cardButton("in: 279 mm")->isChecked());
+        QVERIFY(cardButton("m: 11.0 m") && cardButton("mm: 11 mm"));
+        QVERIFY(!fixture_.find<QWidget>("upQuestion").isVisible());
+
+        QTest::mouseClick(cardButton("in: 279 mm"), Qt::LeftButton);
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().garment()->files[0]->unit, LengthUnit::Inch);
+        QVERIFY(!card().isVisible());
+        QCOMPARE(summary(), QString("height 279 mm · in · 2 pieces by UV"));
+        QVERIFY(fixture_.action(ActionId::UnitInch).isChecked());
+
+        // Another garment has another unit.
+        QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
+        QCOMPARE(document().garment()->files[0]->unit, LengthUnit::Millimetre);
+        QVERIFY(fixture_.action(ActionId::UnitAuto).isChecked());
+    }
+
+    void keepHidesTheCardAlsoAfterReadingAgain() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("small.obj")));
+        QTest::mouseClick(&fixture_.find<QPushButton>("keepGuess"), Qt::LeftButton);
+        QVERIFY(!card().isVisible());
+        QVERIFY(!fixture_.workspace().jobs().isBusy());
+        fixture_.action(ActionId::Reload).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(!card().isVisible());
+        QCOMPARE(document().garment()->files[0]->unit, LengthUnit::Centimetre);
+    }
+
+    void aDoubtfulUpAxisIsAskedFor() {
+        fixture_.workspace().setUnit(LengthUnit::Millimetre);
+        QVERIFY(fixture_.openAndWait(fixture_.path("lying.obj")));
+        QVERIFY(document().garment()->files[0]->upInDoubt);
+        QVERIFY(card().isVisible());
+        QVERIFY(!fixture_.find<QWidget>("unitQuestion").isVisible());
+        QVERIFY(cardButton("y up")->isChecked());
+        QTest::mouseClick(cardButton("z up"), Qt::LeftButton);
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().garment()->files[0]->up, UpAxis::Z);
+        QVERIFY(!card().isVisible());
+        QVERIFY(fixture_.action(ActionId::UpZ).isChecked());
+        QVERIFY(summary().startsWith("height 520 mm"));
+    }
+
+    void menuDividesAgain() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
+        QVERIFY(fixture_.action(ActionId::SplitAuto).isChecked());
+        QCOMPARE(document().pieceCount(), 2);
+        fixture_.action(ActionId::Weld).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(fixture_.workspace().loading().weld);
+        QCOMPARE(document().pieceCount(), 2);  // islands stay apart
+        fixture_.action(ActionId::SplitComponents).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().pieceCount(), 1);
+        QVERIFY(fixture_.action(ActionId::SplitComponents).isChecked());
+        QVERIFY(!fixture_.action(ActionId::SplitAuto).isChecked());
+        QVERIFY(summary().endsWith("1 piece by parts"));
+        fixture_.action(ActionId::SplitGroups).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().pieceCount(), 2);
+        QVERIFY(summary().endsWith("2 pieces by groups"));
+    }
+
+    void aReadingThatFailsLeavesTheMenuAsTheGarmentWasRead() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
+        QFile::copy(fixture_.path("sure.obj"), fixture_.path("gone.obj"));
+        QVERIFY(fixture_.openAndWait(fixture_.path("gone.obj")));
+        QVERIFY(QFile::remove(fixture_.path("gone.obj")));
+        fixture_.action(ActionId::UnitMetre).trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture_.workspace().jobs().isBusy(), 30000);
+        QVERIFY(fixture_.action(ActionId::UnitAuto).isChecked());
+        QVERIFY(!fixture_.workspace().loading().unit);
+    }
+
+    void designersOutlineIsThereWhereTheFileHasPanels() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
+        QAction& action = fixture_.action(ActionId::DesignerOutline);
+        QVERIFY(action.isEnabled() && !action.isChecked());
+        const Scene& scene = *document().scene();
+        QCOMPARE(scene.patternLines.runs.designer.size(), std::size_t(2));
+        // A flat panel flattens to itself: the outline lies on the piece's, closed.
+        const VertexRun run = scene.patternLines.runs.designer[0];
+        const auto& first = scene.patternLines.vertices[run.first];
+        const auto& last = scene.patternLines.vertices[run.first + run.count - 1];
+        QCOMPARE(first.flat[0], last.flat[0]);
+        QVERIFY(std::abs(last.along - 2 * (300 + 440)) < 0.1F);
+        Eigen::AlignedBox2d box;
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+            const auto& flat = scene.patternLines.vertices[i].flat;
+            box.extend(Eigen::Vector2d(double(flat[0]), double(flat[1])));
+        }
+        QVERIFY((box.min() - scene.pieces[0].flatBox.min()).norm() < 0.1);
+        QVERIFY((box.max() - scene.pieces[0].flatBox.max()).norm() < 0.1);
+
+        const QImage without = fixture_.patternPicture();
+        action.trigger();
+        QVERIFY(document().view().designerOutline);
+        QVERIFY(fixture_.patternPicture() != without);
+        const auto& table = fixture_.find<QTreeView>("pieceTable");
+        QVERIFY(!table.isColumnHidden(PiecesModel::DesignerRms));
+        QCOMPARE(table.model()->index(0, PiecesModel::DesignerRms).data().toString(),
+                 QString("0.00"));
+
+        test::writeObj(fixture_.path("plain.obj").toStdString(),
+                       {{"strip", test::makeSheet(300, 400, 4, 4)}});
+        QVERIFY(fixture_.openAndWait(fixture_.path("plain.obj")));
+        QVERIFY(!action.isEnabled());
+        QVERIFY(table.isColumnHidden(PiecesModel::DesignerMax));
+    }
+};
+
+int main(int argc, char** argv) {
+    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
+    QApplication application(argc, argv);
+    GarmentReadingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "garment_reading_test.moc"

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTreeView>
+#include <QTreeWidget>
+#include <QWheelEvent>
+
+#include "app/actions/garment_actions.h"
+#include "app/panels/seams_model.h"
+#include "app/render/gl_support.h"
+#include "app/render/render_style.h"
+#include "app/render/scene.h"
+#include "app/resources.h"
+#include "app/widgets/banner.h"
+#include "tests/app/support/garments.h"
+#include "tests/app/support/window_fixture.h"
+
+using namespace toile;
+
+namespace {
+
+int countPixels(const QImage& image, const QColor& colour) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            count += std::abs(pixel.red() - colour.red()) < 20 &&
+                     std::abs(pixel.green() - colour.green()) < 20 &&
+                     std::abs(pixel.blue() - colour.blue()) < 20;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+/// The ledger in the window: a cap of two parts, freely flattened, so that its seam does not match.
+class SeamLedgerTest : public QObject {
+    Q_OBJECT
+
+private:
+    test::WindowFixture fixture_;
+
+    Document& document() { return fixture_.document(); }
+    QTreeView& table() { return fixture_.find<QTreeView>("seamTable"); }
+    QModelIndex cell(int row, int column) { return table().model()->index(row, column); }
+    QPoint middleOf(const QModelIndex& index) { return table().visualRect(index).center(); }
+
+private slots:
+    void initTestCase() {
+        loadResources();
+        QLocale::setDefault(QLocale::c());
+        if (!glProblem().isEmpty()) {
+            QSKIP("no OpenGL 3.3 context can be made here");
+        }
+        test::writeObj(fixture_.path("cap.obj").toStdString(), test::sewnCapParts());
+        test::writeObj(fixture_.path("tube.obj").toStdString(),
+                       {{"tetrahedron", test::makeTetrahedron(300)}});
+        test::writeObj(fixture_.path("alone.obj").toStdString(),
+                       {{"strip", test::makeBentStrip(0)}});
+    }
+
+    void init() {
+        fixture_.open();
+        fixture_.workspace().setUnit(LengthUnit::Millimetre);
+        fixture_.workspace().setMethod(Method::Natural);
+        QVERIFY(fixture_.openAndWait(fixture_.path("cap.obj")));
+        fixture_.action(ActionId::GoToSeams).trigger();
+    }
+
+    void cleanup() { fixture_.close(); }
+
+    void seamsAreListedAndFreeEdgesOnDemand() {
+        QVERIFY(table().isVisible());
+        QCOMPARE(table().model()->rowCount(), 1);
+        auto& summary = fixture_.find<QLabel>("seamSummary");
+        QVERIFY(summary.text().contains("1 does not match"));
+        QTest::mouseClick(&fixture_.find<QCheckBox>("showFreeEdges"), Qt::LeftButton, {}, {8, 8});
+        QVERIFY(table().model()->rowCount() > 1);
+        // The seam is the worst and so the first, whatever free edges there are.
+        QCOMPARE(cell(0, SeamsModel::Kind).data().toString(), QString("seam"));
+        fixture_.action(ActionId::MethodWang2005).trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(summary.text() == "1 seam · worst 0.00 mm", 30000);
+    }
+
+    void aSelectedSeamLightsUpInBothViews() {
+        const QColor yellow = renderStyle(fixture_.window().palette()).seam;
+        const int before3d = countPixels(fixture_.garmentPicture(), yellow);
+        const int before2d = countPixels(fixture_.patternPicture(), yellow);
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {},
+                          middleOf(cell(0, SeamsModel::Name)));
+        QCOMPARE(document().seam(), std::optional(0));
+        QVERIFY(countPixels(fixture_.garmentPicture(), yellow) > before3d + 200);
+        QVERIFY(countPixels(fixture_.patternPicture(), yellow) > before2d + 400);
+        fixture_.action(ActionId::SelectNone).trigger();
+        QVERIFY(!document().seam());
+        QCOMPARE(countPixels(fixture_.patternPicture(), yellow), before2d);
+        QVERIFY(table().selectionModel()->selectedRows().isEmpty());
+    }
+
+    void arrowKeysWalkThroughTheSeams() {
+        fixture_.find<QCheckBox>("showFreeEdges").setChecked(true);
+        table().setFocus();
+        table().setCurrentIndex(cell(0, SeamsModel::Name));
+        QCOMPARE(document().seam(), std::optional(0));
+        QTest::keyClick(&table(), Qt::Key_Down);
+        QVERIFY(document().seam() && *document().seam() > 0);
+        // Hiding the free edges hides the selected one: the next row there is takes its place.
+        fixture_.find<QCheckBox>("showFreeEdges").setChecked(false);
+        QCOMPARE(document().seam(), std::optional(0));
+    }
+
+    void enterAndDoubleClickFrameBothSides() {
+        auto& view = *fixture_.window().views().patternView();
+        const auto showsSeam = [&] {
+            return view.camera().visible().contains(document().scene()->seams[0].flatBox);
+        };
+        const auto lookAway = [&view] {
+            QWheelEvent event({5, 5}, view.mapToGlobal(QPointF(5, 5)), {}, {0, 1200}, Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(&view, &event);
+        };
+        (void)fixture_.patternPicture();
+        lookAway();
+        QVERIFY(!showsSeam());
+        table().setFocus();
+        table().setCurrentIndex(cell(0, SeamsModel::Name));
+        QTest::keyClick(&table(), Qt::Key_Return);
+        QVERIFY(showsSeam());
+        lookAway();
+        const QPoint onName = middleOf(cell(0, SeamsModel::Name));
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, onName);
+        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {}, onName);
+        QVERIFY(showsSeam());
+        lookAway();
+        QTest::keyClick(&table(), Qt::Key_F);  // no piece is selected
+        QVERIFY(showsSeam());
+    }
+
+    void statedEaseTurnsTheErrorGreenAndKeepsTheResults() {
+        const auto results = document().results();
+        const auto scene = document().scene();
+        table().setFocus();
+        table().setCurrentIndex(cell(0, SeamsModel::Name));
+        const auto& seam = document().garment()->seams.seams[0];
+        const auto measure = measureSeam(seam, *results[std::size_t(seam.left.piece)]->piece,
+                                         results[std::size_t(seam.left.piece)]->flat->Q,
+                                         *results[std::size_t(seam.right.piece)]->piece,
+                                         results[std::size_t(seam.right.piece)]->flat->Q);
+        const std::string name = seam.name;
+
+        QTest::keyClick(&table(), Qt::Key_F2);
+        auto* editor = table().findChild<QLineEdit*>("easeEditor");
+        QVERIFY(editor);
+        // Figures are typed, not taken as the keys of the overlays.
+        const Overlay overlay = document().view().overlay;
+        QTest::keyClicks(
+            editor,
+            QString::number(100 * (measure.length2dLeft / measure.length2dRight - 1), 'f', 4));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(cell(0, SeamsModel::Fit).data().toString(), QString("matches"));
+        QCOMPARE(document().view().overlay, overlay);
+        QVERIFY(document().results() == results);
+        QCOMPARE(document().scene(), scene);
+        QCOMPARE(document().seam(), std::optional(0));
+        QVERIFY(!fixture_.workspace().jobs().isBusy());
+        QVERIFY(fixture_.workspace().loading().seams.ease.contains(name));
+
+        // A reading keeps it.
+        fixture_.action(ActionId::Reload).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(document().garment()->seams.seams[0].ease);
+        QCOMPARE(cell(0, SeamsModel::Fit).data().toString(), QString("matches"));
+
+        table().setFocus();
+        table().setCurrentIndex(cell(0, SeamsModel::Name));
+        QTest::keyClick(&table(), Qt::Key_Delete);
+        QVERIFY(!document().garment()->seams.seams[0].ease);
+        QVERIFY(fixture_.workspace().loading().seams.ease.empty());
+        QCOMPARE(cell(0, SeamsModel::Fit).data().toString(), QString("does not match"));
+    }
+
+    void easeIsForgottenWithTheGarment() {
+        fixture_.workspace().setEase(0, 0.1);
+        QVERIFY(fixture_.openAndWait(fixture_.path("alone.obj")));
+        QVERIFY(fixture_.workspace().loading().seams.empty());
+        QVERIFY(document().garment()->problems.empty());
+        // Nothing is sewn here, and the panel says so.
+        QVERIFY(fixture_.find<QLabel>("seamsEmpty").isVisible());
+        QVERIFY(!fixture_.find<QTreeWidget>("cutTable").isVisible());
+    }
+
+    void cutsAreListedWhereThereAreAny() {
+        fixture_.action(ActionId::AutoCut).trigger();
+        QVERIFY(fixture_.action(ActionId::AutoCut).isChecked());
+        QVERIFY(fixture_.openAndWait(fixture_.path("tube.obj")));
+        QVERIFY(!document().garment()->cuts.empty());
+        auto& cuts = fixture_.find<QTreeWidget>("cutTable");
+        QVERIFY(cuts.isVisible());
+        QCOMPARE(cuts.topLevelItemCount(), int(document().garment()->cuts.size()));
+        QCOMPARE(cuts.topLevelItem(0)->text(1), QString("Toile"));
+        QCOMPARE(cuts.topLevelItem(0)->text(2), QString("tetrahedron"));
+    }
+
+    void seamsFileIsReadAndABadOneIsSaid() {
+        const auto write = [this](const QString& name, const QByteArray& text) {
+            QFile file(fixture_.path(name));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(text);
+        };
+        SeamsFile seams;
+        seams.ease[document().garment()->seams.seams[0].name] = 0.05;
+        write("good.json", QByteArray::fromStdString(writeSeamsFile(seams)));
+        write("bad.json", "{");
+        FileDialogs dialogs = FileDialogs::native();
+        QString answer = fixture_.path("bad.json");
+        dialogs.openSeams = [&](QWidget*, const QString&) { return answer; };
+        fixture_.window().garmentActions().setFileDialogs(dialogs);
+        fixture_.action(ActionId::SeamsFromFile).trigger();
+        QVERIFY(fixture_.window().banner().isVisible());
+        QVERIFY(fixture_.window().banner().sentence().contains("bad.json"));
+        answer = fixture_.path("good.json");
+        fixture_.action(ActionId::SeamsFromFile).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().garment()->seams.seams[0].ease, std::optional(0.05));
+        QVERIFY(!fixture_.window().banner().isVisible());
+    }
+};
+
+int main(int argc, char** argv) {
+    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
+    QApplication application(argc, argv);
+    SeamLedgerTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "seam_ledger_test.moc"

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+#include <QApplication>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "app/main_window.h"
+#include "app/settings/preferences.h"
+#include "app/views/garment_view.h"
+#include "app/views/pattern_view.h"
+#include "app/views/view_area.h"
+
+namespace toile::test {
+
+/// A window on the screen that remembers nothing, and a folder for its files.
+class WindowFixture {
+public:
+    static constexpr int kPatience = 30000;  ///< milliseconds
+
+    QString path(const QString& name) const { return folder_.filePath(name); }
+
+    void open() {
+        preferences_ = std::make_unique<Preferences>(QString());
+        window_ = std::make_unique<MainWindow>(*preferences_);
+        window_->resize(1400, 900);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QApplication::setActiveWindow(window_.get());
+    }
+
+    void close() { window_.reset(); }
+
+    MainWindow& window() { return *window_; }
+    Workspace& workspace() { return window_->workspace(); }
+    Document& document() { return workspace().document(); }
+    QAction& action(ActionId id) { return window_->actions()[id]; }
+
+    template <class Widget>
+    Widget& find(const char* name) {
+        return *window_->findChild<Widget*>(name);
+    }
+
+    bool openAndWait(const QString& file) {
+        window_->openFiles({file});
+        return waitForResults();
+    }
+
+    /// True once the last job is over and both views show what came of it.
+    bool waitForResults() {
+        return QTest::qWaitFor(
+            [this] {
+                return !workspace().jobs().isBusy() && !document().results().empty() &&
+                       window_->views().isUpToDate();
+            },
+            kPatience);
+    }
+
+    QImage garmentPicture() { return window_->views().garmentView()->grabFramebuffer(); }
+    QImage patternPicture() { return window_->views().patternView()->grabFramebuffer(); }
+
+private:
+    QTemporaryDir folder_;
+    std::unique_ptr<Preferences> preferences_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace toile::test
