@@ -85,7 +85,7 @@ void MainWindow::makeGarmentMenu() {
     garment.addSeparator();
     fill(actions_, garment, {ActionId::AutoCut, ActionId::Weld});
     garment.addSeparator();
-    fill(actions_, garment, {ActionId::SeamsFromFile});
+    fill(actions_, garment, {ActionId::SeamsFromFile, ActionId::SeamsToFile});
 }
 
 void MainWindow::makeToolBar() {

@@ -134,6 +134,7 @@ void MainWindow::connectPanels() {
     connect(pieces_, &PiecesPanel::activated, views_, &ViewArea::frameSelection);
     connect(seams_, &SeamsPanel::activated, views_, &ViewArea::frameSeam);
     connect(seams_, &SeamsPanel::easeWanted, &workspace_, &Workspace::setEase);
+    connect(seams_, &SeamsPanel::cutRemovalWanted, &workspace_, &Workspace::removeCut);
     connect(messages_, &MessagesPanel::countChanged, this, [this](int count) {
         messagesDock_->setWindowTitle(count == 0 ? tr("Messages") : tr("Messages (%1)").arg(count));
     });

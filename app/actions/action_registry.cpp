@@ -115,6 +115,8 @@ constexpr ActionSpec kActions[] = {
      TR("Join vertices of an object that lie on each other"), "", "", Group::Toggle},
     {ActionId::SeamsFromFile, "seamsFromFile", TR("&Seams from file…"), "",
      TR("Take cuts and ease from a seams file (JSON)")},
+    {ActionId::SeamsToFile, "seamsToFile", TR("Save sea&ms file…"), "",
+     TR("Write the cuts and the ease that were stated to a seams file (JSON)")},
     {ActionId::StateEase, "stateEase", TR("State the &ease…"), "F2",
      TR("Say how much longer the left edge of the selected seam is meant to be")},
     {ActionId::ForgetEase, "forgetEase", TR("Ease &from the garment"), "Del",

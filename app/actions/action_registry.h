@@ -52,6 +52,7 @@ enum class ActionId {
     AutoCut,
     Weld,
     SeamsFromFile,
+    SeamsToFile,
     StateEase,
     ForgetEase,
     GoToPieces,

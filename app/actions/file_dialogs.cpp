@@ -5,6 +5,8 @@
 #include <QFileDialog>
 #include <algorithm>
 
+#include "core/io/soup.h"
+
 namespace toile {
 
 FileDialogs FileDialogs::native() {
@@ -33,7 +35,11 @@ FileDialogs FileDialogs::native() {
 }
 
 QStringList openableSuffixes() {
-    return {".obj", ".ply", ".off", ".stl"};
+    QStringList suffixes;
+    for (const std::string& ending : readableEndings()) {
+        suffixes << QString::fromStdString(ending);
+    }
+    return suffixes;
 }
 
 bool isOpenable(const QString& path) {

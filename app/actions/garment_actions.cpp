@@ -93,6 +93,8 @@ void GarmentActions::connectFlattening() {
 void GarmentActions::connectSeams() {
     connect(&actions_[ActionId::SeamsFromFile], &QAction::triggered, this,
             &GarmentActions::askAndReadSeams);
+    connect(&actions_[ActionId::SeamsToFile], &QAction::triggered, this,
+            &GarmentActions::askAndWriteSeams);
     connect(&actions_[ActionId::ForgetEase], &QAction::triggered, this, [this] {
         if (const auto seam = workspace_.document().seam()) {
             workspace_.setEase(*seam, std::nullopt);
@@ -124,6 +126,21 @@ void GarmentActions::askAndReadSeams() {
     const auto read = workspace_.readSeams(path.toStdU16String());
     if (!read) {
         emit failed(QString::fromStdString(sentence(read.error())));
+    }
+}
+
+void GarmentActions::askAndWriteSeams() {
+    const auto& source = workspace_.document().garment()->files.front()->path;
+    const QFileInfo first(QString::fromStdU16String(source.u16string()));
+    const QString path = dialogs_.save(
+        &window_, QString("%1/%2.seams.json").arg(first.absolutePath(), first.completeBaseName()),
+        tr("Seams files (*.json)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    const auto written = workspace_.writeSeams(path.toStdU16String());
+    if (!written) {
+        emit failed(QString::fromStdString(sentence(written.error())));
     }
 }
 

@@ -38,6 +38,7 @@ private:
     void connectSeams();
     void askAndOpen();
     void askAndReadSeams();
+    void askAndWriteSeams();
     void askAndExport(const QString& suffix, const QString& filter);
     void onChanged(DocumentChanges what);
     void updateEnabled();

@@ -83,6 +83,7 @@ void ReadingActions::updateEnabled() {
     const bool open = workspace_.document().garment() != nullptr;
     actions_[ActionId::Reload].setEnabled(open);
     actions_[ActionId::SeamsFromFile].setEnabled(open);
+    actions_[ActionId::SeamsToFile].setEnabled(open && !workspace_.loading().seams.empty());
     actions_[ActionId::SplitSeams].setEnabled(!workspace_.loading().seams.cuts.empty());
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/workspace.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/jobs/export_job.h"
 #include "app/jobs/flatten_job.h"
 #include "app/jobs/import_job.h"
+#include "core/base/file.h"
 
 namespace toile {
 
@@ -88,6 +90,23 @@ Result<void> Workspace::readSeams(const std::filesystem::path& path) {
     loading_.seams = std::move(*seams);
     read();
     return {};
+}
+
+Result<void> Workspace::writeSeams(const std::filesystem::path& path) const {
+    return writeFile(path, writeSeamsFile(loading_.seams));
+}
+
+void Workspace::removeCut(const std::string& name) {
+    std::vector<UserCut>& cuts = loading_.seams.cuts;
+    const auto cut = std::ranges::find(cuts, name, &UserCut::name);
+    if (cut == cuts.end()) {
+        return;
+    }
+    cuts.erase(cut);
+    if (cuts.empty() && loading_.split == SplitMode::Seams) {
+        loading_.split = SplitMode::Auto;
+    }
+    read();
 }
 
 void Workspace::setEase(int seam, std::optional<double> ease) {

@@ -49,6 +49,10 @@ public:
     void setWeld(bool on);
     /// Takes cuts and ease from a seams file. Nothing changes where it cannot be read.
     Result<void> readSeams(const std::filesystem::path& path);
+    /// Writes the cuts and the ease that were stated as a seams file.
+    Result<void> writeSeams(const std::filesystem::path& path) const;
+    /// Takes a cut of the user's back, the first of this name. Reads an open garment again.
+    void removeCut(const std::string& name);
     /// Says how much longer a seam's left side is meant to be, as a part of the right; none: as
     /// the 3D lengths have it. Nothing is read or flattened again; a later reading keeps it.
     void setEase(int seam, std::optional<double> ease);

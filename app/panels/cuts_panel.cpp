@@ -2,6 +2,7 @@
 #include "app/panels/cuts_panel.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -42,6 +43,7 @@ CutsPanel::CutsPanel(const Document& document, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(count_);
     layout->addWidget(table_, 1);
+    table_->installEventFilter(this);
     connect(&document_, &Document::changed, this, &CutsPanel::onChanged);
     hide();
 }
@@ -58,8 +60,11 @@ void CutsPanel::rebuild() {
         for (const MadeCut& cut : document_.garment()->cuts) {
             auto* row = new QTreeWidgetItem(table_);
             row->setText(Name, QString::fromStdString(cut.name));
-            row->setToolTip(Name, row->text(Name));
-            row->setText(Author, cut.author == CutAuthor::User ? tr("you") : tr("Toile"));
+            const bool own = cut.author == CutAuthor::User;
+            row->setToolTip(
+                Name, own ? tr("%1: Delete takes it back").arg(row->text(Name)) : row->text(Name));
+            row->setData(Name, Qt::UserRole, own);
+            row->setText(Author, own ? tr("you") : tr("Toile"));
             row->setText(PieceName, QString::fromStdString(cut.piece));
             row->setText(Length, millimetres(cut.length));
             row->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);
@@ -71,6 +76,27 @@ void CutsPanel::rebuild() {
     const int count = table_->topLevelItemCount();
     count_->setText(count == 1 ? tr("1 cut") : tr("%1 cuts").arg(count));
     setVisible(count > 0);
+}
+
+bool CutsPanel::eventFilter(QObject* watched, QEvent* event) {
+    const bool isKey =
+        event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (!isKey || !static_cast<QKeyEvent*>(event)->matches(QKeySequence::Delete)) {
+        return QWidget::eventFilter(watched, event);
+    }
+    // While this table has the keyboard, Delete is its own and not the window's.
+    event->accept();
+    if (event->type() == QEvent::KeyPress) {
+        removeCurrent();
+    }
+    return true;
+}
+
+void CutsPanel::removeCurrent() {
+    const QTreeWidgetItem* row = table_->currentItem();
+    if (row != nullptr && row->data(Name, Qt::UserRole).toBool()) {
+        emit removeWanted(row->text(Name).toStdString());
+    }
 }
 
 }  // namespace toile

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
 
 #include "app/document/document_change.h"
 
@@ -12,17 +13,25 @@ namespace toile {
 
 class Document;
 
-/// The cuts that were made before flattening: what was cut, by whom, how long. Hides itself where
-/// there are none.
+/// The cuts that were made before flattening: what was cut, by whom, how long. Delete takes back a
+/// cut of the user's. Hides itself where there are none.
 class CutsPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit CutsPanel(const Document& document, QWidget* parent = nullptr);
 
+signals:
+    /// A cut of the user's is to be taken back.
+    void removeWanted(const std::string& name);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void onChanged(DocumentChanges what);
     void rebuild();
+    void removeCurrent();
 
     const Document& document_;
     QLabel* count_;

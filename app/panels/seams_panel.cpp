@@ -70,6 +70,7 @@ SeamsPanel::SeamsPanel(Document& document, QWidget* parent)
     layout->addLayout(ledger, 3);
     layout->addWidget(cuts, 1);
 
+    connect(cuts, &CutsPanel::removeWanted, this, &SeamsPanel::cutRemovalWanted);
     connect(model_, &SeamsModel::easeWanted, this, &SeamsPanel::easeWanted);
     // After the model's own connection: its rows are the new ones by then.
     connect(&document_, &Document::changed, this, &SeamsPanel::onChanged);

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <optional>
+#include <string>
 
 #include "app/document/document_change.h"
 
@@ -34,6 +35,8 @@ signals:
     void activated();
     /// @param ease a part of the right side's length; none: as the 3D lengths have it
     void easeWanted(int seam, std::optional<double> ease);
+    /// A cut of the user's is to be taken back.
+    void cutRemovalWanted(const std::string& name);
 
 private:
     QWidget* makeHead();

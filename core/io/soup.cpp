@@ -18,11 +18,12 @@ namespace {
 using Reader = Result<PolygonSoup> (*)(std::shared_ptr<const std::string>, const std::string&,
                                        Progress&);
 
+constexpr std::pair<std::string_view, Reader> kOwn[] = {
+    {".obj", readObj}, {".ply", readPly}, {".off", readOff}, {".stl", readStl}};
+constexpr std::string_view kForAssimp[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf"};
+
 Reader readerFor(std::string_view ending) {
-    for (const auto& [known, reader] : {std::pair<std::string_view, Reader>(".obj", readObj),
-                                        {".off", readOff},
-                                        {".ply", readPly},
-                                        {".stl", readStl}}) {
+    for (const auto& [known, reader] : kOwn) {
         if (equalsIgnoringCase(ending, known)) {
             return reader;
         }
@@ -31,10 +32,9 @@ Reader readerFor(std::string_view ending) {
 }
 
 bool isForAssimp(std::string_view ending) {
-    constexpr std::string_view kEndings[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf"};
-    return std::any_of(std::begin(kEndings), std::end(kEndings), [ending](std::string_view known) {
-        return equalsIgnoringCase(ending, known);
-    });
+    return std::any_of(
+        std::begin(kForAssimp), std::end(kForAssimp),
+        [ending](std::string_view known) { return equalsIgnoringCase(ending, known); });
 }
 
 std::string utf8(const std::filesystem::path& path) {
@@ -43,6 +43,17 @@ std::string utf8(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+std::vector<std::string> readableEndings() {
+    std::vector<std::string> endings;
+    for (const auto& own : kOwn) {
+        endings.emplace_back(own.first);
+    }
+#ifdef TOILE_ASSIMP
+    endings.insert(endings.end(), std::begin(kForAssimp), std::end(kForAssimp));
+#endif
+    return endings;
+}
 
 Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progress) {
     const std::string name = utf8(path.filename());

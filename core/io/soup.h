@@ -59,6 +59,9 @@ struct PolygonSoup {
     int cornerCount(int face) const { return faceStart[face + 1] - faceStart[face]; }
 };
 
+/// Endings of the mesh files that this build reads, lower case with the dot.
+std::vector<std::string> readableEndings();
+
 /// Reads OBJ, OFF, PLY (ASCII, binary) or STL (ASCII, binary) by the file's ending; STL, whose
 /// triangles repeat their corners, gets equal positions merged. Positions are read as doubles.
 /// Where Toile is built with TOILE_ASSIMP also glTF, FBX, Collada and 3MF, see `readWithAssimp`.

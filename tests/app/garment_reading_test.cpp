@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeView>
+#include <QTreeWidget>
 #include <fstream>
 
 #include "app/panels/pieces_model.h"
@@ -171,6 +172,34 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!fixture_.workspace().jobs().isBusy(), 30000);
         QVERIFY(fixture_.action(ActionId::UnitAuto).isChecked());
         QVERIFY(!fixture_.workspace().loading().unit);
+    }
+
+    void aCutIsListedTakenBackAndWritten() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
+        QVERIFY(!fixture_.action(ActionId::SeamsToFile).isEnabled());
+        SeamsFile seams;
+        seams.cuts = {{"dart", UserCut::Kind::Dart, {{100, 0, 0}, {100, 200, 0}}, false},
+                      {"across", UserCut::Kind::Path, {{0, 220, 0}, {300, 220, 0}}, true}};
+        LoadOptions loading = fixture_.workspace().loading();
+        loading.seams = seams;
+        fixture_.workspace().setLoading(loading);
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().pieceCount(), 3);
+        fixture_.action(ActionId::GoToSeams).trigger();
+        auto& table = fixture_.find<QTreeWidget>("cutTable");
+        QCOMPARE(table.topLevelItemCount(), 2);
+        table.setCurrentItem(table.findItems("across", Qt::MatchExactly).front());
+        table.setFocus();
+        QTest::keyClick(&table, Qt::Key_Delete);
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().pieceCount(), 2);
+        QCOMPARE(document().garment()->cuts.size(), std::size_t(1));
+        const auto path = fixture_.path("kept.seams.json").toStdU16String();
+        QVERIFY(fixture_.workspace().writeSeams(path).ok());
+        const auto kept = readSeamsFile(path);
+        QVERIFY(kept.ok());
+        QCOMPARE(kept->cuts.size(), std::size_t(1));
+        QCOMPARE(kept->cuts[0].name, std::string("dart"));
     }
 
     void designersOutlineIsThereWhereTheFileHasPanels() {
