@@ -18,8 +18,8 @@ struct MadeCut {
     std::string name;  ///< the user's; "front, automatic cut 1"
     CutAuthor author = CutAuthor::User;
     UserCut::Kind kind = UserCut::Kind::Path;
-    std::string piece;  ///< what it opened, by the name before the cut
-    double length = 0;  ///< mm, of the line that came open
+    std::string piece;                       ///< what it opened, by the name before the cut
+    double length = 0;                       ///< mm, of the line that came open
     std::vector<Eigen::Vector3d> middles{};  ///< a point in the middle of each run of it, mm
 };
 
