@@ -111,8 +111,12 @@ Arguments wrongUsage(const std::string& what) {
 
 /// A mistyped output must not cost the user the garment.
 const std::filesystem::path* overwrittenInput(const Arguments& arguments) {
+    std::vector<std::filesystem::path> inputs = arguments.inputs;
+    if (!arguments.seams.empty()) {
+        inputs.push_back(arguments.seams);
+    }
     for (const auto& output : arguments.outputs) {
-        for (const auto& input : arguments.inputs) {
+        for (const auto& input : inputs) {
             std::error_code ignored;
             if (std::filesystem::equivalent(input, output, ignored)) {
                 return &output;

@@ -43,8 +43,10 @@ Words wordsOf(ErrorCode code) {
             return {"degenerate-face-record", "faces have fewer than three different corners",
                     "They are left out", true};
         case ErrorCode::PolygonNotSimple:
-            return {"polygon-not-simple", "polygons cross themselves",
-                    "They are divided as a fan; triangulate them in the modelling program", true};
+            return {"polygon-not-simple", "polygons could not be divided by their shape",
+                    "They are divided as a fan, which may fold over; triangulate them in the "
+                    "modelling program",
+                    true};
         case ErrorCode::UnusedVertices:
             return {"unused-vertices", "vertices belong to no face", "", true};
         case ErrorCode::OutputDiffers:

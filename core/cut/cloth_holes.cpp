@@ -27,13 +27,22 @@ SortedLoops sortLoops(const SurfaceLinks& links, double smallHole) {
     if (loops.empty()) {
         return sorted;
     }
-    const auto longest = std::ranges::max_element(loops, {}, &RimLoop::perimeter);
-    const bool isFlat = turning(links, *longest) >= kNearlyATurn;
-    for (auto loop = loops.begin(); loop != loops.end(); ++loop) {
-        const bool hole = smallHole > 0 && loop != longest &&
-                          (loop->perimeter < smallHole * longest->perimeter ||
-                           (isFlat && turning(links, *loop) <= -kNearlyATurn));
-        (hole ? sorted.holes : sorted.openings).push_back(*loop);
+    std::vector<double> turns;
+    for (const RimLoop& loop : loops) {
+        turns.push_back(turning(links, loop));
+    }
+    // The outline is the longest loop, but for a flat piece with a slit longer than that.
+    auto outline = std::ranges::max_element(loops, {}, &RimLoop::perimeter) - loops.begin();
+    const double longest = loops[outline].perimeter;
+    if (turns[outline] <= -kNearlyATurn) {
+        outline = std::ranges::max_element(turns) - turns.begin();
+    }
+    const bool isFlat = turns[outline] >= kNearlyATurn;
+    for (std::ptrdiff_t k = 0; k < std::ssize(loops); ++k) {
+        const bool hole =
+            smallHole > 0 && k != outline &&
+            (loops[k].perimeter < smallHole * longest || (isFlat && turns[k] <= -kNearlyATurn));
+        (hole ? sorted.holes : sorted.openings).push_back(std::move(loops[k]));
     }
     return sorted;
 }

@@ -12,7 +12,7 @@ inline constexpr double kSmallHole = 0.05;
 
 /// The loops of a piece, divided into those that a seam must join and those that may stay.
 struct SortedLoops {
-    std::vector<RimLoop> openings;  ///< ends of a tube; the longest loop is always one
+    std::vector<RimLoop> openings;  ///< ends of a tube; the outline is always one
     std::vector<RimLoop> holes;     ///< a buttonhole, the neck of a poncho
 };
 

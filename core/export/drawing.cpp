@@ -42,7 +42,7 @@ void addPiece(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d
     drawing.paths.push_back(std::move(path));
     drawing.texts.push_back(std::move(text));
     for (std::size_t k = 0; k < piece.holes.size(); ++k) {
-        DrawnPath hole{"piece-" + piece.id + "-hole-" + std::to_string(k + 1), LayerKind::Cut,
+        DrawnPath hole{"piece-" + piece.id + "--hole-" + std::to_string(k + 1), LayerKind::Cut,
                        piece.holes[k]};
         hole.points.rowwise() += offset.transpose();
         drawing.paths.push_back(std::move(hole));

@@ -51,8 +51,8 @@ struct Drawing {
 /// Draws every piece's net outline and holes, its name with "net outline, no allowance", the names
 /// and ticks of its seams (seam_marks.h), and a 100 mm check square to the right of the pieces,
 /// with a margin of 10 mm around all. Width and height are whole millimetres. Ids:
-/// `piece-<id>-cut`, `piece-<id>-hole-<k>`, `piece-<id>-name`, `check-square`, `check-square-text`.
-/// Cost: that of placeLabel (label.h) per piece.
+/// `piece-<id>-cut`, `piece-<id>--hole-<k>`, `piece-<id>-name`, `check-square`,
+/// `check-square-text`. Cost: that of placeLabel (label.h) per piece.
 Drawing draw(const Pattern& pattern, const Sheet& sheet);
 
 }  // namespace toile

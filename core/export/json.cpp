@@ -2,6 +2,8 @@
 #include "core/export/json.h"
 
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include "core/cut/seams_file.h"
 #include "core/export/problems.h"
@@ -12,16 +14,15 @@ namespace {
 
 constexpr int kIndent = 2;
 
-/// The problem's place as a piece's name, or null where it is about the file.
-Json pieceOf(const Error& error, const Garment& garment, int file) {
+/// Names of pieces, before and after cutting, with their files.
+std::set<std::pair<int, std::string_view>> pieceNames(const Garment& garment) {
+    std::set<std::pair<int, std::string_view>> names;
     for (const auto* pieces : {&garment.pieces, &garment.wholes}) {
         for (const auto& piece : *pieces) {
-            if (piece->file == file && piece->name == error.where) {
-                return Json(piece->name);
-            }
+            names.emplace(piece->file, piece->name);
         }
     }
-    return nullptr;
+    return names;
 }
 
 /// Why a piece is not flat, or will not be.
@@ -30,18 +31,7 @@ const Error* errorOf(const Garment& garment, const PieceResults& results, std::s
     return error ? &*error : nullptr;
 }
 
-Json fileJson(const Garment& garment, const PieceResults& results, int index) {
-    const SourceFile& file = *garment.files[index];
-    Json problems = Json::array();
-    for (const Error& error : problemsOf(file)) {
-        problems.push_back(problemJson(error, pieceOf(error, garment, index)));
-    }
-    for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
-        const Error* error = errorOf(garment, results, i);
-        if (error && garment.pieces[i]->file == index) {
-            problems.push_back(problemJson(*error, Json(garment.pieces[i]->name)));
-        }
-    }
+Json fileJson(const SourceFile& file, Json problems) {
     return {{"path", pathText(file.path)},
             {"unit", text(symbol(file.unit))},
             {"unit_reason", textOrNull(file.unitReason)},
@@ -117,9 +107,23 @@ Json problemJson(const Error& error, const Json& piece) {
 }
 
 Json filesJson(const Garment& garment, const PieceResults& results) {
+    const auto names = pieceNames(garment);
+    std::vector<Json> problems(garment.files.size(), Json::array());
+    for (std::size_t f = 0; f < garment.files.size(); ++f) {
+        for (const Error& error : problemsOf(*garment.files[f])) {
+            const bool ofPiece = names.contains({static_cast<int>(f), error.where});
+            problems[f].push_back(problemJson(error, ofPiece ? Json(error.where) : Json(nullptr)));
+        }
+    }
+    for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
+        const Piece& piece = *garment.pieces[i];
+        if (const Error* error = errorOf(garment, results, i)) {
+            problems[piece.file].push_back(problemJson(*error, Json(piece.name)));
+        }
+    }
     Json files = Json::array();
-    for (std::size_t i = 0; i < garment.files.size(); ++i) {
-        files.push_back(fileJson(garment, results, static_cast<int>(i)));
+    for (std::size_t f = 0; f < garment.files.size(); ++f) {
+        files.push_back(fileJson(*garment.files[f], std::move(problems[f])));
     }
     return files;
 }
@@ -145,15 +149,16 @@ Json seamsJson(const Garment& garment, const PieceResults& results) {
 }
 
 Json problemsJson(const Garment& garment) {
+    std::set<std::string_view> names;
+    for (const auto& piece : garment.pieces) {
+        names.insert(piece->name);
+    }
     Json problems = Json::array();
     for (const Error& error : garment.problems) {
-        Json piece = nullptr;
-        for (const auto& one : garment.pieces) {
-            if (one->name == error.where) {
-                piece = one->name;
-            }
-        }
-        problems.push_back(problemJson(error, piece));
+        // These two name a cut or a seam, which may be called like a piece.
+        const bool ofPiece = error.code != ErrorCode::CutImpossible &&
+                             error.code != ErrorCode::NoSuchSeam && names.contains(error.where);
+        problems.push_back(problemJson(error, ofPiece ? Json(error.where) : Json(nullptr)));
     }
     return problems;
 }

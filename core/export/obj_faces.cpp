@@ -9,6 +9,8 @@ namespace toile {
 namespace {
 
 constexpr int kNoPiece = -1;
+/// A face of more corners is written as its triangles: to compare it costs their square.
+constexpr std::size_t kMostCorners = 2000;
 
 struct PieceTriangle {
     int piece, triangle;
@@ -127,8 +129,8 @@ private:
     bool isWhole(std::span<const int> corners, std::span<const PieceTriangle> triangles) const {
         const int p = triangles.front().piece;
         const Piece& piece = *garment_.pieces[p];
-        if (triangles.size() + 2 != corners.size()) {
-            return false;  // mending took a triangle away, or divided one
+        if (corners.size() > kMostCorners || triangles.size() + 2 != corners.size()) {
+            return false;  // too many, or mending took a triangle away, or divided one
         }
         for (const PieceTriangle& t : triangles) {
             if (t.piece != p) {

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/problems.h"
 
-#include <algorithm>
+#include <set>
+#include <string_view>
+#include <tuple>
 
 #include "core/garment/garment.h"
 
 namespace toile {
-namespace {
-
-bool same(const Error& a, const Error& b) {
-    return a.code == b.code && a.where == b.where && a.detail == b.detail;
-}
-
-}  // namespace
-
 Problems problemsOf(const SourceFile& file) {
     Problems all;
+    std::set<std::tuple<ErrorCode, std::string_view, std::string_view>> seen;
     for (const Problems* list : {&file.soup.problems, &file.problems}) {
         for (const Error& error : *list) {
-            const auto equal = [&error](const Error& other) { return same(error, other); };
-            if (std::none_of(all.begin(), all.end(), equal)) {
+            if (seen.emplace(error.code, error.where, error.detail).second) {
                 all.push_back(error);
             }
         }

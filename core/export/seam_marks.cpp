@@ -46,7 +46,7 @@ Eigen::Vector2d leftOf(const Eigen::Vector2d& direction) {
 class Marker {
 public:
     Marker(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d& offset)
-        : drawing_(drawing), id_("piece-" + piece.id + "-seam-"), offset_(offset) {}
+        : drawing_(drawing), id_("piece-" + piece.id + "--seam-"), offset_(offset) {}
 
     void mark(const SeamMark& seam) {
         const double length = lengthOf(seam.line);

@@ -16,17 +16,18 @@ namespace {
 struct Distance {
     double sum = 0;
     double farthest = 0;
-    Eigen::Vector3d where = Eigen::Vector3d::Zero();  ///< the farthest point
+    std::size_t point = 0;  ///< the one farthest away
 };
 
 Distance distanceTo(const MeshArrays& mesh, const NearestSurface& surface, const UserCut& cut) {
     Distance distance;
-    for (const Eigen::Vector3d& point : cut.points) {
-        const double d = (positionOf(mesh, surface.find(point)) - point).norm();
+    for (std::size_t i = 0; i < cut.points.size(); ++i) {
+        const Eigen::Vector3d& point = cut.points[i];
+        const double d = (positionOf(mesh, surface.find(point)) - point).stableNorm();
         distance.sum += d;
         if (d >= distance.farthest) {
             distance.farthest = d;
-            distance.where = point;
+            distance.point = i;
         }
     }
     return distance;
@@ -82,11 +83,10 @@ CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
         } else if (piece == pieces.size()) {
             owners.problems.push_back(cutError(cuts[c].name, "there is no piece to cut"));
         } else if (distance.farthest > limit) {
-            const Eigen::Vector3d& at = distance.where;
-            owners.problems.push_back(cutError(
-                cuts[c].name, "its point " + fixed(at.x(), 1) + ", " + fixed(at.y(), 1) + ", " +
-                                  fixed(at.z(), 1) + " mm lies " + fixed(distance.farthest, 0) +
-                                  " mm from the nearest piece, " + pieces[piece]->name));
+            owners.problems.push_back(
+                cutError(cuts[c].name, "its point " + std::to_string(distance.point + 1) +
+                                           " lies " + fixed(distance.farthest, 0) +
+                                           " mm from the nearest piece, " + pieces[piece]->name));
         } else {
             owners.cutsOf[piece].push_back(&cuts[c]);
         }

@@ -17,7 +17,7 @@ using PiecePointer = std::shared_ptr<const Piece>;
 /// A point of the designer's flat panel by its place on the surface.
 Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const SurfacePoint& place) {
     Eigen::RowVector2d point = Eigen::RowVector2d::Zero();
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; place.face >= 0 && k < 3; ++k) {
         point += place.barycentric[k] * panel.row(F(place.face, k));
     }
     return point;
@@ -140,7 +140,11 @@ private:
         std::vector<Opened> opened;
         auto parts = cutPiece(piece, paths, opened);
         if (!parts) {
-            fail(parts.error());
+            dropBadPaths(piece, paths, traced);
+            opened.clear();
+            parts = cutPiece(piece, paths, opened);
+        }
+        if (paths.empty() || !parts) {
             return {};
         }
         for (std::size_t c = 0; c < traced.size(); ++c) {
@@ -154,6 +158,30 @@ private:
             }
         }
         return std::move(*parts);
+    }
+
+    /// Keeps the paths that can be cut together, in their order, and says which cannot and why.
+    void dropBadPaths(const Piece& piece, std::vector<PathPolyline>& paths,
+                      std::vector<const UserCut*>& traced) {
+        std::vector<PathPolyline> good;
+        std::vector<const UserCut*> goodCuts;
+        for (std::size_t c = 0; c < paths.size(); ++c) {
+            good.push_back(paths[c]);
+            std::vector<Opened> ignored;
+            const auto parts = cutPiece(piece, good, ignored);
+            if (parts) {
+                goodCuts.push_back(traced[c]);
+                continue;
+            }
+            good.pop_back();
+            const Error& error = parts.error();
+            fail(cutError(
+                traced[c]->name,
+                "in " + piece.name + ", " +
+                    (error.detail.empty() ? std::string(describe(error.code)) : error.detail)));
+        }
+        paths = std::move(good);
+        traced = std::move(goodCuts);
     }
 
     /// Makes a disk of a piece, or says in its defect why that is not done.

@@ -1,38 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/garment/weld_soup.h"
 
+#include <algorithm>
 #include <numeric>
 
+#include "core/base/text.h"
 #include "core/mesh/weld.h"
 
 namespace toile {
 namespace {
 
-/// Fans of the faces of one object, or of all (-1): good enough to tell border from inside.
-Triangles fans(const PolygonSoup& soup, int object) {
-    Triangles F(static_cast<Eigen::Index>(soup.corners.size()), 3);
-    Eigen::Index row = 0;
+/// Faces that may be joined with each other: those of one object, and those of none.
+std::vector<std::vector<int>> facesByObject(const PolygonSoup& soup) {
+    const std::size_t objects = soup.faceObject.empty() ? 0 : soup.objects.size();
+    std::vector<std::vector<int>> faces(objects + 1);
     for (int face = 0; face < soup.faceCount(); ++face) {
-        if (object >= 0 && soup.faceObject[face] != object) {
-            continue;
-        }
+        const int object = objects > 0 ? soup.faceObject[face] : -1;
+        faces[object < 0 ? objects : static_cast<std::size_t>(object)].push_back(face);
+    }
+    return faces;
+}
+
+/// The faces with vertices numbered among themselves, as fans: good enough to tell border from
+/// inside.
+struct Patch {
+    std::vector<int> vertices;  ///< position in the soup, ascending
+    Points3 V;
+    Triangles F;
+};
+
+/// @param local  as long as the soup's positions; holds nothing before and after
+Patch patchOf(const PolygonSoup& soup, const std::vector<int>& faces, std::vector<int>& local) {
+    Patch patch;
+    Eigen::Index triangles = 0;
+    for (const int face : faces) {
+        const auto first = soup.corners.begin() + soup.faceStart[face];
+        patch.vertices.insert(patch.vertices.end(), first, first + soup.cornerCount(face));
+        triangles += soup.cornerCount(face) - 2;
+    }
+    std::sort(patch.vertices.begin(), patch.vertices.end());
+    patch.vertices.erase(std::unique(patch.vertices.begin(), patch.vertices.end()),
+                         patch.vertices.end());
+    patch.V.resize(static_cast<Eigen::Index>(patch.vertices.size()), 3);
+    for (std::size_t v = 0; v < patch.vertices.size(); ++v) {
+        patch.V.row(static_cast<Eigen::Index>(v)) = soup.positions[patch.vertices[v]];
+        local[patch.vertices[v]] = static_cast<int>(v);
+    }
+    patch.F.resize(triangles, 3);
+    Eigen::Index row = 0;
+    for (const int face : faces) {
         const int* corners = soup.corners.data() + soup.faceStart[face];
         for (int k = 2; k < soup.cornerCount(face); ++k) {
-            F.row(row++) << corners[0], corners[k - 1], corners[k];
+            patch.F.row(row++) << local[corners[0]], local[corners[k - 1]], local[corners[k]];
         }
     }
-    F.conservativeResize(row, 3);
-    return F;
+    return patch;
 }
 
 /// Gives corners their new vertex and takes out those that repeat the one before.
-void rename(PolygonSoup& soup, const std::vector<int>& target) {
+void rename(PolygonSoup& soup, const std::vector<int>& renamed) {
     std::vector<int> corners, uvs, start{0};
     const bool hasUvs = !soup.cornerUvs.empty();
     for (int face = 0; face < soup.faceCount(); ++face) {
         const int first = soup.faceStart[face];
         const int count = soup.cornerCount(face);
-        const auto vertex = [&](int k) { return target[soup.corners[first + k % count]]; };
+        const auto vertex = [&](int k) { return renamed[first + k % count]; };
         int different = 0;
         for (int k = 0; k < count; ++k) {
             different += vertex(k) != vertex(k + 1) ? 1 : 0;
@@ -55,34 +87,42 @@ void rename(PolygonSoup& soup, const std::vector<int>& target) {
 }  // namespace
 
 Problems weldSoup(PolygonSoup& soup, bool wanted, double millimetres, const std::string& name) {
-    if (soup.positions.empty()) {
+    if (soup.corners.empty()) {
         return {};
     }
-    const Eigen::Map<const Points3> V(soup.positions.front().data(),
-                                      static_cast<Eigen::Index>(soup.positions.size()), 3);
-    if (!wanted && !looksUnwelded(fans(soup, -1), V)) {
-        return {};
-    }
-    Weld all;
-    all.target.resize(soup.positions.size());
-    std::iota(all.target.begin(), all.target.end(), 0);
-    const int objects = soup.faceObject.empty() ? 0 : static_cast<int>(soup.objects.size());
-    for (int object = objects > 0 ? 0 : -1; object < objects; ++object) {
-        const Triangles F = fans(soup, object);
-        const Weld weld = findWeld(F, V, {wanted ? weldTolerance(F, V) : 0.0, true});
-        for (Eigen::Index corner = 0; corner < F.size(); ++corner) {
-            const int v = F.data()[corner];
-            all.target[v] = weld.target[v];
+    std::vector<int> local(soup.positions.size(), -1);
+    if (!wanted) {
+        std::vector<int> all(static_cast<std::size_t>(soup.faceCount()));
+        std::iota(all.begin(), all.end(), 0);
+        const Patch whole = patchOf(soup, all, local);
+        if (!looksUnwelded(whole.F, whole.V)) {
+            return {};
         }
     }
-    for (std::size_t v = 0; v < all.target.size(); ++v) {
-        all.merged += all.target[v] != static_cast<int>(v) ? 1 : 0;
+    std::vector<int> renamed = soup.corners;
+    long long merged = 0;
+    Error note;
+    for (const std::vector<int>& faces : facesByObject(soup)) {
+        const Patch patch = patchOf(soup, faces, local);
+        const Weld weld =
+            findWeld(patch.F, patch.V, {wanted ? weldTolerance(patch.F, patch.V) : 0.0, true});
+        for (const int face : faces) {
+            for (int c = soup.faceStart[face]; c < soup.faceStart[face + 1]; ++c) {
+                renamed[c] = patch.vertices[weld.target[local[soup.corners[c]]]];
+            }
+        }
+        if (weld.merged > 0 && merged == 0) {
+            note = weldNote(weld, millimetres * patch.V, name);
+        }
+        merged += weld.merged;
     }
-    if (all.merged == 0) {
+    if (merged == 0) {
         return {};
     }
-    rename(soup, all.target);
-    return {weldNote(all, millimetres * V, name)};
+    rename(soup, renamed);
+    // The note of the first object that has any, with the count of all.
+    note.detail = counted(merged, "vertex") + note.detail.substr(note.detail.find(" welded"));
+    return {note};
 }
 
 }  // namespace toile

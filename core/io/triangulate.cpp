@@ -141,10 +141,6 @@ private:
 
     void divideLarger() {
         const Vector3d n = normal();
-        if (cornerCount() > kMostClipped) {
-            fan(kTooMany);
-            return;
-        }
         const EarTriangles triangles = n.isZero(0) ? EarTriangles{} : clipEars(projected(n));
         if (triangles.empty()) {
             fan(kCrossing);
@@ -184,8 +180,6 @@ private:
         result_.sourceFace.push_back(face_);
     }
 
-    static constexpr int kMostClipped = 20000;  // corners; clipping costs their square
-    static constexpr std::string_view kTooMany = "divided as a fan: it has more than 20000 corners";
     static constexpr std::string_view kCrossing =
         "divided as a fan: it crosses itself or has no area";
 

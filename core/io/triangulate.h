@@ -19,7 +19,7 @@ struct Triangulation {
 /// its shape; a fan would not). A quad is divided by the diagonal that lies inside, the shorter
 /// one where both do. Faces that repeat a corner or use a non-finite position are left out and
 /// listed; a polygon that crosses itself is fanned and listed. Triangles pass unchanged.
-/// Polygons of more than 20000 corners are fanned and listed too.
+/// Polygons of more than 4000 corners are fanned and listed too.
 /// Cost: linear for triangles and quads, quadratic in the corners of one larger polygon.
 Triangulation triangulate(const PolygonSoup& soup, const std::string& name);
 

@@ -33,14 +33,17 @@ PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat, const S
     for (const auto& hole : piece.holes) {
         made.holes.emplace_back(flat.Q(hole, Eigen::all));
     }
-    for (std::size_t k = 0; k < seams.seams.size(); ++k) {
-        const Seam& seam = seams.seams[k];
-        if (seam.kind == SeamKind::Free) {
-            continue;
+    std::set<int> touched;
+    if (index < static_cast<int>(seams.seamsOfEdge.size())) {
+        for (const std::vector<int>& ofEdge : seams.seamsOfEdge[index]) {
+            touched.insert(ofEdge.begin(), ofEdge.end());
         }
+    }
+    for (const int k : touched) {
+        const Seam& seam = seams.seams[k];
         for (const SeamSide& side : {seam.left, seam.right}) {
-            if (side.piece == index) {
-                addMark(made, piece, flat, seam, static_cast<int>(k) + 1, side);
+            if (seam.kind != SeamKind::Free && side.piece == index) {
+                addMark(made, piece, flat, seam, k + 1, side);
             }
         }
     }

@@ -66,12 +66,15 @@ void nameAfterCuts(SeamGraph& graph, const std::vector<std::shared_ptr<const Pie
     for (const Seam& seam : graph.seams) {
         taken.insert(seam.name);
     }
+    std::set<const Seam*> named;  // where two cuts run on into one seam the first names it
     for (const MadeCut& cut : cuts) {
         if (cut.author != CutAuthor::User) {
             continue;
         }
-        const std::vector<Seam*> seams = seamsOf(cut, graph, pieces);
+        std::vector<Seam*> seams = seamsOf(cut, graph, pieces);
+        std::erase_if(seams, [&named](const Seam* seam) { return named.contains(seam); });
         for (Seam* seam : seams) {
+            named.insert(seam);
             taken.erase(seam->name);
             seam->name = freeName(cut.name, seams.size() > 1, taken);
             taken.insert(seam->name);

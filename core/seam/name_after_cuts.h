@@ -10,7 +10,8 @@
 namespace toile {
 
 /// Gives a seam the name of the user's cut that it came of: "inseam"; where a cut left several,
-/// "inseam 1", "inseam 2" in the order of the graph. Names stay unique. Other seams keep theirs.
+/// "inseam 1", "inseam 2" in the order of the graph; where two cuts run on into one seam, the
+/// first cut's name. Names stay unique. Other seams keep theirs.
 /// @param pieces  those that the graph was found for, mm
 /// Cost: the points of the cuts times the edges of the seams.
 void nameAfterCuts(SeamGraph& graph, const std::vector<std::shared_ptr<const Piece>>& pieces,

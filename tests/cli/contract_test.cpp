@@ -99,6 +99,10 @@ TEST(Contract, ABadSeamsFileIsRefusedAndABadCutIsNot) {
         toileRun({"info", file, "--seams", folder.write("b.json", "{\"version\": 7}").string()});
     EXPECT_EQ(bad.status, 3);
     EXPECT_EQ(std::count(bad.err.begin(), bad.err.end(), '\n'), 1) << bad.err;
+    const auto kept = folder.write("kept.json", R"({"version": 1})");
+    const auto over = toileRun({"flatten", file, "--seams", kept.string(), "-o", kept.string()});
+    EXPECT_EQ(over.status, 2) << over.err;
+    EXPECT_EQ(folder.read("kept.json"), R"({"version": 1})");
     const auto far = folder.write(
         "c.json",
         R"({"version": 1, "cuts": [{"name": "x", "points": [[9000, 0, 0], [9000, 1, 0]]}]})");

@@ -46,7 +46,7 @@ TEST(SeamMarks, TickTheEndsOfASeamIntoTheCloth) {
     EXPECT_TRUE(drawing.paths[1].points.isApprox(first, 1e-12));
     first << 1200, 0, 1195, 0;
     EXPECT_TRUE(drawing.paths[2].points.isApprox(first, 1e-12));
-    EXPECT_EQ(drawing.paths[2].id, "piece-front-seam-12-tick-1");
+    EXPECT_EQ(drawing.paths[2].id, "piece-front--seam-12-tick-1");
 }
 
 TEST(SeamMarks, NameTheSeamAtItsMiddleInsideTheCloth) {
@@ -78,7 +78,7 @@ TEST(SeamMarks, AreNoCutLinesAndTellTwoSidesOfOnePieceApart) {
     Pattern pattern{"sleeve", {piece}};
     const Drawing drawing = draw(pattern, layOutInRows(pattern));
     EXPECT_EQ(drawing.paths.size(), 6U);
-    EXPECT_EQ(drawing.paths[3].id, "piece-front-seam-1b-tick-1");
+    EXPECT_EQ(drawing.paths[3].id, "piece-front--seam-1b-tick-1");
     const std::string svg = writeSvg(drawing);
     EXPECT_NE(svg.find("id=\"layer-marks\""), std::string::npos);
     const std::string dxf = writeDxf(drawing);

@@ -52,6 +52,19 @@ TEST(WeldSoup, StaysWithinAnObject) {
     EXPECT_EQ(verticesUsed(soup), 24U);
 }
 
+TEST(WeldSoup, TakesObjectsThatShareVerticesAndFacesOfNone) {
+    PolygonSoup soup = looseStrip(4);
+    soup.objects = {"a", "b"};
+    soup.faceObject = {-1, -1, 0, 0, 1, 1, 0, 0};
+    soup.corners[12] = soup.corners[9];  // b uses a vertex that a joins to another
+    weldSoup(soup, true, 1, "a.obj");
+    const std::vector<int>& corners = soup.corners;
+    EXPECT_EQ(corners[3], corners[0]);  // of no object: its two triangles are joined
+    EXPECT_EQ(corners[9], corners[6]);  // of a
+    EXPECT_EQ(corners[12], 9);          // of b: nothing of b lies there
+    EXPECT_NE(corners[6], corners[1]);  // of a and of none: they stay apart
+}
+
 TEST(WeldSoup, LeavesAFileWithPiecesApartAloneUnlessAsked) {
     PolygonSoup soup;
     soup.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
