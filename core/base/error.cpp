@@ -81,13 +81,13 @@ Words wordsOf(ErrorCode code) {
                     "The lengths of their rims are measured, not kept", true};
         case ErrorCode::ClosedSurface:
             return {"closed-surface", "the piece is closed and has no outline",
-                    "Cut it open along a seam"};
+                    "Cut it open along a seam, or let Toile do it (--auto-cut)"};
         case ErrorCode::SeveralLoops:
             return {"several-loops", "the piece has several boundary loops",
-                    "Cut it from loop to loop, or close the holes that are no openings"};
+                    "Cut it from loop to loop, or let Toile do it (--auto-cut)"};
         case ErrorCode::Handle:
             return {"handle", "the piece has a handle, like a ring or a cup",
-                    "Cut the handle open along a seam"};
+                    "Cut the handle open along a seam, or let Toile do it (--auto-cut)"};
         case ErrorCode::NonManifoldEdge:
             return {"non-manifold-edge", "edges are shared by more than two faces",
                     "Separate the layers that meet there"};
