@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/exact_orientation.h"
+
+#include <array>
+#include <cmath>
+
+namespace toile {
+namespace {
+
+/// Half a unit in the last place of 1, and the bound of the rounding error of a determinant of
+/// differences relative to the sum of its two products' sizes ([She97] section 4.3).
+constexpr double kHalfUlp = 0x1p-53;
+constexpr double kFilter = (3 + 16 * kHalfUlp) * kHalfUlp;
+
+/// A sum of doubles that do not overlap, smallest first: its sign is that of the last that is not
+/// zero. Each added double lengthens it by one.
+class Expansion {
+public:
+    void add(double value) {
+        double carried = value;
+        for (int k = 0; k < count_; ++k) {
+            // What rounding loses of a sum is a double itself (Knuth): it stays, the sum goes on.
+            const double sum = carried + terms_[k];
+            const double part = sum - carried;
+            terms_[k] = (carried - (sum - part)) + (terms_[k] - part);
+            carried = sum;
+        }
+        terms_[count_++] = carried;
+    }
+
+    void addProduct(double x, double y) {
+        const double product = x * y;
+        add(std::fma(x, y, -product));
+        add(product);
+    }
+
+    int sign() const {
+        for (int k = count_; k-- > 0;) {
+            if (terms_[k] != 0) {
+                return terms_[k] > 0 ? 1 : -1;
+            }
+        }
+        return 0;
+    }
+
+private:
+    std::array<double, 12> terms_{};
+    int count_ = 0;
+};
+
+}  // namespace
+
+int exactOrientation(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
+                     const Eigen::RowVector2d& c) {
+    const double left = (a.x() - c.x()) * (b.y() - c.y());
+    const double right = (a.y() - c.y()) * (b.x() - c.x());
+    const double determinant = left - right;
+    if (std::abs(determinant) > kFilter * (std::abs(left) + std::abs(right))) {
+        return determinant > 0 ? 1 : -1;
+    }
+    Expansion exact;  // of the coordinates themselves: their differences may be rounded
+    exact.addProduct(a.x(), b.y());
+    exact.addProduct(-a.y(), b.x());
+    exact.addProduct(b.x(), c.y());
+    exact.addProduct(-b.y(), c.x());
+    exact.addProduct(c.x(), a.y());
+    exact.addProduct(-c.y(), a.x());
+    return exact.sign();
+}
+
+}  // namespace toile
