@@ -93,6 +93,13 @@ Result<void> SparseCholesky::factorise(const SymmetricMatrix& matrix) {
     if (state_->factor == nullptr) {
         return outOfMemory("ordering");
     }
+    return refactorise(matrix);
+}
+
+Result<void> SparseCholesky::refactorise(const SymmetricMatrix& matrix) {
+    assert(state_->factor != nullptr);
+    cholmod_common& common = state_->common;
+    cholmod_sparse view = viewOf(matrix);
     cholmod_factorize(&view, state_->factor, &common);
     if (common.status == CHOLMOD_NOT_POSDEF ||
         state_->factor->minor < static_cast<std::size_t>(matrix.size)) {

@@ -53,6 +53,11 @@ public:
     /// Errors: FactorisationFailed (not positive definite), OutOfMemory.
     Result<void> factorise(const SymmetricMatrix& matrix);
 
+    /// Factorises new values in the pattern last given to `factorise`, whose ordering is kept.
+    /// Precondition: `factorise` was called with this pattern, whether it succeeded or not.
+    /// Errors: as `factorise`.
+    Result<void> refactorise(const SymmetricMatrix& matrix);
+
     /// Solves for every column of B at once. Precondition: factorise succeeded.
     /// Errors: OutOfMemory.
     Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& B);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linalg/block_matrix.h"
+
+#include <algorithm>
+
+namespace toile {
+
+// Columns 2 v and 2 v + 1 hold, in order, the diagonal block's lower triangle and two rows for each
+// edge from v to a larger vertex; every place follows from the edge's number alone.
+BlockMatrix::BlockMatrix(const VertexPairs& edges, int vertexCount)
+    : edges_(edges), firstEdge_(static_cast<std::size_t>(vertexCount) + 1, 0) {
+    for (int e = 0; e < edges.rows(); ++e) {
+        ++firstEdge_[edges(e, 0) + 1];
+    }
+    for (int v = 0; v < vertexCount; ++v) {
+        firstEdge_[v + 1] += firstEdge_[v];
+    }
+    matrix_.size = 2 * vertexCount;
+    matrix_.columnStart.assign(1, 0);
+    matrix_.row.reserve(3 * static_cast<std::size_t>(vertexCount) +
+                        4 * static_cast<std::size_t>(edges.rows()));
+    for (int v = 0; v < vertexCount; ++v) {
+        for (int axis = 0; axis < 2; ++axis) {
+            for (int lower = axis; lower < 2; ++lower) {
+                matrix_.row.push_back(2 * v + lower);
+            }
+            for (int e = firstEdge_[v]; e < firstEdge_[v + 1]; ++e) {
+                matrix_.row.push_back(2 * edges(e, 1));
+                matrix_.row.push_back(2 * edges(e, 1) + 1);
+            }
+            matrix_.columnStart.push_back(static_cast<int>(matrix_.row.size()));
+        }
+    }
+    matrix_.value.assign(matrix_.row.size(), 0);
+}
+
+void BlockMatrix::setZero() {
+    std::fill(matrix_.value.begin(), matrix_.value.end(), 0.0);
+}
+
+void BlockMatrix::scaleDiagonal(double factor) {
+    for (int i = 0; i < matrix_.size; ++i) {
+        matrix_.value[matrix_.columnStart[i]] *= factor;
+    }
+}
+
+double BlockMatrix::largestOnDiagonal(int v) const {
+    return std::max(matrix_.value[matrix_.columnStart[2 * v]],
+                    matrix_.value[matrix_.columnStart[2 * v + 1]]);
+}
+
+void BlockMatrix::addVertex(int v, const Eigen::Matrix2d& block) {
+    double* first = &matrix_.value[matrix_.columnStart[2 * v]];
+    first[0] += block(0, 0);
+    first[1] += block(1, 0);
+    matrix_.value[matrix_.columnStart[2 * v + 1]] += block(1, 1);
+}
+
+void BlockMatrix::addEdge(int e, const Eigen::Matrix2d& block) {
+    const int v = edges_(e, 0);
+    const int k = 2 * (e - firstEdge_[v]);
+    double* x = &matrix_.value[matrix_.columnStart[2 * v] + 2 + k];
+    x[0] += block(0, 0);
+    x[1] += block(1, 0);
+    double* y = &matrix_.value[matrix_.columnStart[2 * v + 1] + 1 + k];
+    y[0] += block(0, 1);
+    y[1] += block(1, 1);
+}
+
+int BlockMatrix::findEdge(int v, int w) const {
+    const auto [low, high] = std::minmax(v, w);
+    int first = firstEdge_[low];
+    int last = firstEdge_[low + 1];
+    while (first < last) {
+        const int middle = (first + last) / 2;
+        if (edges_(middle, 1) < high) {
+            first = middle + 1;
+        } else {
+            last = middle;
+        }
+    }
+    return first < firstEdge_[low + 1] && edges_(first, 1) == high ? first : -1;
+}
+
+}  // namespace toile

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/linalg/sparse_cholesky.h"
+
+namespace toile {
+
+/// Pairs of vertices, #E x 2.
+using VertexPairs = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
+/// A symmetric matrix of 2 x 2 blocks, one per vertex and one per edge of a graph: unknowns 2 v and
+/// 2 v + 1 are x and y of vertex v. The pattern is laid out once; values are summed into it again
+/// and again, each in constant time.
+class BlockMatrix {
+public:
+    /// @param edges  pairs (smaller, larger), sorted, each once
+    BlockMatrix(const VertexPairs& edges, int vertexCount);
+
+    void setZero();
+    /// Multiplies the diagonal entries.
+    void scaleDiagonal(double factor);
+    /// The larger of a vertex's two diagonal entries.
+    double largestOnDiagonal(int v) const;
+    /// Symmetric block on the diagonal.
+    void addVertex(int v, const Eigen::Matrix2d& block);
+    /// Block in the rows of the edge's larger vertex and the columns of its smaller one.
+    void addEdge(int e, const Eigen::Matrix2d& block);
+    /// Number of the edge between two vertices, -1 where there is none. Cost: a binary search.
+    int findEdge(int v, int w) const;
+
+    const SymmetricMatrix& matrix() const { return matrix_; }
+
+private:
+    VertexPairs edges_;
+    std::vector<int> firstEdge_;  ///< #V + 1: edges whose smaller vertex is v
+    SymmetricMatrix matrix_;
+};
+
+}  // namespace toile
