@@ -12,7 +12,7 @@ namespace toile {
 
 /// Measures of a flattening: pure functions of the 3D mesh and its planar points Q (#V x 2), the
 /// same unit on both sides. [Wang05] eq. (1), (2), (24), (25). Angles in radians. All are linear in
-/// the mesh but for the outline crossings (a sweep; n log n on outlines, quadratic on spirals).
+/// the mesh but for the outline crossings (about n log n).
 
 /// Inner angle of each boundary vertex in 3D: the sum of its triangle angles ("alpha").
 Eigen::VectorXd boundaryAngles3d(const MeshArrays& mesh, const std::vector<int>& boundary);
@@ -65,8 +65,9 @@ Eigen::VectorXd edgeStrain(const Eigen::VectorXd& lengths3d, const Eigen::Vector
 
 /// Triangles that are not positive in the plane.
 int flippedTriangles(const Eigen::VectorXd& areas2d);
-/// Pairs of non-adjacent outline edges that cross each other. Edges that touch or coincide within
-/// rounding (1e-12 of the outline's extent), as the two sides of a slit do, do not cross.
+/// Pairs of non-adjacent outline edges that cross each other, up to a limit of a million. Edges
+/// that touch or coincide within rounding (1e-12 of the outline's extent), as the two sides of a
+/// slit do, do not cross. Where they do: outline_crossings.h.
 int outlineCrossings(const Points2& Q, const std::vector<int>& boundary);
 
 }  // namespace toile

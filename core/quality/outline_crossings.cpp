@@ -1,75 +1,176 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/outline_crossings.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <optional>
 #include <tuple>
 
+#include "core/mesh/exact_orientation.h"
 #include "core/quality/measures.h"
+#include "core/quality/segment_pairs.h"
 
 namespace toile {
 namespace {
 
 /// Distance from a line, relative to the outline's extent, below which a point lies on it.
 constexpr double kTouching = 1e-12;
-/// The sweep runs at a slant, so that upright and level stretches of outline do not all overlap.
-constexpr double kSlant = 0.6;  // radians
 
-/// On which side of the line through p and q the point r lies: 1 left, -1 right, 0 on it.
-int side(const Eigen::RowVector2d& p, const Eigen::RowVector2d& q, const Eigen::RowVector2d& r,
-         double touching) {
-    const Eigen::RowVector2d along = q - p;
-    const Eigen::RowVector2d to = r - p;
-    const double doubledArea = along.x() * to.y() - along.y() * to.x();
-    if (std::abs(doubledArea) <= touching * along.norm()) {
-        return 0;
+using Point = Eigen::RowVector2d;
+
+class Outline {
+public:
+    Outline(const Points2& Q, const std::vector<int>& boundary)
+        : n_(static_cast<int>(boundary.size())), segments_(boundary.size()) {
+        Point low = Q.row(boundary.front());
+        Point high = low;
+        for (int i = 0; i < n_; ++i) {
+            segments_[i] = {Q.row(boundary[i]), Q.row(boundary[(i + 1) % n_])};
+            low = low.cwiseMin(segments_[i].a);
+            high = high.cwiseMax(segments_[i].a);
+        }
+        touching_ = kTouching * (high - low).norm();
     }
-    return doubledArea > 0 ? 1 : -1;
-}
 
-/// One outline edge with its extent along and across the sweep.
-struct Segment {
-    Eigen::RowVector2d a, b;
-    double first, last, low, high;
+    std::vector<OutlineCrossing> crossings(int limit) const {
+        std::vector<OutlineCrossing> found;
+        const auto look = [&](int i, int j, const PlaneCell& cell) {
+            if (j - i == 1 || j - i == n_ - 1) {
+                return true;
+            }
+            const auto place = crossing(i, j);
+            if (place && cell.owns(*place)) {
+                found.push_back({i, j, *place});
+            }
+            return static_cast<int>(found.size()) < limit;
+        };
+        visitSegmentPairs(segments_, touching_, look);
+        std::sort(found.begin(), found.end(), [](const auto& s, const auto& t) {
+            return std::tie(s.first, s.second) < std::tie(t.first, t.second);
+        });
+        return found;
+    }
+
+private:
+    /// Where edges i and j cross; the same place whichever cell asks.
+    std::optional<Point> crossing(int i, int j) const {
+        const Segment2& s = segments_[i];
+        const Segment2& t = segments_[j];
+        if ((s.a.cwiseMin(s.b).array() > t.a.cwiseMax(t.b).array() + touching_).any() ||
+            (t.a.cwiseMin(t.b).array() > s.a.cwiseMax(s.b).array() + touching_).any()) {
+            return std::nullopt;
+        }
+        const int ta = side(s, t.a);
+        const int tb = side(s, t.b);
+        const int sa = side(t, s.a);
+        const int sb = side(t, s.b);
+        if (ta * tb < 0 && sa * sb < 0) {
+            return meeting(s, t);
+        }
+        if (ta * tb > 0 || sa * sb > 0) {
+            return std::nullopt;
+        }
+        if ((s.a - t.a).norm() <= touching_) {
+            return passesCorner(i, j) ? std::optional(s.a) : std::nullopt;
+        }
+        if (ta == 0 && isInside(s, t.a) && side(s, before(j)) * tb < 0) {
+            return t.a;
+        }
+        if (sa == 0 && isInside(t, s.a) && side(t, before(i)) * sb < 0) {
+            return s.a;
+        }
+        if (ta == 0 && tb == 0 && sa == 0 && sb == 0 && (s.b - s.a).dot(t.b - t.a) > 0) {
+            return middleOfOverlap(s, t);
+        }
+        return std::nullopt;
+    }
+
+    const Point& before(int i) const { return segments_[i > 0 ? i - 1 : n_ - 1].a; }
+
+    /// 1 left of the line, -1 right of it, 0 within touching distance of it.
+    int side(const Point& p, const Point& q, const Point& r) const {
+        const Point along = q - p;
+        const Point to = r - p;
+        const double doubledArea = along.x() * to.y() - along.y() * to.x();
+        return std::abs(doubledArea) <= touching_ * along.norm() ? 0 : exactOrientation(p, q, r);
+    }
+
+    int side(const Segment2& s, const Point& r) const { return side(s.a, s.b, r); }
+
+    /// For a point on the segment's line: between its ends, not at one.
+    bool isInside(const Segment2& s, const Point& p) const {
+        const Point along = s.b - s.a;
+        return (p - s.a).dot(along) > touching_ * along.norm() &&
+               (s.b - p).dot(along) > touching_ * along.norm();
+    }
+
+    static Point meeting(const Segment2& s, const Segment2& t) {
+        const Point along = t.b - t.a;
+        const auto height = [&](const Point& p) {
+            return along.x() * (p.y() - t.a.y()) - along.y() * (p.x() - t.a.x());
+        };
+        const double share = height(s.a) / (height(s.a) - height(s.b));
+        const Point onS = s.a + share * (s.b - s.a);
+        // Of almost parallel edges this may lie beyond an end of t, by rounding.
+        const double onT = (onS - t.a).dot(along) / along.squaredNorm();
+        return onT < 0 ? t.a : (onT > 1 ? t.b : onS);
+    }
+
+    /// For edges on one line in the same direction: the middle of what they share.
+    std::optional<Point> middleOfOverlap(const Segment2& s, const Segment2& t) const {
+        const Point along = (s.b - s.a).normalized();
+        const double from = std::max(0.0, (t.a - s.a).dot(along));
+        const double to = std::min((s.b - s.a).norm(), (t.b - s.a).dot(along));
+        return to - from > touching_ ? std::optional<Point>(s.a + 0.5 * (from + to) * along)
+                                     : std::nullopt;
+    }
+
+    bool isSameRay(const Point& from, const Point& u, const Point& v) const {
+        return (u - from).dot(v - from) > 0 && (side(from, u, v) == 0 || side(from, v, u) == 0);
+    }
+
+    /// For corners i and j at one place: whether the outline at j comes from one side of the
+    /// outline at i and goes to the other, or both leave along each other.
+    bool passesCorner(int i, int j) const {
+        const Point& corner = segments_[i].a;
+        const Point& in = before(i);
+        const Point& out = segments_[i].b;
+        if (isSameRay(corner, out, segments_[j].b)) {
+            return true;
+        }
+        for (const Point* p : {&before(j), &segments_[j].b}) {
+            if (isSameRay(corner, in, *p) || isSameRay(corner, out, *p)) {
+                return false;
+            }
+        }
+        const int turn = side(corner, out, in);
+        const auto isLeft = [&](const Point& p) {
+            const bool leftOfOut = side(corner, out, p) > 0;
+            const bool rightOfIn = side(corner, in, p) < 0;
+            return turn > 0 ? leftOfOut && rightOfIn : leftOfOut || rightOfIn;
+        };
+        return isLeft(before(j)) != isLeft(segments_[j].b);
+    }
+
+    int n_;
+    std::vector<Segment2> segments_;
+    double touching_ = 0;
 };
-
-bool cross(const Segment& s, const Segment& t, double touching) {
-    return s.low <= t.high && t.low <= s.high &&
-           side(s.a, s.b, t.a, touching) * side(s.a, s.b, t.b, touching) < 0 &&
-           side(t.a, t.b, s.a, touching) * side(t.a, t.b, s.b, touching) < 0;
-}
 
 }  // namespace
 
+std::vector<OutlineCrossing> findOutlineCrossings(const Points2& Q,
+                                                  const std::vector<int>& boundary) {
+    return boundary.empty() ? std::vector<OutlineCrossing>()
+                            : Outline(Q, boundary).crossings(kMaxOutlineCrossings);
+}
+
+bool outlineIsSimple(const Points2& Q, const std::vector<int>& boundary) {
+    return boundary.empty() || Outline(Q, boundary).crossings(1).empty();
+}
+
 int outlineCrossings(const Points2& Q, const std::vector<int>& boundary) {
-    const int n = static_cast<int>(boundary.size());
-    const Eigen::RowVector2d sweep(std::cos(kSlant), std::sin(kSlant));
-    const Eigen::RowVector2d across(-sweep.y(), sweep.x());
-    std::vector<Segment> segments(n);
-    double extent = 0;
-    for (int i = 0; i < n; ++i) {
-        Segment& s = segments[i];
-        s.a = Q.row(boundary[i]);
-        s.b = Q.row(boundary[(i + 1) % n]);
-        std::tie(s.first, s.last) = std::minmax({s.a.dot(sweep), s.b.dot(sweep)});
-        std::tie(s.low, s.high) = std::minmax({s.a.dot(across), s.b.dot(across)});
-        extent = std::max(extent, (s.a - segments.front().a).norm());
-    }
-    std::vector<int> order(n);
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int i, int j) {
-        return std::tie(segments[i].first, i) < std::tie(segments[j].first, j);
-    });
-    int crossings = 0;
-    for (int k = 0; k < n; ++k) {
-        const Segment& s = segments[order[k]];
-        for (int m = k + 1; m < n && segments[order[m]].first <= s.last; ++m) {
-            const int apart = std::abs(order[m] - order[k]);
-            if (apart > 1 && apart < n - 1 && cross(s, segments[order[m]], kTouching * extent)) {
-                ++crossings;
-            }
-        }
-    }
-    return crossings;
+    return static_cast<int>(findOutlineCrossings(Q, boundary).size());
 }
 
 }  // namespace toile

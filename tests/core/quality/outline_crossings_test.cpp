@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/outline_crossings.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -46,7 +52,7 @@ TEST(OutlineCrossings, ASquareHasNoneAndABowTieOne) {
 
 TEST(OutlineCrossings, AgreesWithBruteForceOnRandomPolygons) {
     std::mt19937 random(5);
-    for (int n = 4; n < 60; n += 5) {
+    for (const int n : {4, 5, 9, 14, 19, 30, 45, 60, 150, 600}) {
         Points2 Q(n, 2);
         for (int i = 0; i < n; ++i) {
             Q.row(i) << random() / 4294967296.0, 3 * (random() / 4294967296.0);
@@ -67,6 +73,163 @@ TEST(OutlineCrossings, TouchingIsNoCrossing) {
     Points2 Q(6, 2);
     Q << 0, 0, 4, 0, 4, 3, 2, 0, 0, 3, -1, 1;  // a corner rests on the bottom edge
     EXPECT_EQ(outlineCrossings(Q, loop(6)), 0);
+}
+
+TEST(OutlineCrossings, NamesEdgesAndPlace) {
+    Points2 Q(4, 2);
+    Q << 0, 0, 4, 4, 4, 0, 0, 4;
+    const auto crossings = findOutlineCrossings(Q, loop(4));
+    ASSERT_EQ(crossings.size(), 1);
+    EXPECT_EQ(crossings[0].first, 0);
+    EXPECT_EQ(crossings[0].second, 2);
+    EXPECT_EQ(crossings[0].place, Eigen::RowVector2d(2, 2));
+    EXPECT_FALSE(outlineIsSimple(Q, loop(4)));
+}
+
+TEST(OutlineCrossings, PassingThroughACornerOrAnEdgeCrosses) {
+    Points2 Q(6, 2);
+    Q << 0, 0, 4, 0, 4, 3, 2, 0, 0, -3, -1, 1;  // from above through (2, 0) to below
+    const auto throughEdge = findOutlineCrossings(Q, loop(6));
+    ASSERT_EQ(throughEdge.size(), 1);
+    EXPECT_EQ(throughEdge[0].first, 0);
+    EXPECT_EQ(throughEdge[0].second, 3);
+    EXPECT_EQ(throughEdge[0].place, Eigen::RowVector2d(2, 0));
+    // An eight whose two strokes meet in corners of both.
+    Points2 eight(6, 2);
+    eight << 0, 0, -1, -1, 1, -1, 0, 0, -1, 1, 1, 1;
+    EXPECT_EQ(outlineCrossings(eight, loop(6)), 1);
+    // The same corners without passing: two drops hanging on one point.
+    Points2 drops(6, 2);
+    drops << 0, 0, -1, -1, 1, -1, 0, 0, 1, 1, -1, 1;
+    EXPECT_EQ(outlineCrossings(drops, loop(6)), 0);
+}
+
+/// The outline of a flat ring sector that turns `degrees`, a corner every ten.
+Points2 ringSector(int degrees) {
+    const int steps = degrees / 10;
+    Points2 Q(2 * (steps + 1), 2);
+    for (int k = 0; k <= steps; ++k) {
+        const double angle = k % 36 * 10 * std::numbers::pi / 180;  // equal bytes every turn
+        const Eigen::RowVector2d direction(std::cos(angle), std::sin(angle));
+        Q.row(k) = 2 * direction;
+        Q.row(Q.rows() - 1 - k) = direction;
+    }
+    return Q;
+}
+
+TEST(OutlineCrossings, StretchesOnEachOtherCrossWhereTheClothIsOnTheSameSide) {
+    EXPECT_EQ(outlineCrossings(ringSector(350), loop(72)), 0);
+    EXPECT_EQ(outlineCrossings(ringSector(360), loop(74)), 0);  // its ends lie on each other
+    EXPECT_GE(outlineCrossings(ringSector(400), loop(82)), 8);
+    EXPECT_GE(outlineCrossings(ringSector(720), loop(146)), 72);
+}
+
+TEST(OutlineCrossings, NeitherPlaceNorDirectionNorStartMatters) {
+    std::mt19937 random(3);
+    for (int trial = 0; trial < 200; ++trial) {
+        // Few whole coordinates: corners on edges, corners on corners, edges on edges.
+        const int n = 4 + static_cast<int>(random() % 12);
+        Points2 Q(n, 2);
+        for (int i = 0; i < n; ++i) {
+            do {
+                Q.row(i) << static_cast<double>(random() % 6), static_cast<double>(random() % 6);
+            } while (i > 0 && Q.row(i) == Q.row(i - 1));
+        }
+        if (Q.row(0) == Q.row(n - 1)) {
+            continue;
+        }
+        const int count = outlineCrossings(Q, loop(n));
+        EXPECT_EQ(outlineIsSimple(Q, loop(n)), count == 0);
+        Points2 moved = Q;
+        moved.rowwise() += Eigen::RowVector2d(128, -64);
+        EXPECT_EQ(outlineCrossings(moved, loop(n)), count);
+        std::vector<int> other = loop(n);
+        std::rotate(other.begin(), other.begin() + n / 3, other.end());
+        EXPECT_EQ(outlineCrossings(Q, other), count);
+        std::reverse(other.begin(), other.end());
+        EXPECT_EQ(outlineCrossings(Q, other), count);
+    }
+}
+
+/// Seconds for one search.
+template <class Search>
+double seconds(const Search& search) {
+    const auto begin = std::chrono::steady_clock::now();
+    search();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// A generous limit, for builds with sanitizers too, of what takes less than a second.
+constexpr double kSecondsForLarge = 30;
+
+TEST(OutlineCrossings, ASpiralOfAHundredThousandEdgesIsNotQuadratic) {
+    const int half = 50000;
+    Points2 Q(2 * half, 2);
+    for (int k = 0; k < half; ++k) {
+        const double angle = 2 * std::numbers::pi * 40 * k / half;
+        const Eigen::RowVector2d direction(std::cos(angle), std::sin(angle));
+        Q.row(k) = (1 + angle) * direction;
+        Q.row(2 * half - 1 - k) = (1 + angle + 3) * direction;
+    }
+    EXPECT_LT(seconds([&] { EXPECT_EQ(outlineCrossings(Q, loop(2 * half)), 0); }),
+              kSecondsForLarge);
+}
+
+TEST(OutlineCrossings, ACombOfAHundredThousandEdgesIsNotQuadratic) {
+    for (const double slant : {0.0, 0.3, 0.7}) {
+        const int teeth = 50000;
+        Points2 Q(2 * teeth + 2, 2);
+        for (int k = 0; k < teeth; ++k) {
+            Q.row(2 * k) << k, 0;
+            Q.row(2 * k + 1) << k + 0.5, 40000;
+        }
+        Q.row(2 * teeth) << teeth, -10;
+        Q.row(2 * teeth + 1) << 0, -10;
+        Eigen::Matrix2d turn;
+        turn << std::cos(slant), std::sin(slant), -std::sin(slant), std::cos(slant);
+        Q = (Q * turn).eval();
+        EXPECT_LT(seconds([&] { EXPECT_EQ(outlineCrossings(Q, loop(Q.rows())), 0); }),
+                  kSecondsForLarge);
+    }
+}
+
+TEST(OutlineCrossings, FineDetailsStarsAndSlitsOfLargeOutlinesAreNotQuadratic) {
+    const int n = 100000;
+    Points2 star(n / 4, 2);  // spikes that almost meet in the middle
+    Points2 detail(n, 2);    // nearly all edges in a corner of the outline
+    Points2 slit(n, 2);      // two sides that lie on each other
+    const auto direction = [](int k, int count) {
+        const double angle = 2 * std::numbers::pi * k / count;
+        return Eigen::RowVector2d(std::cos(angle), std::sin(angle));
+    };
+    for (int k = 0; k < n / 4; ++k) {
+        star.row(k) = (k % 2 == 0 ? 1e-3 : 1.0) * direction(k, n / 4);
+    }
+    for (int k = 0; k < n; ++k) {
+        detail.row(k) = (1 + 0.1 * (k % 2)) * direction(k, n);
+        slit.row(k) << std::min(k, n - k), 0;
+    }
+    detail.row(0) << 1e4, -1e4;
+    detail.row(1) << 1e4, 1e4;
+    detail.row(2) *= 1.1;  // the way to the far corners begins outside
+    slit.row(0) << -1, -1;
+    slit.row(n - 1) << -1, 1;
+    for (const Points2* Q : {&star, &detail, &slit}) {
+        EXPECT_LT(seconds([&] { EXPECT_EQ(outlineCrossings(*Q, loop(Q->rows())), 0); }),
+                  kSecondsForLarge);
+    }
+}
+
+TEST(OutlineCrossings, AScribbleEndsAtTheLimit) {
+    std::mt19937 random(1);
+    Points2 Q(30000, 2);
+    for (int i = 0; i < Q.rows(); ++i) {
+        Q.row(i) << random() / 4294967296.0, random() / 4294967296.0;
+    }
+    EXPECT_LT(
+        seconds([&] { EXPECT_EQ(outlineCrossings(Q, loop(Q.rows())), kMaxOutlineCrossings); }),
+        kSecondsForLarge);
+    EXPECT_LT(seconds([&] { EXPECT_FALSE(outlineIsSimple(Q, loop(Q.rows()))); }), kSecondsForLarge);
 }
 
 }  // namespace

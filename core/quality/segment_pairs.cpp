@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/segment_pairs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace toile {
+namespace {
+
+/// A cell is quartered where its sweep leaves more than this many pairs for each segment.
+constexpr std::size_t kPairsEach = 8;
+/// Cells of fewer segments are not worth a division.
+constexpr std::size_t kFewSegments = 12;
+constexpr int kMaxDepth = 24;
+
+/// The part of a segment in a cell, seen across the sweep.
+struct Span {
+    double low, high;
+    int segment;
+};
+
+/// The part of the segment in the cell grown by the margin; false where there is none.
+bool clip(const Segment2& s, const PlaneCell& cell, double margin, Segment2& part) {
+    double enters = 0;
+    double leaves = 1;
+    const Eigen::RowVector2d along = s.b - s.a;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double toLow = cell.low[axis] - margin - s.a[axis];
+        const double toHigh = cell.high[axis] + margin - s.a[axis];
+        if (along[axis] == 0) {
+            if (toLow > 0 || toHigh < 0) {
+                return false;
+            }
+            continue;
+        }
+        const auto [first, last] = std::minmax({toLow / along[axis], toHigh / along[axis]});
+        enters = std::max(enters, first);
+        leaves = std::min(leaves, last);
+    }
+    part = {s.a + enters * along, s.a + leaves * along};
+    return enters <= leaves;
+}
+
+class Search {
+public:
+    Search(const std::vector<Segment2>& segments, double margin, const PairVisitor& visit)
+        : segments_(segments), margin_(margin), visit_(visit) {}
+
+    bool inCell(const PlaneCell& cell, const std::vector<int>& inside, int depth) const {
+        std::vector<Segment2> parts;
+        std::vector<int> here;
+        for (const int i : inside) {
+            Segment2 part;
+            if (clip(segments_[i], cell, margin_, part)) {
+                parts.push_back(part);
+                here.push_back(i);
+            }
+        }
+        const Eigen::RowVector2d across = mostlyAcross(parts);
+        const std::vector<Span> spans = spansAlong(across, parts, here);
+        const std::size_t pairs = overlaps(spans);
+        if (depth == kMaxDepth || here.size() < kFewSegments || pairs <= kPairsEach * here.size()) {
+            return visitOverlaps(spans, cell);
+        }
+        const Eigen::RowVector2d middle = 0.5 * (cell.low + cell.high);
+        for (const auto& [right, upper] : {std::pair(false, false), std::pair(true, false),
+                                           std::pair(false, true), std::pair(true, true)}) {
+            PlaneCell quarter = cell;
+            (right ? quarter.low : quarter.high).x() = middle.x();
+            (upper ? quarter.low : quarter.high).y() = middle.y();
+            if (!inCell(quarter, here, depth + 1)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+private:
+    /// The direction across which parallel segments lie apart: angles are doubled, so that to and
+    /// fro count alike.
+    static Eigen::RowVector2d mostlyAcross(const std::vector<Segment2>& parts) {
+        Eigen::RowVector2d doubled(0, 0);
+        for (const Segment2& part : parts) {
+            const Eigen::RowVector2d d = part.b - part.a;
+            const double length = d.norm();
+            if (length > 0) {
+                doubled +=
+                    Eigen::RowVector2d(d.x() * d.x() - d.y() * d.y(), 2 * d.x() * d.y()) / length;
+            }
+        }
+        const double angle = 0.5 * std::atan2(doubled.y(), doubled.x());
+        return {-std::sin(angle), std::cos(angle)};
+    }
+
+    std::vector<Span> spansAlong(const Eigen::RowVector2d& axis, const std::vector<Segment2>& parts,
+                                 const std::vector<int>& here) const {
+        std::vector<Span> spans(parts.size());
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+            const auto [low, high] = std::minmax({parts[k].a.dot(axis), parts[k].b.dot(axis)});
+            spans[k] = {low - margin_, high + margin_, here[k]};
+        }
+        std::sort(spans.begin(), spans.end(), [](const Span& s, const Span& t) {
+            return std::tie(s.low, s.segment) < std::tie(t.low, t.segment);
+        });
+        return spans;
+    }
+
+    static std::size_t overlaps(const std::vector<Span>& spans) {
+        std::size_t pairs = 0;
+        for (std::size_t k = 0; k < spans.size(); ++k) {
+            const auto end =
+                std::upper_bound(spans.begin() + static_cast<std::ptrdiff_t>(k), spans.end(),
+                                 spans[k].high, [](double h, const Span& s) { return h < s.low; });
+            pairs += static_cast<std::size_t>(end - spans.begin()) - k - 1;
+        }
+        return pairs;
+    }
+
+    bool visitOverlaps(const std::vector<Span>& spans, const PlaneCell& cell) const {
+        for (std::size_t k = 0; k < spans.size(); ++k) {
+            for (std::size_t m = k + 1; m < spans.size() && spans[m].low <= spans[k].high; ++m) {
+                const auto [first, second] = std::minmax(spans[k].segment, spans[m].segment);
+                if (!visit_(first, second, cell)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    const std::vector<Segment2>& segments_;
+    double margin_;
+    const PairVisitor& visit_;
+};
+
+}  // namespace
+
+bool visitSegmentPairs(const std::vector<Segment2>& segments, double margin,
+                       const PairVisitor& visit) {
+    if (segments.empty()) {
+        return true;
+    }
+    PlaneCell all{segments.front().a, segments.front().a};
+    for (const Segment2& s : segments) {
+        all.low = all.low.cwiseMin(s.a).cwiseMin(s.b);
+        all.high = all.high.cwiseMax(s.a).cwiseMax(s.b);
+    }
+    // No place of a meeting lies on the outermost sides, and none is lost to a rounded clipping.
+    const double extent = (all.high - all.low).maxCoeff();
+    margin = std::max(margin, 4e-12 * extent);
+    all.low.array() -= 2 * margin;
+    all.high.array() += 2 * margin;
+    std::vector<int> everyone(segments.size());
+    std::iota(everyone.begin(), everyone.end(), 0);
+    return Search(segments, margin, visit).inCell(all, everyone, 0);
+}
+
+}  // namespace toile
