@@ -79,6 +79,22 @@ Words wordsOf(ErrorCode code) {
         case ErrorCode::HolesKept:
             return {"holes-kept", "holes in the cloth stay open inside the outline",
                     "The lengths of their rims are measured, not kept", true};
+        case ErrorCode::OutlineCrosses:
+            return {"outline-crosses", "the flat outline crosses itself",
+                    "Divide the piece by a cut before it is cut out of cloth", true};
+        case ErrorCode::OutlineUncrossed:
+            return {"outline-uncrossed",
+                    "the flat outline crossed itself and was moved apart, keeping its lengths", "",
+                    true};
+        case ErrorCode::DegenerateTriangles:
+            return {"degenerate-triangles", "triangles have almost no height",
+                    "The pattern may be uneven next to them; merge doubled vertices or remove the "
+                    "slivers in the modelling program",
+                    true};
+        case ErrorCode::AnglesOutOfRange:
+            return {"angles-out-of-range",
+                    "the surface's curvature asks for corners that no flat outline has",
+                    "Cut the piece where it curves most if the pattern looks folded there", true};
         case ErrorCode::ClosedSurface:
             return {"closed-surface", "the piece is closed and has no outline",
                     "Cut it open along a seam, or let Toile do it (--auto-cut)"};

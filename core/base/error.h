@@ -34,6 +34,11 @@ enum class ErrorCode {
     VerticesAdded,
     VerticesWelded,
     HolesKept,
+    // Flattening: the piece lies flat, with a note
+    OutlineCrosses,
+    OutlineUncrossed,
+    DegenerateTriangles,
+    AnglesOutOfRange,
     // Pieces
     ClosedSurface,
     SeveralLoops,

@@ -65,6 +65,10 @@ bool isPlausible(const Result<FlatBoundary>& solved, const BoundaryProblem& prob
                : solved.error().code == ErrorCode::Cancelled;
 }
 
+bool isClosed(const FlatBoundary& flat) {
+    return flat.points.allFinite() && flat.closureGap <= kClosureTolerance;
+}
+
 }  // namespace
 
 Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolver solver,
@@ -90,10 +94,13 @@ Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolve
             solved = std::move(second);
         }
     }
+    if (solved ? !isClosed(*solved) : solved.error().code == ErrorCode::BoundaryNotConverged) {
+        solved = solveBoundaryDescent(scaled, progress);
+    }
     if (!solved) {
         return solved.error();
     }
-    if (!solved->points.allFinite() || !(solved->closureGap <= kClosureTolerance)) {
+    if (!isClosed(*solved)) {
         return Error{ErrorCode::BoundaryNotConverged, "",
                      "closing gap " + shortest(solved->closureGap) + " of the perimeter"};
     }

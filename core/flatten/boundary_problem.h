@@ -42,9 +42,18 @@ Result<FlatBoundary> solveBoundaryNewton(const BoundaryProblem& problem, const P
 /// outlines that nearly close, without a guarantee elsewhere. Same preconditions and errors.
 Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Progress& progress);
 
+/// The way that cannot fail: from the convex polygon in a circle, which always exists and has the
+/// lengths, over closed outlines only, downwards; the wanted angles are approached in stages. Slow,
+/// and of several minima it finds the one the convex outline grows into. Where the steps end before
+/// the minimum (outlines near to lying on a line) the outline has the lengths all the same.
+/// Same preconditions. Errors: NoClosedOutline, Cancelled. Cost: some hundred steps of O(n).
+Result<FlatBoundary> solveBoundaryDescent(const BoundaryProblem& problem, const Progress& progress);
+
 /// Chooses the solver, after checking that a closed outline exists. Neither is certain to converge
 /// on outlines far from closing: where the wanted one fails, or leaves a vertex more than a
 /// quarter turn from its wanted angle, the other runs too and the outline of lower energy is taken.
+/// Where both fail the descent from the circle finds one, so that every set of lengths that closes
+/// gets an outline.
 Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolver solver,
                                    const Progress& progress);
 
@@ -53,6 +62,10 @@ namespace detail {
 /// Wanted angles plus the evenly spread deficit ((n-2) pi - sum alpha) / n: the start from which
 /// both solvers work on strongly curved pieces too.
 Eigen::VectorXd spreadDeficit(const Eigen::VectorXd& angles);
+
+/// Newton's steps from given inner angles theta; else as `solveBoundaryNewton`.
+Result<FlatBoundary> newtonFrom(const BoundaryProblem& problem, const Eigen::VectorXd& theta,
+                                const Progress& progress);
 
 /// The outline walked along directions phi (phi_n included); what is left at the end is the gap.
 /// The gap, at rounding level once a solver has converged, is shared by all edges.

@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/flatten/flat_notes.h"
 #include "core/flatten/methods/methods.h"
 #include "core/garment/garment.h"
 
@@ -18,10 +19,22 @@ constexpr double kLevelSlope = 0.2;
 Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
                             const Progress& progress) {
     switch (options.method) {
-        case Method::Natural:
-            return flattenNatural(piece, options, progress);
+        case Method::Isometric:
+            return flattenIsometric(piece, options, progress);
+        case Method::Curvature:
+            return flattenCurvature(piece, options, progress);
         case Method::Wang2005:
             return flattenWang2005(piece, options, progress);
+        case Method::Stretch:
+            return flattenStretch(piece, options, progress);
+        case Method::Natural:
+            return flattenNatural(piece, options, progress);
+        case Method::Lscm:
+            return flattenLscm(piece, options, progress);
+        case Method::Abf:
+            return flattenAbf(piece, options, progress);
+        case Method::Convex:
+            return flattenConvex(piece, options, progress);
     }
     return Error{ErrorCode::NotFinite, piece.name, "unknown method"};
 }
@@ -55,7 +68,8 @@ void standUpright(const Points3& V, Points2& Q) {
 
 }  // namespace
 
-Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options, Progress& progress) {
+Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
+                          const Progress& progress) {
     if (piece.defect) {
         return *piece.defect;
     }
@@ -75,17 +89,12 @@ Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options, Pro
     if (!flat->Q.allFinite()) {
         return Error{ErrorCode::NotFinite, piece.name, "flat positions"};
     }
-    return flat;
-}
-
-std::string_view name(Method method) {
-    switch (method) {
-        case Method::Natural:
-            return "natural";
-        case Method::Wang2005:
-            return "wang2005";
+    for (const auto& note : {crossingNote(piece, flat->Q), degenerateNote(piece)}) {
+        if (note) {
+            flat->notes.push_back(*note);
+        }
     }
-    return "";
+    return flat;
 }
 
 std::string_view name(BoundarySolver solver) {
@@ -96,15 +105,6 @@ std::string_view name(BoundarySolver solver) {
             return "slcp";
     }
     return "";
-}
-
-std::optional<Method> parseMethod(std::string_view text) {
-    for (const Method method : {Method::Natural, Method::Wang2005}) {
-        if (text == name(method)) {
-            return method;
-        }
-    }
-    return std::nullopt;
 }
 
 std::optional<BoundarySolver> parseBoundarySolver(std::string_view text) {

@@ -4,19 +4,15 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/flatten/method.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 
 struct Piece;
-
-/// A published way of flattening. docs/methods.md compares them.
-enum class Method {
-    Natural,   ///< free boundary, conformal [DMA02]; seam lengths are not kept
-    Wang2005,  ///< boundary lengths kept exactly, conformal interior [Wang05]
-};
 
 /// How the boundary problem of [Wang05] eq. (9) is solved; both find the same outline on pieces of
 /// garments. Where one fails, the other is tried (boundary_problem.h).
@@ -25,9 +21,36 @@ enum class BoundarySolver {
     Slcp,    ///< sequential linearly constrained programming, [Wang05] eq. (14) to (22)
 };
 
+/// How [DMA02]'s free boundary is held against collapsing to a point.
+enum class FreeBoundary {
+    Pinned,    ///< two far boundary vertices are given
+    Spectral,  ///< no vertex is special: the least eigenvector instead [MTAD08]
+};
+
+/// How much time `isometric` takes for how little distortion.
+enum class Quality {
+    Draft,     ///< within some percent of the least distortion: for dragging
+    Standard,  ///< within about a thousandth
+    Fine,      ///< to the last digits that matter
+};
+
+/// The outline in which `stretch` places the interior. Both have exact lengths.
+enum class StretchOutline {
+    Circle,     ///< a convex one, as published: no triangle flips, much distortion
+    Curvature,  ///< that of `curvature`, which suits the cloth better
+};
+
 struct FlattenOptions {
-    Method method = Method::Wang2005;
-    BoundarySolver boundarySolver = BoundarySolver::Newton;  ///< used by Wang2005
+    Method method = Method::Isometric;
+    BoundarySolver boundarySolver = BoundarySolver::Newton;  ///< where one is solved
+    FreeBoundary freeBoundary = FreeBoundary::Pinned;        ///< used by Natural
+    Quality quality = Quality::Standard;                     ///< used by Isometric
+    StretchOutline stretchOutline = StretchOutline::Circle;  ///< used by Stretch
+    /// mu of [DMA02]'s mix of conformal and authalic weights, (1 - mu) and mu, in [0, 1]; used
+    /// where a conformal interior is placed in a fixed boundary (Wang2005, Curvature).
+    double authalic = 0;
+
+    bool operator==(const FlattenOptions&) const = default;
 };
 
 /// A flattened piece: one planar point per vertex, orientation kept (never mirrored).
@@ -37,8 +60,13 @@ struct FlatPiece {
     int boundaryIterations = 0;  ///< 0 where the method solves no boundary problem
     double closureGap = 0;       ///< |sum of the boundary edge vectors| / perimeter, before closing
     double angleEnergy = 0;      ///< 1/2 sum (theta - alpha)^2, radians squared
+    int interiorIterations = 0;  ///< of methods that iterate inside; 0 for one linear solve
+    /// Edges turned to make the cotangent weights non-negative (conformal_interior.h); 0 where the
+    /// interior was placed by the mesh's own weights.
+    int delaunayFlips = 0;
     double boundarySeconds = 0;
     double interiorSeconds = 0;
+    Problems notes{};  ///< what the user should know of the result: crossings, degenerate triangles
 };
 
 /// Flattens one piece. The y axis points where the 3D +y axis points as seen in the plane.
@@ -47,12 +75,11 @@ struct FlatPiece {
 /// @errors the piece's own defect, NoClosedOutline, BoundaryNotConverged, FactorisationFailed,
 ///         NotFinite, Cancelled
 /// Cost: one sparse factorisation of the interior, two back-substitutions. Re-entrant.
-Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options, Progress& progress);
+Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
+                          const Progress& progress);
 
-/// "natural", "wang2005"; "newton", "slcp": the words of the command line and the report.
-std::string_view name(Method method);
+/// "newton", "slcp": the words of the command line and the report.
 std::string_view name(BoundarySolver solver);
-std::optional<Method> parseMethod(std::string_view text);
 std::optional<BoundarySolver> parseBoundarySolver(std::string_view text);
 
 }  // namespace toile

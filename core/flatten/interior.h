@@ -5,14 +5,44 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/linalg/sparse_cholesky.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
+#include "core/mesh/weighted_edges.h"
 
 namespace toile {
 
-/// Places the interior of a piece by conformal (cotangent) weights with the boundary held:
-/// sum_j w_ij (q_j - q_i) = 0 at every interior vertex, [DMA02] section 4. x and y are two right-
-/// hand sides of one sparse Cholesky factorisation.
+/// The Laplace equation with the boundary held: sum_j w_ij (q_j - q_i) = 0 at every interior
+/// vertex, [DMA02] section 4. One sparse Cholesky factorisation, kept, so that several right-hand
+/// sides (x and y, or the curvature) cost a back-substitution each. Immutable once made; `extend`
+/// and `solve` use its workspace, so one thread at a time.
+class InteriorSystem {
+public:
+    /// @param boundary  the loop of held vertices  @param vertexCount  all vertices, #V
+    /// Errors: FactorisationFailed, OutOfMemory, Cancelled. Cost: one factorisation.
+    static Result<InteriorSystem> make(WeightedEdges graph, int vertexCount,
+                                       const std::vector<int>& boundary, const Progress& progress);
+
+    /// Values at all vertices (#V x k) from those on the boundary (row i: boundary vertex i).
+    /// Errors: OutOfMemory, NotFinite.
+    Result<Eigen::MatrixXd> extend(const Eigen::MatrixXd& onBoundary);
+
+    /// L u = b at the interior vertices, u = 0 on the boundary; L = -sum_j w_ij (u_j - u_i). Rows
+    /// of b at boundary vertices are not looked at. #V x k both. Errors: OutOfMemory, NotFinite.
+    Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& b);
+
+    /// L u at every vertex, the boundary's included. #V x k.
+    Eigen::MatrixXd apply(const Eigen::MatrixXd& u) const;
+
+private:
+    WeightedEdges graph_;
+    std::vector<int> boundary_;
+    std::vector<int> interior_;       ///< vertex of each unknown
+    std::vector<int> interiorIndex_;  ///< unknown of each vertex, -1 on the boundary
+    SparseCholesky cholesky_;
+};
+
+/// Places the interior of a piece by conformal (cotangent) weights with the boundary held.
 /// @param boundary  the loop; its i-th vertex is held at outline row i (mm)
 /// @return #V x 2, mm
 /// Errors: FactorisationFailed, OutOfMemory, NotFinite, Cancelled (checked before each stage). No

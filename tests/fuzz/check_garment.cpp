@@ -101,9 +101,9 @@ std::string whatBreaksOnTheWay(std::string bytes) {
     if (std::string broken = brokenBySeams(garment); !broken.empty()) {
         return broken;
     }
-    for (const Method method : {Method::Wang2005, Method::Natural}) {
+    for (const MethodTraits& traits : allMethods()) {
         FlattenOptions options;
-        options.method = method;
+        options.method = traits.method;
         const PieceResults results = flattenGarment(garment, options, progress);
         if (std::string broken = brokenByFiles(garment, results); !broken.empty()) {
             return broken;

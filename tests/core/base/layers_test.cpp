@@ -27,13 +27,15 @@ const std::map<std::string, Folders> kMayUse = {
     {"quality", {"base", "mesh", "garment"}},
     {"flatten", {"base", "mesh", "linalg", "garment", "quality"}},
     {"seam", {"base", "mesh", "garment", "quality", "flatten"}},
+    {"compare", {"base", "mesh", "garment", "quality", "flatten", "seam"}},
     {"pattern", {"base", "mesh", "garment", "quality", "flatten", "seam"}},
     {"sheet", {"base", "mesh", "pattern"}},
     {"export",
-     {"base", "mesh", "io", "cut", "garment", "quality", "flatten", "seam", "pattern", "sheet"}},
+     {"base", "mesh", "io", "cut", "garment", "quality", "flatten", "seam", "compare", "pattern",
+      "sheet"}},
     {"pipeline",
-     {"base", "mesh", "io", "cut", "garment", "quality", "flatten", "seam", "pattern", "sheet",
-      "export"}},
+     {"base", "mesh", "io", "cut", "garment", "quality", "flatten", "seam", "compare", "pattern",
+      "sheet", "export"}},
 };
 
 template <class Visit>

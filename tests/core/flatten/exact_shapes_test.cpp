@@ -36,7 +36,9 @@ FlatPiece flatOf(const Piece& piece, const FlattenOptions& options = {}) {
     Progress progress;
     auto flat = flatten(piece, options, progress);
     EXPECT_TRUE(flat) << (flat ? "" : sentence(flat.error()));
-    return flat ? *flat : FlatPiece{Points2::Zero(piece.mesh.V.rows(), 2)};
+    FlatPiece nothing;
+    nothing.Q = Points2::Zero(piece.mesh.V.rows(), 2);
+    return flat ? *flat : nothing;
 }
 
 /// Angle defect of the interior vertices: zero where a mesh is developable.

@@ -25,7 +25,7 @@ MeshArrays saddle(int side, double size, double bend);
 /// The unit cube of [Wang05] Table 1, Example IV: 8 x 8 squares a side, 768 triangles, opened along
 /// five cube edges shaped like an H. Diagonals alternate like a checkerboard.
 MeshArrays cubeOpenedAlongH();
-/// The same cube opened along a single edge: the iteration of [Wang05] from raw angles stalls here.
+/// The same cube opened along a single edge: the iteration of [Wang05] from raw angles goes astray.
 MeshArrays cubeSlitAlongOneEdge();
 /// A quad strip closed with half a turn.
 MeshArrays moebiusStrip(int quads);

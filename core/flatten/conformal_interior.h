@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/flatten/interior.h"
+
+namespace toile {
+
+struct Piece;
+
+/// Places the interior of a piece by conformal (cotangent) weights with the outline held, [DMA02]
+/// section 4. The mesh's own weights come first: they give the published figures, and on most
+/// pieces the whole answer. Weights of obtuse triangles may be negative, and then triangles turn
+/// over, or rounding leaves no positive definite system; there the weights of the surface's
+/// Delaunay triangulation (intrinsic_delaunay.h) take their place if they do better. They are no
+/// guarantee: an outline that is not convex can turn triangles over with any weights, and long
+/// needles, which are no triangles of that triangulation, may even do so more often.
+/// Holds the piece by reference. One thread at a time.
+class ConformalInterior {
+public:
+    /// Errors: FactorisationFailed (with both weights), OutOfMemory, Cancelled. Cost: one
+    /// factorisation; two where the first cannot be done.
+    static Result<ConformalInterior> make(const Piece& piece, const Progress& progress);
+
+    /// `InteriorSystem::solve`, by the other weights where these give numbers that are none.
+    Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& b, const Progress& progress);
+    /// `InteriorSystem::apply`, with the weights of the last `solve`.
+    Eigen::MatrixXd apply(const Eigen::MatrixXd& u) const { return system_.apply(u); }
+
+    /// Points at all vertices (#V x 2) from those of the outline (row i: boundary vertex i).
+    /// Errors: NotFinite, OutOfMemory, Cancelled. Cost: two back-substitutions; where triangles
+    /// turn over another factorisation and two more.
+    Result<Points2> place(const Points2& outline, const Progress& progress);
+
+    /// Edges turned for the weights now in use; 0: the mesh's own.
+    int delaunayFlips() const { return delaunayFlips_; }
+
+private:
+    explicit ConformalInterior(const Piece& piece) : piece_(&piece) {}
+
+    Result<ConformalInterior> withDelaunayWeights(const Progress& progress) const;
+
+    const Piece* piece_;
+    InteriorSystem system_;
+    int delaunayFlips_ = 0;
+};
+
+}  // namespace toile

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/crossing_cut.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+
+#include "core/flatten/inner_ways.h"
+#include "core/garment/piece.h"
+#include "core/quality/measures.h"
+
+namespace toile {
+namespace {
+
+/// Crossings looked at: where there are more, evenly chosen ones stand for the others.
+constexpr std::size_t kMaxCrossings = 256;
+/// Pairs of opposite places to search between.
+constexpr int kMaxOpposite = 16;
+/// Sharpest corners taken as ends: the tip of a slit above all.
+constexpr std::size_t kSharpest = 8;
+constexpr std::size_t kCrossingEnds = 8;
+/// Cuts compared where none resolves everything.
+constexpr std::size_t kLeastBadTests = 40;
+/// A cut up to this much longer than the shortest is taken where it divides more evenly.
+constexpr double kHardlyLonger = 1.2;
+
+/// Every k-th of a list, so that at most `most` are left.
+template <class T>
+std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
+    std::vector<T> kept;
+    const std::size_t count = std::min(all.size(), most);
+    for (std::size_t k = 0; k < count; ++k) {
+        kept.push_back(all[k * all.size() / count]);
+    }
+    return kept;
+}
+
+/// 64 bits that look random, the same for the same index everywhere (SplitMix64).
+std::uint64_t scrambled(std::uint64_t index) {
+    std::uint64_t z = (index + 1) * 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+}
+
+class CutSearch {
+public:
+    CutSearch(const Piece& piece, const Points2& Q, const std::vector<OutlineCrossing>& crossings)
+        : piece_(piece),
+          Q_(Q),
+          n_(static_cast<int>(piece.boundary.size())),
+          crossings_(thinned(crossings, kMaxCrossings)),
+          ways_(piece),
+          along_(piece.boundary.size() + 1, 0) {
+        const Eigen::VectorXd lengths = boundaryLengths3d(piece.mesh.V, piece.boundary);
+        std::partial_sum(lengths.begin(), lengths.end(), along_.begin() + 1);
+    }
+
+    std::optional<CrossingCut> best() {
+        fromOppositePlaces();
+        fromSpreadPlaces();
+        if (candidates_.empty()) {
+            return std::nullopt;
+        }
+        // Ways that part more of the crossings first, then short ones.
+        std::stable_sort(
+            candidates_.begin(), candidates_.end(), [](const Candidate& s, const Candidate& t) {
+                return std::tie(s.together, s.way.length) < std::tie(t.together, t.way.length);
+            });
+        const Candidate* shortest = firstThatResolves();
+        return shortest == nullptr ? leastBad() : mostEven(*shortest);
+    }
+
+private:
+    struct Candidate {
+        InnerWay way;
+        int together;  ///< crossings that it does not part
+    };
+
+    /// Tests of parts cost n log n each.
+    std::size_t maxTests() const { return std::clamp<std::size_t>(10000000 / n_, 40, 2000); }
+
+    bool isBetween(int edge, int from, int to) const {
+        return from < to ? edge >= from && edge < to : edge >= from || edge < to;
+    }
+
+    int together(int from, int to) const {
+        return static_cast<int>(std::ranges::count_if(crossings_, [&](const OutlineCrossing& c) {
+            return isBetween(c.first, from, to) == isBetween(c.second, from, to);
+        }));
+    }
+
+    void add(std::vector<InnerWay> found) {
+        for (InnerWay& way : found) {
+            const int left = together(way.from, way.to);
+            if (left < static_cast<int>(crossings_.size())) {
+                candidates_.push_back({std::move(way), left});
+            }
+        }
+    }
+
+    /// A way parts all crossings where its ends lie on different sides of each of them. With a
+    /// random word per crossing, joined by exclusive or on passing its edges, the ends' words
+    /// differ by the join of all.
+    void fromOppositePlaces() {
+        std::vector<std::uint64_t> passed(static_cast<std::size_t>(n_) + 1, 0);
+        std::uint64_t all = 0;
+        for (std::size_t k = 0; k < crossings_.size(); ++k) {
+            all ^= scrambled(k);
+            passed[crossings_[k].first + 1] ^= scrambled(k);
+            passed[crossings_[k].second + 1] ^= scrambled(k);
+        }
+        std::map<std::uint64_t, std::vector<int>> places;
+        std::vector<std::uint64_t> order;  // by first place, not by word
+        for (int i = 0; i < n_; ++i) {
+            passed[i] ^= i > 0 ? passed[i - 1] : 0;
+            auto& here = places[passed[i]];
+            if (here.empty()) {
+                order.push_back(passed[i]);
+            }
+            here.push_back(i);
+        }
+        int searched = 0;
+        for (const std::uint64_t word : order) {
+            const auto opposite = places.find(word ^ all);
+            if (opposite != places.end() && places[word].front() < opposite->second.front() &&
+                searched++ < kMaxOpposite) {
+                add(ways_.find(places[word], opposite->second));
+            }
+        }
+    }
+
+    /// Places where a cut may well end: the sharpest corners, next to crossings, evenly spread.
+    std::vector<int> spreadPlaces(std::size_t count) const {
+        const Eigen::VectorXd angles = boundaryAngles3d(piece_.mesh, piece_.boundary);
+        std::vector<int> sharpest(piece_.boundary.size());
+        std::iota(sharpest.begin(), sharpest.end(), 0);
+        std::stable_sort(sharpest.begin(), sharpest.end(), [&](int i, int j) {
+            return std::abs(angles[i] - std::numbers::pi) > std::abs(angles[j] - std::numbers::pi);
+        });
+        sharpest.resize(std::min(sharpest.size(), kSharpest));
+        std::vector<int> places = sharpest;
+        for (const OutlineCrossing& c : thinned(crossings_, kCrossingEnds)) {
+            for (const int i : {c.first, c.first + 1, c.second, c.second + 1}) {
+                places.push_back(i % n_);
+            }
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const double at = along_.back() * static_cast<double>(k) / static_cast<double>(count);
+            const auto next = std::lower_bound(along_.begin(), along_.end(), at);
+            places.push_back(static_cast<int>(next - along_.begin()) % n_);
+        }
+        std::sort(places.begin(), places.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
+        return places;
+    }
+
+    void fromSpreadPlaces() {
+        const auto edges = static_cast<std::size_t>(piece_.table.edges.rows());
+        const std::vector<int> places =
+            spreadPlaces(std::clamp<std::size_t>(3000000 / edges, 4, 48));
+        for (const int from : thinned(places, std::clamp<std::size_t>(3000000 / edges, 4, 96))) {
+            add(ways_.find({from}, places));
+        }
+    }
+
+    /// The outlines of the two parts.
+    std::array<std::vector<int>, 2> parts(const InnerWay& way) const {
+        std::array<std::vector<int>, 2> loops;
+        for (const bool second : {false, true}) {
+            const int begin = second ? way.to : way.from;
+            const int end = second ? way.from : way.to;
+            std::vector<int>& loop = loops[second ? 1 : 0];
+            for (int i = begin; i != end; i = (i + 1) % n_) {
+                loop.push_back(piece_.boundary[i]);
+            }
+            loop.push_back(piece_.boundary[end]);
+            if (second) {
+                loop.insert(loop.end(), way.path.begin() + 1, way.path.end() - 1);
+            } else {
+                loop.insert(loop.end(), way.path.rbegin() + 1, way.path.rend() - 1);
+            }
+        }
+        return loops;
+    }
+
+    bool resolves(const InnerWay& way) const {
+        const auto loops = parts(way);
+        return outlineIsSimple(Q_, loops[0]) && outlineIsSimple(Q_, loops[1]);
+    }
+
+    const Candidate* firstThatResolves() const {
+        for (std::size_t k = 0; k < std::min(candidates_.size(), maxTests()); ++k) {
+            if (candidates_[k].together == 0 && resolves(candidates_[k].way)) {
+                return &candidates_[k];
+            }
+        }
+        return nullptr;
+    }
+
+    /// How much longer one part's share of the outline is than the other's.
+    double unevenness(const InnerWay& way) const {
+        const double between = std::abs(along_[way.to] - along_[way.from]);
+        return std::abs(along_.back() - 2 * between);
+    }
+
+    CrossingCut mostEven(const Candidate& shortest) const {
+        std::vector<const Candidate*> close;
+        for (const Candidate& c : candidates_) {
+            if (c.together == 0 && c.way.length <= kHardlyLonger * shortest.way.length) {
+                close.push_back(&c);
+            }
+        }
+        std::stable_sort(close.begin(), close.end(), [&](const Candidate* s, const Candidate* t) {
+            return unevenness(s->way) < unevenness(t->way);
+        });
+        for (std::size_t k = 0; k < std::min(close.size(), maxTests()); ++k) {
+            if (resolves(close[k]->way)) {
+                return {close[k]->way.path, close[k]->way.length, true};
+            }
+        }
+        return {shortest.way.path, shortest.way.length, true};
+    }
+
+    /// Of the ways that part the most crossings: the one that leaves the fewest.
+    CrossingCut leastBad() const {
+        const Candidate* best = nullptr;
+        std::size_t fewest = 0;
+        const std::size_t count = std::min(candidates_.size(), kLeastBadTests);
+        for (std::size_t k = 0; k < count; ++k) {
+            const Candidate& c = candidates_[k];
+            const auto loops = parts(c.way);
+            const std::size_t left = findOutlineCrossings(Q_, loops[0]).size() +
+                                     findOutlineCrossings(Q_, loops[1]).size();
+            if (best == nullptr || left < fewest) {
+                best = &c;
+                fewest = left;
+            }
+        }
+        return {best->way.path, best->way.length, false};
+    }
+
+    const Piece& piece_;
+    const Points2& Q_;
+    int n_;
+    std::vector<OutlineCrossing> crossings_;
+    InnerWays ways_;
+    std::vector<double> along_;  ///< length of the outline up to each loop vertex
+    std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+std::optional<CrossingCut> cutForCrossings(const Piece& piece, const Points2& Q,
+                                           const std::vector<OutlineCrossing>& crossings) {
+    return CutSearch(piece, Q, crossings).best();
+}
+
+}  // namespace toile

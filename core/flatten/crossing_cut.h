@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/mesh/mesh_arrays.h"
+#include "core/quality/outline_crossings.h"
+
+namespace toile {
+
+struct Piece;
+
+/// A way along the piece's edges that divides it in two.
+struct CrossingCut {
+    std::vector<int> path;  ///< piece vertices, from the outline through the inside to the outline
+    double length3d = 0;    ///< mm
+    bool resolves = false;  ///< neither part's outline, as it lies in Q, crosses itself
+};
+
+/// The cut that parts what crosses in a flat outline. Each crossing divides the outline in two
+/// arcs; a cut parts the crossing edges where it goes from one of the arcs to the other. Of the
+/// shortest such ways (Dijkstra from the places that part all crossings to those opposite, and
+/// between places spread over the outline) the shortest is taken that leaves two parts without
+/// crossings; among those hardly longer the one that divides the outline most evenly. Where there
+/// is none, the one that leaves the fewest crossings: `resolves` is false, one cut is not enough.
+/// Nothing where no way leads through the inside. Never along the outline or a hole's rim.
+/// @param piece      a disk, holes aside, mm  @param Q  #V x 2
+/// @param crossings  from findOutlineCrossings(Q, piece.boundary), not empty
+/// Cost: some shortest ways through the piece, fewer the larger it is. Deterministic. Pure.
+std::optional<CrossingCut> cutForCrossings(const Piece& piece, const Points2& Q,
+                                           const std::vector<OutlineCrossing>& crossings);
+
+}  // namespace toile

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// A graph whose edges weigh differently to and fro: column 0 is the weight of edges(e, 1) in the
+/// equation of edges(e, 0), column 1 the other way about.
+struct DirectedEdges {
+    Edges edges;               ///< #E x 2
+    Eigen::MatrixX2d weights;  ///< #E x 2
+};
+
+/// sum_j w_ij (q_j - q_i) = 0 at every interior vertex, w_ij and w_ji different: what
+/// `InteriorSystem` is for symmetric weights, by an LU factorisation.
+/// @param boundary  the loop of held vertices, in order  @param outline  #boundary x 2, any unit
+/// @return #V x 2, unit of the outline
+/// Errors: FactorisationFailed, OutOfMemory, NotFinite, Cancelled (checked before and after the
+/// factorisation). Cost: one sparse LU factorisation. Re-entrant.
+Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
+                              const std::vector<int>& boundary, const Points2& outline,
+                              const Progress& progress);
+
+}  // namespace toile

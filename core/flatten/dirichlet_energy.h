@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/linalg/block_matrix.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// The symmetric Dirichlet energy of a flattening [SS15],
+///   E(Q) = sum_T A_T (|J_T|^2 + |J_T^-1|^2) / 4,
+/// with J_T the map of triangle T from its shape in 3D to the plane and A_T its 3D area over the
+/// whole area: 1 where isometric, infinite where a triangle has no area or is flipped. The unit of
+/// the mesh is that of Q. Immutable; linear cost throughout.
+class SymmetricDirichlet {
+public:
+    /// Precondition: no degenerate triangles. Keeps references to both.
+    SymmetricDirichlet(const MeshArrays& mesh, const EdgeTable& table);
+
+    double energy(const Points2& Q) const;
+    /// Derivative by every coordinate, #V x 2. Precondition: the energy is finite.
+    Points2 gradient(const Points2& Q) const;
+    /// Adds the Hessian, made positive semidefinite triangle by triangle. Of its four eigenvalues
+    /// only the twist's can be negative ([SGK19] section 4); it is raised to zero.
+    /// @param edgeOf  number of each edge of the mesh in the matrix's pattern
+    void addHessian(const Points2& Q, const std::vector<int>& edgeOf, BlockMatrix& hessian) const;
+    /// The largest step up to `limit` along P for which no triangle loses its area on the way.
+    double largestStep(const Points2& Q, const Points2& P, double limit) const;
+
+private:
+    /// A triangle's shape in 3D: area, and derivatives of the three hat functions in its plane.
+    struct Shape {
+        double area;
+        double b[3][2];
+    };
+
+    Eigen::Matrix2d jacobian(const Points2& Q, int f) const;
+
+    const MeshArrays& mesh_;
+    const EdgeTable& table_;
+    std::vector<Shape> shapes_;
+};
+
+}  // namespace toile

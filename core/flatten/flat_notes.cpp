@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/flat_notes.h"
+
+#include <numbers>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "core/base/text.h"
+#include "core/flatten/crossing_cut.h"
+#include "core/garment/piece.h"
+#include "core/quality/outline_crossings.h"
+
+namespace toile {
+namespace {
+
+/// Height relative to the longest edge below which a triangle is named. Above the height that
+/// loading refuses (kDegenerateHeight), at which an angle has no digits left.
+constexpr double kSliverHeight = 1e-6;
+constexpr int kNamedFaces = 3;
+/// At the tip of a slit in flat cloth the angle is 2 pi but for rounding, and in range.
+constexpr double kAngleRounding = 1e-9;
+
+std::string place(const Eigen::RowVector3d& p) {
+    return "(" + fixed(p.x(), 1) + ", " + fixed(p.y(), 1) + ", " + fixed(p.z(), 1) + ")";
+}
+
+std::string flatPlace(const Eigen::RowVector2d& p) {
+    return "(" + fixed(p.x(), 1) + ", " + fixed(p.y(), 1) + ")";
+}
+
+/// Where on the piece a place on a flat outline edge lies.
+Eigen::RowVector3d onPiece(const Piece& piece, const Points2& Q, int edge,
+                           const Eigen::RowVector2d& at) {
+    const int v = piece.boundary[edge];
+    const int w = piece.boundary[(edge + 1) % static_cast<int>(piece.boundary.size())];
+    const double length = (Q.row(w) - Q.row(v)).norm();
+    const double share = length > 0 ? std::min(1.0, (at - Q.row(v)).norm() / length) : 0;
+    return (1 - share) * piece.mesh.V.row(v) + share * piece.mesh.V.row(w);
+}
+
+std::string cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) {
+    if (!cut) {
+        return "no cut through the inside was found";
+    }
+    const std::string way = place(piece.mesh.V.row(cut->path.front())) + " to " +
+                            place(piece.mesh.V.row(cut->path.back())) + ", " +
+                            fixed(cut->length3d, 0) + " mm";
+    return cut->resolves ? "cut it from " + way
+                         : "one cut is not enough: begin with one from " + way;
+}
+
+}  // namespace
+
+std::optional<Error> crossingNote(const Piece& piece, const Points2& Q) {
+    const auto crossings = findOutlineCrossings(Q, piece.boundary);
+    if (crossings.empty()) {
+        return std::nullopt;
+    }
+    const OutlineCrossing& first = crossings.front();
+    const auto count = static_cast<int>(crossings.size());
+    std::string detail = counted(count, "crossing");
+    detail += count == kMaxOutlineCrossings ? " or more" : "";
+    detail += count > 1 ? ", the first at " : " at ";
+    detail += flatPlace(first.place) + " mm of the pattern, where " +
+              place(onPiece(piece, Q, first.first, first.place)) + " and " +
+              place(onPiece(piece, Q, first.second, first.place)) + " mm of the piece meet; ";
+    detail += cutWords(piece, cutForCrossings(piece, Q, crossings));
+    return Error{ErrorCode::OutlineCrosses, piece.name, detail};
+}
+
+Error uncrossedNote(const Piece& piece, int crossings) {
+    return {ErrorCode::OutlineUncrossed, piece.name, counted(crossings, "crossing")};
+}
+
+std::optional<Error> degenerateNote(const Piece& piece) {
+    int count = 0;
+    std::string named;
+    for (int f = 0; f < piece.mesh.F.rows(); ++f) {
+        const Eigen::RowVector3d a = piece.mesh.V.row(piece.mesh.F(f, 0));
+        const Eigen::RowVector3d b = piece.mesh.V.row(piece.mesh.F(f, 1));
+        const Eigen::RowVector3d c = piece.mesh.V.row(piece.mesh.F(f, 2));
+        const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        const double doubledArea = (b - a).cross(c - a).norm();
+        if (doubledArea >= kSliverHeight * longest * longest) {
+            continue;
+        }
+        if (count++ < kNamedFaces) {
+            const bool hasSource = f < static_cast<int>(piece.sourceFace.size());
+            const int face = hasSource ? piece.sourceFace[f] : f;
+            named += (named.empty() ? ": " : ", ");
+            named += (face >= 0 ? "face " + std::to_string(face) : std::string("a filled-in face"));
+            named += " at " + place(Eigen::RowVector3d((a + b + c) / 3)) + " mm";
+        }
+    }
+    if (count == 0) {
+        return std::nullopt;
+    }
+    return Error{ErrorCode::DegenerateTriangles, piece.name,
+                 counted(count, "triangle") + named + (count > kNamedFaces ? ", ..." : "")};
+}
+
+std::optional<Error> anglesNote(const Piece& piece, const Eigen::VectorXd& angles) {
+    int count = 0;
+    int first = -1;
+    for (int i = 0; i < angles.size(); ++i) {
+        if (angles[i] < -kAngleRounding || angles[i] > 2 * std::numbers::pi + kAngleRounding) {
+            first = count++ == 0 ? i : first;
+        }
+    }
+    if (count == 0) {
+        return std::nullopt;
+    }
+    return Error{ErrorCode::AnglesOutOfRange, piece.name,
+                 counted(count, "outline vertex") + ", " +
+                     fixed(angles[first] * 180 / std::numbers::pi, 0) + " degrees at " +
+                     place(piece.mesh.V.row(piece.boundary[first])) + " mm"};
+}
+
+}  // namespace toile

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "core/base/error.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+struct Piece;
+
+/// What the user should know of a flat piece (`FlatPiece::notes`). Places are in mm with one
+/// decimal, the piece's and the pattern's. Precondition of all: the piece has no defect.
+
+/// OutlineCrosses: how many crossings, where the first is in the pattern and on the piece, and the
+/// cut that resolves it. Nothing where the outline is simple. Cost: crossing_cut.h.
+std::optional<Error> crossingNote(const Piece& piece, const Points2& Q);
+
+/// OutlineUncrossed, for a flattening that moved `crossings` crossings apart.
+Error uncrossedNote(const Piece& piece, int crossings);
+
+/// DegenerateTriangles: those of less height than a millionth of their longest edge, too flat for
+/// their angles to say much; the first few by the file's face index (counted from 0) and place.
+std::optional<Error> degenerateNote(const Piece& piece);
+
+/// AnglesOutOfRange: wanted inner angles of the outline outside [0, 2 pi], rounding aside.
+/// @param angles  one per vertex of piece.boundary, radians
+std::optional<Error> anglesNote(const Piece& piece, const Eigen::VectorXd& angles);
+
+}  // namespace toile

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+struct DescentOptions {
+    /// Ends when a Newton step promises to lower the energy's excess over 1 by less than this part
+    /// of it.
+    double tolerance = 1e-4;
+    int maxIterations = 500;
+    /// Keeps the outline from crossing itself (outline_barrier.h). The start must not cross itself.
+    bool keepOutlineSimple = false;
+};
+
+struct DescentResult {
+    Points2 Q;
+    double distortion = 0;  ///< symmetric Dirichlet energy, 1 where isometric
+    int iterations = 0;
+    bool converged = false;  ///< the tolerance was met
+};
+
+/// Lowers the symmetric Dirichlet energy of a flattening over interior and boundary positions while
+/// every boundary edge keeps its 3D length. Every iterate is feasible: exact lengths, no flipped
+/// triangle, objective (isometric_objective.h) below the one before; stopping early costs quality
+/// only.
+///
+/// Each step minimises the convexified second-order model under the linearised length conditions
+/// (sequential quadratic programming): the KKT system is solved by the augmented Lagrangian, whose
+/// matrix has the mesh's own sparsity, factorised once per step. The step is cut off before a
+/// triangle loses its area, a second-order correction with the same factorisation gives the lengths
+/// back, and the step is shortened until the objective falls.
+///
+/// @param mesh, table, boundary  a disk without degenerate triangles
+/// @param start  #V x 2, unit of the mesh: boundary lengths exact, no flipped triangle
+/// @param progress  told how far the tolerance is still away, on a logarithmic scale
+/// Errors: NotFinite (the start has flipped triangles), FactorisationFailed, OutOfMemory,
+/// Cancelled. Cost: one sparse factorisation of size 2 #V per iteration. Re-entrant.
+Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTable& table,
+                                           const std::vector<int>& boundary, const Points2& start,
+                                           const DescentOptions& options, const Progress& progress);
+
+}  // namespace toile

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/linalg/block_matrix.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// The conditions |q_(i+1) - q_i| = l_i on the boundary edges of a piece. Immutable; O(n) each.
+class LengthConstraints {
+public:
+    /// @param boundary  loop of vertices  @param lengths  n, unit of Q, positive
+    LengthConstraints(std::vector<int> boundary, Eigen::VectorXd lengths);
+
+    int count() const { return static_cast<int>(boundary_.size()); }
+
+    /// Unit vectors along the edges, n x 2: with them the derivative A of the lengths by Q.
+    Points2 directions(const Points2& Q) const;
+    /// |q_(i+1) - q_i| - l_i.
+    Eigen::VectorXd residual(const Points2& Q) const;
+    /// A P: how fast the lengths change when Q moves along P.
+    Eigen::VectorXd along(const Points2& directions, const Points2& P) const;
+    /// Adds A^T y to G (#V x 2).
+    void addForces(const Points2& directions, const Eigen::VectorXd& y, Points2& G) const;
+    /// Adds A^T diag(stiffness) A and, where a multiplier is positive (the edge pulls), the second
+    /// derivative of its length times the multiplier.
+    void addHessian(const Points2& Q, const Eigen::VectorXd& stiffness,
+                    const Eigen::VectorXd& multipliers, BlockMatrix& hessian) const;
+
+    /// Moves the boundary to the exact lengths, by the least motion to first order (Newton steps
+    /// on the residual, one cyclic tridiagonal solve each; quadratic). False where it does not
+    /// arrive: too far away, or the outline lies in one line.
+    bool restore(Points2& Q) const;
+
+private:
+    std::vector<int> boundary_;
+    Eigen::VectorXd lengths_;
+};
+
+}  // namespace toile

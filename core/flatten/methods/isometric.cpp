@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "core/base/stopwatch.h"
+#include "core/flatten/dirichlet_energy.h"
+#include "core/flatten/flat_notes.h"
+#include "core/flatten/isometric_descent.h"
+#include "core/flatten/methods/methods.h"
+#include "core/flatten/tutte.h"
+#include "core/garment/garment.h"
+#include "core/quality/measures.h"
+
+namespace toile {
+namespace {
+
+/// A simple outline is near where it adds less than 5 % strain, root mean square (strain e in both
+/// directions costs 2 e^2). Cloth that cannot lie flat without strain anyway may be asked for some
+/// three times as much, up to 16 %. Beyond, a cut serves it better than force.
+bool isNear(double simple, double crossing) {
+    constexpr double kSlight = 2 * 0.05 * 0.05;
+    constexpr double kMost = 2 * 0.16 * 0.16;
+    constexpr double kShare = 10;  // of the energy, which is the square of the strain
+    const double added = simple - crossing;
+    return added <= std::max(kSlight, std::min(kMost, kShare * (crossing - 1)));
+}
+
+/// Energy from which on another start may be better: the mean strain is beyond thirtyfold.
+constexpr double kSqueezed = 1e3;
+/// Shares of the time, as progress tells it.
+constexpr double kStartShare = 0.1;
+constexpr double kDescentShare = 0.8;
+
+DescentOptions optionsFor(Quality quality) {
+    DescentOptions options;
+    switch (quality) {
+        case Quality::Draft:
+            options.tolerance = 2e-2;
+            break;
+        case Quality::Standard:
+            options.tolerance = 1e-4;
+            break;
+        case Quality::Fine:
+            options.tolerance = 1e-7;
+            options.maxIterations = 5000;
+            break;
+    }
+    return options;
+}
+
+/// Where the descent begins: at the conformal result, which is the best start, unless it has flips
+/// (its energy is infinite then) or triangles squeezed to almost nothing. Then Tutte's embedding on
+/// a circle, which cannot have flips, if that is better.
+Result<Points2> startOf(const Piece& piece, const Points2* conformal, const Progress& progress) {
+    const SymmetricDirichlet energy(piece.mesh, piece.table);
+    const double ofConformal =
+        conformal ? energy.energy(*conformal) : std::numeric_limits<double>::infinity();
+    if (ofConformal < kSqueezed) {
+        return *conformal;
+    }
+    auto circle = tutteOnCircle(piece, progress);
+    return circle && std::isfinite(ofConformal) && ofConformal < energy.energy(*circle) ? *conformal
+                                                                                        : circle;
+}
+
+Result<DescentResult> descend(const Piece& piece, const Points2& start,
+                              const DescentOptions& options, const Progress& progress) {
+    return lowerIsometricEnergy(piece.mesh, piece.table, piece.boundary, start, options, progress);
+}
+
+/// A simple outline with the same lengths, if one is near: from a circle, held apart on the way.
+std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& crossing,
+                                     DescentOptions options, const Progress& progress) {
+    const auto circle = tutteOnCircle(piece, progress);
+    if (!circle) {
+        return std::nullopt;
+    }
+    options.keepOutlineSimple = true;
+    auto simple = descend(piece, *circle, options, progress);
+    if (!simple || !isNear(simple->distortion, crossing.distortion)) {
+        return std::nullopt;
+    }
+    return std::move(*simple);
+}
+
+}  // namespace
+
+Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& options,
+                                   const Progress& progress) {
+    const Stopwatch time;
+    FlattenOptions conformal = options;
+    conformal.authalic = 0;
+    auto flat = flattenCurvature(piece, conformal, Progress(progress, kStartShare));
+    if (!flat && (flat.error().code == ErrorCode::Cancelled ||
+                  flat.error().code == ErrorCode::NoClosedOutline)) {
+        return flat;
+    }
+    auto start = startOf(piece, flat ? &flat->Q : nullptr, progress);
+    if (!start) {
+        return start.error();
+    }
+    const DescentOptions descent = optionsFor(options.quality);
+    auto lowest = descend(piece, *start, descent, Progress(progress, kDescentShare));
+    if (!lowest) {
+        return lowest.error();
+    }
+    if (!flat) {
+        flat = FlatPiece{};
+    }
+    flat->notes.clear();  // what there was to say of the start
+    flat->interiorIterations = lowest->iterations;
+    flat->Q = std::move(lowest->Q);
+    if (const int crossings = outlineCrossings(flat->Q, piece.boundary); crossings > 0) {
+        if (auto simple = uncross(piece, *lowest, descent, progress)) {
+            flat->notes.push_back(uncrossedNote(piece, crossings));
+            flat->interiorIterations += simple->iterations;
+            flat->Q = std::move(simple->Q);
+        }
+    }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
+    flat->angleEnergy = 0.5 * (boundaryAngles2d(flat->Q, piece.boundary) -
+                               boundaryAngles3d(piece.mesh, piece.boundary))
+                                  .squaredNorm();
+    flat->interiorSeconds = time.seconds() - flat->boundarySeconds;
+    return flat;
+}
+
+}  // namespace toile

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/conformal_energy.h"
+#include "core/flatten/free_boundary.h"
+#include "core/flatten/methods/methods.h"
+
+namespace toile {
+
+Result<FlatPiece> flattenLscm(const Piece& piece, const FlattenOptions& /*options*/,
+                              const Progress& progress) {
+    const Stopwatch time;
+    const auto points =
+        solvePinned(ConformalEnergy(piece.mesh), farPairAlongEdges(piece), 1, progress);
+    if (!points) {
+        return points.error();
+    }
+    return atTrueSize(piece, *points, time);
+}
+
+}  // namespace toile

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/flat_notes.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/flatten/flatten.h"
+#include "tests/core/support/flat_trouble.h"
+#include "tests/core/support/shapes.h"
+
+namespace toile {
+namespace {
+
+TEST(FlatNotes, NameTheCutThatResolvesACrossing) {
+    const auto piece = test::asPiece(test::flounce(420, 80, 200, 72, 5), "flounce");
+    FlattenOptions options;
+    options.method = Method::Curvature;
+    Progress progress;
+    const auto flat = flatten(*piece, options, progress);
+    ASSERT_TRUE(flat);
+    const auto note = crossingNote(*piece, flat->Q);
+    ASSERT_TRUE(note);
+    EXPECT_EQ(note->code, ErrorCode::OutlineCrosses);
+    EXPECT_TRUE(isNote(note->code));
+    EXPECT_EQ(note->where, "flounce");
+    EXPECT_NE(note->detail.find(" crossings, the first at ("), std::string::npos) << note->detail;
+    EXPECT_NE(note->detail.find("; cut it from ("), std::string::npos) << note->detail;
+    EXPECT_NE(note->detail.find("), 120 mm"), std::string::npos) << note->detail;
+    EXPECT_EQ(uncrossedNote(*piece, 2).detail, "2 crossings");
+}
+
+TEST(FlatNotes, SayNothingOfASimpleOutline) {
+    const auto piece = test::asPiece(test::planeGrid(4, 3, 10));
+    EXPECT_FALSE(crossingNote(*piece, piece->mesh.V.leftCols(2)));
+    EXPECT_FALSE(degenerateNote(*piece));
+}
+
+TEST(FlatNotes, NameTrianglesWithoutHeight) {
+    MeshArrays mesh{Points3(5, 3), Triangles(3, 3)};
+    mesh.V << 0, 0, 0, 30, 0, 0, 60, 0, 0, 30, 1e-6, 0, 30, 30, 0;
+    mesh.F << 0, 1, 3, 0, 3, 4, 1, 2, 4;
+    mesh.F.row(2) << 3, 2, 4;
+    mesh.F.conservativeResize(4, 3);
+    mesh.F.row(3) << 1, 2, 3;
+    Piece piece = makePiece("cuff", mesh);
+    ASSERT_FALSE(piece.defect) << sentence(*piece.defect);
+    auto note = degenerateNote(piece);
+    ASSERT_TRUE(note);
+    EXPECT_EQ(note->code, ErrorCode::DegenerateTriangles);
+    EXPECT_EQ(note->detail,
+              "2 triangles: face 0 at (20.0, 0.0, 0.0) mm, face 3 at (40.0, 0.0, 0.0) mm");
+    piece.sourceFace = {7, 8, 9, 11};  // the file's own numbers, where there is a file
+    note = degenerateNote(piece);
+    EXPECT_NE(note->detail.find("face 7 at"), std::string::npos) << note->detail;
+    EXPECT_FALSE(degenerateNote(*test::asPiece(test::sliverGrid(6, 5, 10, 1))));
+}
+
+TEST(FlatNotes, NameAnglesThatNoOutlineHas) {
+    const auto piece = test::asPiece(test::planeGrid(1, 1, 10), "square");
+    Eigen::Vector4d angles(0.1, 2 * std::numbers::pi + 1e-14, 3, 1);
+    EXPECT_FALSE(anglesNote(*piece, angles));
+    angles[2] = -0.5;
+    const auto note = anglesNote(*piece, angles);
+    ASSERT_TRUE(note);
+    EXPECT_EQ(note->code, ErrorCode::AnglesOutOfRange);
+    EXPECT_EQ(note->detail, "1 outline vertex, -29 degrees at (10.0, 10.0, 0.0) mm");
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/flatten/isometric_descent.h"
+#include "core/flatten/tutte.h"
+#include "core/pipeline/pipeline.h"
+#include "core/quality/measures.h"
+#include "tests/core/support/flat_trouble.h"
+#include "tests/core/support/shapes.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+FlattenOptions by(Method method, Quality quality = Quality::Standard) {
+    FlattenOptions options;
+    options.method = method;
+    options.quality = quality;
+    return options;
+}
+
+struct Measured {
+    FlatPiece flat;
+    PieceQuality quality;
+};
+
+Measured flattened(const Piece& piece, const FlattenOptions& options) {
+    Progress progress;
+    auto flat = flatten(piece, options, progress);
+    EXPECT_TRUE(flat) << sentence(flat.error());
+    const PieceQuality quality = measure(piece, flat->Q);
+    return {std::move(*flat), quality};
+}
+
+/// The triangles' angles at each boundary vertex sum to its planar angle, not to that plus a full
+/// turn, and interior ones to one turn: with no triangle flipped, the map is locally one-to-one.
+void expectImmersed(const Piece& piece, const Points2& Q) {
+    EXPECT_EQ(flippedTriangles(triangleAreas2d(Q, piece.mesh.F)), 0);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(Q.rows());
+    const Eigen::MatrixX3d corners = cornerAngles2d(Q, piece.mesh.F);
+    for (int f = 0; f < piece.mesh.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            sum[piece.mesh.F(f, k)] += corners(f, k);
+        }
+    }
+    for (const int v : piece.boundary) {
+        sum[v] = 2 * std::numbers::pi;
+    }
+    EXPECT_LE((sum.array() - 2 * std::numbers::pi).abs().maxCoeff(), 1e-6);
+}
+
+TEST(Isometric, LeavesDevelopablePiecesAsTheyAre) {
+    for (const MeshArrays& mesh :
+         {test::planeGrid(7, 4, 10), test::cylinderSector(12, 6, 50, 2.0, 80),
+          test::coneSector(10, 6, 20, 90, 1.5, 0.5), test::flounce(350.5, 80, 200, 60, 4)}) {
+        const auto piece = test::asPiece(mesh);
+        const Measured result = flattened(*piece, by(Method::Isometric));
+        EXPECT_NEAR(*result.quality.symmetricDirichlet, 1, 1e-9);
+        EXPECT_LE(result.quality.piE, 1e-6);
+        EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-12);
+    }
+}
+
+TEST(Isometric, IsNeverWorseThanItsStartAndKeepsLengths) {
+    for (const MeshArrays& mesh :
+         {test::sphericalCap(8, 100, 1.5), test::saddle(10, 100, 0.01), test::cubeOpenedAlongH(),
+          test::cubeSlitAlongOneEdge(), test::sliverGrid(12, 13, 10, 3)}) {
+        const auto piece = test::asPiece(mesh);
+        const Measured start = flattened(*piece, by(Method::Curvature));
+        const Measured result = flattened(*piece, by(Method::Isometric));
+        ASSERT_TRUE(start.quality.symmetricDirichlet);
+        ASSERT_TRUE(result.quality.symmetricDirichlet);
+        EXPECT_LE(*result.quality.symmetricDirichlet, *start.quality.symmetricDirichlet);
+        EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-11);
+        EXPECT_EQ(result.quality.outlineCrossings, 0);
+        expectImmersed(*piece, result.flat.Q);
+    }
+}
+
+TEST(Isometric, DialTradesTimeForDistortion) {
+    const auto piece = test::asPiece(test::sphericalCap(10, 100, 2.2));
+    const Measured draft = flattened(*piece, by(Method::Isometric, Quality::Draft));
+    const Measured standard = flattened(*piece, by(Method::Isometric, Quality::Standard));
+    const Measured fine = flattened(*piece, by(Method::Isometric, Quality::Fine));
+    EXPECT_LT(draft.flat.interiorIterations, standard.flat.interiorIterations);
+    EXPECT_LE(standard.flat.interiorIterations, fine.flat.interiorIterations);
+    EXPECT_LE(*standard.quality.symmetricDirichlet, *draft.quality.symmetricDirichlet);
+    EXPECT_LE(*fine.quality.symmetricDirichlet, *standard.quality.symmetricDirichlet);
+    const double excess = *fine.quality.symmetricDirichlet - 1;
+    EXPECT_LE(*standard.quality.symmetricDirichlet - 1, 1.001 * excess);
+    EXPECT_LE(*draft.quality.symmetricDirichlet - 1, 1.1 * excess);
+}
+
+TEST(Isometric, FindsTheSameFromACircle) {
+    const auto piece = test::asPiece(test::sphericalCap(8, 100, 1.5));
+    const Progress progress;
+    const auto circle = tutteOnCircle(*piece, progress);
+    ASSERT_TRUE(circle);
+    const auto descended =
+        lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, *circle, {}, progress);
+    ASSERT_TRUE(descended) << sentence(descended.error());
+    EXPECT_TRUE(descended->converged);
+    const Measured result = flattened(*piece, by(Method::Isometric));
+    EXPECT_NEAR(descended->distortion, *result.quality.symmetricDirichlet, 1e-3);
+}
+
+TEST(Isometric, RefusesAFlippedStart) {
+    const auto piece = test::asPiece(test::planeGrid(3, 3, 1));
+    Points2 Q = piece->mesh.V.leftCols<2>();
+    Q.col(0) *= -1;
+    const Progress progress;
+    const auto descended =
+        lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, Q, {}, progress);
+    ASSERT_FALSE(descended);
+    EXPECT_EQ(descended.error().code, ErrorCode::NotFinite);
+}
+
+TEST(Isometric, EndsWhenCancelled) {
+    const auto piece = test::asPiece(test::sphericalCap(8, 100, 1.5));
+    Progress progress;
+    const auto circle = tutteOnCircle(*piece, progress);
+    progress.cancel();
+    const auto descended =
+        lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, *circle, {}, progress);
+    ASSERT_FALSE(descended);
+    EXPECT_EQ(descended.error().code, ErrorCode::Cancelled);
+}
+
+TEST(Isometric, MovesTheSidesOfASlitApart) {
+    for (const double bend : {0.3, 1.0}) {
+        const auto piece = test::asPiece(test::saddleWithSlit(16, 200, bend));
+        EXPECT_GT(flattened(*piece, by(Method::Curvature)).quality.outlineCrossings, 0);
+        const Measured result = flattened(*piece, by(Method::Isometric));
+        EXPECT_EQ(result.quality.outlineCrossings, 0);
+        EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-11);
+        expectImmersed(*piece, result.flat.Q);
+    }
+}
+
+TEST(Isometric, DoesNotForceAFlounceApart) {
+    const auto piece = test::asPiece(test::flounce(425, 80, 200, 60, 5));
+    const Measured result = flattened(*piece, by(Method::Isometric));
+    EXPECT_GT(result.quality.outlineCrossings, 0);
+    EXPECT_NEAR(*result.quality.symmetricDirichlet, 1, 1e-9);
+    EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-11);
+    expectImmersed(*piece, result.flat.Q);
+}
+
+/// Distortions an independent prototype reached, with the margin asked for.
+class IsometricDisks : public testing::TestWithParam<std::pair<const char*, double>> {};
+
+TEST_P(IsometricDisks, MeetTheirDistortion) {
+    const auto& [name, bound] = GetParam();
+    const auto file = test::sharedFile((std::string("disks/") + name).c_str());
+    TOILE_NEEDS_SHARED(file);
+    Progress progress;
+    const auto garment = loadGarment({file}, {LengthUnit::Metre}, progress);
+    ASSERT_TRUE(garment);
+    const Measured result = flattened(*garment->pieces.front(), by(Method::Isometric));
+    ASSERT_TRUE(result.quality.symmetricDirichlet);
+    EXPECT_LE(*result.quality.symmetricDirichlet, bound);
+    EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-9);
+    EXPECT_EQ(result.quality.outlineCrossings, 0);
+    expectImmersed(*garment->pieces.front(), result.flat.Q);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shared, IsometricDisks,
+    testing::Values(std::pair{"hemisphere.obj", 1.305}, std::pair{"nefertiti.off", 1.031},
+                    std::pair{"patch-30.off", 1.101}, std::pair{"three_peaks.off", 1.69},
+                    std::pair{"maxface.obj", 1.030}, std::pair{"lion-head.off", 4.50},
+                    std::pair{"mannequin-devil.off", 8.2}));
+
+/// Mean distance from the designer's own panels, weighted by area: at most this, and not above any
+/// other method that keeps the lengths.
+class IsometricGarments : public testing::TestWithParam<std::pair<const char*, double>> {};
+
+TEST_P(IsometricGarments, ComeNearestToTheTruePanels) {
+    const auto& [name, bound] = GetParam();
+    const auto file = test::sharedFile((std::string("garments/") + name).c_str());
+    TOILE_NEEDS_SHARED(file);
+    Progress progress;
+    LoadOptions load;
+    load.split = SplitMode::Uv;
+    const auto garment = loadGarment({file}, load, progress);
+    ASSERT_TRUE(garment);
+    const auto meanDistance = [&](Method method) {
+        double sum = 0;
+        double area = 0;
+        for (const auto& result : flattenGarment(*garment, by(method), progress)) {
+            EXPECT_TRUE(result->quality && result->quality->reference);
+            EXPECT_LE(result->quality->maxBoundaryLengthError, 1e-9);
+            if (method == Method::Isometric) {
+                EXPECT_EQ(result->quality->flippedTriangles, 0);
+            }
+            sum += result->quality->reference->rms * result->quality->area3d;
+            area += result->quality->area3d;
+        }
+        return sum / area;
+    };
+    const double isometric = meanDistance(Method::Isometric);
+    EXPECT_LE(isometric, bound);
+    for (const MethodTraits& other : allMethods()) {
+        if (other.keepsLengths) {
+            EXPECT_LE(isometric, meanDistance(other.method)) << other.name;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, IsometricGarments,
+                         testing::Values(std::pair{"tee_sim.obj", 1.3}, std::pair{"dress.obj", 2.2},
+                                         std::pair{"longsleeve.obj", 4.3},
+                                         std::pair{"tshirt.obj", 4.6},
+                                         std::pair{"polo.obj", 10.2}));
+
+}  // namespace
+}  // namespace toile
