@@ -16,6 +16,7 @@ struct Arguments {
     enum class Command {
         Window,  ///< no command, perhaps files: open the window
         Flatten,
+        Compare,
         Info,
         Message,  ///< help, version or a usage error: print `message` and end with `status`
     };
@@ -25,9 +26,12 @@ struct Arguments {
     std::vector<std::filesystem::path> outputs;
     LoadOptions load;  ///< but for the seams file, which the command reads
     std::filesystem::path seams;
-    bool json = false;    ///< info: as JSON
-    bool ledger = false;  ///< flatten: print the seams
+    bool json = false;      ///< info, compare: as JSON
+    bool markdown = false;  ///< compare: as Markdown
+    bool perPiece = false;  ///< compare: a table per piece too
+    bool ledger = false;    ///< flatten: print the seams
     FlattenOptions options;
+    std::vector<Method> methods;         ///< compare: each once, in the order typed
     std::filesystem::path screenshot;    ///< window: save a picture of itself and end
     Overlay overlay = Overlay::Checker;  ///< window: what is painted on the cloth at first
     std::optional<Panel> panel;          ///< window: the list in front

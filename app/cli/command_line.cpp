@@ -14,6 +14,8 @@ int runCommand(const Arguments& arguments) {
         switch (arguments.command) {
             case Arguments::Command::Flatten:
                 return runFlatten(arguments, std::cout, std::cerr);
+            case Arguments::Command::Compare:
+                return runCompare(arguments, std::cout, std::cerr);
             case Arguments::Command::Info:
                 return runInfo(arguments, std::cout, std::cerr);
             case Arguments::Command::Message:

@@ -9,8 +9,8 @@ enum ExitStatus { kExitDone = 0, kExitSomeFailed = 1, kExitUsage = 2, kExitUnrea
 
 struct Arguments;
 
-/// Runs `toile flatten`, `toile info`, `--help` or `--version` as parsed. Output goes to stdout,
-/// errors to stderr, one sentence each. Never throws.
+/// Runs `toile flatten`, `toile compare`, `toile info`, `--help` or `--version` as parsed. Output
+/// goes to stdout, errors to stderr, one sentence each. Never throws.
 int runCommand(const Arguments& arguments);
 
 }  // namespace toile

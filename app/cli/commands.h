@@ -9,6 +9,7 @@ struct Arguments;
 
 /// One function per command; each returns the exit status.
 int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err);
+int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace toile

@@ -78,6 +78,11 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
             err << "toile: " << sentence(*result->error) << '\n';
             status = kExitSomeFailed;
         }
+        if (result->flat) {
+            for (const Error& note : result->flat->notes) {
+                err << "toile: " << sentence(note) << '\n';
+            }
+        }
     }
     for (const auto& output : arguments.outputs) {
         const auto written = exportFile(output, *garment, results);

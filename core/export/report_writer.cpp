@@ -48,10 +48,24 @@ Json referenceJson(const PieceResult& result) {
 
 /// What the solver says; the boundary figures only where the method solves a boundary problem.
 void addDiagnostics(Json& json, const PieceResult& result) {
-    const bool boundary = result.flat && result.options.method == Method::Wang2005;
+    const bool boundary = result.flat && traits(result.options.method).solvesBoundary;
     json["boundary_iterations"] = boundary ? Json(result.flat->boundaryIterations) : Json(nullptr);
     json["closure_gap"] = boundary ? number(result.flat->closureGap) : Json(nullptr);
     json["angle_energy"] = boundary ? number(result.flat->angleEnergy) : Json(nullptr);
+    json["interior_iterations"] =
+        result.flat ? Json(result.flat->interiorIterations) : Json(nullptr);
+    json["delaunay_flips"] = result.flat ? Json(result.flat->delaunayFlips) : Json(nullptr);
+}
+
+/// What the user should know of a flat piece.
+Json notesJson(const PieceResult& result) {
+    Json notes = Json::array();
+    if (result.flat) {
+        for (const Error& note : result.flat->notes) {
+            notes.push_back({{"code", text(name(note.code))}, {"message", sentence(note)}});
+        }
+    }
+    return notes;
 }
 
 /// Inner loops that stay open: their rims are measured, not kept.
@@ -76,7 +90,7 @@ Json secondsJson(const PieceResult& result, double readSeconds) {
 
 Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& result) {
     const SourceFile& file = *garment.files[piece.file];
-    const bool solves = result.options.method == Method::Wang2005;
+    const bool solves = traits(result.options.method).solvesBoundary;
     Json json{{"name", piece.name},
               {"file", pathText(file.path)},
               {"method", text(name(result.options.method))},
@@ -97,6 +111,7 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
     }
     addQuality(json, result.flat && result.quality ? &*result.quality : nullptr);
     addDiagnostics(json, result);
+    json["notes"] = notesJson(result);
     json["holes"] = holesJson(piece, result);
     json["reference"] = referenceJson(result);
     json["seconds"] = secondsJson(result, file.readSeconds);

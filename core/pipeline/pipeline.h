@@ -44,11 +44,21 @@ Result<Garment> loadGarment(const std::vector<std::filesystem::path>& paths,
 Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, Progress& progress);
 
 /// Flattens and measures every piece, in parallel over pieces; a piece that fails leaves the
-/// others alone. Same input, same numbers, whatever the number of threads.
+/// others alone. Same input, same bytes, whatever the number of threads.
+/// Cancelled, it returns within `kCancelSeconds` at any size of garment: the work is done on
+/// threads that share what they use, and a stage that cannot be stopped (a factorisation) runs out
+/// on its own after that, unseen (core/base/abandonable_threads.h). Until it has, it keeps its
+/// memory.
+/// @param progress  grows by triangles done, within a piece by the stages and iterations of the
+///                  method; reaches 1 at the end and only there. Not used after the return.
+/// @param threads   how many work at once; 0: as many as the machine has cores
 /// @return one result per piece, in the garment's order; after a cancel the unfinished ones carry
 ///         ErrorCode::Cancelled
 PieceResults flattenGarment(const Garment& garment, const FlattenOptions& options,
-                            Progress& progress);
+                            Progress& progress, int threads = 0);
+
+/// From `Progress::cancel` to the return of `flattenGarment`, at most, at a million triangles.
+inline constexpr double kCancelSeconds = 0.05;
 
 /// The pattern of the pieces that are flat, in garment order, and where each comes from.
 struct LaidOutPattern {

@@ -53,11 +53,53 @@ TEST(Arguments, AnOutputMayComeBeforeTheInput) {
     EXPECT_EQ(a.outputs.size(), 1U);
 }
 
-TEST(Arguments, DefaultsAreTheLengthPreservedBoundaryByNewton) {
-    const Arguments a = parse({"flatten", "a.obj"});
-    EXPECT_EQ(a.options.method, Method::Wang2005);
-    EXPECT_EQ(a.options.boundarySolver, BoundarySolver::Newton);
-    EXPECT_TRUE(a.outputs.empty());
+TEST(Arguments, DefaultsAreThoseOfTheLibrary) {
+    for (const std::vector<const char*>& typed :
+         {std::vector{"flatten", "a.obj"}, std::vector{"compare", "a.obj"}, std::vector{"a.obj"}}) {
+        const Arguments a = parse(typed);
+        EXPECT_TRUE(a.options == FlattenOptions{});
+        EXPECT_TRUE(a.outputs.empty());
+    }
+}
+
+TEST(Arguments, EveryMethodAndItsOptionsCanBeNamedEverywhere) {
+    for (const MethodTraits& method : allMethods()) {
+        const std::string name(method.name);
+        EXPECT_EQ(parse({"flatten", "a.obj", "--method", name.c_str()}).options.method,
+                  method.method);
+        EXPECT_EQ(parse({"a.obj", "--method", name.c_str()}).options.method, method.method);
+        EXPECT_NE(parse({"flatten", "--help"}).message.find(name), std::string::npos);
+    }
+    for (const char* command : {"flatten", "compare", ""}) {
+        std::vector<const char*> typed{
+            "a.obj", "--quality",         "fine", "--free-boundary",   "spectral", "--authalic",
+            "0.25",  "--boundary-solver", "slcp", "--stretch-outline", "curvature"};
+        if (*command != '\0') {
+            typed.insert(typed.begin(), command);
+        }
+        const Arguments a = parse(typed);
+        ASSERT_NE(a.command, Command::Message) << a.message;
+        EXPECT_EQ(a.options.quality, Quality::Fine);
+        EXPECT_EQ(a.options.freeBoundary, FreeBoundary::Spectral);
+        EXPECT_EQ(a.options.authalic, 0.25);
+        EXPECT_EQ(a.options.stretchOutline, StretchOutline::Curvature);
+        EXPECT_EQ(a.options.boundarySolver, BoundarySolver::Slcp);
+    }
+}
+
+TEST(Arguments, CompareTakesMethodsInTheOrderTyped) {
+    const Arguments all = parse({"compare", "a.obj", "b.obj"});
+    EXPECT_EQ(all.command, Command::Compare);
+    EXPECT_EQ(all.inputs.size(), 2U);
+    EXPECT_EQ(all.methods.size(), allMethods().size());
+    const Arguments some = parse({"compare", "--methods", "natural,wang2005,natural", "a.obj",
+                                  "--split", "uv", "--auto-cut", "--per-piece", "--markdown"});
+    ASSERT_EQ(some.command, Command::Compare) << some.message;
+    EXPECT_EQ(some.methods, (std::vector{Method::Natural, Method::Wang2005}));
+    EXPECT_EQ(some.inputs.size(), 1U);
+    EXPECT_EQ(some.load.split, SplitMode::Uv);
+    EXPECT_TRUE(some.load.autoCut && some.perPiece && some.markdown);
+    EXPECT_TRUE(parse({"compare", "a.obj", "--json"}).json);
 }
 
 TEST(Arguments, TheWindowReadsFilesAsTheCommandsDo) {
@@ -98,6 +140,14 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         {"flatten", "a.obj", "--up", "x"},
         {"flatten", "a.obj", "--nonsense"},
         {"flatten", "a.obj", "-o"},
+        {"flatten", "a.obj", "--quality", "superb"},
+        {"flatten", "a.obj", "--free-boundary", "loose"},
+        {"flatten", "a.obj", "--authalic", "1.5"},
+        {"flatten", "a.obj", "--authalic", "nan"},
+        {"compare"},
+        {"compare", "a.obj", "--methods", "natural,magic"},
+        {"compare", "a.obj", "--methods", ""},
+        {"compare", "a.obj", "--json", "--markdown"},
         {"info"},
         {"a.obj", "flatten", "b.obj"},
         {"--overlay", "magic"},

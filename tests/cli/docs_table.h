@@ -10,4 +10,15 @@ namespace toile::test {
 /// instead.
 void expectTableInDocs(const std::string& page, const std::string& name, const std::string& table);
 
+/// The same for Markdown tables of measured figures: times are not looked at, other numbers may
+/// differ as `differingFigures` allows.
+void expectFiguresInDocs(const std::string& page, const std::string& name,
+                         const std::string& table);
+
+/// The first two lines that differ by more than rounding on another machine explains, or nothing.
+/// Columns whose head speaks of time are left out; numbers with decimals may differ by half a
+/// percent and one in the last digit, and below 1e-9 they are all alike; counts in a table by two
+/// percent or one, but not from zero.
+std::string differingFigures(const std::string& ours, const std::string& theirs);
+
 }  // namespace toile::test

@@ -30,7 +30,7 @@ std::string readBytes(const std::filesystem::path& path);
 /// such as a number without exactly four decimals, "-0.0000", or a face across two pieces.
 std::vector<SamplePiece> readSample(const std::filesystem::path& path);
 
-/// The committed sample of that name.
+/// The committed sample of that name, a path within the samples without its ending.
 std::vector<SamplePiece> loadSample(const std::string& name);
 
 /// The piece of that name; throws std::runtime_error where there is none.

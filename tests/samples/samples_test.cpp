@@ -100,14 +100,35 @@ TEST(SampleGenerator, ReproducesTheCommittedFiles) {
 #endif
     ASSERT_EQ(std::system(command.c_str()), 0) << command;
     std::size_t written = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+        if (entry.is_directory()) {
+            continue;
+        }
         const std::filesystem::path committed =
-            std::filesystem::path(TOILE_SAMPLES_DIR) / entry.path().filename();
+            std::filesystem::path(TOILE_SAMPLES_DIR) /
+            std::filesystem::relative(entry.path(), folder.path());
         EXPECT_TRUE(readBytes(entry.path()) == readBytes(committed))
             << committed << " is not what the generator makes; see resources/samples/README.md";
         ++written;
     }
-    EXPECT_EQ(written, sampleNames().size());
+    EXPECT_EQ(written, sampleNames().size() + 1);  // and the cube
+}
+
+TEST(CubeSample, IsADiskOf768TrianglesOpenedAlongFiveEdges) {
+    const std::vector<SamplePiece> pieces = loadSample("shapes/cube-h");
+    ASSERT_EQ(pieces.size(), 1U);
+    const SamplePiece& cube = pieces.front();
+    EXPECT_EQ(cube.triangles.size(), 768U);
+    const std::map<Side, int> sides = countSides(cube);
+    for (const auto& [side, count] : sides) {
+        ASSERT_EQ(count, 1) << "side " << side.first << "-" << side.second;
+    }
+    const std::vector<Side> outline = outlineSides(cube);
+    EXPECT_EQ(outline.size(), 80U);  // five edges of eight squares, from both sides
+    EXPECT_EQ(firstLoop(outline), outline.size());
+    const std::size_t edges = (sides.size() + outline.size()) / 2;
+    EXPECT_EQ(cube.vertices.size() + cube.triangles.size(), edges + 1);
+    EXPECT_TRUE(placedTriangles(cube, true) == placedTriangles(cube, false));
 }
 
 TEST_P(Samples, EveryPieceIsOneManifoldDisk) {

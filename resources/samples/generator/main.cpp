@@ -6,6 +6,7 @@
 
 #include "garments.h"
 #include "obj_writer.h"
+#include "shapes.h"
 
 namespace {
 
@@ -33,8 +34,10 @@ bool writeGarment(const toile::samples::Garment& garment, const std::filesystem:
 
 int main(int argc, char** argv) {
     if (argc != 2) {
-        std::cerr << "Usage: toile_make_samples OUTDIR\n"
-                     "Writes Toile's sample garments as OBJ files into OUTDIR.\n";
+        std::cerr
+            << "Usage: toile_make_samples OUTDIR\n"
+               "Writes Toile's sample garments as OBJ files into OUTDIR, and shapes that are no\n"
+               "garments into OUTDIR/shapes.\n";
         return 2;
     }
     try {
@@ -46,6 +49,9 @@ int main(int argc, char** argv) {
               toile::samples::makeCap, toile::samples::makeSkirt}) {
             written = writeGarment(make(), folder) && written;
         }
+        const std::filesystem::path shapes = folder / "shapes";
+        std::filesystem::create_directories(shapes);
+        written = writeGarment(toile::samples::makeCubeOpenedAlongH(), shapes) && written;
         return written ? 0 : 1;
     } catch (const std::exception& error) {
         std::cerr << "toile_make_samples: " << error.what() << "\n";

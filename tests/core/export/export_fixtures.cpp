@@ -52,6 +52,7 @@ std::shared_ptr<PieceResult> flatResult(std::shared_ptr<const Piece> piece) {
     quality.piTheta = 0.125;
     quality.symmetricDirichlet = 1.0625;
     result->piece = std::move(piece);
+    result->options.method = Method::Wang2005;
     result->flat = std::move(flat);
     result->quality = quality;
     result->seconds = 0.004;

@@ -49,6 +49,9 @@ TEST(WriteReport, GivesTheFiguresOfAFlatPiece) {
     EXPECT_EQ(piece["boundary_iterations"], 4);
     EXPECT_EQ(piece["closure_gap"], 1.5e-14);
     EXPECT_EQ(piece["angle_energy"], 0.25);
+    EXPECT_EQ(piece["interior_iterations"], 0);
+    EXPECT_EQ(piece["delaunay_flips"], 0);
+    EXPECT_EQ(piece["notes"], Json::array());
     EXPECT_EQ(piece["seconds"],
               (Json{{"read", 0.5}, {"boundary", 0.001}, {"interior", 0.002}, {"total", 0.004}}));
     for (const char* key : {"area_2d", "perimeter_3d", "perimeter_2d", "pi_l", "pi_e", "pi_a",
@@ -70,6 +73,21 @@ TEST(WriteReport, WritesNullForWhatIsNotThereOrNotFinite) {
     EXPECT_EQ(natural["method"], "natural");
 }
 
+TEST(WriteReport, SaysWhatTheInteriorTookAndWhatIsNoted) {
+    test::GarmentAndResults all = test::handmadeGarment();
+    auto result = std::make_shared<PieceResult>(*all.results[0]);
+    result->flat->interiorIterations = 7;
+    result->flat->delaunayFlips = 12;
+    result->flat->notes = {{ErrorCode::HolesKept, "front 1", "1 hole"}};
+    all.results[0] = result;
+    const Json piece = report(all)["pieces"][0];
+    EXPECT_EQ(piece["interior_iterations"], 7);
+    EXPECT_EQ(piece["delaunay_flips"], 12);
+    ASSERT_EQ(piece["notes"].size(), 1u);
+    EXPECT_EQ(piece["notes"][0]["code"], "holes-kept");
+    EXPECT_EQ(piece["notes"][0]["message"], sentence(result->flat->notes[0]));
+}
+
 TEST(WriteReport, SaysWhyAPieceFailedAndKeepsItsCounts) {
     const Json json = report(test::handmadeGarment());
     const Json& ring = json["pieces"][1];
@@ -81,8 +99,9 @@ TEST(WriteReport, SaysWhyAPieceFailedAndKeepsItsCounts) {
     for (const auto& [key, value] : json["pieces"][0].items()) {
         ASSERT_TRUE(ring.contains(key)) << "every piece has every field: " << key;
     }
-    for (const char* key : {"boundary_edges", "area_3d", "pi_a", "flipped_triangles",
-                            "outline_crossings", "boundary_iterations", "angle_energy"}) {
+    for (const char* key :
+         {"boundary_edges", "area_3d", "pi_a", "flipped_triangles", "outline_crossings",
+          "boundary_iterations", "angle_energy", "interior_iterations", "delaunay_flips"}) {
         EXPECT_TRUE(ring[key].is_null()) << key;
     }
     EXPECT_TRUE(ring["seconds"]["boundary"].is_null());

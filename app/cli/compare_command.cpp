@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <ostream>
+
+#include "app/cli/arguments.h"
+#include "app/cli/command_line.h"
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/table.h"
+#include "core/export/comparison_writer.h"
+#include "core/pipeline/compare.h"
+
+namespace toile {
+namespace {
+
+void print(const ComparisonTable& compared, std::ostream& out) {
+    out << compared.title << '\n';
+    Table table(compared.head);
+    for (const auto& row : compared.rows) {
+        table.add(row);
+    }
+    table.print(out);
+}
+
+void printText(const Garment& garment, const Comparison& comparison, bool perPiece,
+               std::ostream& out) {
+    printCuts(garment, out);
+    print(comparisonTable(garment, comparison), out);
+    const std::string sentence = nearerSentence(comparison);
+    if (!sentence.empty()) {
+        out << sentence << '\n';
+    }
+    if (perPiece) {
+        for (const ComparisonTable& table : pieceComparisonTables(garment, comparison)) {
+            out << '\n';
+            print(table, out);
+        }
+    }
+}
+
+/// A sentence for each piece that failed, with the method where it failed under it; one where the
+/// piece itself is at fault.
+/// @return whether there was one
+bool printFailures(const Garment& garment, const Comparison& comparison, std::ostream& err) {
+    bool failed = false;
+    for (const auto& piece : garment.pieces) {
+        if (piece->defect) {
+            err << "toile: " << sentence(*piece->defect) << '\n';
+            failed = true;
+        }
+    }
+    for (const ComparedMethod& method : comparison.methods) {
+        for (const auto& result : method.results) {
+            if (result->error && !result->piece->defect) {
+                err << "toile: " << name(method.method) << ": " << sentence(*result->error) << '\n';
+                failed = true;
+            }
+        }
+    }
+    return failed;
+}
+
+}  // namespace
+
+int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+    Progress progress;
+    const auto garment = readInput(arguments, progress);
+    if (!garment) {
+        err << "toile: " << sentence(garment.error()) << '\n';
+        return kExitUnreadable;
+    }
+    const Comparison comparison =
+        compareMethods(*garment, arguments.methods, arguments.options, progress);
+    if (arguments.json) {
+        out << writeComparison(*garment, comparison);
+    } else if (arguments.markdown) {
+        out << writeComparisonMarkdown(*garment, comparison, arguments.perPiece);
+    } else {
+        printText(*garment, comparison, arguments.perPiece, out);
+    }
+    const bool undone = printProblems(*garment, err);
+    const bool failed = printFailures(*garment, comparison, err);
+    out.flush();
+    return !out ? kExitUnreadable : undone || failed ? kExitSomeFailed : kExitDone;
+}
+
+}  // namespace toile

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/flatten/piece_result.h"
+#include "core/garment/garment.h"
+
+namespace toile {
+
+/// What one method makes of one piece, or of all pieces of a garment: the columns of [Wang05]
+/// Table 1 and what a pattern maker asks besides. Empty where there is nothing to measure, or where
+/// a figure is infinite.
+struct ComparedFigures {
+    int pieces = 0;  ///< that were tried
+    int failed = 0;  ///< that did not become flat; the other figures are of those that did
+    /// Of the solves alone, reading and measuring aside; total. Pieces run side by side, so the
+    /// clock may show less.
+    double seconds = 0;
+    std::optional<double> piTheta;  ///< radians; mean over pieces
+    std::optional<double> piE;      ///< mean over pieces
+    std::optional<double> piA;      ///< mean over pieces
+    /// Mean weighted by 3D area; nothing where one triangle is flipped or collapsed.
+    std::optional<double> symmetricDirichlet;
+    std::optional<double> maxBoundaryLengthError;  ///< a fraction; largest
+    int flippedTriangles = 0;                      ///< total
+    int outlineCrossings = 0;                      ///< total
+    /// Largest |error| of a seam whose two sides are flat, its ease taken out (SeamMeasure), mm.
+    std::optional<double> seamMismatch;
+    int referencedPieces = 0;  ///< flat pieces that carry their designer's panel
+    /// Distance to the designer's panels (ReferenceFit), mm; mean over pieces weighted by 3D area.
+    std::optional<double> referenceRms;
+};
+
+/// One method's column in the comparison.
+struct ComparedMethod {
+    Method method;
+    PieceResults results;  ///< one per piece of the garment, in its order
+    ComparedFigures figures;
+    std::vector<ComparedFigures> pieceFigures;  ///< per piece; seams: those that the piece has
+};
+
+/// One garment under several methods, in the order in which they were asked for.
+struct Comparison {
+    std::vector<ComparedMethod> methods;
+};
+
+/// Aggregates one method's results. @param results one per piece of the garment, in its order
+/// Cost: that of measuring every seam once. Pure.
+ComparedMethod compared(Method method, const Garment& garment, PieceResults results);
+
+/// Methods with a free outline that come nearer to the designer's panels than every method that
+/// keeps seam lengths, and the nearest of those. Only methods that made every panel flat which any
+/// method did are looked at. Indices into `methods`.
+struct NearerMethods {
+    std::vector<std::size_t> freeOutline;  ///< nearest first; never empty
+    std::size_t lengthKeeping = 0;
+};
+
+/// Nothing where no free outline is nearer, or there is nothing to compare with. Pure.
+std::optional<NearerMethods> nearerThanLengthKeeping(const Comparison& comparison);
+
+}  // namespace toile

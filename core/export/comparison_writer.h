@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/compare/comparison.h"
+#include "core/garment/garment.h"
+
+namespace toile {
+
+/// A comparison as people read it; every row is as long as the head. Cells are ASCII numbers in
+/// no locale, "-" where there is no figure. Columns in which nobody has a figure are left out.
+struct ComparisonTable {
+    std::string title;  ///< the files, or one piece, and what is in there
+    std::vector<std::string> head;
+    std::vector<std::vector<std::string>> rows;  ///< one per method
+};
+
+/// What is compared over the whole garment.
+ComparisonTable comparisonTable(const Garment& garment, const Comparison& comparison);
+/// The same for each piece, in the garment's order.
+std::vector<ComparisonTable> pieceComparisonTables(const Garment& garment,
+                                                   const Comparison& comparison);
+
+/// "nearer to the given panels than any method that keeps seam lengths: lscm (2.10 mm against 2.41
+/// of isometric)"; empty where that is not so.
+std::string nearerSentence(const Comparison& comparison);
+
+/// The tables as GitHub's Markdown, the whole garment's first, and the sentence below it.
+/// @param perPiece  with a table per piece
+std::string writeComparisonMarkdown(const Garment& garment, const Comparison& comparison,
+                                    bool perPiece);
+
+/// All figures with full digits, per method and per piece, as JSON (docs/report.md). Never NaN or
+/// Infinity: null.
+std::string writeComparison(const Garment& garment, const Comparison& comparison);
+
+}  // namespace toile

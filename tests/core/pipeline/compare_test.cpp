@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/compare.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/pipeline/pipeline.h"
+#include "core/seam/seam_measure.h"
+#include "tests/core/support/temporary_folder.h"
+
+namespace toile {
+namespace {
+
+const std::filesystem::path kSamples =
+    std::filesystem::path(TOILE_SOURCE_DIR) / "resources" / "samples";
+
+Garment load(const std::filesystem::path& path) {
+    Progress progress;
+    auto garment = loadGarment({path}, {LengthUnit::Millimetre}, progress);
+    EXPECT_TRUE(garment) << (garment ? "" : sentence(garment.error()));
+    return garment ? *garment : Garment{};
+}
+
+TEST(CompareMethods, GivesWhatFlatteningGives) {
+    const Garment garment = load(kSamples / "tshirt.obj");
+    Progress progress;
+    const Method methods[] = {Method::Natural, Method::Wang2005};
+    const Comparison comparison = compareMethods(garment, methods, {}, progress);
+    EXPECT_NEAR(progress.fraction(), 1, 1e-9);
+    ASSERT_EQ(comparison.methods.size(), 2U);
+    for (std::size_t m = 0; m < 2; ++m) {
+        const ComparedMethod& method = comparison.methods[m];
+        EXPECT_EQ(method.method, methods[m]);
+        FlattenOptions options;
+        options.method = methods[m];
+        const PieceResults alone = flattenGarment(garment, options, progress);
+        double piE = 0, dirichlet = 0, area = 0, error = 0;
+        for (std::size_t k = 0; k < alone.size(); ++k) {
+            const PieceQuality& q = *alone[k]->quality;
+            EXPECT_EQ(method.results[k]->flat->Q, alone[k]->flat->Q);
+            EXPECT_EQ(method.pieceFigures[k].piE, q.piE);
+            piE += q.piE / static_cast<double>(alone.size());
+            dirichlet += q.area3d * *q.symmetricDirichlet;
+            area += q.area3d;
+            error = std::max(error, q.maxBoundaryLengthError);
+        }
+        EXPECT_EQ(method.figures.pieces, 5);
+        EXPECT_EQ(method.figures.failed, 0);
+        EXPECT_GT(method.figures.seconds, 0);
+        EXPECT_NEAR(*method.figures.piE, piE, 1e-12);
+        EXPECT_NEAR(*method.figures.symmetricDirichlet, dirichlet / area, 1e-12);
+        EXPECT_EQ(*method.figures.maxBoundaryLengthError, error);
+        EXPECT_FALSE(method.figures.referenceRms);  // our own samples have no designer
+    }
+    EXPECT_LE(*comparison.methods[1].figures.seamMismatch, 1e-6);
+    EXPECT_GT(*comparison.methods[0].figures.seamMismatch, 0.5);
+}
+
+TEST(CompareMethods, ASeamsMismatchStandsAtBothItsPieces) {
+    const Garment garment = load(kSamples / "tshirt.obj");
+    Progress progress;
+    const Method methods[] = {Method::Natural};
+    const Comparison comparison = compareMethods(garment, methods, {}, progress);
+    const ComparedMethod& method = comparison.methods.front();
+    double largest = 0;
+    for (const ComparedFigures& piece : method.pieceFigures) {
+        largest = std::max(largest, *piece.seamMismatch);
+    }
+    EXPECT_EQ(largest, *method.figures.seamMismatch);
+    std::set<int> worst;
+    for (std::size_t k = 0; k < method.pieceFigures.size(); ++k) {
+        if (*method.pieceFigures[k].seamMismatch == largest) {
+            worst.insert(static_cast<int>(k));
+        }
+    }
+    const auto& seams = garment.seams.seams;
+    EXPECT_TRUE(std::any_of(seams.begin(), seams.end(), [&](const Seam& seam) {
+        return worst == std::set<int>{seam.left.piece, seam.right.piece};
+    }));
+}
+
+TEST(CompareMethods, AFailedPieceIsCountedAndTheOthersAreCompared) {
+    const test::TemporaryFolder folder;
+    const Garment garment =
+        load(folder.write("mixed.obj",
+                          "v 0 0 0\nv 300 0 0\nv 0 400 0\no flap\nf 1 2 3\n"
+                          "v 0 0 500\nv 100 0 500\nv 0 100 500\nv 0 0 600\n"
+                          "o ball\nf -4 -3 -2\nf -4 -1 -3\nf -3 -1 -2\nf -4 -2 -1\n"));
+    Progress progress;
+    const Method methods[] = {Method::Wang2005};
+    const ComparedFigures figures =
+        compareMethods(garment, methods, {}, progress).methods.front().figures;
+    EXPECT_EQ(figures.pieces, 2);
+    EXPECT_EQ(figures.failed, 1);
+    EXPECT_NEAR(*figures.symmetricDirichlet, 1, 1e-12);
+    EXPECT_FALSE(figures.seamMismatch);
+}
+
+TEST(CompareMethods, ACancelLeavesNothingFlat) {
+    const Garment garment = load(kSamples / "cap.obj");
+    Progress progress;
+    progress.cancel();
+    const Method methods[] = {Method::Wang2005, Method::Natural};
+    for (const ComparedMethod& method : compareMethods(garment, methods, {}, progress).methods) {
+        EXPECT_EQ(method.figures.failed, method.figures.pieces);
+        EXPECT_FALSE(method.figures.piE || method.figures.maxBoundaryLengthError);
+    }
+}
+
+ComparedMethod withRms(Method method, std::optional<double> rms, int panels) {
+    ComparedMethod made{method, {}, {}, {}};
+    made.figures.pieces = 6;
+    made.figures.referenceRms = rms;
+    made.figures.referencedPieces = panels;
+    return made;
+}
+
+TEST(NearerThanLengthKeeping, NamesTheFreeOutlinesThatAreNearer) {
+    const Comparison comparison{{withRms(Method::Natural, 2.2, 6), withRms(Method::Curvature, 3, 6),
+                                 withRms(Method::Lscm, 2.1, 6), withRms(Method::Abf, 2.5, 6),
+                                 withRms(Method::Wang2005, 2.4, 6)}};
+    const auto nearer = nearerThanLengthKeeping(comparison);
+    ASSERT_TRUE(nearer);
+    EXPECT_EQ(nearer->freeOutline, (std::vector<std::size_t>{2, 0}));
+    EXPECT_EQ(nearer->lengthKeeping, 4U);
+}
+
+TEST(NearerThanLengthKeeping, ComparesMeansOverTheSamePanelsOnly) {
+    const Comparison easier{{withRms(Method::Natural, 1, 5), withRms(Method::Wang2005, 2, 6)}};
+    EXPECT_FALSE(nearerThanLengthKeeping(easier));
+    const Comparison farther{{withRms(Method::Natural, 3, 6), withRms(Method::Wang2005, 2, 6)}};
+    EXPECT_FALSE(nearerThanLengthKeeping(farther));
+    const Comparison noPanels{{withRms(Method::Natural, {}, 0), withRms(Method::Wang2005, {}, 0)}};
+    EXPECT_FALSE(nearerThanLengthKeeping(noPanels));
+    const Comparison onlyFree{{withRms(Method::Natural, 3, 6)}};
+    EXPECT_FALSE(nearerThanLengthKeeping(onlyFree));
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How flattenGarment treats threads, progress and cancelling.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "core/base/abandonable_threads.h"
+#include "core/base/stopwatch.h"
+#include "core/pipeline/pipeline.h"
+#include "tests/core/support/shapes.h"
+
+namespace toile {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kPanelSide = 120;
+constexpr double kAllowed = 1;  // checked code is slow and locks a lot
+#else
+constexpr int kPanelSide = 708;  // squares: a million triangles
+constexpr double kAllowed = kCancelSeconds;
+#endif
+/// The machine may be busy with something else at just the wrong moment.
+constexpr int kTries = 3;
+
+/// A square panel of `side` squares a side, bent over a shoulder.
+MeshArrays bentPanel(int side) {
+    MeshArrays mesh = test::planeGrid(side, side, 600.0 / side);
+    for (auto vertex : mesh.V.rowwise()) {
+        const double x = vertex.x() / 300 - 1;
+        const double y = vertex.y() / 300 - 1;
+        vertex.z() = 150 * std::exp(-2 * (x * x + y * y)) + 40 * x * y;
+    }
+    return mesh;
+}
+
+Garment garmentOf(std::vector<std::shared_ptr<const Piece>> pieces) {
+    Garment garment;
+    garment.pieces = std::move(pieces);
+    return garment;
+}
+
+Garment smallGarment() {
+    return garmentOf({test::asPiece(bentPanel(12), "small"), test::asPiece(bentPanel(40), "large"),
+                      test::asPiece(test::sphericalCap(14, 90, 1.2), "cap"),
+                      test::asPiece(test::saddle(16, 200, 1.2), "saddle"),
+                      test::asPiece(test::coneSector(20, 9, 20, 60, 2, 0.5), "cone"),
+                      test::asPiece(test::tube(12, 4), "leg")});
+}
+
+/// Seconds from the cancel, given after `delay`, to the return; 0 where that came first.
+double secondsToReturn(const Garment& garment, Method method, double delay, PieceResults& results) {
+    Progress progress;
+    std::chrono::steady_clock::time_point cancelled;
+    std::thread other([&] {
+        std::this_thread::sleep_for(std::chrono::duration<double>(delay));
+        cancelled = std::chrono::steady_clock::now();
+        progress.cancel();
+    });
+    results = flattenGarment(garment, {method}, progress);
+    const auto returned = std::chrono::steady_clock::now();
+    other.join();
+    AbandonableThreads::joinAbandoned();  // it would take the next try's core
+    return std::max(0.0, std::chrono::duration<double>(returned - cancelled).count());
+}
+
+class CancelOfALargePanel : public testing::TestWithParam<Method> {};
+
+TEST_P(CancelOfALargePanel, GivesControlBackAtOnce) {
+    const Garment garment = garmentOf({test::asPiece(bentPanel(kPanelSide), "panel")});
+    for (const double delay : {0.05, 0.2, 0.6}) {
+        SCOPED_TRACE(delay);
+        double least = std::numeric_limits<double>::infinity();
+        PieceResults results;
+        for (int attempt = 0; attempt < kTries && least > kAllowed; ++attempt) {
+            least = std::min(least, secondsToReturn(garment, GetParam(), delay, results));
+        }
+        EXPECT_LE(least, kAllowed);
+        ASSERT_EQ(results.size(), 1U);
+        if (results[0]->error) {  // else it was done before: a fast machine, or a small panel
+            EXPECT_FALSE(results[0]->flat);
+        } else {
+            EXPECT_TRUE(results[0]->flat);
+        }
+        RecordProperty("milliseconds_after_" + std::to_string(static_cast<int>(1000 * delay)),
+                       std::to_string(1000 * least));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(FlattenGarment, CancelOfALargePanel,
+                         testing::Values(Method::Wang2005, Method::Isometric),
+                         [](const auto& shown) { return std::string(name(shown.param)); });
+
+TEST(FlattenGarment, KeepsWhatIsDoneWhenCancelled) {
+    // The large panel is taken first, so that of the small ones some are done long before it.
+    std::vector<std::shared_ptr<const Piece>> pieces{
+        test::asPiece(bentPanel(kPanelSide / 2), "panel")};
+    for (int k = 0; k < 40; ++k) {
+        pieces.push_back(test::asPiece(bentPanel(4), "flap"));
+    }
+    const Garment garment = garmentOf(pieces);
+    Progress progress;
+    std::thread other([&progress] {
+        const Stopwatch time;
+        while (progress.fraction() == 0 && time.seconds() < 5) {
+            std::this_thread::yield();
+        }
+        progress.cancel();
+    });
+    const PieceResults results = flattenGarment(garment, {Method::Curvature}, progress, 2);
+    other.join();
+    ASSERT_EQ(results.size(), pieces.size());
+    int cancelled = 0;
+    for (std::size_t k = 0; k < results.size(); ++k) {
+        ASSERT_TRUE(results[k]);
+        EXPECT_EQ(results[k]->piece, pieces[k]);
+        EXPECT_NE(results[k]->flat.has_value(), results[k]->error.has_value());
+        EXPECT_EQ(results[k]->flat.has_value(), results[k]->quality.has_value());
+        if (results[k]->error) {
+            EXPECT_EQ(results[k]->error->code, ErrorCode::Cancelled);
+            EXPECT_EQ(results[k]->error->where, pieces[k]->name);
+            ++cancelled;
+        }
+    }
+    if (cancelled > 0) {
+        EXPECT_LT(progress.fraction(), 1);
+    }
+    AbandonableThreads::joinAbandoned();
+}
+
+TEST(FlattenGarment, CancelledBeforeItBeginsDoesNothing) {
+    Progress progress;
+    progress.cancel();
+    for (const auto& result : flattenGarment(smallGarment(), {}, progress)) {
+        ASSERT_TRUE(result->error);
+        EXPECT_EQ(result->error->code, ErrorCode::Cancelled);
+    }
+    EXPECT_EQ(AbandonableThreads::stillRunning(), 0);
+    EXPECT_EQ(progress.fraction(), 0);
+}
+
+TEST(FlattenGarment, GivesTheSameBytesWithOneThreadAndWithMany) {
+    const Garment garment = smallGarment();
+    for (const MethodTraits& method : allMethods()) {
+        SCOPED_TRACE(method.name);
+        Progress progress;
+        const PieceResults one = flattenGarment(garment, {method.method}, progress, 1);
+        for (const int threads : {2, 5, 0}) {
+            const PieceResults many = flattenGarment(garment, {method.method}, progress, threads);
+            ASSERT_EQ(many.size(), one.size());
+            for (std::size_t k = 0; k < one.size(); ++k) {
+                ASSERT_EQ(many[k]->flat.has_value(), one[k]->flat.has_value());
+                if (one[k]->flat) {
+                    EXPECT_TRUE((many[k]->flat->Q.array() == one[k]->flat->Q.array()).all());
+                } else {
+                    EXPECT_EQ(many[k]->error->code, one[k]->error->code);
+                }
+            }
+        }
+    }
+}
+
+TEST(FlattenGarment, ReportsProgressThatGrowsWithinAPieceAndEndsAtOne) {
+    const Garment garment = garmentOf({test::asPiece(bentPanel(100), "panel")});
+    Progress progress;
+    progress.setShare(0.25, 0.75);
+    std::atomic<bool> isDone{false};
+    int steps = 0;
+    double last = 0;
+    std::thread watcher([&] {
+        while (!isDone) {
+            const double now = progress.fraction();
+            EXPECT_GE(now, last);
+            EXPECT_LE(now, 0.75);
+            steps += now > last && now < 0.75 ? 1 : 0;
+            last = now;
+            std::this_thread::yield();
+        }
+    });
+    const PieceResults results = flattenGarment(garment, {Method::Wang2005}, progress);
+    EXPECT_DOUBLE_EQ(progress.fraction(), 0.75);
+    isDone = true;
+    watcher.join();
+    EXPECT_TRUE(results[0]->flat);
+    EXPECT_GT(steps, 1);  // 0.25, and something on the way
+}
+
+TEST(FlattenGarment, TakesAGarmentWithoutPieces) {
+    Progress progress;
+    EXPECT_TRUE(flattenGarment(Garment{}, {}, progress).empty());
+    EXPECT_EQ(progress.fraction(), 1);
+}
+
+}  // namespace
+}  // namespace toile
