@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
                                  .seams = arguments.seams,
                                  .screenshot = arguments.screenshot,
                                  .overlay = arguments.overlay,
-                                 .method = arguments.options.method,
+                                 .flattening = arguments.options,
                                  .panel = arguments.panel});
     }
 #endif

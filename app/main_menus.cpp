@@ -41,17 +41,39 @@ void MainWindow::makeMenus() {
     makeViewMenu();
     makeGarmentMenu();
 
-    QMenu& flatten = *menuBar()->addMenu(tr("F&latten"));
-    fill(actions_, flatten, {ActionId::MethodWang2005, ActionId::MethodNatural});
-    flatten.addSeparator();
-    fill(actions_, flatten, {ActionId::SolverNewton, ActionId::SolverSlcp});
-    flatten.addSeparator();
-    fill(actions_, flatten, {ActionId::FlattenAgain, ActionId::Cancel});
+    makeFlattenMenu();
 
     QMenu& help = *menuBar()->addMenu(tr("&Help"));
     fill(actions_, help, {ActionId::About});
     connect(&actions_[ActionId::About], &QAction::triggered, this, &MainWindow::showAbout);
     connect(&actions_[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
+}
+
+void MainWindow::makeFlattenMenu() {
+    QMenu& flatten = *menuBar()->addMenu(tr("F&latten"));
+    flatten.setObjectName("flattenMenu");
+    flatten.setContentsMargins(0, 4, 0, 0);  // a heading at the very top would touch the frame
+    for (const bool keepsLengths : {true, false}) {
+        flatten.addSection(keepsLengths ? tr("Seam lines keep their length")
+                                        : tr("Seam lines may change"));
+        for (const MethodTraits& method : allMethods()) {
+            if (method.keepsLengths == keepsLengths) {
+                flatten.addAction(&actions_[actionOf(method.method)]);
+            }
+        }
+    }
+    flatten.addSeparator();
+    QMenu& quality = *flatten.addMenu(tr("&Quality"));
+    quality.setObjectName("qualityMenu");
+    fill(actions_, quality,
+         {ActionId::QualityDraft, ActionId::QualityStandard, ActionId::QualityFine});
+    const QAction& standard = actions_[ActionId::QualityStandard];
+    connect(&standard, &QAction::enabledChanged, quality.menuAction(), &QAction::setEnabled);
+    quality.menuAction()->setEnabled(standard.isEnabled());
+    flatten.addSeparator();
+    fill(actions_, flatten, {ActionId::SolverNewton, ActionId::SolverSlcp});
+    flatten.addSeparator();
+    fill(actions_, flatten, {ActionId::FlattenAgain, ActionId::Cancel});
 }
 
 void MainWindow::makeViewMenu() {

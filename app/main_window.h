@@ -52,6 +52,7 @@ private:
     void makeDocks();
     QDockWidget* makeDock(const QString& title, const char* name, QWidget* panel);
     void makeMenus();
+    void makeFlattenMenu();
     void makeGarmentMenu();
     void makeViewMenu();
     void makeToolBar();

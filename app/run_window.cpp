@@ -137,7 +137,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
         load.seams = std::move(*seams);
     }
     window.workspace().setLoading(std::move(load));
-    window.workspace().setMethod(options.method);
+    window.workspace().document().setOptions(options.flattening);
     window.workspace().document().setOverlay(options.overlay);
     window.show();
     if (!options.files.empty()) {

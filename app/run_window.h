@@ -17,7 +17,7 @@ struct WindowOptions {
     /// Where set: load, flatten, wait for the views, write a picture of the whole window, leave.
     std::filesystem::path screenshot;
     Overlay overlay = Overlay::Checker;
-    Method method = Method::Wang2005;
+    FlattenOptions flattening;
     std::optional<Panel> panel;       ///< the list in front; none: as it was left
     int width = 1600, height = 1000;  ///< of the screenshot, logical pixels
 };

@@ -13,7 +13,7 @@ namespace toile {
 namespace {
 
 /// Actions of one group exclude each other; those of Toggle stand alone.
-enum class Group { None, Toggle, Overlay, Method, Solver, Unit, UpAxis, Split };
+enum class Group { None, Toggle, Overlay, Method, Quality, Solver, Unit, UpAxis, Split };
 
 struct ActionSpec {
     ActionId id;
@@ -65,11 +65,37 @@ constexpr ActionSpec kActions[] = {
     {ActionId::DesignerOutline, "designerOutline", TR("&Designer's outline"), "D",
      TR("Draw the designer's own panels over the flat pieces, where the file carries them"), "", "",
      Group::Toggle},
-    {ActionId::MethodWang2005, "methodWang2005", TR("&Keep seam line lengths (Wang 2005)"), "",
-     TR("Every outline keeps exactly the length it has on the garment, so that seams match"), "",
+    {ActionId::MethodIsometric, "methodIsometric", TR("Least &distortion"), "",
+     TR("Seam lines keep their exact length; the cloth between them stretches as little as that "
+        "allows, and no triangle is turned over"),
+     "", "", Group::Method},
+    {ActionId::MethodCurvature, "methodCurvature", TR("Angles follow the c&urvature"), "",
+     TR("Seam lines keep their exact length; the outline turns where the garment is curved"), "",
      "", Group::Method},
-    {ActionId::MethodNatural, "methodNatural", TR("&Free outline (natural boundary)"), "",
-     TR("Corners are kept best; seam lines may change their length"), "", "", Group::Method},
+    {ActionId::MethodWang2005, "methodWang2005", TR("Angles spread &evenly (Wang 2005)"), "",
+     TR("Seam lines keep their exact length; the outline gives way alike all around"), "", "",
+     Group::Method},
+    {ActionId::MethodStretch, "methodStretch", TR("Least &stretch inside (Yoshizawa 2004)"), "",
+     TR("Seam lines keep their exact length; the cloth inside is moved until it stretches least"),
+     "", "", Group::Method},
+    {ActionId::MethodConvex, "methodConvex", TR("On a ci&rcle (Floater 2003)"), "",
+     TR("Seam lines keep their exact length on a round outline: no triangle is ever turned over, "
+        "but it is no pattern"),
+     "", "", Group::Method},
+    {ActionId::MethodNatural, "methodNatural", TR("&Free outline (Desbrun 2002)"), "",
+     TR("The cloth keeps its angles as well as it can; seam lines change their length"), "", "",
+     Group::Method},
+    {ActionId::MethodLscm, "methodLscm", TR("Free outline, least squares (Lé&vy 2002)"), "",
+     TR("Nearly the same by another way; seam lines change their length"), "", "", Group::Method},
+    {ActionId::MethodAbf, "methodAbf", TR("Free outline, by an&gles (Sheffer 2005)"), "",
+     TR("Every triangle keeps its angles as well as it can; seam lines change their length"), "",
+     "", Group::Method},
+    {ActionId::QualityDraft, "qualityDraft", TR("&Draft"), "",
+     TR("Quick: within some percent of the least distortion"), "", "", Group::Quality},
+    {ActionId::QualityStandard, "qualityStandard", TR("&Standard"), "",
+     TR("Within about a thousandth of the least distortion"), "", "", Group::Quality},
+    {ActionId::QualityFine, "qualityFine", TR("&Fine"), "",
+     TR("To the last digits: takes its time"), "", "", Group::Quality},
     {ActionId::SolverNewton, "solverNewton", TR("Outline by &Newton steps"), "",
      TR("The fast way to the outline"), "", "", Group::Solver},
     {ActionId::SolverSlcp, "solverSlcp", TR("Outline by &linearly constrained steps"), "",
@@ -137,6 +163,28 @@ QString translated(const char* text) {
 }
 
 }  // namespace
+
+ActionId actionOf(Method method) {
+    switch (method) {
+        case Method::Isometric:
+            return ActionId::MethodIsometric;
+        case Method::Curvature:
+            return ActionId::MethodCurvature;
+        case Method::Wang2005:
+            return ActionId::MethodWang2005;
+        case Method::Stretch:
+            return ActionId::MethodStretch;
+        case Method::Natural:
+            return ActionId::MethodNatural;
+        case Method::Lscm:
+            return ActionId::MethodLscm;
+        case Method::Abf:
+            return ActionId::MethodAbf;
+        case Method::Convex:
+            return ActionId::MethodConvex;
+    }
+    return ActionId::MethodIsometric;
+}
 
 ActionRegistry::ActionRegistry(QObject* parent) : QObject(parent) {
     std::map<Group, QActionGroup*> groups;

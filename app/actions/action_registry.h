@@ -5,6 +5,8 @@
 #include <map>
 #include <vector>
 
+#include "core/flatten/method.h"
+
 class QAction;
 
 namespace toile {
@@ -27,8 +29,17 @@ enum class ActionId {
     OverlayStrain,
     Wireframe,
     DesignerOutline,
+    MethodIsometric,
+    MethodCurvature,
     MethodWang2005,
+    MethodStretch,
+    MethodConvex,
     MethodNatural,
+    MethodLscm,
+    MethodAbf,
+    QualityDraft,
+    QualityStandard,
+    QualityFine,
     SolverNewton,
     SolverSlcp,
     FlattenAgain,
@@ -60,6 +71,9 @@ enum class ActionId {
     GoToMessages,
     About,
 };
+
+/// The action that chooses a method.
+ActionId actionOf(Method method);
 
 /// The one list of actions behind menus, toolbar, shortcuts and help. Holds the actions; what they
 /// do is connected elsewhere.

@@ -21,6 +21,12 @@ constexpr std::pair<ActionId, Overlay> kOverlays[] = {
     {ActionId::OverlayStrain, Overlay::Strain},
 };
 
+constexpr std::pair<ActionId, Quality> kQualities[] = {
+    {ActionId::QualityDraft, Quality::Draft},
+    {ActionId::QualityStandard, Quality::Standard},
+    {ActionId::QualityFine, Quality::Fine},
+};
+
 }  // namespace
 
 GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
@@ -76,10 +82,14 @@ void GarmentActions::connectView() {
 }
 
 void GarmentActions::connectFlattening() {
-    connect(&actions_[ActionId::MethodWang2005], &QAction::triggered, this,
-            [this] { workspace_.setMethod(Method::Wang2005); });
-    connect(&actions_[ActionId::MethodNatural], &QAction::triggered, this,
-            [this] { workspace_.setMethod(Method::Natural); });
+    for (const MethodTraits& known : allMethods()) {
+        connect(&actions_[actionOf(known.method)], &QAction::triggered, this,
+                [this, method = known.method] { workspace_.setMethod(method); });
+    }
+    for (const auto& [id, quality] : kQualities) {
+        connect(&actions_[id], &QAction::triggered, this,
+                [this, quality = quality] { workspace_.setQuality(quality); });
+    }
     connect(&actions_[ActionId::SolverNewton], &QAction::triggered, this,
             [this] { workspace_.setBoundarySolver(BoundarySolver::Newton); });
     connect(&actions_[ActionId::SolverSlcp], &QAction::triggered, this,
@@ -176,8 +186,12 @@ void GarmentActions::onChanged(DocumentChanges what) {
     }
     if (what.testFlag(DocumentChange::Options)) {
         const FlattenOptions& options = document.options();
-        actions_[ActionId::MethodWang2005].setChecked(options.method == Method::Wang2005);
-        actions_[ActionId::MethodNatural].setChecked(options.method == Method::Natural);
+        for (const MethodTraits& known : allMethods()) {
+            actions_[actionOf(known.method)].setChecked(options.method == known.method);
+        }
+        for (const auto& [id, quality] : kQualities) {
+            actions_[id].setChecked(options.quality == quality);
+        }
         actions_[ActionId::SolverNewton].setChecked(options.boundarySolver ==
                                                     BoundarySolver::Newton);
         actions_[ActionId::SolverSlcp].setChecked(options.boundarySolver == BoundarySolver::Slcp);
@@ -188,7 +202,7 @@ void GarmentActions::onChanged(DocumentChanges what) {
 void GarmentActions::updateEnabled() {
     const Document& document = workspace_.document();
     const bool open = document.garment() != nullptr;
-    const bool constrained = document.options().method == Method::Wang2005;
+    const bool constrained = traits(document.options().method).solvesBoundary;
     for (const ActionId id :
          {ActionId::SelectAll, ActionId::SelectNone, ActionId::Frame, ActionId::FlattenAgain,
           ActionId::Wireframe, ActionId::GoToPieces, ActionId::GoToSeams, ActionId::GoToMessages}) {
@@ -208,6 +222,9 @@ void GarmentActions::updateEnabled() {
         document.seam() ? &document.garment()->seams.seams[std::size_t(*document.seam())] : nullptr;
     actions_[ActionId::StateEase].setEnabled(seam && seam->kind != SeamKind::Free);
     actions_[ActionId::ForgetEase].setEnabled(seam && seam->ease);
+    for (const auto& [id, quality] : kQualities) {
+        actions_[id].setEnabled(document.options().method == Method::Isometric);
+    }
     // A free outline has no boundary problem to solve.
     actions_[ActionId::SolverNewton].setEnabled(constrained);
     actions_[ActionId::SolverSlcp].setEnabled(constrained);

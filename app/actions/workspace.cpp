@@ -134,6 +134,12 @@ void Workspace::setMethod(Method method) {
     document_.setOptions(options);
 }
 
+void Workspace::setQuality(Quality quality) {
+    FlattenOptions options = document_.options();
+    options.quality = quality;
+    document_.setOptions(options);
+}
+
 void Workspace::setBoundarySolver(BoundarySolver solver) {
     FlattenOptions options = document_.options();
     options.boundarySolver = solver;

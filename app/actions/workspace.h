@@ -57,6 +57,7 @@ public:
     /// the 3D lengths have it. Nothing is read or flattened again; a later reading keeps it.
     void setEase(int seam, std::optional<double> ease);
     void setMethod(Method method);
+    void setQuality(Quality quality);
     void setBoundarySolver(BoundarySolver solver);
     void flattenAgain();
     /// True where there are results to write.

@@ -48,7 +48,7 @@ void Document::setResults(PieceResults results, std::shared_ptr<const Scene> sce
 }
 
 void Document::setOptions(const FlattenOptions& options) {
-    if (options.method == options_.method && options.boundarySolver == options_.boundarySolver) {
+    if (options == options_) {
         return;
     }
     options_ = options;

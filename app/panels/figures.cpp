@@ -92,10 +92,22 @@ QString strainRange(const PieceQuality& quality) {
 
 QString methodName(Method method) {
     switch (method) {
-        case Method::Natural:
-            return tr("Free outline (natural boundary)");
+        case Method::Isometric:
+            return tr("Least distortion");
+        case Method::Curvature:
+            return tr("Angles follow the curvature");
         case Method::Wang2005:
-            return tr("Seam line lengths kept (Wang 2005)");
+            return tr("Angles spread evenly (Wang 2005)");
+        case Method::Stretch:
+            return tr("Least stretch inside (Yoshizawa 2004)");
+        case Method::Natural:
+            return tr("Free outline (Desbrun 2002)");
+        case Method::Lscm:
+            return tr("Free outline, least squares (Lévy 2002)");
+        case Method::Abf:
+            return tr("Free outline, by angles (Sheffer 2005)");
+        case Method::Convex:
+            return tr("On a circle (Floater 2003)");
     }
     return {};
 }

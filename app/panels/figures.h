@@ -31,7 +31,7 @@ std::optional<EnteredPercent> parsePercent(QString text);
 QString boundaryError(double fraction);
 /// "−1.2 … +3.4", or a dash where unknown.
 QString strainRange(const PieceQuality& quality);
-/// How a method is called in the window.
+/// How a method is called in the window, in the list of pieces as in the menu.
 QString methodName(Method method);
 
 }  // namespace toile

@@ -53,6 +53,11 @@ void MessagesPanel::rebuild() {
         if (result->error) {
             add(*result->error, piece);
         }
+        if (result->flat) {
+            for (const Error& note : result->flat->notes) {
+                add(note, piece);
+            }
+        }
         ++piece;
     }
     emit countChanged(count());

@@ -53,7 +53,11 @@ private slots:
         FlattenOptions natural;
         natural.method = Method::Natural;
         document.setOptions(natural);
-        QVERIFY(document.revision() > afterGarment);
+        const auto afterMethod = document.revision();
+        QVERIFY(afterMethod > afterGarment);
+        natural.freeBoundary = FreeBoundary::Spectral;
+        document.setOptions(natural);
+        QVERIFY(document.revision() > afterMethod);
     }
 
     void settingWhatIsAlreadySoSaysNothing() {

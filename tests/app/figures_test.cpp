@@ -30,6 +30,15 @@ private slots:
         QCOMPARE(boundaryError(0.0431), QString("4.31"));
     }
 
+    void everyMethodHasANameOfItsOwn() {
+        QStringList names;
+        for (const MethodTraits& method : allMethods()) {
+            names << methodName(method.method);
+            QVERIFY(!names.last().isEmpty());
+        }
+        QCOMPARE(names.removeDuplicates(), 0);
+    }
+
     void unknownStrainIsADash() {
         PieceQuality quality;
         QCOMPARE(strainRange(quality), QString("–"));

@@ -9,6 +9,8 @@
 #include <QFile>
 #include <QItemSelectionModel>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QProgressBar>
@@ -22,6 +24,7 @@
 #include <memory>
 
 #include "app/actions/garment_actions.h"
+#include "app/panels/figures.h"
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
 #include "app/render/scene_renderer.h"
@@ -116,6 +119,15 @@ private:
                        window_->views().isUpToDate();
             },
             kPatience);
+    }
+
+    /// Opens the menu with the mouse, as a person does.
+    QMenu& openMenu(const char* name) {
+        auto* menu = window_->findChild<QMenu*>(name);
+        QMenuBar* bar = window_->menuBar();
+        QTest::mouseClick(bar, Qt::LeftButton, {},
+                          bar->actionGeometry(menu->menuAction()).center());
+        return *menu;
     }
 
     QImage picture(QWidget& view) { return static_cast<QOpenGLWidget&>(view).grabFramebuffer(); }
@@ -402,6 +414,84 @@ private slots:
                                   kPatience);
         QVERIFY(document().results()[1]->quality->maxBoundaryLengthError > 1e-4);
         QVERIFY(!window_->actions()[ActionId::SolverSlcp].isEnabled());
+    }
+
+    void everyMethodStandsInTheFlattenMenu() {
+        QMenu& menu = openMenu("flattenMenu");
+        QTRY_VERIFY(menu.isVisible());
+        bool keepsLengths = true;
+        QString section;
+        std::size_t found = 0;
+        for (const QAction* action : menu.actions()) {
+            if (action->isSeparator()) {
+                section = action->text();
+                continue;
+            }
+            for (const MethodTraits& method : allMethods()) {
+                if (action != &window_->actions()[actionOf(method.method)]) {
+                    continue;
+                }
+                ++found;
+                QVERIFY2(keepsLengths || !method.keepsLengths, "free outlines come last");
+                keepsLengths = method.keepsLengths;
+                QCOMPARE(section, keepsLengths ? QString("Seam lines keep their length")
+                                               : QString("Seam lines may change"));
+                QCOMPARE(action->text().remove('&'), methodName(method.method));
+                QVERIFY(!action->statusTip().isEmpty());
+                QCOMPARE(action->isChecked(), document().options().method == method.method);
+            }
+        }
+        QCOMPARE(found, allMethods().size());
+        QString letters;
+        for (const QAction* action : menu.actions()) {
+            const qsizetype mark = action->text().indexOf('&');
+            if (mark >= 0) {
+                const QChar letter = action->text().at(mark + 1).toLower();
+                QVERIFY2(!letters.contains(letter), qPrintable(action->text()));
+                letters += letter;
+            }
+        }
+        menu.close();
+    }
+
+    void choosingAMethodInTheMenuFlattensAgain() {
+        QVERIFY(openAndWait({path("pair.obj")}));
+        QMenu& menu = openMenu("flattenMenu");
+        QTRY_VERIFY(menu.isVisible());
+        QAction& curvature = window_->actions()[ActionId::MethodCurvature];
+        QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(&curvature).center());
+        QVERIFY(curvature.isChecked());
+        QTRY_COMPARE_WITH_TIMEOUT(document().results()[1]->options.method, Method::Curvature,
+                                  kPatience);
+        QVERIFY(document().results()[1]->quality->maxBoundaryLengthError < 1e-9);
+        document().setSelection({1});
+        const QString details = window_->findChild<QLabel*>("pieceDetails")->text();
+        QVERIFY2(details.contains(methodName(Method::Curvature)), qPrintable(details));
+    }
+
+    void qualityIsForTheIsometricMethodOnly() {
+        QVERIFY(openAndWait({path("pair.obj")}));
+        ActionRegistry& actions = window_->actions();
+        auto* quality = window_->findChild<QMenu*>("qualityMenu");
+        for (const Method method : {Method::Natural, Method::Isometric, Method::Wang2005}) {
+            actions[actionOf(method)].trigger();
+            const bool isometric = method == Method::Isometric;
+            QCOMPARE(actions[ActionId::QualityFine].isEnabled(), isometric);
+            QCOMPARE(quality->menuAction()->isEnabled(), isometric);
+        }
+        QVERIFY(actions[ActionId::QualityStandard].isChecked());
+        actions[ActionId::MethodIsometric].trigger();
+        QMenu& menu = openMenu("flattenMenu");
+        QTRY_VERIFY(menu.isVisible());
+        QTest::keyClick(&menu, Qt::Key_Q);
+        QTRY_VERIFY(quality->isVisible());
+        QTest::mouseClick(quality, Qt::LeftButton, {},
+                          quality->actionGeometry(&actions[ActionId::QualityDraft]).center());
+        QCOMPARE(document().options().quality, Quality::Draft);
+        QVERIFY(!actions[ActionId::QualityStandard].isChecked());
+        QTRY_COMPARE_WITH_TIMEOUT(document().results()[1]->options.quality, Quality::Draft,
+                                  kPatience);
+        QCOMPARE(document().results()[1]->options.method, Method::Isometric);
     }
 
     void unitActionReadsTheFileAgain() {
