@@ -45,6 +45,7 @@ std::vector<std::string> disksAndDress() {
 /// another order than the welded file lists them), the one of the same size and nearest Pi_theta.
 nlohmann::json takeEntry(nlohmann::json& all, const std::string& file, std::size_t number,
                          const PieceResult& result, std::size_t pieces) {
+    const std::string method(name(result.options.method));
     if (pieces == 1) {
         return all.at(file);
     }
@@ -62,7 +63,7 @@ nlohmann::json takeEntry(nlohmann::json& all, const std::string& file, std::size
         }
         const nlohmann::json& entry = all.at(key);
         const auto distance = [&](const nlohmann::json& of) {
-            return std::abs(of["wang2005"]["pi_theta"].get<double>() - result.quality->piTheta);
+            return std::abs(of[method]["pi_theta"].get<double>() - result.quality->piTheta);
         };
         if (entry["faces"] == result.piece->mesh.F.rows() &&
             (best.is_null() || distance(entry) < distance(best))) {
@@ -90,10 +91,11 @@ PieceQuality byPlainWeights(const PieceResult& result) {
     return measure(piece, *points);
 }
 
-class ExpectedFigures : public testing::TestWithParam<std::tuple<std::string, BoundarySolver>> {};
+class ExpectedFigures
+    : public testing::TestWithParam<std::tuple<std::string, Method, BoundarySolver>> {};
 
 TEST_P(ExpectedFigures, AreMet) {
-    const auto& [file, solver] = GetParam();
+    const auto& [file, method, solver] = GetParam();
     TOILE_NEEDS_SHARED(test::sharedFile(file.c_str()));
     TOILE_NEEDS_SHARED(test::sharedFile("../expected.json"));
     nlohmann::json all = expectedFigures();
@@ -101,13 +103,14 @@ TEST_P(ExpectedFigures, AreMet) {
     const auto garment =
         loadGarment({test::sharedFile(file.c_str())}, {LengthUnit::Metre}, progress);
     ASSERT_TRUE(garment) << sentence(garment.error());
-    const PieceResults results = flattenGarment(*garment, {Method::Wang2005, solver}, progress);
+    const PieceResults results = flattenGarment(*garment, {method, solver}, progress);
+    const std::string key(name(method));
     for (std::size_t k = 0; k < results.size(); ++k) {
         SCOPED_TRACE(results[k]->piece->name);
         ASSERT_TRUE(results[k]->flat) << sentence(*results[k]->error);
         const nlohmann::json entry = takeEntry(all, file, k, *results[k], results.size());
-        ASSERT_TRUE(entry.contains("wang2005"));
-        const nlohmann::json& expected = entry["wang2005"];
+        ASSERT_TRUE(entry.contains(key));
+        const nlohmann::json& expected = entry[key];
         const PieceQuality quality = byPlainWeights(*results[k]);
         EXPECT_LE(results[k]->quality->flippedTriangles, quality.flippedTriangles);
         ASSERT_EQ(results[k]->piece->mesh.F.rows(), entry["faces"].get<int>());
@@ -123,17 +126,20 @@ TEST_P(ExpectedFigures, AreMet) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Shared, ExpectedFigures,
-    testing::Combine(testing::ValuesIn(disksAndDress()),
-                     testing::Values(BoundarySolver::Newton, BoundarySolver::Slcp)),
-    [](const auto& shown) {
-        std::string text =
-            std::get<0>(shown.param) + "_" + std::string(name(std::get<1>(shown.param)));
-        std::replace_if(
-            text.begin(), text.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
-        return text;
-    });
+INSTANTIATE_TEST_SUITE_P(Shared, ExpectedFigures,
+                         testing::Combine(testing::ValuesIn(disksAndDress()),
+                                          testing::Values(Method::Wang2005, Method::Curvature),
+                                          testing::Values(BoundarySolver::Newton,
+                                                          BoundarySolver::Slcp)),
+                         [](const auto& shown) {
+                             std::string text = std::get<0>(shown.param) + "_" +
+                                                std::string(name(std::get<1>(shown.param))) + "_" +
+                                                std::string(name(std::get<2>(shown.param)));
+                             std::replace_if(
+                                 text.begin(), text.end(),
+                                 [](char c) { return std::isalnum(c) == 0; }, '_');
+                             return text;
+                         });
 
 TEST(RealGarments, DelaunayWeightsTakeTheFlipsFromAnObtuseDisk) {
     const auto file = test::sharedFile("disks/three_peaks.off");
