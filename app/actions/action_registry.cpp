@@ -75,8 +75,10 @@ constexpr ActionSpec kActions[] = {
     {ActionId::MethodWang2005, "methodWang2005", TR("Angles spread &evenly (Wang 2005)"), "",
      TR("Seam lines keep their exact length; the outline gives way alike all around"), "", "",
      Group::Method},
-    {ActionId::MethodStretch, "methodStretch", TR("Least &stretch inside (Yoshizawa 2004)"), "",
-     TR("Seam lines keep their exact length; the cloth inside is moved until it stretches least"),
+    {ActionId::MethodStretch, "methodStretch", TR("Least &stretch on a circle (Yoshizawa 2004)"),
+     "",
+     TR("Seam lines keep their exact length on a round outline; the cloth inside is moved until it "
+        "stretches least"),
      "", "", Group::Method},
     {ActionId::MethodConvex, "methodConvex", TR("On a ci&rcle (Floater 2003)"), "",
      TR("Seam lines keep their exact length on a round outline: no triangle is ever turned over, "

@@ -99,7 +99,7 @@ QString methodName(Method method) {
         case Method::Wang2005:
             return tr("Angles spread evenly (Wang 2005)");
         case Method::Stretch:
-            return tr("Least stretch inside (Yoshizawa 2004)");
+            return tr("Least stretch on a circle (Yoshizawa 2004)");
         case Method::Natural:
             return tr("Free outline (Desbrun 2002)");
         case Method::Lscm:
