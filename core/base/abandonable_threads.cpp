@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/abandonable_threads.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
+#include <iterator>
+#include <memory>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -17,15 +20,13 @@ struct AbandonableThreads::Thread {
     std::shared_ptr<std::atomic<bool>> isDone = std::make_shared<std::atomic<bool>>(false);
 };
 
-namespace {
-
 /// The process's abandoned threads. Made once and never destroyed: a static object would end with
 /// the statics of this file, and some thread may still come here then.
-template <class Thread>
-struct Keeper {
+struct AbandonableThreads::Keeper {
     std::mutex mutex;
-    std::vector<std::unique_ptr<Thread>> threads;
-    bool isRegistered = false;
+    std::list<Thread> threads;
+
+    Keeper() { std::atexit(&AbandonableThreads::joinAbandoned); }
 
     static Keeper& instance() {
         static auto* keeper = new Keeper;
@@ -33,20 +34,18 @@ struct Keeper {
     }
 
     /// Takes out the threads that are done. The caller holds the lock and joins them after it.
-    std::vector<std::unique_ptr<Thread>> takeDone() {
-        std::vector<std::unique_ptr<Thread>> done;
-        std::erase_if(threads, [&done](std::unique_ptr<Thread>& kept) {
-            if (!*kept->isDone) {
-                return false;
+    std::list<Thread> takeDone() {
+        std::list<Thread> done;
+        for (auto kept = threads.begin(); kept != threads.end();) {
+            const auto next = std::next(kept);
+            if (*kept->isDone) {
+                done.splice(done.end(), threads, kept);
             }
-            done.push_back(std::move(kept));
-            return true;
-        });
+            kept = next;
+        }
         return done;
     }
 };
-
-}  // namespace
 
 AbandonableThreads::AbandonableThreads() = default;
 
@@ -55,69 +54,64 @@ AbandonableThreads::~AbandonableThreads() {
 }
 
 bool AbandonableThreads::start(std::function<void()> work) {
-    auto kept = std::make_unique<Thread>();
-    threads_.reserve(threads_.size() + 1);  // nothing may throw once the thread runs
+    Keeper::instance();  // made here, where it may throw: `abandon` may not
+    std::list<Thread> made(1);
     try {
-        kept->thread = std::thread([work = std::move(work), isDone = kept->isDone]() mutable {
-            work();
-            work = nullptr;  // gives back what it owns
-            *isDone = true;
-        });
+        made.front().thread =
+            std::thread([work = std::move(work), isDone = made.front().isDone]() mutable {
+                work();
+                work = nullptr;  // gives back what it owns
+                *isDone = true;
+            });
     } catch (const std::system_error&) {
         return false;
     }
-    threads_.push_back(std::move(kept));
+    threads_.splice(threads_.end(), made);
     return true;
 }
 
 void AbandonableThreads::join() {
-    for (const auto& kept : threads_) {
-        kept->thread.join();
+    for (Thread& kept : threads_) {
+        kept.thread.join();
     }
     threads_.clear();
 }
 
-void AbandonableThreads::abandon() {
+void AbandonableThreads::abandon() noexcept {
     if (threads_.empty()) {
         return;
     }
-    auto& keeper = Keeper<Thread>::instance();
-    std::vector<std::unique_ptr<Thread>> done;
+    Keeper& keeper = Keeper::instance();
+    std::list<Thread> done;
     {
         const std::lock_guard lock(keeper.mutex);
-        for (auto& kept : threads_) {
-            keeper.threads.push_back(std::move(kept));
-        }
-        threads_.clear();
+        keeper.threads.splice(keeper.threads.end(), threads_);
         done = keeper.takeDone();
-        if (!keeper.isRegistered) {
-            keeper.isRegistered = std::atexit(&AbandonableThreads::joinAbandoned) == 0;
-        }
     }
-    for (const auto& kept : done) {
-        kept->thread.join();
+    // What was asked for last runs first: before the end of statics made since the thread began.
+    // Where there is no room for it, the earlier one stands.
+    std::atexit(&AbandonableThreads::joinAbandoned);
+    for (Thread& kept : done) {
+        kept.thread.join();
     }
 }
 
 int AbandonableThreads::stillRunning() {
-    auto& keeper = Keeper<Thread>::instance();
+    Keeper& keeper = Keeper::instance();
     const std::lock_guard lock(keeper.mutex);
-    int running = 0;
-    for (const auto& kept : keeper.threads) {
-        running += *kept->isDone ? 0 : 1;
-    }
-    return running;
+    return static_cast<int>(
+        std::ranges::count_if(keeper.threads, [](const Thread& kept) { return !*kept.isDone; }));
 }
 
 void AbandonableThreads::joinAbandoned() {
-    auto& keeper = Keeper<Thread>::instance();
-    std::vector<std::unique_ptr<Thread>> threads;
+    Keeper& keeper = Keeper::instance();
+    std::list<Thread> threads;
     {
         const std::lock_guard lock(keeper.mutex);
         std::swap(threads, keeper.threads);
     }
-    for (const auto& kept : threads) {
-        kept->thread.join();
+    for (Thread& kept : threads) {
+        kept.thread.join();
     }
 }
 

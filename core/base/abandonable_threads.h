@@ -2,15 +2,16 @@
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <vector>
+#include <list>
 
 namespace toile {
 
 /// Threads for work that may have to be left behind: a factorisation that nobody wants any more
 /// cannot be stopped, only left to itself. What is abandoned runs on, is kept by the process, and
-/// is waited for at the program's end, before any static object goes away (they are joined from
-/// `atexit`, which runs before the destructors of what was made earlier).
+/// is waited for at the program's end: they are joined from `atexit`, asked for before the first
+/// thread starts and anew whenever some are abandoned. So static objects that were there by then
+/// outlive the threads; those that the work itself makes after it was abandoned (a function's own
+/// static at its first call) do not.
 /// Rules for the work: it owns what it uses (shared pointers, no references to the caller's), ends
 /// soon where it can, and throws nothing.
 /// One owner; what several owners abandon meets in one place under a lock.
@@ -28,7 +29,7 @@ public:
     /// Waits until all work is done.
     void join();
     /// Returns at once. The threads are the process's from then on.
-    void abandon();
+    void abandon() noexcept;
 
     /// How many abandoned threads still run: they take cores and memory from what comes after.
     static int stillRunning();
@@ -37,8 +38,10 @@ public:
 
 private:
     struct Thread;
+    struct Keeper;
 
-    std::vector<std::unique_ptr<Thread>> threads_;
+    /// A list, so that its nodes can be handed over.
+    std::list<Thread> threads_;
 };
 
 }  // namespace toile

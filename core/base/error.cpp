@@ -95,6 +95,11 @@ Words wordsOf(ErrorCode code) {
             return {"angles-out-of-range",
                     "the surface's curvature asks for corners that no flat outline has",
                     "Cut the piece where it curves most if the pattern looks folded there", true};
+        case ErrorCode::EndedEarly:
+            return {"ended-early", "the method ended before it reached its goal",
+                    "The pattern can be used as it is; look for slivers in the piece, or cut it "
+                    "where it curves most",
+                    true};
         case ErrorCode::ClosedSurface:
             return {"closed-surface", "the piece is closed and has no outline",
                     "Cut it open along a seam, or let Toile do it (--auto-cut)"};

@@ -39,6 +39,7 @@ enum class ErrorCode {
     OutlineUncrossed,
     DegenerateTriangles,
     AnglesOutOfRange,
+    EndedEarly,
     // Pieces
     ClosedSurface,
     SeveralLoops,

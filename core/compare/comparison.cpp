@@ -110,6 +110,23 @@ void aggregate(ComparedMethod& method) {
     whole.referenceRms = rms.value();
 }
 
+/// Whether the method made the piece flat and the piece carries its designer's panel.
+bool hasPanel(const ComparedMethod& method, std::size_t piece) {
+    return piece < method.pieceFigures.size() && method.pieceFigures[piece].referencedPieces > 0;
+}
+
+/// Whether the method has every panel that any method has: a mean over others is no match.
+bool hasAllPanels(const ComparedMethod& method, const std::vector<ComparedMethod>& methods) {
+    return std::ranges::all_of(methods, [&method](const ComparedMethod& other) {
+        for (std::size_t piece = 0; piece < other.pieceFigures.size(); ++piece) {
+            if (hasPanel(other, piece) && !hasPanel(method, piece)) {
+                return false;
+            }
+        }
+        return true;
+    });
+}
+
 }  // namespace
 
 ComparedMethod compared(Method method, const Garment& garment, PieceResults results) {
@@ -125,14 +142,10 @@ ComparedMethod compared(Method method, const Garment& garment, PieceResults resu
 std::optional<NearerMethods> nearerThanLengthKeeping(const Comparison& comparison) {
     const auto& methods = comparison.methods;
     const auto rms = [&methods](std::size_t k) { return *methods[k].figures.referenceRms; };
-    int most = 1;  // panels: a mean over fewer of them is no match
-    for (const ComparedMethod& method : methods) {
-        most = std::max(most, method.figures.referencedPieces);
-    }
     std::optional<std::size_t> best;
     std::vector<std::size_t> nearer;
     for (std::size_t k = 0; k < methods.size(); ++k) {
-        if (methods[k].figures.referencedPieces < most || !methods[k].figures.referenceRms) {
+        if (!methods[k].figures.referenceRms || !hasAllPanels(methods[k], methods)) {
             continue;
         }
         if (!traits(methods[k].method).keepsLengths) {

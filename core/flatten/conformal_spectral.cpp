@@ -115,7 +115,7 @@ private:
 };
 
 /// The combination of a B-orthonormal basis with the least |M z|, from the singular values of M
-/// times the basis: a Gram matrix would know only half the digits.
+/// times the basis, which is not empty: a Gram matrix would know only half the digits.
 Eigen::VectorXcd leastCombination(const ConformalEnergy& energy,
                                   const std::vector<Eigen::VectorXcd>& basis) {
     const auto count = static_cast<Eigen::Index>(basis.size());
@@ -168,6 +168,9 @@ Result<Points2> solveSpectral(const ConformalEnergy& energy, const std::vector<i
             return correction.error();
         }
         basis = problem.orthonormal({z, std::move(*correction), last});
+        if (basis.empty()) {  // not finite any more
+            break;
+        }
         const Eigen::VectorXcd c = leastCombination(energy, basis);
         last.setZero();
         for (Eigen::Index k = 1; k < c.size(); ++k) {

@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
 #include <tuple>
 
+#include "core/base/progress.h"
 #include "core/flatten/inner_ways.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
@@ -24,8 +26,15 @@ constexpr int kMaxOpposite = 16;
 /// Sharpest corners taken as ends: the tip of a slit above all.
 constexpr std::size_t kSharpest = 8;
 constexpr std::size_t kCrossingEnds = 8;
+/// A test of a cut looks for crossings in both its parts, at n log n each for an outline of n
+/// edges. Those that ask whether a cut resolves everything may pass this many edges together, so
+/// that the search ends after seconds at most.
+constexpr std::size_t kTestedEdges = 1000000;
+constexpr std::size_t kFewestTests = 8;
+constexpr std::size_t kMostTests = 200;
 /// Cuts compared where none resolves everything.
-constexpr std::size_t kLeastBadTests = 40;
+constexpr std::size_t kFewestLeastBadTests = 4;
+constexpr std::size_t kMostLeastBadTests = 40;
 /// A cut up to this much longer than the shortest is taken where it divides more evenly.
 constexpr double kHardlyLonger = 1.2;
 
@@ -50,13 +59,16 @@ std::uint64_t scrambled(std::uint64_t index) {
 
 class CutSearch {
 public:
-    CutSearch(const Piece& piece, const Points2& Q, const std::vector<OutlineCrossing>& crossings)
+    CutSearch(const Piece& piece, const Points2& Q, const std::vector<OutlineCrossing>& crossings,
+              const Progress& progress)
         : piece_(piece),
           Q_(Q),
+          progress_(progress),
           n_(static_cast<int>(piece.boundary.size())),
           crossings_(thinned(crossings, kMaxCrossings)),
           ways_(piece),
-          along_(piece.boundary.size() + 1, 0) {
+          along_(piece.boundary.size() + 1, 0),
+          testsLeft_(std::clamp(kTestedEdges / piece.boundary.size(), kFewestTests, kMostTests)) {
         const Eigen::VectorXd lengths = boundaryLengths3d(piece.mesh.V, piece.boundary);
         std::partial_sum(lengths.begin(), lengths.end(), along_.begin() + 1);
     }
@@ -81,9 +93,6 @@ private:
         InnerWay way;
         int together;  ///< crossings that it does not part
     };
-
-    /// Tests of parts cost n log n each.
-    std::size_t maxTests() const { return std::clamp<std::size_t>(10000000 / n_, 40, 2000); }
 
     bool isBetween(int edge, int from, int to) const {
         return from < to ? edge >= from && edge < to : edge >= from || edge < to;
@@ -129,7 +138,7 @@ private:
         for (const std::uint64_t word : order) {
             const auto opposite = places.find(word ^ all);
             if (opposite != places.end() && places[word].front() < opposite->second.front() &&
-                searched++ < kMaxOpposite) {
+                searched++ < kMaxOpposite && !progress_.isCancelled()) {
                 add(ways_.find(places[word], opposite->second));
             }
         }
@@ -165,6 +174,9 @@ private:
         const std::vector<int> places =
             spreadPlaces(std::clamp<std::size_t>(3000000 / edges, 4, 48));
         for (const int from : thinned(places, std::clamp<std::size_t>(3000000 / edges, 4, 96))) {
+            if (progress_.isCancelled()) {
+                return;
+            }
             add(ways_.find({from}, places));
         }
     }
@@ -189,15 +201,22 @@ private:
         return loops;
     }
 
-    bool resolves(const InnerWay& way) const {
+    /// Not to be asked once there are no tests left.
+    bool resolves(const InnerWay& way) {
+        --testsLeft_;
         const auto loops = parts(way);
         return outlineIsSimple(Q_, loops[0]) && outlineIsSimple(Q_, loops[1]);
     }
 
-    const Candidate* firstThatResolves() const {
-        for (std::size_t k = 0; k < std::min(candidates_.size(), maxTests()); ++k) {
-            if (candidates_[k].together == 0 && resolves(candidates_[k].way)) {
-                return &candidates_[k];
+    bool mayTest() const { return testsLeft_ > 0 && !progress_.isCancelled(); }
+
+    const Candidate* firstThatResolves() {
+        for (const Candidate& c : candidates_) {  // those that part all crossings come first
+            if (c.together > 0 || !mayTest()) {
+                break;
+            }
+            if (resolves(c.way)) {
+                return &c;
             }
         }
         return nullptr;
@@ -209,7 +228,8 @@ private:
         return std::abs(along_.back() - 2 * between);
     }
 
-    CrossingCut mostEven(const Candidate& shortest) const {
+    /// With the tests that are left.
+    CrossingCut mostEven(const Candidate& shortest) {
         std::vector<const Candidate*> close;
         for (const Candidate& c : candidates_) {
             if (c.together == 0 && c.way.length <= kHardlyLonger * shortest.way.length) {
@@ -219,7 +239,7 @@ private:
         std::stable_sort(close.begin(), close.end(), [&](const Candidate* s, const Candidate* t) {
             return unevenness(s->way) < unevenness(t->way);
         });
-        for (std::size_t k = 0; k < std::min(close.size(), maxTests()); ++k) {
+        for (std::size_t k = 0; k < close.size() && close[k] != &shortest && mayTest(); ++k) {
             if (resolves(close[k]->way)) {
                 return {close[k]->way.path, close[k]->way.length, true};
             }
@@ -229,15 +249,17 @@ private:
 
     /// Of the ways that part the most crossings: the one that leaves the fewest.
     CrossingCut leastBad() const {
-        const Candidate* best = nullptr;
-        std::size_t fewest = 0;
-        const std::size_t count = std::min(candidates_.size(), kLeastBadTests);
-        for (std::size_t k = 0; k < count; ++k) {
+        const Candidate* best = &candidates_.front();
+        auto fewest = std::numeric_limits<std::size_t>::max();
+        const std::size_t count =
+            std::min(candidates_.size(), std::clamp(kTestedEdges / piece_.boundary.size(),
+                                                    kFewestLeastBadTests, kMostLeastBadTests));
+        for (std::size_t k = 0; k < count && !progress_.isCancelled(); ++k) {
             const Candidate& c = candidates_[k];
             const auto loops = parts(c.way);
             const std::size_t left = findOutlineCrossings(Q_, loops[0]).size() +
                                      findOutlineCrossings(Q_, loops[1]).size();
-            if (best == nullptr || left < fewest) {
+            if (left < fewest) {
                 best = &c;
                 fewest = left;
             }
@@ -247,18 +269,21 @@ private:
 
     const Piece& piece_;
     const Points2& Q_;
+    const Progress& progress_;
     int n_;
     std::vector<OutlineCrossing> crossings_;
     InnerWays ways_;
     std::vector<double> along_;  ///< length of the outline up to each loop vertex
+    std::size_t testsLeft_;
     std::vector<Candidate> candidates_;
 };
 
 }  // namespace
 
 std::optional<CrossingCut> cutForCrossings(const Piece& piece, const Points2& Q,
-                                           const std::vector<OutlineCrossing>& crossings) {
-    return CutSearch(piece, Q, crossings).best();
+                                           const std::vector<OutlineCrossing>& crossings,
+                                           const Progress& progress) {
+    return CutSearch(piece, Q, crossings, progress).best();
 }
 
 }  // namespace toile

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/quality/outline_crossings.h"
 
@@ -27,8 +28,13 @@ struct CrossingCut {
 /// Nothing where no way leads through the inside. Never along the outline or a hole's rim.
 /// @param piece      a disk, holes aside, mm  @param Q  #V x 2
 /// @param crossings  from findOutlineCrossings(Q, piece.boundary), not empty
-/// Cost: some shortest ways through the piece, fewer the larger it is. Deterministic. Pure.
+/// @param progress   looked at between the ways and between the tests of cuts; cancelled, the best
+///                   so far is returned, untested ones with `resolves` false
+/// Cost: some shortest ways through the piece and tests of cuts at n log n each, fewer of both the
+/// larger it is: tests pass over a few million outline edges altogether, so that the worst case is
+/// seconds. Deterministic. Pure.
 std::optional<CrossingCut> cutForCrossings(const Piece& piece, const Points2& Q,
-                                           const std::vector<OutlineCrossing>& crossings);
+                                           const std::vector<OutlineCrossing>& crossings,
+                                           const Progress& progress = Progress());
 
 }  // namespace toile

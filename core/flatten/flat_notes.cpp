@@ -52,7 +52,7 @@ std::string cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) 
 
 }  // namespace
 
-std::optional<Error> crossingNote(const Piece& piece, const Points2& Q) {
+std::optional<Error> crossingNote(const Piece& piece, const Points2& Q, const Progress& progress) {
     const auto crossings = findOutlineCrossings(Q, piece.boundary);
     if (crossings.empty()) {
         return std::nullopt;
@@ -64,8 +64,11 @@ std::optional<Error> crossingNote(const Piece& piece, const Points2& Q) {
     detail += count > 1 ? ", the first at " : " at ";
     detail += flatPlace(first.place) + " mm of the pattern, where " +
               place(onPiece(piece, Q, first.first, first.place)) + " and " +
-              place(onPiece(piece, Q, first.second, first.place)) + " mm of the piece meet; ";
-    detail += cutWords(piece, cutForCrossings(piece, Q, crossings));
+              place(onPiece(piece, Q, first.second, first.place)) + " mm of the piece meet";
+    const auto cut = cutForCrossings(piece, Q, crossings, progress);
+    if (!progress.isCancelled()) {  // else what was found may not be what there is
+        detail += "; " + cutWords(piece, cut);
+    }
     return Error{ErrorCode::OutlineCrosses, piece.name, detail};
 }
 

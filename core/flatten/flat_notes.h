@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -16,8 +17,10 @@ struct Piece;
 /// decimal, the piece's and the pattern's. Precondition of all: the piece has no defect.
 
 /// OutlineCrosses: how many crossings, where the first is in the pattern and on the piece, and the
-/// cut that resolves it. Nothing where the outline is simple. Cost: crossing_cut.h.
-std::optional<Error> crossingNote(const Piece& piece, const Points2& Q);
+/// cut that resolves it; cancelled, nothing of a cut. Nothing where the outline is simple.
+/// Cost: crossing_cut.h.
+std::optional<Error> crossingNote(const Piece& piece, const Points2& Q,
+                                  const Progress& progress = Progress());
 
 /// OutlineUncrossed, for a flattening that moved `crossings` crossings apart.
 Error uncrossedNote(const Piece& piece, int crossings);

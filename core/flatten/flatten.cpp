@@ -89,7 +89,7 @@ Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
     if (!flat->Q.allFinite()) {
         return Error{ErrorCode::NotFinite, piece.name, "flat positions"};
     }
-    for (const auto& note : {crossingNote(piece, flat->Q), degenerateNote(piece)}) {
+    for (const auto& note : {crossingNote(piece, flat->Q, progress), degenerateNote(piece)}) {
         if (note) {
             flat->notes.push_back(*note);
         }

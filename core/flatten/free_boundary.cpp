@@ -112,9 +112,8 @@ Result<FlatPiece> atTrueSize(const Piece& piece, const Points2& points, const St
     if (!flat.Q.allFinite()) {
         return Error{ErrorCode::NotFinite, "", "flat positions"};
     }
-    flat.angleEnergy = 0.5 * (boundaryAngles2d(flat.Q, piece.boundary) -
-                              boundaryAngles3d(piece.mesh, piece.boundary))
-                                 .squaredNorm();
+    flat.angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
+                                   boundaryAngles2d(flat.Q, piece.boundary));
     flat.interiorSeconds = time.seconds();
     return flat;
 }

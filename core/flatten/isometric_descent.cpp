@@ -37,8 +37,9 @@ double dot(const Points2& a, const Points2& b) {
 class Descent {
 public:
     Descent(const MeshArrays& mesh, const EdgeTable& table, const std::vector<int>& boundary,
-            bool keepOutlineSimple)
-        : boundary_(boundary),
+            bool keepOutlineSimple, const Progress& progress)
+        : progress_(progress),
+          boundary_(boundary),
           lengths_(boundaryLengths3d(mesh.V, boundary)),
           objective_(mesh, table, boundary, lengths_, keepOutlineSimple),
           constraints_(boundary, lengths_),
@@ -64,7 +65,7 @@ public:
     /// Takes the step, or as much of it as lowers the objective. False where none does.
     bool advance(Points2& Q, IsometricObjective::Value& at, const Points2& P, double promised) {
         double t = kBackOff * objective_.largestStep(Q, P, 1 / kBackOff);
-        for (int k = 0; k < kMaxHalvings; ++k, t *= 0.5) {
+        for (int k = 0; k < kMaxHalvings && !progress_.isCancelled(); ++k, t *= 0.5) {
             Points2 moved = Q + t * P;
             if (!regainLengths(moved)) {
                 continue;
@@ -156,6 +157,7 @@ private:
         return constraints_.restore(Q);
     }
 
+    const Progress& progress_;
     const std::vector<int>& boundary_;
     Eigen::VectorXd lengths_;
     IsometricObjective objective_;
@@ -172,27 +174,27 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
                                            const std::vector<int>& boundary, const Points2& start,
                                            const DescentOptions& options,
                                            const Progress& progress) {
-    Descent descent(mesh, table, boundary, options.keepOutlineSimple);
+    Descent descent(mesh, table, boundary, options.keepOutlineSimple, progress);
     DescentResult result;
     result.Q = start;
     IsometricObjective::Value at = descent.objective().evaluate(start);
     if (!std::isfinite(at.total)) {
-        return Error{ErrorCode::NotFinite, "", "the start has flipped triangles"};
+        return Error{ErrorCode::NotFinite, "", "the start has flipped triangles or touches itself"};
     }
     double first = 0;  // promise over tolerance at the start: the way to go, by its logarithm
-    while (result.iterations < options.maxIterations) {
-        if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
-        }
+    while (result.iterations < options.maxIterations && !progress.isCancelled()) {
         double promised = 0;
         const auto step = descent.step(result.Q, at, promised);
-        if (!step) {
+        if (!step && step.error().code == ErrorCode::OutOfMemory) {
             return step.error();
         }
+        if (!step) {
+            break;  // what was reached stands
+        }
+        // A step that promises a rise was not found exactly enough to go on with.
         const double wanted = options.tolerance * std::max(at.total - 1, kNoExcess);
-        result.converged = promised <= wanted;
-        if (result.converged || progress.isCancelled() ||
-            !descent.advance(result.Q, at, *step, promised)) {
+        result.converged = std::abs(promised) <= wanted;
+        if (promised <= wanted || !descent.advance(result.Q, at, *step, promised)) {
             break;
         }
         ++result.iterations;
@@ -202,7 +204,13 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
+    // The objective has fallen. Its small terms may have fallen at the cost of the distortion.
+    const double before = descent.objective().distortion(start);
     result.distortion = descent.objective().distortion(result.Q);
+    if (result.distortion > before && !options.keepOutlineSimple) {
+        result.Q = start;
+        result.distortion = before;
+    }
     return result;
 }
 

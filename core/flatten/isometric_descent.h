@@ -11,8 +11,8 @@
 namespace toile {
 
 struct DescentOptions {
-    /// Ends when a Newton step promises to lower the energy's excess over 1 by less than this part
-    /// of it.
+    /// Ends when a Newton step promises to lower the objective's excess over 1 by less than this
+    /// part of it.
     double tolerance = 1e-4;
     int maxIterations = 500;
     /// Keeps the outline from crossing itself (outline_barrier.h). The start must not cross itself.
@@ -28,8 +28,8 @@ struct DescentResult {
 
 /// Lowers the symmetric Dirichlet energy of a flattening over interior and boundary positions while
 /// every boundary edge keeps its 3D length. Every iterate is feasible: exact lengths, no flipped
-/// triangle, objective (isometric_objective.h) below the one before; stopping early costs quality
-/// only.
+/// triangle, objective (isometric_objective.h: the energy and small terms beside it) below the one
+/// before; ending early costs quality only, and the result is never worse than the start.
 ///
 /// Each step minimises the convexified second-order model under the linearised length conditions
 /// (sequential quadratic programming): the KKT system is solved by the augmented Lagrangian, whose
@@ -40,8 +40,9 @@ struct DescentResult {
 /// @param mesh, table, boundary  a disk without degenerate triangles
 /// @param start  #V x 2, unit of the mesh: boundary lengths exact, no flipped triangle
 /// @param progress  told how far the tolerance is still away, on a logarithmic scale
-/// Errors: NotFinite (the start has flipped triangles), FactorisationFailed, OutOfMemory,
-/// Cancelled. Cost: one sparse factorisation of size 2 #V per iteration. Re-entrant.
+/// Errors: NotFinite (the start has flipped triangles), OutOfMemory, Cancelled. A step that cannot
+/// be computed ends the descent, and `converged` is false. Cost: one sparse factorisation of size 2
+/// #V per iteration. Re-entrant.
 Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTable& table,
                                            const std::vector<int>& boundary, const Points2& start,
                                            const DescentOptions& options, const Progress& progress);

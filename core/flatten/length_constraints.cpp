@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/length_constraints.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace toile {
 namespace {
 
 constexpr int kMaxSteps = 30;
-/// Relative length error that counts as none: a few roundings of a coordinate.
+/// Length error that counts as none: of the edge, or of the piece's extent where that is more.
 constexpr double kExact = 1e-13;
-/// What rounding may leave on edges much shorter than the piece: below it, no progress is arrival.
-constexpr double kRoundingFloor = 1e-10;
+constexpr double kDigits = 4e-15;
+/// Times that: no progress below it is arrival too.
+constexpr double kNearlyExact = 100;
 /// Above this the outline's lengths are no longer near: no use in trying.
 constexpr double kFar = 4;
 
@@ -102,15 +105,22 @@ void LengthConstraints::addHessian(const Points2& Q, const Eigen::VectorXd& stif
 
 bool LengthConstraints::restore(Points2& Q) const {
     const int n = count();
-    double before = kFar;
+    double extent = 0;
+    for (const int v : boundary_) {
+        extent = std::max(extent, Q.row(v).lpNorm<Eigen::Infinity>());
+    }
+    // An edge much shorter than the piece is as long as the digits of its ends can say.
+    const Eigen::VectorXd allowed = (kExact * lengths_).cwiseMax(kDigits * extent);
+    double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kMaxSteps; ++step) {
         const Eigen::VectorXd c = residual(Q);
-        const double worst = c.cwiseQuotient(lengths_).lpNorm<Eigen::Infinity>();
-        if (worst <= kExact) {
+        const double worst = c.cwiseQuotient(allowed).lpNorm<Eigen::Infinity>();
+        if (worst <= 1) {
             return true;
         }
-        if (!(worst <= kFar) || (worst <= kRoundingFloor && worst > 0.5 * before)) {
-            return worst <= kRoundingFloor;
+        const bool stalls = worst <= kNearlyExact && worst > 0.5 * before;
+        if (stalls || !(c.cwiseQuotient(lengths_).lpNorm<Eigen::Infinity>() <= kFar)) {
+            return stalls;
         }
         before = worst;
         const Points2 u = directions(Q);

@@ -22,6 +22,9 @@ namespace {
 constexpr std::chrono::milliseconds kLookEvery{5};
 /// Of a piece's time, about; the rest is measuring.
 constexpr double kFlatteningShare = 0.95;
+/// What the caller sees at most until all is done: the tally of the pieces' parts may round to 1
+/// before.
+constexpr double kNearlyDone = 0.999;
 
 std::shared_ptr<PieceResult> emptyResult(const std::shared_ptr<const Piece>& piece,
                                          const FlattenOptions& options) {
@@ -114,7 +117,7 @@ public:
                 return false;
             }
             changed_.wait_for(lock, kLookEvery);
-            progress.report(progress_.fraction());
+            progress.report(std::min(progress_.fraction(), kNearlyDone));
         }
         if (failure_) {
             progress_.cancel();
@@ -157,12 +160,25 @@ private:
     std::exception_ptr failure_;
 };
 
+int coreCount() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Waits while what was abandoned earlier has all the cores, and its memory: else cancelling again
+/// and again would heap up work.
+/// @return false where the caller has cancelled
+bool waitForACore(const Progress& progress) {
+    while (!progress.isCancelled() && AbandonableThreads::stillRunning() >= coreCount()) {
+        std::this_thread::sleep_for(kLookEvery);
+    }
+    return !progress.isCancelled();
+}
+
 /// Cores for this work. What was abandoned earlier still has its own.
 std::size_t workerCount(int threads, std::size_t pieces) {
     int count = threads;
     if (threads <= 0) {
-        count = static_cast<int>(std::thread::hardware_concurrency()) -
-                AbandonableThreads::stillRunning();
+        count = coreCount() - AbandonableThreads::stillRunning();
     }
     return std::min(pieces, static_cast<std::size_t>(std::max(1, count)));
 }
@@ -175,7 +191,7 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
     const auto work = std::make_shared<Work>(garment, options);
     AbandonableThreads workers;  // on the way out left alone, if they have not ended
     const std::size_t wanted =
-        progress.isCancelled() ? 0 : workerCount(threads, garment.pieces.size());
+        waitForACore(progress) ? workerCount(threads, garment.pieces.size()) : 0;
     std::size_t running = 0;
     while (running < wanted && workers.start([work] { work->run(); })) {
         ++running;

@@ -48,7 +48,10 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, P
 /// Cancelled, it returns within `kCancelSeconds` at any size of garment: the work is done on
 /// threads that share what they use, and a stage that cannot be stopped (a factorisation) runs out
 /// on its own after that, unseen (core/base/abandonable_threads.h). Until it has, it keeps its
-/// memory.
+/// memory and its core; where as many such stages run as the machine has cores, a new call begins
+/// when one of them has ended, or is cancelled before. Where the system has no thread to give, the
+/// work is done on the caller's, without progress on the way: a cancel then comes too late, and
+/// `kCancelSeconds` does not hold.
 /// @param progress  grows by triangles done, within a piece by the stages and iterations of the
 ///                  method; reaches 1 at the end and only there. Not used after the return.
 /// @param threads   how many work at once; 0: as many as the machine has cores
@@ -57,7 +60,8 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, P
 PieceResults flattenGarment(const Garment& garment, const FlattenOptions& options,
                             Progress& progress, int threads = 0);
 
-/// From `Progress::cancel` to the return of `flattenGarment`, at most, at a million triangles.
+/// From `Progress::cancel` to the return of `flattenGarment`, at most, at a million triangles and
+/// where there are threads to be had.
 inline constexpr double kCancelSeconds = 0.05;
 
 /// The pattern of the pieces that are flat, in garment order, and where each comes from.

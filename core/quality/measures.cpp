@@ -166,6 +166,15 @@ double piTheta(const Eigen::VectorXd& alpha, const Eigen::VectorXd& theta) {
         .mean();
 }
 
+double angleEnergy(const Eigen::VectorXd& alpha, const Eigen::VectorXd& theta) {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < alpha.size(); ++i) {
+        const double difference = std::remainder(theta[i] - alpha[i], 2 * std::numbers::pi);
+        sum += difference * difference;
+    }
+    return 0.5 * sum;
+}
+
 double piE(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d) {
     return (lengths2d / lengths2d.sum() - lengths3d / lengths3d.sum()).cwiseAbs().sum();
 }

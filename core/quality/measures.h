@@ -39,6 +39,8 @@ double piL(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
 /// Mean |theta - alpha| over boundary vertices, differences taken modulo 2 pi: at the tip of a slit
 /// the planar angle is 0 or 2 pi as rounding has it. Eq. (2).
 double piTheta(const Eigen::VectorXd& alpha, const Eigen::VectorXd& theta);
+/// 1/2 sum (theta - alpha)^2, differences likewise. The objective of eq. (9).
+double angleEnergy(const Eigen::VectorXd& alpha, const Eigen::VectorXd& theta);
 /// Sum over edges of | |q|/sum|q| - |v|/sum|v| |, in [0, 2]. Eq. (24), normalised.
 double piE(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
 /// Sum over triangles of | A/sum A - A'/sum A' | with unsigned areas, in [0, 2]. Eq. (25).

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -16,6 +17,10 @@ constexpr std::size_t kPairsEach = 8;
 /// Cells of fewer segments are not worth a division.
 constexpr std::size_t kFewSegments = 12;
 constexpr int kMaxDepth = 24;
+/// Divisions within a cell may add this many times its pairs, all together. Segments that lie on
+/// each other are in every part of a cell that they pass, however often it is divided. Where
+/// division pays in the end, as in a star, it adds less on the way there.
+constexpr double kMostGrowth = 4;
 
 /// The part of a segment in a cell, seen across the sweep.
 struct Span {
@@ -50,36 +55,81 @@ public:
     Search(const std::vector<Segment2>& segments, double margin, const PairVisitor& visit)
         : segments_(segments), margin_(margin), visit_(visit) {}
 
-    bool inCell(const PlaneCell& cell, const std::vector<int>& inside, int depth) const {
+    bool run(const PlaneCell& all) const {
+        std::vector<int> everyone(segments_.size());
+        std::iota(everyone.begin(), everyone.end(), 0);
+        const Content content = contentOf(all, everyone);
+        double spare = kMostGrowth * static_cast<double>(content.pairs);
+        return inCell(content, 0, spare);
+    }
+
+private:
+    /// What a cell holds.
+    struct Content {
+        PlaneCell cell;
+        std::vector<int> here;  ///< segments
+        std::vector<Span> spans;
+        std::size_t pairs = 0;  ///< that its sweep leaves
+    };
+
+    Content contentOf(const PlaneCell& cell, const std::vector<int>& inside) const {
+        Content content{cell, {}, {}, 0};
         std::vector<Segment2> parts;
-        std::vector<int> here;
         for (const int i : inside) {
             Segment2 part;
             if (clip(segments_[i], cell, margin_, part)) {
                 parts.push_back(part);
-                here.push_back(i);
+                content.here.push_back(i);
             }
         }
-        const Eigen::RowVector2d across = mostlyAcross(parts);
-        const std::vector<Span> spans = spansAlong(across, parts, here);
-        const std::size_t pairs = overlaps(spans);
-        if (depth == kMaxDepth || here.size() < kFewSegments || pairs <= kPairsEach * here.size()) {
-            return visitOverlaps(spans, cell);
-        }
+        content.spans = spansAlong(mostlyAcross(parts), parts, content.here);
+        content.pairs = overlaps(content.spans);
+        return content;
+    }
+
+    /// Fewest pairs last. From there they are taken: what their division saves is there for the
+    /// one with the most.
+    std::vector<Content> quartersOf(const Content& content) const {
+        const PlaneCell& cell = content.cell;
         const Eigen::RowVector2d middle = 0.5 * (cell.low + cell.high);
+        std::vector<Content> quarters;
         for (const auto& [right, upper] : {std::pair(false, false), std::pair(true, false),
                                            std::pair(false, true), std::pair(true, true)}) {
             PlaneCell quarter = cell;
             (right ? quarter.low : quarter.high).x() = middle.x();
             (upper ? quarter.low : quarter.high).y() = middle.y();
-            if (!inCell(quarter, here, depth + 1)) {
+            quarters.push_back(contentOf(quarter, content.here));
+        }
+        std::ranges::stable_sort(quarters, std::greater(), &Content::pairs);
+        return quarters;
+    }
+
+    /// @param spare  by how many pairs the divisions around this cell may still add to those there
+    ///               were; less what they add in this cell, or more by what they save
+    bool inCell(const Content& content, int depth, double& spare) const {
+        if (depth == kMaxDepth || content.here.size() < kFewSegments ||
+            content.pairs <= kPairsEach * content.here.size()) {
+            return visitOverlaps(content.spans, content.cell);
+        }
+        std::vector<Content> quarters = quartersOf(content);
+        double added = -static_cast<double>(content.pairs);
+        for (const Content& quarter : quarters) {
+            added += static_cast<double>(quarter.pairs);
+        }
+        const double most = std::min(spare, kMostGrowth * static_cast<double>(content.pairs));
+        if (added > most) {
+            return visitOverlaps(content.spans, content.cell);
+        }
+        double left = most - added;
+        for (; !quarters.empty(); quarters.pop_back()) {
+            if (!inCell(quarters.back(), depth + 1, left)) {
                 return false;
             }
         }
+        spare -= most - left;
         return true;
     }
 
-private:
     /// The direction across which parallel segments lie apart: angles are doubled, so that to and
     /// fro count alike.
     static Eigen::RowVector2d mostlyAcross(const std::vector<Segment2>& parts) {
@@ -154,9 +204,7 @@ bool visitSegmentPairs(const std::vector<Segment2>& segments, double margin,
     margin = std::max(margin, 4e-12 * extent);
     all.low.array() -= 2 * margin;
     all.high.array() += 2 * margin;
-    std::vector<int> everyone(segments.size());
-    std::iota(everyone.begin(), everyone.end(), 0);
-    return Search(segments, margin, visit).inCell(all, everyone, 0);
+    return Search(segments, margin, visit).run(all);
 }
 
 }  // namespace toile

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
 #include "core/flatten/abf_angles.h"
 #include "core/flatten/conformal_energy.h"
 #include "core/flatten/free_boundary.h"
 #include "core/flatten/methods/methods.h"
+#include "core/garment/piece.h"
 
 namespace toile {
+namespace {
+
+constexpr double kAnglesShare = 0.9;  // of the time
+constexpr double kUnmet = 1e-6;       // radians: more than this can be seen in the map
+
+}  // namespace
 
 Result<FlatPiece> flattenAbf(const Piece& piece, const FlattenOptions& /*options*/,
                              const Progress& progress) {
     const Stopwatch time;
-    const auto planar = closestPlanarAngles(piece.mesh, piece.boundary, progress);
+    const auto planar =
+        closestPlanarAngles(piece.mesh, piece.boundary, Progress(progress, kAnglesShare));
     if (!planar) {
         return planar.error();
     }
@@ -24,6 +33,11 @@ Result<FlatPiece> flattenAbf(const Piece& piece, const FlattenOptions& /*options
     auto flat = atTrueSize(piece, *points, time);
     if (flat) {
         flat->interiorIterations = planar->iterations;
+        if (planar->residual > kUnmet) {
+            flat->notes.push_back({ErrorCode::EndedEarly, piece.name,
+                                   "angles that fit in the plane are met to " +
+                                       shortest(planar->residual) + " radians only"});
+        }
     }
     return flat;
 }

@@ -50,9 +50,8 @@ Result<FlatPiece> flattenConvex(const Piece& piece, const FlattenOptions& /*opti
         return points.error();
     }
     flat.Q = std::move(*points);
-    flat.angleEnergy = 0.5 * (boundaryAngles2d(flat.Q, piece.boundary) -
-                              boundaryAngles3d(piece.mesh, piece.boundary))
-                                 .squaredNorm();
+    flat.angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
+                                   boundaryAngles2d(flat.Q, piece.boundary));
     flat.interiorSeconds = interiorTime.seconds();
     return flat;
 }

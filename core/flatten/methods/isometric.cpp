@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "core/base/stopwatch.h"
@@ -32,7 +33,8 @@ bool isNear(double simple, double crossing) {
 constexpr double kSqueezed = 1e3;
 /// Shares of the time, as progress tells it.
 constexpr double kStartShare = 0.1;
-constexpr double kDescentShare = 0.8;
+constexpr double kDescentShare = 0.6;
+constexpr double kUncrossShare = 0.3;
 
 DescentOptions optionsFor(Quality quality) {
     DescentOptions options;
@@ -61,9 +63,17 @@ Result<Points2> startOf(const Piece& piece, const Points2* conformal, const Prog
     if (ofConformal < kSqueezed) {
         return *conformal;
     }
-    auto circle = tutteOnCircle(piece, progress);
-    return circle && std::isfinite(ofConformal) && ofConformal < energy.energy(*circle) ? *conformal
-                                                                                        : circle;
+    auto circle = tutteOnCircle(piece, Progress(progress, 0));
+    const bool better = circle && energy.energy(*circle) <= ofConformal;
+    const bool cancelled = !circle && circle.error().code == ErrorCode::Cancelled;
+    if (conformal && !better && !cancelled) {
+        return *conformal;
+    }
+    return circle;
+}
+
+Error endedEarly(const Piece& piece, const std::string& how) {
+    return Error{ErrorCode::EndedEarly, piece.name, how};
 }
 
 Result<DescentResult> descend(const Piece& piece, const Points2& start,
@@ -74,12 +84,12 @@ Result<DescentResult> descend(const Piece& piece, const Points2& start,
 /// A simple outline with the same lengths, if one is near: from a circle, held apart on the way.
 std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& crossing,
                                      DescentOptions options, const Progress& progress) {
-    const auto circle = tutteOnCircle(piece, progress);
+    const auto circle = tutteOnCircle(piece, Progress(progress, 0));
     if (!circle) {
         return std::nullopt;
     }
     options.keepOutlineSimple = true;
-    auto simple = descend(piece, *circle, options, progress);
+    auto simple = descend(piece, *circle, options, Progress(progress, kUncrossShare));
     if (!simple || !isNear(simple->distortion, crossing.distortion)) {
         return std::nullopt;
     }
@@ -104,6 +114,12 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
     }
     const DescentOptions descent = optionsFor(options.quality);
     auto lowest = descend(piece, *start, descent, Progress(progress, kDescentShare));
+    if (!lowest && lowest.error().code == ErrorCode::NotFinite && flat) {
+        // In a piece much deeper than its rim is long even the circle's triangles vanish in
+        // rounding. The conformal result is what there is; its flips are counted.
+        flat->notes.push_back(endedEarly(piece, "no start without flipped triangles was found"));
+        return flat;
+    }
     if (!lowest) {
         return lowest.error();
     }
@@ -111,6 +127,10 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
         flat = FlatPiece{};
     }
     flat->notes.clear();  // what there was to say of the start
+    if (!lowest->converged) {
+        flat->notes.push_back(
+            endedEarly(piece, "after " + std::to_string(lowest->iterations) + " steps"));
+    }
     flat->interiorIterations = lowest->iterations;
     flat->Q = std::move(lowest->Q);
     if (const int crossings = outlineCrossings(flat->Q, piece.boundary); crossings > 0) {
@@ -123,9 +143,8 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
-    flat->angleEnergy = 0.5 * (boundaryAngles2d(flat->Q, piece.boundary) -
-                               boundaryAngles3d(piece.mesh, piece.boundary))
-                                  .squaredNorm();
+    flat->angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
+                                    boundaryAngles2d(flat->Q, piece.boundary));
     flat->interiorSeconds = time.seconds() - flat->boundarySeconds;
     return flat;
 }

@@ -14,6 +14,7 @@
 namespace toile {
 namespace {
 
+constexpr double kOutlineShare = 0.1;  // of the time
 constexpr int kMaxSteps = 60;
 /// Exponents below this no longer change the map to speak of.
 constexpr double kLeastExponent = 0.25;
@@ -97,7 +98,7 @@ public:
             return solveDirected(graph_, vertexCount, piece_->boundary, outline, progress);
         }
         auto system = InteriorSystem::make({graph_.edges, graph_.weights.col(0)}, vertexCount,
-                                           piece_->boundary, progress);
+                                           piece_->boundary, Progress(progress, 0));
         if (!system) {
             return system.error();
         }
@@ -119,8 +120,8 @@ private:
 Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& options,
                                  const Progress& progress) {
     auto flat = options.stretchOutline == StretchOutline::Curvature
-                    ? flattenCurvature(piece, options, progress)
-                    : flattenConvex(piece, options, progress);
+                    ? flattenCurvature(piece, options, Progress(progress, kOutlineShare))
+                    : flattenConvex(piece, options, Progress(progress, kOutlineShare));
     if (!flat) {
         return flat;
     }
@@ -144,6 +145,7 @@ Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& optio
         Weights next = weights.divided(current.vertexStretch.array().pow(exponent));
         auto points = next.solve(outline, progress);
         ++flat->interiorIterations;
+        progress.report(kOutlineShare + (1 - kOutlineShare) * flat->interiorIterations / kMaxSteps);
         if (!points) {
             if (points.error().code == ErrorCode::Cancelled) {
                 return points.error();

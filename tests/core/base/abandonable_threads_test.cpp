@@ -5,6 +5,7 @@
 #include <chrono>
 #include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -49,6 +50,22 @@ TEST(AbandonableThreads, LeavesWorkBehindAndKeepsWhatItUses) {
     EXPECT_TRUE(*isDone);
     EXPECT_EQ(data->back(), 2);
     EXPECT_EQ(data.use_count(), 1);
+    EXPECT_EQ(AbandonableThreads::stillRunning(), 0);
+}
+
+TEST(AbandonableThreads, AbandonsSeveralWithoutThrowing) {
+    static_assert(noexcept(std::declval<AbandonableThreads&>().abandon()));
+    const auto mayEnd = std::make_shared<std::atomic<bool>>(false);
+    AbandonableThreads threads;
+    for (int t = 0; t < 3; ++t) {
+        ASSERT_TRUE(threads.start([mayEnd] { mayEnd->wait(false); }));
+    }
+    threads.abandon();
+    EXPECT_EQ(AbandonableThreads::stillRunning(), 3);
+    threads.join();  // none of its own any more
+    *mayEnd = true;
+    mayEnd->notify_all();
+    AbandonableThreads::joinAbandoned();
     EXPECT_EQ(AbandonableThreads::stillRunning(), 0);
 }
 

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/stopwatch.h"
 #include "core/flatten/flat_notes.h"
 #include "core/flatten/flatten.h"
 #include "core/quality/measures.h"
@@ -169,6 +170,29 @@ TEST(CrossingCut, IsTheSameAgainAndScalesAlong) {
     MeshArrays large = mesh;
     large.V *= 1024;
     EXPECT_EQ(cutOf(*test::asPiece(large), Points2(1024 * Q))->path, cut->path);
+}
+
+TEST(CrossingCut, ACancelledSearchGivesAtMostAnUntestedCut) {
+    const auto piece = test::asPiece(test::flounce(500, 80, 200, 72, 5));
+    const Points2 Q = flatOf(*piece, Method::Curvature);
+    Progress progress;
+    progress.cancel();
+    const auto cut = cutForCrossings(*piece, Q, findOutlineCrossings(Q, piece->boundary), progress);
+    EXPECT_FALSE(cut && cut->resolves);
+    const auto note = crossingNote(*piece, Q, progress);
+    ASSERT_TRUE(note);
+    EXPECT_EQ(note->detail.find("cut"), std::string::npos) << note->detail;
+    EXPECT_NE(crossingNote(*piece, Q)->detail.find("cut it from"), std::string::npos);
+}
+
+TEST(CrossingCut, TheSearchInALargeOutlineWithoutASingleCutEndsAfterSeconds) {
+    const auto piece = test::asPiece(test::flounce(800, 80, 200, 2500, 4));
+    const Points2 Q = flatOf(*piece, Method::Curvature);
+    const Stopwatch time;
+    const auto cut = cutOf(*piece, Q);
+    EXPECT_LT(time.seconds(), 30);  // generous, for builds with sanitizers too
+    ASSERT_TRUE(cut);
+    EXPECT_FALSE(cut->resolves);
 }
 
 TEST(CrossingCut, WithoutAnInsideOnlyEdgesAcrossAreLeft) {

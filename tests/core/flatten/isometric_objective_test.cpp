@@ -239,6 +239,22 @@ TEST(LengthConstraints, RestoreTheLengthsByASmallMotion) {
     EXPECT_LE((again - Q).lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
+/// An edge of a thousand millionth of the outline: its length has few digits in the ends'
+/// coordinates, and must not keep the others from theirs.
+TEST(LengthConstraints, RestoreBesideAVeryShortEdge) {
+    MeshArrays mesh = test::planeGrid(8, 5, 100);
+    const auto plain = test::asPiece(mesh);
+    const int corner = plain->boundary[3];
+    const int next = plain->boundary[4];
+    mesh.V.row(next) = mesh.V.row(corner) + 3e-8 * (mesh.V.row(next) - mesh.V.row(corner));
+    const auto piece = test::asPiece(mesh);
+    const Eigen::VectorXd lengths = boundaryLengths3d(piece->mesh.V, piece->boundary);
+    const LengthConstraints constraints(piece->boundary, lengths);
+    Points2 Q = shaken(*piece, 1e-7);
+    ASSERT_TRUE(constraints.restore(Q));
+    EXPECT_LE(constraints.residual(Q).lpNorm<Eigen::Infinity>(), 1e-10);
+}
+
 TEST(LengthConstraints, RefuseAnOutlineInOneLine) {
     const auto piece = test::asPiece(test::planeGrid(3, 3, 1.0));
     const LengthConstraints constraints(piece->boundary,

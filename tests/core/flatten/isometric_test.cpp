@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -106,6 +107,42 @@ TEST(Isometric, FindsTheSameFromACircle) {
     EXPECT_TRUE(descended->converged);
     const Measured result = flattened(*piece, by(Method::Isometric));
     EXPECT_NEAR(descended->distortion, *result.quality.symmetricDirichlet, 1e-3);
+}
+
+/// A closed finger, deeper and deeper over the same rim: flat without flips as long as doubles can
+/// hold Tutte's triangles, and beyond that a result with a note, never a failure.
+TEST(Isometric, FlattensFingersOrSaysThatItCannot) {
+    for (const int along : {20, 60, 200}) {
+        constexpr int kAround = 12;
+        MeshArrays mesh{Points3::Zero(kAround * along + 1, 3),
+                        Triangles::Zero(2 * kAround * (along - 1) + kAround, 3)};
+        int face = 0;
+        for (int ring = 0; ring < along; ++ring) {
+            for (int k = 0; k < kAround; ++k) {
+                const double turn = 2 * std::numbers::pi * k / kAround;
+                mesh.V.row(kAround * ring + k) << 10 * std::cos(turn), 10 * std::sin(turn),
+                    5.0 * ring;
+                const int a = kAround * ring + k;
+                const int b = kAround * ring + (k + 1) % kAround;
+                if (ring + 1 < along) {
+                    mesh.F.row(face++) << a, b, a + kAround;
+                    mesh.F.row(face++) << b, b + kAround, a + kAround;
+                } else {
+                    mesh.F.row(face++) << a, b, kAround * along;
+                }
+            }
+        }
+        mesh.V.row(kAround * along) << 0, 0, 5.0 * along;
+        const auto piece = test::asPiece(mesh);
+        ASSERT_FALSE(piece->defect) << sentence(*piece->defect);
+        const Measured result = flattened(*piece, by(Method::Isometric));
+        EXPECT_TRUE(result.flat.Q.allFinite());
+        EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-9);
+        const bool told =
+            std::any_of(result.flat.notes.begin(), result.flat.notes.end(),
+                        [](const Error& note) { return note.code == ErrorCode::EndedEarly; });
+        EXPECT_TRUE(result.quality.flippedTriangles == 0 || told) << along;
+    }
 }
 
 TEST(Isometric, RefusesAFlippedStart) {

@@ -109,18 +109,24 @@ TEST(CompareMethods, ACancelLeavesNothingFlat) {
     }
 }
 
-ComparedMethod withRms(Method method, std::optional<double> rms, int panels) {
-    ComparedMethod made{method, {}, {}, {}};
+/// Flat, with their panels, are all of six pieces but these.
+ComparedMethod withRms(Method method, std::optional<double> rms, const std::set<int>& without) {
+    ComparedMethod made{method, {}, {}, std::vector<ComparedFigures>(6)};
     made.figures.pieces = 6;
     made.figures.referenceRms = rms;
-    made.figures.referencedPieces = panels;
+    for (int k = 0; k < 6; ++k) {
+        const int count = without.contains(k) ? 0 : 1;
+        made.pieceFigures[static_cast<std::size_t>(k)].referencedPieces = count;
+        made.figures.referencedPieces += count;
+    }
     return made;
 }
 
 TEST(NearerThanLengthKeeping, NamesTheFreeOutlinesThatAreNearer) {
-    const Comparison comparison{{withRms(Method::Natural, 2.2, 6), withRms(Method::Curvature, 3, 6),
-                                 withRms(Method::Lscm, 2.1, 6), withRms(Method::Abf, 2.5, 6),
-                                 withRms(Method::Wang2005, 2.4, 6)}};
+    const Comparison comparison{{withRms(Method::Natural, 2.2, {}),
+                                 withRms(Method::Curvature, 3, {}), withRms(Method::Lscm, 2.1, {}),
+                                 withRms(Method::Abf, 2.5, {}),
+                                 withRms(Method::Wang2005, 2.4, {})}};
     const auto nearer = nearerThanLengthKeeping(comparison);
     ASSERT_TRUE(nearer);
     EXPECT_EQ(nearer->freeOutline, (std::vector<std::size_t>{2, 0}));
@@ -128,13 +134,22 @@ TEST(NearerThanLengthKeeping, NamesTheFreeOutlinesThatAreNearer) {
 }
 
 TEST(NearerThanLengthKeeping, ComparesMeansOverTheSamePanelsOnly) {
-    const Comparison easier{{withRms(Method::Natural, 1, 5), withRms(Method::Wang2005, 2, 6)}};
+    const Comparison easier{{withRms(Method::Natural, 1, {4}), withRms(Method::Wang2005, 2, {})}};
     EXPECT_FALSE(nearerThanLengthKeeping(easier));
-    const Comparison farther{{withRms(Method::Natural, 3, 6), withRms(Method::Wang2005, 2, 6)}};
+    const Comparison asMany{{withRms(Method::Natural, 1, {4}), withRms(Method::Wang2005, 2, {2})}};
+    EXPECT_FALSE(nearerThanLengthKeeping(asMany));
+    const Comparison same{{withRms(Method::Natural, 1, {4}), withRms(Method::Wang2005, 2, {4}),
+                           withRms(Method::Abf, 0.5, {4, 5})}};
+    const auto nearer = nearerThanLengthKeeping(same);
+    ASSERT_TRUE(nearer);
+    EXPECT_EQ(nearer->freeOutline, std::vector<std::size_t>{0});
+    const Comparison farther{{withRms(Method::Natural, 3, {}), withRms(Method::Wang2005, 2, {})}};
     EXPECT_FALSE(nearerThanLengthKeeping(farther));
-    const Comparison noPanels{{withRms(Method::Natural, {}, 0), withRms(Method::Wang2005, {}, 0)}};
+    const std::set<int> all{0, 1, 2, 3, 4, 5};
+    const Comparison noPanels{
+        {withRms(Method::Natural, {}, all), withRms(Method::Wang2005, {}, all)}};
     EXPECT_FALSE(nearerThanLengthKeeping(noPanels));
-    const Comparison onlyFree{{withRms(Method::Natural, 3, 6)}};
+    const Comparison onlyFree{{withRms(Method::Natural, 3, {})}};
     EXPECT_FALSE(nearerThanLengthKeeping(onlyFree));
 }
 

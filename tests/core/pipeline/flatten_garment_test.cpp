@@ -143,6 +143,34 @@ TEST(FlattenGarment, CancelledBeforeItBeginsDoesNothing) {
     EXPECT_EQ(progress.fraction(), 0);
 }
 
+TEST(FlattenGarment, WaitsWhileAbandonedWorkHasAllTheCores) {
+    const auto mayEnd = std::make_shared<std::atomic<bool>>(false);
+    AbandonableThreads earlier;
+    for (unsigned k = 0; k < std::max(1U, std::thread::hardware_concurrency()); ++k) {
+        ASSERT_TRUE(earlier.start([mayEnd] { mayEnd->wait(false); }));
+    }
+    earlier.abandon();
+    const Garment garment = smallGarment();
+    Progress given;
+    std::thread other([&given] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        given.cancel();
+    });
+    const PieceResults results = flattenGarment(garment, {}, given);
+    other.join();
+    EXPECT_EQ(given.fraction(), 0);
+    *mayEnd = true;
+    mayEnd->notify_all();
+    ASSERT_EQ(results.size(), garment.pieces.size());
+    for (const auto& result : results) {
+        ASSERT_TRUE(result->error);
+        EXPECT_EQ(result->error->code, ErrorCode::Cancelled);
+    }
+    Progress progress;
+    EXPECT_TRUE(flattenGarment(garment, {}, progress)[0]->flat);
+    AbandonableThreads::joinAbandoned();
+}
+
 TEST(FlattenGarment, GivesTheSameBytesWithOneThreadAndWithMany) {
     const Garment garment = smallGarment();
     for (const MethodTraits& method : allMethods()) {

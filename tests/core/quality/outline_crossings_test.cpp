@@ -220,6 +220,34 @@ TEST(OutlineCrossings, FineDetailsStarsAndSlitsOfLargeOutlinesAreNotQuadratic) {
     }
 }
 
+TEST(OutlineCrossings, AStripOfManyTurnsOnEachOtherEndsSoon) {
+    const int turns = 30;
+    const Points2 Q = ringSector(turns * 360);
+    // A stretch of either rim per ten degrees and pair of turns, and little else.
+    const int stretches = 2 * 36 * turns * (turns - 1) / 2;
+    int count = 0;
+    EXPECT_LT(seconds([&] { count = outlineCrossings(Q, loop(Q.rows())); }), kSecondsForLarge);
+    EXPECT_GE(count, stretches * 95 / 100);
+    EXPECT_LE(count, stretches * 105 / 100);
+    EXPECT_LT(seconds([&] { EXPECT_FALSE(outlineIsSimple(Q, loop(Q.rows()))); }), kSecondsForLarge);
+}
+
+TEST(OutlineCrossings, LongSegmentsOnEachOtherEndSoon) {
+    for (const int n : {18, 40, 1000}) {
+        for (const double slant : {0.0, 0.3, 0.785398}) {
+            Points2 Q(n, 2);  // to and fro
+            for (int k = 0; k < n; ++k) {
+                Q.row(k) << (k % 2) * 1000 * std::cos(slant), (k % 2) * 1000 * std::sin(slant);
+            }
+            int count = 0;
+            EXPECT_LT(seconds([&] { count = outlineCrossings(Q, loop(n)); }), kSecondsForLarge);
+            EXPECT_EQ(count, n / 2 * (n / 2 - 1));  // the pairs that go the same way
+            EXPECT_LT(seconds([&] { EXPECT_FALSE(outlineIsSimple(Q, loop(n))); }),
+                      kSecondsForLarge);
+        }
+    }
+}
+
 TEST(OutlineCrossings, AScribbleEndsAtTheLimit) {
     std::mt19937 random(1);
     Points2 Q(30000, 2);
