@@ -82,4 +82,74 @@ int BlockMatrix::findEdge(int v, int w) const {
     return first < firstEdge_[low + 1] && edges_(first, 1) == high ? first : -1;
 }
 
+BlockVector BlockMatrix::product(const BlockVector& x) const {
+    BlockVector y(x.rows(), 2);
+    for (int v = 0; v < static_cast<int>(x.rows()); ++v) {
+        const double* first = &matrix_.value[matrix_.columnStart[2 * v]];
+        const double last = matrix_.value[matrix_.columnStart[2 * v + 1]];
+        y(v, 0) = first[0] * x(v, 0) + first[1] * x(v, 1);
+        y(v, 1) = first[1] * x(v, 0) + last * x(v, 1);
+    }
+    for (int v = 0; v < static_cast<int>(x.rows()); ++v) {
+        y.row(v) += above(v, x);
+        addBelow(v, x.row(v), y);
+    }
+    return y;
+}
+
+BlockVector BlockMatrix::upperProduct(const BlockVector& x) const {
+    BlockVector y(x.rows(), 2);
+    for (int v = 0; v < static_cast<int>(x.rows()); ++v) {
+        y.row(v) = above(v, x);
+    }
+    return y;
+}
+
+void BlockMatrix::sweepForth(BlockVector& x) const {
+    for (int v = 0; v < static_cast<int>(x.rows()); ++v) {
+        x.row(v) = solveVertex(v, x.row(v));
+        addBelow(v, -x.row(v), x);
+    }
+}
+
+void BlockMatrix::sweepBack(BlockVector& x) const {
+    for (int v = static_cast<int>(x.rows()) - 1; v >= 0; --v) {
+        x.row(v) = solveVertex(v, x.row(v) - above(v, x));
+    }
+}
+
+/// Row v of the blocks above the diagonal, times x.
+Eigen::RowVector2d BlockMatrix::above(int v, const BlockVector& x) const {
+    const double* first = &matrix_.value[matrix_.columnStart[2 * v]] + 2;
+    const double* second = &matrix_.value[matrix_.columnStart[2 * v + 1]] + 1;
+    Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
+    for (int e = firstEdge_[v]; e < firstEdge_[v + 1]; ++e, first += 2, second += 2) {
+        const double* of = x.data() + 2 * static_cast<std::ptrdiff_t>(edges_(e, 1));
+        sum[0] += first[0] * of[0] + first[1] * of[1];
+        sum[1] += second[0] * of[0] + second[1] * of[1];
+    }
+    return sum;
+}
+
+/// Adds column v of the blocks below the diagonal, times x, to y.
+void BlockMatrix::addBelow(int v, const Eigen::RowVector2d& x, BlockVector& y) const {
+    const double* first = &matrix_.value[matrix_.columnStart[2 * v]] + 2;
+    const double* second = &matrix_.value[matrix_.columnStart[2 * v + 1]] + 1;
+    for (int e = firstEdge_[v]; e < firstEdge_[v + 1]; ++e, first += 2, second += 2) {
+        double* to = y.data() + 2 * static_cast<std::ptrdiff_t>(edges_(e, 1));
+        to[0] += first[0] * x[0] + second[0] * x[1];
+        to[1] += first[1] * x[0] + second[1] * x[1];
+    }
+}
+
+/// Solves with the block of a vertex.
+Eigen::RowVector2d BlockMatrix::solveVertex(int v, const Eigen::RowVector2d& right) const {
+    const double* first = &matrix_.value[matrix_.columnStart[2 * v]];
+    const double last = matrix_.value[matrix_.columnStart[2 * v + 1]];
+    const double determinant = first[0] * last - first[1] * first[1];
+    return Eigen::RowVector2d(last * right[0] - first[1] * right[1],
+                              first[0] * right[1] - first[1] * right[0]) /
+           determinant;
+}
+
 }  // namespace toile

@@ -12,6 +12,9 @@ namespace toile {
 /// Pairs of vertices, #E x 2.
 using VertexPairs = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
+/// Two numbers for each vertex, #V x 2.
+using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
 /// A symmetric matrix of 2 x 2 blocks, one per vertex and one per edge of a graph: unknowns 2 v and
 /// 2 v + 1 are x and y of vertex v. The pattern is laid out once; values are summed into it again
 /// and again, each in constant time.
@@ -32,9 +35,24 @@ public:
     /// Number of the edge between two vertices, -1 where there is none. Cost: a binary search.
     int findEdge(int v, int w) const;
 
+    /// The matrix times x.
+    BlockVector product(const BlockVector& x) const;
+    /// The blocks above the diagonal times x.
+    BlockVector upperProduct(const BlockVector& x) const;
+    /// Gauss-Seidel's sweep from the first vertex to the last: solves with the diagonal blocks and
+    /// those below. Precondition: the diagonal blocks are positive definite.
+    /// @param x  the right side, then the solution
+    void sweepForth(BlockVector& x) const;
+    /// The sweep back, its transpose: solves with the diagonal blocks and those above.
+    void sweepBack(BlockVector& x) const;
+
     const SymmetricMatrix& matrix() const { return matrix_; }
 
 private:
+    Eigen::RowVector2d above(int v, const BlockVector& x) const;
+    void addBelow(int v, const Eigen::RowVector2d& x, BlockVector& y) const;
+    Eigen::RowVector2d solveVertex(int v, const Eigen::RowVector2d& right) const;
+
     VertexPairs edges_;
     std::vector<int> firstEdge_;  ///< #V + 1: edges whose smaller vertex is v
     SymmetricMatrix matrix_;

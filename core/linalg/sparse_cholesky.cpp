@@ -4,51 +4,10 @@
 #include <cassert>
 #include <string>
 
-#include <cholmod.h>
-#include <omp.h>
-
-#ifdef __ELF__
-// Present where OpenBLAS stands in for the BLAS; declared weak because it need not.
-extern "C" void openblas_set_num_threads(int count) __attribute__((weak));
-#else
-static void (*const openblas_set_num_threads)(int) = nullptr;
-#endif
+#include "core/linalg/cholmod_state.h"
+#include "core/linalg/elimination_order.h"
 
 namespace toile {
-
-/// CHOLMOD's workspace and the factor made with it.
-struct SparseCholesky::State {
-    cholmod_common common{};
-    cholmod_factor* factor = nullptr;
-
-    State() {
-        // CHOLMOD opens four OpenMP threads per large supernode, whatever the machine has. Pieces
-        // are solved side by side already: no parallel regions inside, on this thread.
-        omp_set_max_active_levels(0);
-        // One BLAS thread for the same reason, and so that the same input gives the same bits.
-        if (openblas_set_num_threads != nullptr) {
-            openblas_set_num_threads(1);
-        }
-        cholmod_start(&common);
-        common.print = 0;  // errors are values here, not text on a terminal
-        common.error_handler = nullptr;
-        // Minimum degree only: CHOLMOD would otherwise try METIS above a fill threshold, which
-        // never pays for a single solve.
-        common.nmethods = 1;
-        common.method[0].ordering = CHOLMOD_AMD;
-        common.postorder = 1;
-        common.supernodal = CHOLMOD_AUTO;
-        common.final_ll = 1;  // L L^T: an indefinite matrix is refused, not factorised
-    }
-
-    ~State() {
-        cholmod_free_factor(&factor, &common);
-        cholmod_finish(&common);
-    }
-
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-};
 
 SparseCholesky::SparseCholesky() : state_(std::make_unique<State>()) {}
 
@@ -58,6 +17,11 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
 namespace {
 
+/// Supernodes for factors with this many operations per entry: below, the bookkeeping costs more
+/// than dense blocks gain. Unknowns in pairs fill such blocks sooner.
+constexpr double kSupernodes = 70;
+constexpr double kSupernodesInPairs = 40;
+
 Error failed(const std::string& why) {
     return Error{ErrorCode::FactorisationFailed, "", why};
 }
@@ -66,34 +30,30 @@ Error outOfMemory(const std::string& during) {
     return Error{ErrorCode::OutOfMemory, "", during};
 }
 
-/// CHOLMOD's view of our arrays; it reads them and keeps nothing.
-cholmod_sparse viewOf(const SymmetricMatrix& matrix) {
-    cholmod_sparse view{};
-    view.nrow = view.ncol = static_cast<std::size_t>(matrix.size);
-    view.nzmax = matrix.row.size();
-    view.p = const_cast<int*>(matrix.columnStart.data());
-    view.i = const_cast<int*>(matrix.row.data());
-    view.x = const_cast<double*>(matrix.value.data());
-    view.stype = -1;  // lower triangle stored
-    view.itype = CHOLMOD_INT;
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-    view.sorted = 1;
-    view.packed = 1;
-    return view;
-}
-
 }  // namespace
 
 Result<void> SparseCholesky::factorise(const SymmetricMatrix& matrix) {
+    if (const auto analysed = analyse(matrix); !analysed) {
+        return analysed;
+    }
+    return refactorise(matrix);
+}
+
+Result<void> SparseCholesky::analyse(const SymmetricMatrix& pattern, std::vector<int> order) {
     cholmod_common& common = state_->common;
     cholmod_free_factor(&state_->factor, &common);
-    cholmod_sparse view = viewOf(matrix);
-    state_->factor = cholmod_analyze(&view, &common);
+    if (order.empty()) {
+        order = eliminationOrder(pattern);
+    }
+    common.supernodal_switch = comesInPairs(pattern) ? kSupernodesInPairs : kSupernodes;
+    cholmod_sparse view = viewOf(pattern);
+    common.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
+    state_->factor = order.empty() ? cholmod_analyze(&view, &common)
+                                   : cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
     if (state_->factor == nullptr) {
         return outOfMemory("ordering");
     }
-    return refactorise(matrix);
+    return {};
 }
 
 Result<void> SparseCholesky::refactorise(const SymmetricMatrix& matrix) {
@@ -129,6 +89,17 @@ Result<Eigen::MatrixXd> SparseCholesky::solve(const Eigen::MatrixXd& B) {
         Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(x->x), B.rows(), B.cols());
     cholmod_free_dense(&x, &state_->common);
     return X;
+}
+
+std::size_t SparseCholesky::bytes() const {
+    const cholmod_factor* factor = state_->factor;
+    if (factor == nullptr) {
+        return 0;
+    }
+    const std::size_t entries = factor->is_super != 0
+                                    ? sizeof(double) * factor->xsize + sizeof(int) * factor->ssize
+                                    : (sizeof(double) + sizeof(int)) * factor->nzmax;
+    return entries + 4 * sizeof(int) * factor->n;
 }
 
 }  // namespace toile

@@ -40,7 +40,9 @@ private:
 };
 
 /// A kept Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD: simplicial for
-/// small systems, supernodal for large ones, minimum-degree ordering).
+/// small systems, supernodal for large ones). `factorise` does all at once; `analyse` and
+/// `refactorise` are its two halves, for several matrices of one pattern and for a look at the
+/// caller's progress in between.
 /// Thread-safety: one object per thread; separate objects are independent. Side effect: OpenMP
 /// regions on the calling thread, and OpenBLAS, use one thread from then on.
 class SparseCholesky {
@@ -53,8 +55,14 @@ public:
     /// Errors: FactorisationFailed (not positive definite), OutOfMemory.
     Result<void> factorise(const SymmetricMatrix& matrix);
 
-    /// Factorises new values in the pattern last given to `factorise`, whose ordering is kept.
-    /// Precondition: `factorise` was called with this pattern, whether it succeeded or not.
+    /// Orders the unknowns and lays out the factor; values are not looked at.
+    /// @param order  the unknowns as they are to be eliminated, a permutation; if empty, found here
+    ///               (elimination_order.h)
+    /// Errors: OutOfMemory. Cost: a fifth to a third of a factorisation.
+    Result<void> analyse(const SymmetricMatrix& pattern, std::vector<int> order = {});
+
+    /// Factorises values in the pattern last given to `analyse` or `factorise`.
+    /// Precondition: one of them was called with this pattern, and had the memory.
     /// Errors: as `factorise`.
     Result<void> refactorise(const SymmetricMatrix& matrix);
 
@@ -62,7 +70,12 @@ public:
     /// Errors: OutOfMemory.
     Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& B);
 
+    /// About what the factor takes in memory.
+    std::size_t bytes() const;
+
 private:
+    friend class EditedCholesky;  // reads the factor
+
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -3,12 +3,7 @@
 
 #include <umfpack.h>
 
-#ifdef __ELF__
-// Present where OpenBLAS stands in for the BLAS; declared weak because it need not.
-extern "C" void openblas_set_num_threads(int count) __attribute__((weak));
-#else
-static void (*const openblas_set_num_threads)(int) = nullptr;
-#endif
+#include "core/linalg/blas_kernels.h"
 
 namespace toile {
 
@@ -28,9 +23,7 @@ struct SparseLu::State {
 
 SparseLu::SparseLu() : state_(std::make_unique<State>()) {
     // Pieces are solved side by side already, and the same input is to give the same bits.
-    if (openblas_set_num_threads != nullptr) {
-        openblas_set_num_threads(1);
-    }
+    useOneBlasThread();
 }
 
 SparseLu::~SparseLu() = default;

@@ -79,5 +79,59 @@ TEST(BlockMatrix, ItsPatternIsWhatTheFactorisationWants) {
     }
 }
 
+/// Blocks as far from alike as a positive definite matrix lets them be.
+BlockMatrix uneven() {
+    BlockMatrix blocks(triangleWithTail(), 4);
+    Eigen::Matrix2d block;
+    for (int v = 0; v < 4; ++v) {
+        block << 20 + v, 3 - v, 3 - v, 15 + 2 * v;
+        blocks.addVertex(v, block);
+    }
+    for (int e = 0; e < 4; ++e) {
+        block << e - 2, 1.5, -0.5 * e, 2.5 - e;
+        blocks.addEdge(e, block);
+    }
+    return blocks;
+}
+
+BlockVector someVector() {
+    BlockVector x(4, 2);
+    x << 1, -2, 0.5, 3, -1, 0.25, 2, 7;
+    return x;
+}
+
+Eigen::VectorXd flatten(const BlockVector& x) {
+    return Eigen::Map<const Eigen::VectorXd>(x.data(), x.size());
+}
+
+/// Without the blocks above the diagonal.
+Eigen::MatrixXd lowerBlocks(Eigen::MatrixXd full) {
+    for (Eigen::Index v = 0; v < full.rows(); v += 2) {
+        full.block(v, v + 2, 2, full.cols() - v - 2).setZero();
+    }
+    return full;
+}
+
+TEST(BlockMatrix, MultipliesAsTheDenseMatrixDoes) {
+    const BlockMatrix blocks = uneven();
+    const Eigen::MatrixXd full = dense(blocks.matrix());
+    const BlockVector x = someVector();
+    EXPECT_LE((flatten(blocks.product(x)) - full * flatten(x)).norm(), 1e-13);
+    EXPECT_LE((flatten(blocks.upperProduct(x)) - (full - lowerBlocks(full)) * flatten(x)).norm(),
+              1e-13);
+}
+
+TEST(BlockMatrix, SweepsSolveWithItsHalves) {
+    const BlockMatrix blocks = uneven();
+    const Eigen::MatrixXd lower = lowerBlocks(dense(blocks.matrix()));
+    const Eigen::VectorXd right = flatten(someVector());
+    BlockVector forth = someVector();
+    blocks.sweepForth(forth);
+    EXPECT_LE((lower * flatten(forth) - right).norm(), 1e-13);
+    BlockVector back = someVector();
+    blocks.sweepBack(back);
+    EXPECT_LE((lower.transpose() * flatten(back) - right).norm(), 1e-13);
+}
+
 }  // namespace
 }  // namespace toile
