@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/garment/divide.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/base/text.h"
@@ -19,39 +20,81 @@ namespace {
 /// its flat panel by no more. Any other scale was normalised and is fitted.
 constexpr double kExactScaleBand = 0.1;
 
-/// Takes the triangles of one part. Vertices are numbered in order of their index in the division,
-/// that is of their position in the file, so that the piece does not depend on the order of
-/// corners.
-MeshPart gather(const SourceFile& file, const Triangulation& triangles, const Division& division,
-                const std::vector<int>& members, std::vector<int>& vertices) {
-    const double millimetres = millimetresPer(file.unit);
-    vertices.clear();
-    for (const int t : members) {
-        for (int k = 0; k < 3; ++k) {
-            vertices.push_back(division.cornerVertex(t, k));
+/// The parts of a division one by one.
+class Parts {
+public:
+    Parts(const SourceFile& file, const Triangulation& triangles, const Division& division)
+        : file_(file), triangles_(triangles), division_(division) {
+        const std::size_t parts = static_cast<std::size_t>(division.partCount) + 1;
+        const std::vector<int>& partOf = division.partOfTriangle;
+        std::vector<int> partOfVertex(division.positionOf.size(), 0);
+        for (std::size_t t = 0; t < partOf.size(); ++t) {
+            for (int k = 0; k < 3; ++k) {
+                partOfVertex[division.cornerVertex(static_cast<Eigen::Index>(t), k)] = partOf[t];
+            }
+        }
+        members_ = byPart(partOf, parts, memberEnd_);
+        vertices_ = byPart(partOfVertex, parts, vertexEnd_);
+        local_.resize(partOfVertex.size());
+        for (std::size_t i = 0; i < vertices_.size(); ++i) {
+            const int part = partOfVertex[vertices_[i]];
+            local_[vertices_[i]] = static_cast<int>(i) - begin(vertexEnd_, part);
         }
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 
-    MeshPart part;
-    part.mesh.V.resize(static_cast<Eigen::Index>(vertices.size()), 3);
-    for (std::size_t v = 0; v < vertices.size(); ++v) {
-        part.sourceVertex.push_back(division.positionOf[vertices[v]]);
-        part.mesh.V.row(static_cast<Eigen::Index>(v)) =
-            millimetres * withYUp(file.up, file.soup.positions[part.sourceVertex.back()]);
-    }
-    part.mesh.F.resize(static_cast<Eigen::Index>(members.size()), 3);
-    for (std::size_t f = 0; f < members.size(); ++f) {
-        for (int k = 0; k < 3; ++k) {
-            const auto at = std::lower_bound(vertices.begin(), vertices.end(),
-                                             division.cornerVertex(members[f], k));
-            part.mesh.F(static_cast<Eigen::Index>(f), k) = static_cast<int>(at - vertices.begin());
+    /// The triangles of a part. Vertices are numbered in order of their index in the division, that
+    /// is of their position in the file, so that the piece does not depend on the order of corners.
+    MeshPart gather(int part) const {
+        const double millimetres = millimetresPer(file_.unit);
+        MeshPart made;
+        const int firstVertex = begin(vertexEnd_, part);
+        const int vertexCount = vertexEnd_[part] - firstVertex;
+        made.mesh.V.resize(vertexCount, 3);
+        made.sourceVertex.resize(static_cast<std::size_t>(vertexCount));
+        for (int v = 0; v < vertexCount; ++v) {
+            const int position = division_.positionOf[vertices_[firstVertex + v]];
+            made.sourceVertex[v] = position;
+            made.mesh.V.row(v) = millimetres * withYUp(file_.up, file_.soup.positions[position]);
         }
-        part.sourceFace.push_back(triangles.sourceFace[members[f]]);
+        const int firstFace = begin(memberEnd_, part);
+        const int faceCount = memberEnd_[part] - firstFace;
+        made.mesh.F.resize(faceCount, 3);
+        made.sourceFace.resize(static_cast<std::size_t>(faceCount));
+        for (int f = 0; f < faceCount; ++f) {
+            const int member = members_[firstFace + f];
+            for (int k = 0; k < 3; ++k) {
+                made.mesh.F(f, k) = local_[division_.cornerVertex(member, k)];
+            }
+            made.sourceFace[f] = triangles_.sourceFace[member];
+        }
+        return made;
     }
-    return part;
-}
+
+private:
+    static int begin(const std::vector<int>& end, int part) { return part > 0 ? end[part - 1] : 0; }
+
+    /// The indices by their part, in ascending order within each. @param end  gets where each ends
+    static std::vector<int> byPart(const std::vector<int>& partOf, std::size_t parts,
+                                   std::vector<int>& end) {
+        end.assign(parts + 1, 0);
+        for (const int part : partOf) {
+            ++end[part + 1];
+        }
+        std::partial_sum(end.begin(), end.end(), end.begin());
+        std::vector<int> sorted(partOf.size());
+        for (std::size_t i = 0; i < partOf.size(); ++i) {
+            sorted[end[partOf[i]]++] = static_cast<int>(i);
+        }
+        return sorted;
+    }
+
+    const SourceFile& file_;
+    const Triangulation& triangles_;
+    const Division& division_;
+    std::vector<int> members_, memberEnd_;   ///< triangles
+    std::vector<int> vertices_, vertexEnd_;  ///< of the division
+    std::vector<int> local_;                 ///< per vertex of the division: its index in its part
+};
 
 /// The uv of each vertex of a piece, by its corners' faces; nothing where a corner has none.
 std::optional<Points2> flatPanel(const PolygonSoup& soup, const Piece& piece, double scale) {
@@ -72,57 +115,82 @@ std::optional<Points2> flatPanel(const PolygonSoup& soup, const Piece& piece, do
     return panel.allFinite() ? std::optional(panel) : std::nullopt;
 }
 
-}  // namespace
+class Divider {
+public:
+    Divider(const SourceFile& file, int fileIndex, const std::string& namePrefix,
+            const DivideOptions& options)
+        : file_(file), fileIndex_(fileIndex), prefix_(namePrefix), options_(options) {}
 
-DividedFile divide(const SourceFile& file, int fileIndex, const std::string& namePrefix,
-                   const DivideOptions& options) {
-    const PolygonSoup& soup = file.soup;
-    const double millimetres = millimetresPer(file.unit);
-    Triangulation triangles = triangulate(soup, file.path.filename().string());
-    DividedFile divided;
-    divided.problems = std::move(triangles.problems);
-    divided.split = chooseSplit(options.split, soup, triangles);
-    const Division division = splitTriangles(divided.split.mode, soup, triangles);
-    std::vector<std::vector<int>> members(division.partCount);
-    for (std::size_t t = 0; t < division.partOfTriangle.size(); ++t) {
-        members[division.partOfTriangle[t]].push_back(static_cast<int>(t));
-    }
-
-    std::optional<UvScale> uvScale;
-    if (divided.split.mode == SplitMode::Uv) {
-        uvScale = measureUvScale(soup, triangles);
-        if (uvScale && std::abs(uvScale->ratio - 1) < kExactScaleBand) {
-            uvScale->ratio = 1;
+    DividedFile run() {
+        Triangulation triangles = triangulate(file_.soup, file_.path.filename().string());
+        divided_.problems = std::move(triangles.problems);
+        divided_.split = chooseSplit(options_.split, file_.soup, triangles);
+        const Division division = splitTriangles(divided_.split.mode, file_.soup, triangles);
+        if (divided_.split.mode == SplitMode::Uv) {
+            uvScale_ = measureUvScale(file_.soup, triangles);
+            if (uvScale_ && std::abs(uvScale_->ratio - 1) < kExactScaleBand) {
+                uvScale_->ratio = 1;
+            }
         }
+        const Parts parts(file_, triangles, division);
+        PieceNames names(file_.soup, divided_.split.mode);
+        for (int p = 0; p < division.partCount; ++p) {
+            addPieces(parts.gather(p), names);
+        }
+        return std::move(divided_);
     }
-    PieceNames names(soup, divided.split.mode);
-    std::vector<int> vertices;
-    for (const auto& faces : members) {
-        MeshPart part = gather(file, triangles, division, faces, vertices);
+
+private:
+    /// Adds the piece, or the pieces, that a part of the division becomes.
+    void addPieces(MeshPart part, PieceNames& names) {
         const std::string wanted = names.inFile(part.sourceFace.front());
         std::string name = names.unique(wanted);
-        if (options.repair) {
-            RepairResult mended = repair(std::move(part), RepairOptions{}, namePrefix + name);
-            divided.problems.insert(divided.problems.end(), mended.repairs.begin(),
-                                    mended.repairs.end());
+        if (options_.repair) {
+            RepairResult mended = repair(std::move(part), RepairOptions{}, prefix_ + name);
             part = std::move(mended.part);
+            if (mended.soundTable) {
+                add(makeSoundPiece(prefix_ + name, std::move(part.mesh),
+                                   *std::move(mended.soundTable)),
+                    part);
+                return;
+            }
+            divided_.problems.insert(divided_.problems.end(), mended.repairs.begin(),
+                                     mended.repairs.end());
         }
         for (auto& [connected, ignored] : connectedParts(std::move(part))) {
             if (name.empty()) {
                 name = names.unique(wanted);  // the part fell apart: its pieces share the name
             }
-            auto piece = std::make_shared<Piece>(
-                makePiece(namePrefix + std::exchange(name, ""), std::move(connected.mesh)));
-            piece->file = fileIndex;
-            piece->sourceVertex = std::move(connected.sourceVertex);
-            piece->sourceFace = std::move(connected.sourceFace);
-            if (uvScale) {
-                piece->reference = flatPanel(soup, *piece, millimetres * uvScale->ratio);
-            }
-            divided.pieces.push_back(std::move(piece));
+            add(makePiece(prefix_ + std::exchange(name, ""), std::move(connected.mesh)), connected);
         }
     }
-    return divided;
+
+    /// @param sources  where the piece comes from; gives them away
+    void add(Piece made, MeshPart& sources) {
+        auto piece = std::make_shared<Piece>(std::move(made));
+        piece->file = fileIndex_;
+        piece->sourceVertex = std::move(sources.sourceVertex);
+        piece->sourceFace = std::move(sources.sourceFace);
+        if (uvScale_) {
+            piece->reference =
+                flatPanel(file_.soup, *piece, millimetresPer(file_.unit) * uvScale_->ratio);
+        }
+        divided_.pieces.push_back(std::move(piece));
+    }
+
+    const SourceFile& file_;
+    const int fileIndex_;
+    const std::string& prefix_;
+    const DivideOptions& options_;
+    std::optional<UvScale> uvScale_;
+    DividedFile divided_;
+};
+
+}  // namespace
+
+DividedFile divide(const SourceFile& file, int fileIndex, const std::string& namePrefix,
+                   const DivideOptions& options) {
+    return Divider(file, fileIndex, namePrefix, options).run();
 }
 
 }  // namespace toile

@@ -23,11 +23,11 @@ struct DividedFile {
 };
 
 /// Divides a file into pieces, in order of first face, positions scaled to millimetres. Each part
-/// is mended (`repair`), checked and made a half-edge mesh; one that is no disk keeps its arrays
+/// is mended (`repair`) and checked (`makePiece`); one that is no disk keeps its arrays
 /// and says why in `defect`. Pieces are named from the file's names for their faces; several of one
 /// name get " 2", " 3"; `namePrefix` goes before every name. Where the UV map is the garment's flat
 /// pattern, each piece keeps its panel as `reference`.
-/// Cost: linear but for sorting the corners. Re-entrant.
+/// Cost: linear, but for mending. Re-entrant.
 DividedFile divide(const SourceFile& file, int fileIndex, const std::string& namePrefix,
                    const DivideOptions& options);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/garment/piece.h"
 
+#include <utility>
+
 #include "core/cut/cloth_holes.h"
 #include "core/mesh/disk_check.h"
-#include "core/mesh/tri_mesh.h"
 
 namespace toile {
 namespace {
@@ -26,13 +27,7 @@ void acceptHoles(Piece& piece, DiskCheck& check) {
     }
 }
 
-}  // namespace
-
-Piece makePiece(std::string name, MeshArrays mesh) {
-    Piece piece;
-    piece.name = std::move(name);
-    piece.mesh = std::move(mesh);
-    DiskCheck check = checkDisk(piece.mesh, piece.name);
+void finish(Piece& piece, DiskCheck check) {
     if (check.defect && check.defect->code == ErrorCode::SeveralLoops) {
         acceptHoles(piece, check);
     }
@@ -40,15 +35,30 @@ Piece makePiece(std::string name, MeshArrays mesh) {
     piece.boundary = std::move(check.boundary);
     piece.defect = std::move(check.defect);
     if (!piece.defect) {
-        piece.halfedges = buildTriMesh(piece.mesh);
-        if (!piece.halfedges) {
-            piece.boundary.clear();
-            piece.holes.clear();
-            piece.defect = Error{ErrorCode::NonManifoldVertex, piece.name,
-                                 "the half-edge structure refused a face"};
-        }
+        piece.halfedges = std::make_shared<const LazyTriMesh>();
     }
+}
+
+}  // namespace
+
+Piece makePiece(std::string name, MeshArrays mesh) {
+    Piece piece;
+    piece.name = std::move(name);
+    piece.mesh = std::move(mesh);
+    finish(piece, checkDisk(piece.mesh, piece.name));
     return piece;
+}
+
+Piece makeSoundPiece(std::string name, MeshArrays mesh, EdgeTable table) {
+    Piece piece;
+    piece.name = std::move(name);
+    piece.mesh = std::move(mesh);
+    finish(piece, checkSoundDisk(piece.mesh, piece.name, std::move(table)));
+    return piece;
+}
+
+const TriMesh& halfedgesOf(const Piece& piece) {
+    return piece.halfedges->get(piece.mesh, piece.table);
 }
 
 std::vector<double> loopLengths(const Piece& piece) {

@@ -8,11 +8,10 @@
 
 #include "core/base/error.h"
 #include "core/mesh/edge_table.h"
+#include "core/mesh/lazy_tri_mesh.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
-
-class TriMesh;
 
 /// A part of the garment that is cut from one piece of cloth. Immutable once made.
 struct Piece {
@@ -28,17 +27,25 @@ struct Piece {
     std::optional<Points2> reference;
 
     /// What follows is there only where the piece is a disk, holes aside (defect is empty).
-    std::shared_ptr<const TriMesh> halfedges;  ///< same vertex and face indices as `mesh`
+    std::shared_ptr<const LazyTriMesh> halfedges;  ///< see `halfedgesOf`
     std::vector<int> boundary;  ///< the outline, surface on its left; starts at its least index
     std::vector<std::vector<int>> holes;  ///< loops inside the outline that stay open, surface on
                                           ///< their left; their lengths are not kept when flat
     std::optional<Error> defect;          ///< why the piece cannot be flattened as it is
 };
 
-/// Checks the mesh and builds its half-edges, or names the defect. The mapping back to a file is
+/// Checks the mesh, or names the defect. The mapping back to a file is
 /// left empty. Loops that are holes in the cloth (`sortLoops`) are no defect.
 /// @param mesh  one connected component, mm  Cost: linear. Pure.
 Piece makePiece(std::string name, MeshArrays mesh);
+
+/// The same for a mesh that `isSoundSurface`, with its edges: nothing is checked twice.
+Piece makeSoundPiece(std::string name, MeshArrays mesh, EdgeTable table);
+
+/// The half-edge mesh of a piece without defect: same vertex and face indices as `mesh`, same edge
+/// indices as `table`. Built at the first call and kept, also for the piece's copies. Thread-safe.
+/// Cost: linear, then none.
+const TriMesh& halfedgesOf(const Piece& piece);
 
 /// Lengths of all boundary loops, mm; of a mesh that is not manifold, of those that can be
 /// followed.

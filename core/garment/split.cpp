@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
+#include <numeric>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/garment/corner_uv.h"
@@ -15,6 +16,10 @@ namespace {
 constexpr std::array kModes = {SplitMode::Auto,   SplitMode::Components, SplitMode::Objects,
                                SplitMode::Groups, SplitMode::Materials,  SplitMode::Uv,
                                SplitMode::Seams};
+
+bool hasClasses(SplitMode mode) {
+    return mode == SplitMode::Objects || mode == SplitMode::Groups || mode == SplitMode::Materials;
+}
 
 /// What keeps a face apart from others: its object, group or material, 0 where the mode has none.
 int classOf(SplitMode mode, const PolygonSoup& soup, int face) {
@@ -39,35 +44,77 @@ int classOf(SplitMode mode, const PolygonSoup& soup, int face) {
 
 }  // namespace
 
-Division splitTriangles(SplitMode mode, const PolygonSoup& soup, const Triangulation& triangles) {
-    struct Corner {
-        int position, kind, index;  // kind: the class of the face, or the corner's uv
-    };
-    const bool byUv = mode == SplitMode::Uv;
-    const auto count = static_cast<int>(triangles.F.size());
-    std::vector<Corner> corners(count);
-    CornerUvs uvs(soup);
-    for (int c = 0; c < count; ++c) {
-        const int face = triangles.sourceFace[c / 3];
-        const int position = triangles.F(c / 3, c % 3);
-        corners[c] = {position, byUv ? uvs.at(face, position) : classOf(mode, soup, face), c};
-    }
-    std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
-        return std::tie(a.position, a.kind, a.index) < std::tie(b.position, b.kind, b.index);
-    });
+namespace {
 
-    Division division;
-    division.cornerVertex.resize(triangles.F.rows(), 3);
-    for (int k = 0; k < count; ++k) {
-        const Corner& corner = corners[k];
-        if (k == 0 || corner.position != corners[k - 1].position ||
-            corner.kind != corners[k - 1].kind) {
-            division.positionOf.push_back(corner.position);
-            division.uvOf.push_back(byUv ? corner.kind : -1);
+/// Makes a vertex of each position and kind that a corner has, in order of both, and gives corners
+/// their vertices. @param kind  per corner; empty where all are of one
+void numberVertices(const Triangles& F, const std::vector<int>& kind, int positionCount,
+                    Division& division) {
+    const int* position = F.data();
+    const int cornerCount = static_cast<int>(F.size());
+    division.cornerVertex.resize(F.rows(), 3);
+    int* vertex = division.cornerVertex.data();
+    if (kind.empty()) {
+        std::vector<int> vertexAt(static_cast<std::size_t>(positionCount), -1);
+        for (int c = 0; c < cornerCount; ++c) {
+            vertexAt[position[c]] = 0;
         }
-        division.cornerVertex(corner.index / 3, corner.index % 3) =
-            static_cast<int>(division.positionOf.size()) - 1;
+        for (int p = 0; p < positionCount; ++p) {
+            if (vertexAt[p] == 0) {
+                vertexAt[p] = static_cast<int>(division.positionOf.size());
+                division.positionOf.push_back(p);
+            }
+        }
+        for (int c = 0; c < cornerCount; ++c) {
+            vertex[c] = vertexAt[position[c]];
+        }
+        return;
     }
+    // Buckets by position, small sorts by kind inside.
+    std::vector<int> end(static_cast<std::size_t>(positionCount) + 1, 0);
+    for (int c = 0; c < cornerCount; ++c) {
+        ++end[position[c] + 1];
+    }
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<std::pair<int, int>> corners(static_cast<std::size_t>(cornerCount));
+    for (int c = 0; c < cornerCount; ++c) {
+        corners[end[position[c]]++] = {kind[c], c};
+    }
+    for (int p = 0, from = 0; p < positionCount; from = end[p++]) {
+        std::sort(corners.begin() + from, corners.begin() + end[p]);
+        for (int k = from; k < end[p]; ++k) {
+            if (k == from || corners[k].first != corners[k - 1].first) {
+                division.positionOf.push_back(p);
+            }
+            vertex[corners[k].second] = static_cast<int>(division.positionOf.size()) - 1;
+        }
+    }
+}
+
+/// What parts the corners of one position: the class of the face, or the corner's uv; empty where
+/// all are of one kind.
+std::vector<int> kindsOfCorners(SplitMode mode, const PolygonSoup& soup,
+                                const Triangulation& triangles) {
+    std::vector<int> kinds;
+    const bool byUv = mode == SplitMode::Uv;
+    if (!byUv && !hasClasses(mode)) {
+        return kinds;
+    }
+    kinds.resize(static_cast<std::size_t>(triangles.F.size()));
+    CornerUvs uvs(soup);
+    for (std::size_t c = 0; c < kinds.size(); ++c) {
+        const int face = triangles.sourceFace[c / 3];
+        kinds[c] = byUv ? uvs.at(face, triangles.F.data()[c]) : classOf(mode, soup, face);
+    }
+    return kinds;
+}
+
+}  // namespace
+
+Division splitTriangles(SplitMode mode, const PolygonSoup& soup, const Triangulation& triangles) {
+    Division division;
+    numberVertices(triangles.F, kindsOfCorners(mode, soup, triangles),
+                   static_cast<int>(soup.positions.size()), division);
     division.partOfTriangle =
         faceComponents(division.cornerVertex, static_cast<int>(division.positionOf.size()));
     division.partCount =

@@ -42,7 +42,6 @@ struct Division {
     std::vector<int> partOfTriangle;
     Triangles cornerVertex;       ///< like Triangulation::F, but split vertices have own numbers
     std::vector<int> positionOf;  ///< per vertex: position index in the soup
-    std::vector<int> uvOf;        ///< per vertex: uv index, or -1; only for SplitMode::Uv
 };
 
 Division splitTriangles(SplitMode mode, const PolygonSoup& soup, const Triangulation& triangles);

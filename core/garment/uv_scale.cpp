@@ -8,6 +8,9 @@
 namespace toile {
 
 std::optional<UvScale> measureUvScale(const PolygonSoup& soup, const Triangulation& triangles) {
+    if (soup.cornerUvs.empty()) {
+        return std::nullopt;
+    }
     std::vector<double> ratios;
     int uncovered = 0;
     CornerUvs uvs(soup);

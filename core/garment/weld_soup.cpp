@@ -57,6 +57,22 @@ Patch patchOf(const PolygonSoup& soup, const std::vector<int>& faces, std::vecto
     return patch;
 }
 
+/// By how many triangles each position is used, were every face a fan.
+std::vector<int> usesInFans(const PolygonSoup& soup) {
+    std::vector<int> uses(soup.positions.size(), 0);
+    for (int face = 0; face < soup.faceCount(); ++face) {
+        const int* corners = soup.corners.data() + soup.faceStart[face];
+        const int count = soup.cornerCount(face);
+        uses[corners[0]] += count - 2;
+        ++uses[corners[1]];
+        for (int k = 2; k < count - 1; ++k) {
+            uses[corners[k]] += 2;
+        }
+        ++uses[corners[count - 1]];
+    }
+    return uses;
+}
+
 /// Gives corners their new vertex and takes out those that repeat the one before.
 void rename(PolygonSoup& soup, const std::vector<int>& renamed) {
     std::vector<int> corners, uvs, start{0};
@@ -87,7 +103,8 @@ void rename(PolygonSoup& soup, const std::vector<int>& renamed) {
 }  // namespace
 
 Problems weldSoup(PolygonSoup& soup, bool wanted, double millimetres, const std::string& name) {
-    if (soup.corners.empty()) {
+    // Most files are told apart from loose triangles by a count, before anything is built.
+    if (soup.corners.empty() || (!wanted && !isMostlyLoose(usesInFans(soup)))) {
         return {};
     }
     std::vector<int> local(soup.positions.size(), -1);

@@ -35,6 +35,9 @@ public:
             readLine();
             cursor_.nextLine();
         }
+        if (!soup_.uvs.empty()) {
+            soup_.cornerUvs.resize(soup_.corners.size(), kNoUv);
+        }
         return builder_.finish();
     }
 
@@ -125,8 +128,13 @@ private:
         if (cursor_.skip('/') && !cursor_.atTokenEnd() && !readIndex(0, 0, normal)) {
             return false;
         }
+        if (uv != kNoUv && soup_.cornerUvs.empty()) {  // most files have none: nothing is kept then
+            soup_.cornerUvs.resize(soup_.corners.size(), kNoUv);
+        }
+        if (uv != kNoUv || !soup_.cornerUvs.empty()) {
+            soup_.cornerUvs.push_back(uv);
+        }
         soup_.corners.push_back(position);
-        soup_.cornerUvs.push_back(uv);
         return cursor_.atTokenEnd();
     }
 

@@ -115,7 +115,7 @@ void SoupBuilder::clearUvsOutOfRange() {
         }
     }
     if (s.uvs.empty()) {
-        s.cornerUvs.clear();
+        s.cornerUvs = {};
     }
 }
 

@@ -2,12 +2,14 @@
 #include "core/mesh/disk_check.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "core/base/text.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/disjoint_sets.h"
+#include "core/mesh/sound_surface.h"
 
 namespace toile {
 namespace {
@@ -31,9 +33,15 @@ public:
     Checker(const MeshArrays& mesh, const std::string& name, DiskCheck& result)
         : mesh_(mesh), name_(name), table_(result.table), result_(result) {}
 
-    void run() {
-        if (checkFinite() && checkFaces() && checkOrientation() && checkFans() && checkLoops()) {
-            checkShapes();
+    /// @param sound  the surface is known to be, but for its loops and its outline's edges
+    void run(bool sound) {
+        const bool surface =
+            sound || (checkFinite() && checkFaces() && checkOrientation() && checkFans());
+        if (surface && checkLoops() && (sound || checkShapes())) {
+            checkOutlineEdges();
+        }
+        if (result_.defect) {
+            result_.boundary.clear();
         }
     }
 
@@ -216,9 +224,10 @@ private:
                 flat.see(mesh_.F(f, 0));
             }
         }
-        if (flat.count > 0) {
-            return fail(ErrorCode::DegenerateFace, flat, "triangle");
-        }
+        return flat.count == 0 || fail(ErrorCode::DegenerateFace, flat, "triangle");
+    }
+
+    bool checkOutlineEdges() {
         double perimeter = 0;
         const int n = static_cast<int>(result_.boundary.size());
         const auto length = [this, n](int i) {
@@ -248,10 +257,14 @@ private:
 DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name) {
     DiskCheck result;
     result.table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
-    Checker(mesh, name, result).run();
-    if (result.defect) {
-        result.boundary.clear();
-    }
+    Checker(mesh, name, result).run(isSoundSurface(mesh, result.table));
+    return result;
+}
+
+DiskCheck checkSoundDisk(const MeshArrays& mesh, const std::string& name, EdgeTable table) {
+    DiskCheck result;
+    result.table = std::move(table);
+    Checker(mesh, name, result).run(true);
     return result;
 }
 

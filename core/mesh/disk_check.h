@@ -23,7 +23,11 @@ struct DiskCheck {
 /// faces, edges with more than two faces, opposed windings (or no orientation at all), pinched
 /// vertices, no or several boundary loops, handles, boundary edges without length.
 /// `name` is the piece for the message; places are given as coordinates in mm.
-/// Errors in `defect`: any of the piece codes of ErrorCode. Cost: one sort of 3 #F half-edges.
+/// Errors in `defect`: any of the piece codes of ErrorCode. Cost: linear.
 DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name);
+
+/// The same for a mesh that `isSoundSurface`: only loops, handles and boundary edges are left to
+/// check. @param table  its edges
+DiskCheck checkSoundDisk(const MeshArrays& mesh, const std::string& name, EdgeTable table);
 
 }  // namespace toile

@@ -2,6 +2,9 @@
 #include "core/mesh/edge_table.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <numeric>
 
 #include "core/mesh/disjoint_sets.h"
@@ -9,57 +12,105 @@
 namespace toile {
 namespace {
 
-/// A triangle's side, kept in the bucket of its smaller vertex.
-struct Side {
-    int larger;  ///< the other vertex
-    int use;     ///< 3 * face + k
-};
+/// Longer buckets than this are sorted by `std::sort`; a vertex of a usual mesh has about six.
+constexpr std::ptrdiff_t kFewSides = 32;
+
+/// A triangle's side, kept in the bucket of its smaller vertex: larger vertex and use (3 * face +
+/// k) in one number, in the order of both.
+using Side = std::uint64_t;
+
+Side makeSide(int larger, int use) {
+    return static_cast<Side>(larger) << 32 | static_cast<Side>(use);
+}
+
+int largerOf(Side side) {
+    return static_cast<int>(side >> 32);
+}
+
+int useOf(Side side) {
+    return static_cast<int>(side & 0xFFFFFFFFu);
+}
+
+void sortBucket(Side* first, Side* last) {
+    if (last - first > kFewSides) {
+        std::sort(first, last);
+        return;
+    }
+    for (Side* at = first; at < last; ++at) {
+        const Side side = *at;
+        Side* to = at;
+        for (; to > first && to[-1] > side; --to) {
+            *to = to[-1];
+        }
+        *to = side;
+    }
+}
+
+/// Calls visit(smaller vertex, larger vertex, use) for every side.
+template <class Visit>
+void visitSides(const Triangles& F, Visit visit) {
+    const int* corner = F.data();
+    const int count = static_cast<int>(F.size());
+    for (int first = 0; first < count; first += 3) {
+        const int a = corner[first], b = corner[first + 1], c = corner[first + 2];
+        visit(std::min(a, b), std::max(a, b), first);
+        visit(std::min(b, c), std::max(b, c), first + 1);
+        visit(std::min(c, a), std::max(c, a), first + 2);
+    }
+}
+
+/// All sides in the order of their edges; `end[v]` is where the bucket of vertex v ends.
+std::unique_ptr<Side[]> sortedSides(const Triangles& F, std::vector<int>& end) {
+    visitSides(F, [&end](int smaller, int, int) { ++end[smaller + 1]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    auto sides = std::make_unique_for_overwrite<Side[]>(static_cast<std::size_t>(F.size()));
+    visitSides(F, [&](int smaller, int larger, int use) {
+        sides[end[smaller]++] = makeSide(larger, use);
+    });
+    end.pop_back();  // what was the start of a bucket is its end now
+    int begin = 0;
+    for (const int e : end) {
+        sortBucket(sides.get() + begin, sides.get() + e);
+        begin = e;
+    }
+    return sides;
+}
 
 }  // namespace
 
 EdgeTable buildEdgeTable(const Triangles& F, int vertexCount) {
     const int sideCount = static_cast<int>(F.size());
-    std::vector<int> bucket(static_cast<std::size_t>(vertexCount) + 1, 0);
-    const auto ends = [&F](int use) {
-        const int f = use / 3;
-        const int k = use % 3;
-        return std::minmax({F(f, k), F(f, (k + 1) % 3)});
-    };
-    for (int use = 0; use < sideCount; ++use) {
-        ++bucket[ends(use).first + 1];
-    }
-    std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
-    std::vector<Side> sides(sideCount);
-    std::vector<int> next(bucket.begin(), bucket.end() - 1);
-    for (int use = 0; use < sideCount; ++use) {
-        const auto [smaller, larger] = ends(use);
-        sides[next[smaller]++] = {larger, use};
+    std::vector<int> end(static_cast<std::size_t>(vertexCount) + 1, 0);
+    const std::unique_ptr<Side[]> sides = sortedSides(F, end);
+    int edgeCount = 0;
+    for (int v = 0, s = 0; v < vertexCount; ++v) {
+        for (int last = -1; s < end[v]; ++s) {
+            edgeCount += largerOf(sides[s]) != last ? 1 : 0;
+            last = largerOf(sides[s]);
+        }
     }
 
     EdgeTable table;
+    table.edges.resize(edgeCount, 2);
     table.faceEdges.resize(F.rows(), 3);
-    table.use.resize(sideCount);
-    std::vector<int> ofEdge;
-    ofEdge.reserve(sideCount);
-    table.useStart.reserve(sideCount / 2 + 2);
-    for (int v = 0; v < vertexCount; ++v) {
-        std::sort(sides.begin() + bucket[v], sides.begin() + bucket[v + 1],
-                  [](const Side& a, const Side& b) {
-                      return a.larger != b.larger ? a.larger < b.larger : a.use < b.use;
-                  });
-        for (int s = bucket[v]; s < bucket[v + 1]; ++s) {
-            if (s == bucket[v] || sides[s].larger != sides[s - 1].larger) {
-                table.useStart.push_back(s);
-                ofEdge.push_back(v);
-                ofEdge.push_back(sides[s].larger);
+    table.use.resize(static_cast<std::size_t>(sideCount));
+    table.useStart.resize(static_cast<std::size_t>(edgeCount) + 1);
+    int edge = -1;
+    for (int v = 0, s = 0; v < vertexCount; ++v) {
+        for (int last = -1; s < end[v]; ++s) {
+            const int larger = largerOf(sides[s]);
+            if (larger != last) {
+                ++edge;
+                table.useStart[edge] = s;
+                table.edges(edge, 0) = v;
+                table.edges(edge, 1) = larger;
+                last = larger;
             }
-            table.use[s] = sides[s].use;
-            table.faceEdges(sides[s].use / 3, sides[s].use % 3) =
-                static_cast<int>(table.useStart.size()) - 1;
+            table.use[s] = useOf(sides[s]);
+            table.faceEdges.data()[table.use[s]] = edge;
         }
     }
-    table.useStart.push_back(sideCount);
-    table.edges = Eigen::Map<const Edges>(ofEdge.data(), static_cast<int>(ofEdge.size()) / 2, 2);
+    table.useStart[edgeCount] = sideCount;
     return table;
 }
 

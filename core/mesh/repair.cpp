@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/repair.h"
 
+#include <utility>
+
 #include "core/mesh/repair_faces.h"
 #include "core/mesh/repair_fans.h"
 #include "core/mesh/repair_flats.h"
 #include "core/mesh/repair_gluing.h"
+#include "core/mesh/sound_surface.h"
 
 namespace toile {
 namespace {
@@ -39,6 +42,11 @@ void noteFlatsLeft(const MeshPart& part, RepairNotes& notes) {
 }  // namespace
 
 RepairResult repair(MeshPart part, const RepairOptions& options, const std::string& name) {
+    EdgeTable table = buildEdgeTable(part.mesh.F, static_cast<int>(part.mesh.V.rows()));
+    if (isSoundSurface(part.mesh, table)) {
+        return {std::move(part), {}, std::move(table)};
+    }
+    table = {};
     RepairNotes notes;
     noteUnusedVertices(part, notes);
     dropUnusableFaces(part, notes);
@@ -60,7 +68,7 @@ RepairResult repair(MeshPart part, const RepairOptions& options, const std::stri
     if (!notes.empty()) {
         eraseUnusedVertices(part);
     }
-    return {std::move(part), notes.problems(name)};
+    return {std::move(part), notes.problems(name), std::nullopt};
 }
 
 }  // namespace toile

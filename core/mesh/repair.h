@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/mesh/edge_table.h"
 #include "core/mesh/repair_part.h"
 
 namespace toile {
@@ -15,6 +17,8 @@ struct RepairOptions {
 struct RepairResult {
     MeshPart part;     ///< may have fallen apart into several components, or be empty
     Problems repairs;  ///< one note per kind, with count and first place; none: nothing was done
+    std::optional<EdgeTable> soundTable{};  ///< the part's edges, where `isSoundSurface` holds for
+                                            ///< it as it came; then it is as it was
 };
 
 /// Makes an oriented manifold with boundary of any triangles, and lists everything it does. In this
@@ -38,7 +42,8 @@ struct RepairResult {
 /// @param part  mm; indices in range; any number of components
 /// Left over, for checkDisk to name: one-sided surfaces, opposed windings where `turnWindings` is
 /// off, and flat triangles whose neighbourhood is as flat within rounding.
-/// Cost: n log n, in the faces; no recursion. Pure, re-entrant; same input, same output.
+/// Cost: n log n, in the faces, linear where nothing is to do; no recursion. Pure, re-entrant; same
+/// input, same output.
 RepairResult repair(MeshPart part, const RepairOptions& options, const std::string& name);
 
 }  // namespace toile

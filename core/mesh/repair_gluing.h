@@ -6,33 +6,17 @@
 #include "core/mesh/edge_table.h"
 #include "core/mesh/repair_notes.h"
 #include "core/mesh/repair_part.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 
-/// Which sides of triangles are joined. Side 3 * f + k runs from corner k of face f to the next.
-/// Two sides may have the same ends and not be joined: while a mesh is repaired, the gluing says
-/// what the surface is, and vertices follow it at last.
+/// Which sides of triangles are joined. Two sides may have the same ends and not be joined: while a
+/// mesh is repaired, the gluing says what the surface is, and vertices follow it at last.
 struct Gluing {
     std::vector<int> twin;          ///< per side: the side it is joined to, or -1 on the border
     std::vector<char> cutAtVertex;  ///< per vertex: ends an edge that was cut apart
     bool mayDouble = false;         ///< two edges of the surface may have the same two ends
 };
-
-inline int nextSide(int side) {
-    return side % 3 == 2 ? side - 2 : side + 1;
-}
-
-inline int tailOf(const Triangles& F, int side) {
-    return F.data()[side];
-}
-
-inline int headOf(const Triangles& F, int side) {
-    return F.data()[nextSide(side)];
-}
-
-inline int apexOf(const Triangles& F, int side) {
-    return F.data()[nextSide(nextSide(side))];
-}
 
 /// How the faces lie in the connected parts of a gluing.
 struct Sides {

@@ -39,7 +39,7 @@ TEST(Divide, FindsComponentsInOrderOfTheirFirstFace) {
     EXPECT_EQ(divided.split.mode, SplitMode::Objects);
     EXPECT_FALSE(divided.split.reason.empty());
     ASSERT_TRUE(pieces[1]->halfedges);
-    EXPECT_EQ(pieces[1]->halfedges->n_faces(), 2U);
+    EXPECT_EQ(halfedgesOf(*pieces[1]).n_faces(), 2U);
 }
 
 TEST(Divide, MakesNamesUnique) {

@@ -261,5 +261,14 @@ TEST(ObjReader, StopsWhenCancelled) {
     EXPECT_EQ(soup.error().code, ErrorCode::Cancelled);
 }
 
+TEST(ObjReader, FillsUpCornersWithoutUvs) {
+    const std::string points = kThree + "vt 0 0\nvt 1 0\nvt 0 1\n";
+    EXPECT_EQ(readGood(points + "f 1 2 3\nf 1 2/2 3\nf 2 3 1\n").cornerUvs,
+              (Corners{-1, -1, -1, -1, 1, -1, -1, -1, -1}));
+    EXPECT_EQ(readGood(points + "f 1 2 3\n").cornerUvs, (Corners{-1, -1, -1}));
+    EXPECT_EQ(readGood(points + "f 1/1 2/2\nf 1 x\nf 1 2 3/3\n").cornerUvs, (Corners{-1, -1, 2}));
+    EXPECT_TRUE(readGood(kThree + "f 1 2/2 3\n").cornerUvs.empty());
+}
+
 }  // namespace
 }  // namespace toile::test

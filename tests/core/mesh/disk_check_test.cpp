@@ -2,11 +2,9 @@
 #include "core/mesh/disk_check.h"
 
 #include <limits>
-#include <set>
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/tri_mesh.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
@@ -131,24 +129,6 @@ TEST(DiskCheck, FindsTheSameAtAnyScale) {
         EXPECT_FALSE(checkDisk(cap, "cap").defect) << scale;
         cap.V.rowwise() += Eigen::RowVector3d(1e4 * scale, -1e4 * scale, 1e4 * scale);
         EXPECT_FALSE(checkDisk(cap, "cap").defect) << scale;
-    }
-}
-
-TEST(TriMesh, KeepsIndicesAndPositions) {
-    const MeshArrays mesh = test::renumber(test::saddle(6, 100, 0.5), 3).mesh;
-    const auto halfedges = buildTriMesh(mesh);
-    ASSERT_TRUE(halfedges);
-    ASSERT_EQ(halfedges->n_vertices(), static_cast<std::size_t>(mesh.V.rows()));
-    ASSERT_EQ(halfedges->n_faces(), static_cast<std::size_t>(mesh.F.rows()));
-    for (int v = 0; v < mesh.V.rows(); ++v) {
-        EXPECT_EQ(halfedges->point(TriMesh::VertexHandle(v))[1], mesh.V(v, 1));
-    }
-    for (int f = 0; f < mesh.F.rows(); ++f) {
-        std::set<int> corners;
-        for (const auto v : halfedges->fv_range(TriMesh::FaceHandle(f))) {
-            corners.insert(v.idx());
-        }
-        EXPECT_EQ(corners, (std::set<int>{mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2)}));
     }
 }
 

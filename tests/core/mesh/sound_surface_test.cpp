@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/sound_surface.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/mesh/disk_check.h"
+#include "core/mesh/repair.h"
+#include "tests/core/support/random_piece.h"
+#include "tests/core/support/shapes.h"
+
+namespace toile {
+namespace {
+
+bool isSound(const MeshArrays& mesh) {
+    return isSoundSurface(mesh, buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows())));
+}
+
+MeshArrays meshOf(std::initializer_list<Eigen::RowVector3d> points,
+                  std::initializer_list<Eigen::RowVector3i> faces) {
+    MeshArrays mesh;
+    mesh.V.resize(static_cast<Eigen::Index>(points.size()), 3);
+    mesh.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    Eigen::Index row = 0;
+    for (const auto& point : points) {
+        mesh.V.row(row++) = point;
+    }
+    row = 0;
+    for (const auto& face : faces) {
+        mesh.F.row(row++) = face;
+    }
+    return mesh;
+}
+
+/// Both meshes as one, with the second's vertex `glued` made the first's vertex 0.
+MeshArrays joinedAt(const MeshArrays& a, const MeshArrays& b, int glued) {
+    MeshArrays both;
+    both.V.resize(a.V.rows() + b.V.rows() - 1, 3);
+    both.V.topRows(a.V.rows()) = a.V;
+    both.F.resize(a.F.rows() + b.F.rows(), 3);
+    both.F.topRows(a.F.rows()) = a.F;
+    const auto renamed = [&](int v) {
+        return v == glued ? 0 : static_cast<int>(a.V.rows()) + v - (v > glued ? 1 : 0);
+    };
+    const Eigen::RowVector3d shift = a.V.row(0) - b.V.row(glued);
+    for (int v = 0; v < b.V.rows(); ++v) {
+        both.V.row(renamed(v)) = b.V.row(v) + shift;
+    }
+    for (int f = 0; f < b.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            both.F(a.F.rows() + f, k) = renamed(b.F(f, k));
+        }
+    }
+    return both;
+}
+
+TEST(SoundSurface, HoldsForDisksTubesAndClosedSurfacesAtAnyScale) {
+    for (const double scale : {1e-6, 1.0, 1e9}) {
+        for (MeshArrays mesh :
+             {test::planeGrid(4, 3, 10), test::sphericalCap(5, 100, 1), test::tube(12, 3),
+              test::octahedron(), test::piercedTorus(9, 7), test::cubeOpenedAlongH()}) {
+            mesh.V *= scale;
+            EXPECT_TRUE(isSound(mesh));
+        }
+    }
+    for (unsigned seed = 0; seed < 50; ++seed) {
+        EXPECT_TRUE(isSound(test::randomPiece(seed))) << seed;
+    }
+}
+
+TEST(SoundSurface, ComesBackFromRepairAsItWasWithItsEdges) {
+    const MeshArrays mesh = test::randomPiece(3);
+    MeshPart part{mesh, std::vector<int>(static_cast<std::size_t>(mesh.V.rows()), 1),
+                  std::vector<int>(static_cast<std::size_t>(mesh.F.rows()), 2)};
+    const RepairResult result = repair(part, {}, "piece");
+    EXPECT_TRUE(result.repairs.empty());
+    EXPECT_EQ(result.part.mesh.V, mesh.V);
+    EXPECT_EQ(result.part.mesh.F, mesh.F);
+    EXPECT_EQ(result.part.sourceVertex, part.sourceVertex);
+    EXPECT_EQ(result.part.sourceFace, part.sourceFace);
+    ASSERT_TRUE(result.soundTable);
+    const DiskCheck check = checkDisk(mesh, "piece");
+    EXPECT_EQ(result.soundTable->edges, check.table.edges);
+    EXPECT_EQ(checkSoundDisk(mesh, "piece", *result.soundTable).boundary, check.boundary);
+}
+
+TEST(SoundSurface, DoubtsPositions) {
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::infinity(), 1e200}) {
+        for (int v = 0; v < 6; ++v) {
+            MeshArrays mesh = test::planeGrid(2, 1, 10);
+            mesh.V(v, v % 3) = bad;
+            EXPECT_FALSE(isSound(mesh)) << bad << " at " << v;
+        }
+    }
+}
+
+TEST(SoundSurface, DoubtsUnusedVertices) {
+    MeshArrays mesh = test::planeGrid(2, 2, 10);
+    mesh.V.conservativeResize(mesh.V.rows() + 1, 3);
+    mesh.V.bottomRows(1).setZero();
+    EXPECT_FALSE(isSound(mesh));
+}
+
+TEST(SoundSurface, DoubtsTrianglesWithoutHeightOrSide) {
+    for (const double height : {0.0, 1e-12, 1e-10}) {
+        const MeshArrays flat =
+            meshOf({{0, 0, 0}, {2, 0, 0}, {1, height, 0}, {1, 2, 0}}, {{0, 1, 2}, {0, 2, 3}});
+        const MeshArrays needle =
+            meshOf({{0, 0, 0}, {1, 0, 0}, {1, height, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+        EXPECT_FALSE(isSound(flat)) << height;
+        EXPECT_FALSE(isSound(needle)) << height;
+    }
+    EXPECT_FALSE(isSound(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 1}, {0, 1, 2}})));
+}
+
+TEST(SoundSurface, DoubtsEdges) {
+    const auto points = {Eigen::RowVector3d(0, 0, 0), Eigen::RowVector3d(1, 0, 0),
+                         Eigen::RowVector3d(0, 1, 0), Eigen::RowVector3d(0, -1, 0),
+                         Eigen::RowVector3d(0, 0, 1)};
+    EXPECT_FALSE(isSound(meshOf(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})));  // three faces
+    MeshArrays opposed = meshOf(points, {{0, 1, 2}, {0, 1, 3}});
+    opposed.V.conservativeResize(4, 3);
+    EXPECT_FALSE(isSound(opposed));
+    MeshArrays doubled = meshOf(points, {{0, 1, 2}, {0, 2, 1}});  // a pillow
+    doubled.V.conservativeResize(3, 3);
+    EXPECT_FALSE(isSound(doubled));
+    EXPECT_FALSE(isSound(test::moebiusStrip(7)));
+}
+
+TEST(SoundSurface, DoubtsPinchedVertices) {
+    const MeshArrays disk = test::planeGrid(2, 2, 10);  // vertex 0 at a corner, 4 inside
+    const MeshArrays closed = test::octahedron();
+    EXPECT_FALSE(isSound(joinedAt(disk, disk, 0)));    // two open fans
+    EXPECT_FALSE(isSound(joinedAt(disk, closed, 0)));  // an open and a closed one
+    EXPECT_FALSE(isSound(joinedAt(closed, disk, 4)));  // two closed ones
+    EXPECT_FALSE(isSound(joinedAt(closed, closed, 3)));
+}
+
+}  // namespace
+}  // namespace toile
