@@ -2,8 +2,11 @@
 #include "core/flatten/conformal_interior.h"
 
 #include <limits>
+#include <memory>
 #include <utility>
 
+#include "core/flatten/flattening_memory.h"
+#include "core/flatten/match_versions.h"
 #include "core/garment/piece.h"
 #include "core/mesh/cotangents.h"
 #include "core/mesh/intrinsic_delaunay.h"
@@ -16,13 +19,36 @@ int flippedIn(const Points2& Q, const Piece& piece) {
     return flippedTriangles(triangleAreas2d(Q, piece.mesh.F));
 }
 
+/// The system with the mesh's own weights, by what is known of an earlier version.
+Result<InteriorSystem> ownSystem(const Piece& piece, const Progress& progress,
+                                 FlatteningMemory* memory) {
+    WeightedEdges graph{piece.table.edges, cotangentWeights(piece.mesh, piece.table)};
+    const auto vertexCount = static_cast<int>(piece.mesh.V.rows());
+    if (memory != nullptr && memory->interior) {
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled, "", ""};
+        }
+        const VersionMatch match = matchVersions(piece, *memory->factorised);
+        auto edited = InteriorSystem::makeFrom(*memory->interior, match.vertex, graph, vertexCount,
+                                               piece.boundary, progress);
+        if (edited || edited.error().code == ErrorCode::Cancelled) {
+            return edited;
+        }
+    }
+    return InteriorSystem::make(std::move(graph), vertexCount, piece.boundary, progress);
+}
+
+/// True where other weights may do better.
+bool isOfTheWeights(const Error& error) {
+    return error.code == ErrorCode::NotFinite || error.code == ErrorCode::FactorisationFailed;
+}
+
 }  // namespace
 
-Result<ConformalInterior> ConformalInterior::make(const Piece& piece, const Progress& progress) {
-    ConformalInterior interior(piece);
-    auto system =
-        InteriorSystem::make({piece.table.edges, cotangentWeights(piece.mesh, piece.table)},
-                             static_cast<int>(piece.mesh.V.rows()), piece.boundary, progress);
+Result<ConformalInterior> ConformalInterior::make(const Piece& piece, const Progress& progress,
+                                                  FlatteningMemory* memory) {
+    ConformalInterior interior(piece, memory);
+    auto system = ownSystem(piece, progress, memory);
     if (!system && system.error().code == ErrorCode::FactorisationFailed) {
         auto other = interior.withDelaunayWeights(progress);
         if (!other && other.error().code == ErrorCode::FactorisationFailed) {
@@ -58,23 +84,43 @@ Result<ConformalInterior> ConformalInterior::withDelaunayWeights(const Progress&
     return interior;
 }
 
+void ConformalInterior::keep() {
+    if (memory_ != nullptr && system_.ownsFactor()) {
+        memory_->factorised = memory_->present;
+        memory_->interior = std::make_shared<const InteriorSystem>(system_);
+        memory_ = nullptr;
+    }
+}
+
 Result<Eigen::MatrixXd> ConformalInterior::solve(const Eigen::MatrixXd& b,
                                                  const Progress& progress) {
-    auto values = system_.solve(b);
-    if (values || values.error().code != ErrorCode::NotFinite || delaunayFlips_ > 0) {
+    auto values = system_.solve(b, progress);
+    if (values) {
+        keep();
+    }
+    if (values || !isOfTheWeights(values.error()) || delaunayFlips_ > 0) {
         return values;
     }
     auto other = withDelaunayWeights(progress);
     if (!other) {
-        return other.error().code == ErrorCode::Cancelled ? other.error() : values.error();
+        return isOfTheWeights(other.error()) ? values.error() : other.error();
     }
     *this = std::move(*other);
-    return system_.solve(b);
+    return system_.solve(b, progress);
+}
+
+Result<Eigen::MatrixXd> ConformalInterior::extend(const Eigen::MatrixXd& onOutline,
+                                                  const Progress& progress) {
+    auto values = system_.extend(onOutline, progress);
+    if (values) {
+        keep();
+    }
+    return values;
 }
 
 Result<Points2> ConformalInterior::place(const Points2& outline, const Progress& progress) {
-    auto extended = system_.extend(outline);
-    if (!extended && extended.error().code != ErrorCode::NotFinite) {
+    auto extended = extend(outline, progress);
+    if (!extended && !isOfTheWeights(extended.error())) {
         return extended.error();
     }
     Result<Points2> points =
@@ -87,7 +133,7 @@ Result<Points2> ConformalInterior::place(const Points2& outline, const Progress&
     if (!other) {
         return other.error().code == ErrorCode::Cancelled ? other.error() : points;
     }
-    auto better = other->system_.extend(outline);
+    auto better = other->system_.extend(outline, progress);
     if (better && flippedIn(*better, *piece_) < flipped) {
         *this = std::move(*other);
         return Points2(std::move(*better));

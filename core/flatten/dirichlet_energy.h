@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/linalg/block_matrix.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
@@ -29,6 +30,14 @@ public:
     /// The largest step up to `limit` along P for which no triangle loses its area on the way.
     double largestStep(const Points2& Q, const Points2& P, double limit) const;
 
+    /// Moves single vertices, the others held, to where their own triangles are strained less, as
+    /// long as one move lowers a vertex's part of the energy by more than a little. Ends local
+    /// trouble, which would keep a step of the whole piece short. No triangle flips.
+    /// @param fixed  by vertex: not 0 where it must stay  @param passes  at most
+    /// @param progress  looked at only; once cancelled fewer vertices are moved
+    void relax(Points2& Q, const std::vector<char>& fixed, int passes,
+               const Progress& progress) const;
+
 private:
     /// A triangle's shape in 3D: area, and derivatives of the three hat functions in its plane.
     struct Shape {
@@ -37,6 +46,21 @@ private:
     };
 
     Eigen::Matrix2d jacobian(const Points2& Q, int f) const;
+    /// A vertex's triangles: star[start[v]] .. star[start[v + 1] - 1].
+    struct Stars {
+        std::vector<int> start, star;
+    };
+    /// The energy of a vertex's triangles as a function of its place, to second order.
+    struct VertexModel {
+        double energy = 0;
+        Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+        Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();
+    };
+
+    Stars stars(int vertexCount) const;
+    double starEnergy(const Points2& Q, const Stars& stars, int v) const;
+    VertexModel vertexModel(const Points2& Q, const Stars& stars, int v) const;
+    bool relaxVertex(Points2& Q, const Stars& stars, int v) const;
 
     const MeshArrays& mesh_;
     const EdgeTable& table_;

@@ -83,6 +83,12 @@ std::optional<Error> degenerateNote(const Piece& piece) {
         const Eigen::RowVector3d a = piece.mesh.V.row(piece.mesh.F(f, 0));
         const Eigen::RowVector3d b = piece.mesh.V.row(piece.mesh.F(f, 1));
         const Eigen::RowVector3d c = piece.mesh.V.row(piece.mesh.F(f, 2));
+        const double longest2 =
+            std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+        const double height2 = 4 * kSliverHeight * kSliverHeight * longest2;
+        if ((b - a).cross(c - a).squaredNorm() > height2 * longest2) {
+            continue;  // plainly none, as nearly all
+        }
         const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
         const double doubledArea = (b - a).cross(c - a).norm();
         if (doubledArea >= kSliverHeight * longest * longest) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/flatten.h"
 
-#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
 #include "core/flatten/flat_notes.h"
+#include "core/flatten/flatten_with.h"
+#include "core/flatten/flattening_memory.h"
 #include "core/flatten/methods/methods.h"
 #include "core/garment/garment.h"
 
@@ -17,14 +21,14 @@ namespace {
 constexpr double kLevelSlope = 0.2;
 
 Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
-                            const Progress& progress) {
+                            const Progress& progress, FlatteningMemory* memory) {
     switch (options.method) {
         case Method::Isometric:
-            return flattenIsometric(piece, options, progress);
+            return flattenIsometric(piece, options, progress, memory);
         case Method::Curvature:
-            return flattenCurvature(piece, options, progress);
+            return flattenCurvature(piece, options, progress, memory);
         case Method::Wang2005:
-            return flattenWang2005(piece, options, progress);
+            return flattenWang2005(piece, options, progress, memory);
         case Method::Stretch:
             return flattenStretch(piece, options, progress);
         case Method::Natural:
@@ -66,10 +70,23 @@ void standUpright(const Points3& V, Points2& Q) {
     Q.rowwise() -= Q.colwise().minCoeff().eval();
 }
 
+/// The piece with its holes filled, and whence its vertices and faces come; of the caps nothing.
+std::shared_ptr<const Piece> filledPiece(const Piece& piece) {
+    auto filled = std::make_shared<Piece>(withHolesFilled(piece));
+    filled->file = piece.file;
+    if (!piece.sourceFace.empty()) {
+        filled->sourceVertex = piece.sourceVertex;
+        filled->sourceVertex.resize(static_cast<std::size_t>(filled->mesh.V.rows()), -1);
+        filled->sourceFace = piece.sourceFace;
+        filled->sourceFace.resize(static_cast<std::size_t>(filled->mesh.F.rows()), -1);
+    }
+    return filled;
+}
+
 }  // namespace
 
-Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
-                          const Progress& progress) {
+Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
+                              const FlattenOptions& options, const Progress& progress) {
     if (piece.defect) {
         return *piece.defect;
     }
@@ -77,8 +94,11 @@ Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
         return Error{ErrorCode::Cancelled, piece.name, ""};
     }
     // A hole is closed for the solve and its caps are forgotten: its rim follows the cloth around.
-    auto flat = piece.holes.empty() ? runMethod(piece, options, progress)
-                                    : runMethod(withHolesFilled(piece), options, progress);
+    const std::shared_ptr<const Piece> filled = piece.holes.empty() ? nullptr : filledPiece(piece);
+    if (memory != nullptr && filled) {
+        memory->present = filled;
+    }
+    auto flat = runMethod(filled ? *filled : piece, options, progress, memory);
     if (!flat) {
         Error error = flat.error();
         error.where = piece.name;
@@ -95,6 +115,11 @@ Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
         }
     }
     return flat;
+}
+
+Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
+                          const Progress& progress) {
+    return flattenWith(nullptr, piece, options, progress);
 }
 
 std::string_view name(BoundarySolver solver) {

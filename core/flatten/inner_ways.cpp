@@ -7,11 +7,13 @@
 #include <queue>
 #include <utility>
 
+#include "core/mesh/tri_mesh.h"
+
 namespace toile {
 
 InnerWays::InnerWays(const Piece& piece)
     : piece_(piece),
-      start_(static_cast<std::size_t>(piece.mesh.V.rows()) + 1, 0),
+      halfedges_(halfedgesOf(piece)),
       loopIndex_(static_cast<std::size_t>(piece.mesh.V.rows()), -1),
       isHoleRim_(static_cast<std::size_t>(piece.mesh.V.rows()), false) {
     for (std::size_t i = 0; i < piece.boundary.size(); ++i) {
@@ -22,35 +24,11 @@ InnerWays::InnerWays(const Piece& piece)
             isHoleRim_[v] = true;
         }
     }
-    const EdgeTable& table = piece.table;
-    const auto isInner = [&](int e) { return table.useStart[e + 1] - table.useStart[e] == 2; };
-    for (int e = 0; e < table.edges.rows(); ++e) {
-        if (isInner(e)) {
-            ++start_[table.edges(e, 0) + 1];
-            ++start_[table.edges(e, 1) + 1];
-        }
-    }
-    for (std::size_t v = 1; v < start_.size(); ++v) {
-        start_[v] += start_[v - 1];
-    }
-    neighbour_.resize(start_.back());
-    length_.resize(start_.back());
-    std::vector<int> next(start_.begin(), start_.end() - 1);
-    for (int e = 0; e < table.edges.rows(); ++e) {
-        if (isInner(e)) {
-            const int v = table.edges(e, 0);
-            const int w = table.edges(e, 1);
-            const double length = (piece.mesh.V.row(v) - piece.mesh.V.row(w)).norm();
-            neighbour_[next[v]] = w;
-            length_[next[v]++] = length;
-            neighbour_[next[w]] = v;
-            length_[next[w]++] = length;
-        }
-    }
 }
 
 std::vector<InnerWay> InnerWays::find(const std::vector<int>& sources,
                                       const std::vector<int>& targets) const {
+    const Points3& V = piece_.mesh.V;
     constexpr double kFar = std::numeric_limits<double>::infinity();
     std::vector<double> distance(loopIndex_.size(), kFar);
     std::vector<int> parent(loopIndex_.size(), -1);
@@ -67,11 +45,16 @@ std::vector<InnerWay> InnerWays::find(const std::vector<int>& sources,
         if (reached > distance[v] || isEnd || isHoleRim_[v]) {
             continue;
         }
-        for (int k = start_[v]; k < start_[v + 1]; ++k) {
-            if (reached + length_[k] < distance[neighbour_[k]]) {
-                distance[neighbour_[k]] = reached + length_[k];
-                parent[neighbour_[k]] = v;
-                queue.emplace(distance[neighbour_[k]], neighbour_[k]);
+        for (const auto out : halfedges_.voh_range(TriMesh::VertexHandle(v))) {
+            if (halfedges_.is_boundary(halfedges_.edge_handle(out))) {
+                continue;
+            }
+            const int w = halfedges_.to_vertex_handle(out).idx();
+            const double there = reached + (V.row(v) - V.row(w)).norm();
+            if (there < distance[w]) {
+                distance[w] = there;
+                parent[w] = v;
+                queue.emplace(there, w);
             }
         }
     }

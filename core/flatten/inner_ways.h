@@ -28,8 +28,7 @@ public:
 
 private:
     const Piece& piece_;
-    std::vector<int> start_, neighbour_;  ///< along edges that are no rim, by vertex
-    std::vector<double> length_;
+    const TriMesh& halfedges_;
     std::vector<int> loopIndex_;   ///< of each vertex; -1 inside
     std::vector<bool> isHoleRim_;  ///< of each vertex
 };

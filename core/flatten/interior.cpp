@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/interior.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "core/flatten/interior_edit.h"
 #include "core/mesh/cotangents.h"
 
 namespace toile {
 namespace {
 
-/// Of the time that `InteriorSystem::make` takes, about, on a piece of a million triangles: what
-/// comes before the factorisation.
+/// Of the time that `InteriorSystem::make` takes, about, on a piece of a million triangles: what is
+/// done when the matrix is there, and when the factor is laid out.
 constexpr double kAssemblyShare = 0.05;
+constexpr double kAnalysisShare = 0.3;
+/// Residual of an edited system's equation, in parts of the size of its terms. What a new
+/// factorisation leaves is of this size.
+constexpr double kFineResidual = 1e-13;
+/// From this ratio of the largest diagonal entry to the least, rounding may come to decide whether
+/// the matrix is positive definite, which an edited factor does not notice.
+constexpr double kMostSpread = 1e10;
+constexpr int kMostRefinements = 3;
 
 /// Laplacian of the interior vertices. The edges are sorted as a symmetric matrix is, and
 /// numbering the interior in vertex order keeps that, so the matrix is written in one pass.
 SymmetricMatrix interiorLaplacian(const WeightedEdges& graph, const std::vector<int>& interiorIndex,
-                                  int interiorCount) {
-    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(interiorCount);
+                                  const Eigen::VectorXd& diagonal) {
+    const auto interiorCount = static_cast<int>(diagonal.size());
     std::size_t inside = 0;
     for (int e = 0; e < graph.edges.rows(); ++e) {
         const int i = interiorIndex[graph.edges(e, 0)];
         const int j = interiorIndex[graph.edges(e, 1)];
-        if (i >= 0) {
-            diagonal[i] += graph.weights[e];
-        }
-        if (j >= 0) {
-            diagonal[j] += graph.weights[e];
-        }
         inside += i >= 0 && j >= 0 ? 1 : 0;
     }
     SymmetricMatrix L;
@@ -62,39 +67,181 @@ Result<InteriorSystem> InteriorSystem::make(WeightedEdges graph, int vertexCount
                                             const std::vector<int>& boundary,
                                             const Progress& progress) {
     InteriorSystem system;
-    system.graph_ = std::move(graph);
-    system.boundary_ = boundary;
-    system.interiorIndex_.assign(static_cast<std::size_t>(vertexCount), 0);
-    for (const int v : boundary) {
-        system.interiorIndex_[v] = -1;
-    }
-    for (int v = 0; v < vertexCount; ++v) {
-        if (system.interiorIndex_[v] >= 0) {
-            system.interiorIndex_[v] = static_cast<int>(system.interior_.size());
-            system.interior_.push_back(v);
-        }
-    }
+    system.number(std::move(graph), vertexCount, boundary);
     if (system.interior_.empty()) {
         return system;
     }
-    const SymmetricMatrix L = interiorLaplacian(system.graph_, system.interiorIndex_,
-                                                static_cast<int>(system.interior_.size()));
+    const auto factorised = system.factorise(progress);
+    if (!factorised) {
+        return factorised.error();
+    }
+    return system;
+}
+
+void InteriorSystem::number(WeightedEdges graph, int vertexCount,
+                            const std::vector<int>& boundary) {
+    graph_ = std::move(graph);
+    boundary_ = boundary;
+    interiorIndex_.assign(static_cast<std::size_t>(vertexCount), 0);
+    for (const int v : boundary) {
+        interiorIndex_[v] = -1;
+    }
+    for (int v = 0; v < vertexCount; ++v) {
+        if (interiorIndex_[v] >= 0) {
+            interiorIndex_[v] = static_cast<int>(interior_.size());
+            interior_.push_back(v);
+        }
+    }
+    diagonal_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(interior_.size()));
+    for (int e = 0; e < graph_.edges.rows(); ++e) {
+        for (const int v : {graph_.edges(e, 0), graph_.edges(e, 1)}) {
+            if (interiorIndex_[v] >= 0) {
+                diagonal_[interiorIndex_[v]] += graph_.weights[e];
+            }
+        }
+    }
+}
+
+Result<void> InteriorSystem::factorise(const Progress& progress) {
+    const SymmetricMatrix L = interiorLaplacian(graph_, interiorIndex_, diagonal_);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
     progress.report(kAssemblyShare);
-    const auto factorised = system.cholesky_.factorise(L);
-    if (!factorised) {
+    cholesky_ = std::make_shared<SparseCholesky>();
+    if (const auto analysed = cholesky_->analyse(L); !analysed) {
+        return analysed.error();
+    }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
+    progress.report(kAnalysisShare);
+    if (const auto factorised = cholesky_->refactorise(L); !factorised) {
         return factorised.error();
     }
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
     progress.report(1);
+    return {};
+}
+
+Result<InteriorSystem> InteriorSystem::makeFrom(const InteriorSystem& before,
+                                                const std::vector<int>& vertexBefore,
+                                                WeightedEdges graph, int vertexCount,
+                                                const std::vector<int>& boundary,
+                                                const Progress& progress) {
+    InteriorSystem system;
+    system.number(std::move(graph), vertexCount, boundary);
+    if (system.interior_.empty()) {
+        return system;
+    }
+    if (!before.cholesky_) {
+        return Error{ErrorCode::FactorisationFailed, "", "there is no factor to begin with"};
+    }
+    if (!system.diagonal_.allFinite() || system.diagonal_.minCoeff() <= 0 ||
+        system.diagonal_.maxCoeff() > kMostSpread * system.diagonal_.minCoeff()) {
+        return Error{ErrorCode::FactorisationFailed, "", "the weights differ by too much"};
+    }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
+    InteriorEdit edit = editBetween(
+        {before.graph_, before.interiorIndex_, static_cast<int>(before.interior_.size())},
+        {system.graph_, system.interiorIndex_, static_cast<int>(system.interior_.size())},
+        vertexBefore);
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
+    auto edited = EditedCholesky::make(before.cholesky_, edit.matrix);
+    if (!edited) {
+        return edited.error();
+    }
+    system.edited_ = std::make_shared<const EditedCholesky>(std::move(*edited));
+    system.editedRow_ = std::move(edit.row);
+    system.editedSize_ = static_cast<int>(before.interior_.size()) + edit.matrix.addedCount;
     return system;
 }
 
-Result<Eigen::MatrixXd> InteriorSystem::extend(const Eigen::MatrixXd& onBoundary) {
+std::size_t InteriorSystem::factorBytes() const {
+    return cholesky_ ? cholesky_->bytes() : 0;
+}
+
+Eigen::MatrixXd InteriorSystem::solveEdited(const Eigen::MatrixXd& right) const {
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(editedSize_, right.cols());
+    for (std::size_t i = 0; i < editedRow_.size(); ++i) {
+        all.row(editedRow_[i]) = right.row(static_cast<Eigen::Index>(i));
+    }
+    all = edited_->solve(all);
+    Eigen::MatrixXd x(right.rows(), right.cols());
+    for (std::size_t i = 0; i < editedRow_.size(); ++i) {
+        x.row(static_cast<Eigen::Index>(i)) = all.row(editedRow_[i]);
+    }
+    return x;
+}
+
+Eigen::MatrixXd InteriorSystem::residualOf(const Eigen::MatrixXd& x,
+                                           const Eigen::MatrixXd& right) const {
+    Eigen::MatrixXd residual = right;
+    for (int e = 0; e < graph_.edges.rows(); ++e) {
+        const int i = interiorIndex_[graph_.edges(e, 0)];
+        const int j = interiorIndex_[graph_.edges(e, 1)];
+        const double w = graph_.weights[e];
+        for (Eigen::Index c = 0; c < x.cols(); ++c) {
+            const double flow = w * ((i >= 0 ? x(i, c) : 0) - (j >= 0 ? x(j, c) : 0));
+            if (i >= 0) {
+                residual(i, c) -= flow;
+            }
+            if (j >= 0) {
+                residual(j, c) += flow;
+            }
+        }
+    }
+    return residual;
+}
+
+/// False where something is not finite.
+bool InteriorSystem::isFine(const Eigen::MatrixXd& residual, const Eigen::MatrixXd& x,
+                            const Eigen::MatrixXd& right) const {
+    for (Eigen::Index c = 0; c < x.cols(); ++c) {
+        const double size = 2 * x.col(c).lpNorm<Eigen::Infinity>();
+        for (Eigen::Index i = 0; i < x.rows(); ++i) {
+            const double terms = std::abs(right(i, c)) + std::abs(diagonal_[i]) * size;
+            if (!(std::abs(residual(i, c)) <= kFineResidual * terms)) {
+                return false;
+            }
+        }
+    }
+    return x.allFinite();
+}
+
+Result<Eigen::MatrixXd> InteriorSystem::solveUnknowns(const Eigen::MatrixXd& right,
+                                                      const Progress& progress) {
+    if (edited_) {
+        Eigen::MatrixXd x = solveEdited(right);
+        for (int k = 0; k <= kMostRefinements; ++k) {
+            if (progress.isCancelled()) {
+                return Error{ErrorCode::Cancelled, "", ""};
+            }
+            const Eigen::MatrixXd residual = residualOf(x, right);
+            if (isFine(residual, x, right)) {
+                return x;
+            }
+            x += solveEdited(residual);
+        }
+        const auto factorised = factorise(progress);
+        if (!factorised) {
+            cholesky_.reset();
+            return factorised.error();
+        }
+        edited_.reset();
+        editedRow_ = {};
+    }
+    return cholesky_->solve(right);
+}
+
+Result<Eigen::MatrixXd> InteriorSystem::extend(const Eigen::MatrixXd& onBoundary,
+                                               const Progress& progress) {
     Eigen::MatrixXd values =
         Eigen::MatrixXd::Zero(static_cast<int>(interiorIndex_.size()), onBoundary.cols());
     for (std::size_t i = 0; i < boundary_.size(); ++i) {
@@ -110,7 +257,7 @@ Result<Eigen::MatrixXd> InteriorSystem::extend(const Eigen::MatrixXd& onBoundary
             right.row(b) += graph_.weights[e] * values.row(a);
         }
     }
-    auto solved = solve(right);
+    auto solved = solve(right, progress);
     if (!solved) {
         return solved.error();
     }
@@ -120,7 +267,7 @@ Result<Eigen::MatrixXd> InteriorSystem::extend(const Eigen::MatrixXd& onBoundary
     return solved;
 }
 
-Result<Eigen::MatrixXd> InteriorSystem::solve(const Eigen::MatrixXd& b) {
+Result<Eigen::MatrixXd> InteriorSystem::solve(const Eigen::MatrixXd& b, const Progress& progress) {
     Eigen::MatrixXd values =
         Eigen::MatrixXd::Zero(static_cast<int>(interiorIndex_.size()), b.cols());
     if (interior_.empty()) {
@@ -130,7 +277,7 @@ Result<Eigen::MatrixXd> InteriorSystem::solve(const Eigen::MatrixXd& b) {
     for (std::size_t i = 0; i < interior_.size(); ++i) {
         right.row(static_cast<Eigen::Index>(i)) = b.row(interior_[i]);
     }
-    const auto solved = cholesky_.solve(right);
+    const auto solved = solveUnknowns(right, progress);
     if (!solved) {
         return solved.error();
     }

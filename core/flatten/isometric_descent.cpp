@@ -5,28 +5,31 @@
 #include <cmath>
 #include <utility>
 
-#include "core/flatten/isometric_objective.h"
-#include "core/flatten/length_constraints.h"
+#include "core/flatten/descent_pace.h"
+#include "core/flatten/kkt_solver.h"
+#include "core/flatten/step_memory.h"
 #include "core/quality/measures.h"
 #include "core/quality/outline_crossings.h"
 
 namespace toile {
 namespace {
 
-/// The augmented Lagrangian's stiffness over that of the energy: each back-substitution lowers the
-/// violation of the linearised lengths by about this factor.
-constexpr double kStiffness = 1e4;
-constexpr int kMaxMultiplierUpdates = 12;
-/// Change of a length, relative to the largest motion, that a step may leave over.
-constexpr double kLinearisedLengths = 1e-7;
-/// Added to the diagonal, in parts of it: rotations are nearly free.
-constexpr double kRegularisation[] = {1e-9, 1e-6, 1e-3};
 constexpr int kMaxCorrections = 6;
 constexpr double kSmallCorrection = 1e-3;  // of an edge: the boundary alone may take it
 constexpr double kLargestCorrection = 1;   // of an edge: the quadratic model says nothing beyond
 constexpr double kSufficientDecrease = 1e-4;
 constexpr double kBackOff = 0.9;  // of the way to the first triangle without area
 constexpr int kMaxHalvings = 40;
+constexpr int kMaxStaleHalvings = 3;  // of a step that a new factorisation may do better
+/// Newton's step is too short where triangles are squeezed: from s^-2 it moves s by a third.
+constexpr double kLongestStep = 8;
+constexpr double kStretch = 1.5;
+constexpr double kShorten = 0.7;
+constexpr int kMaxShortenings = 4;
+constexpr int kRelaxingPasses = 3;
+/// A step with an old factorisation that promises no more than this many times the tolerance would
+/// need a new one to find more: not worth it.
+constexpr double kStaleTolerance = 2;
 /// An excess of energy below this is rounding.
 constexpr double kNoExcess = 1e-10;
 
@@ -37,35 +40,46 @@ double dot(const Points2& a, const Points2& b) {
 class Descent {
 public:
     Descent(const MeshArrays& mesh, const EdgeTable& table, const std::vector<int>& boundary,
-            bool keepOutlineSimple, const Progress& progress)
+            const DescentOptions& options, const Progress& progress)
         : progress_(progress),
           boundary_(boundary),
           lengths_(boundaryLengths3d(mesh.V, boundary)),
-          objective_(mesh, table, boundary, lengths_, keepOutlineSimple),
+          objective_(mesh, table, boundary, lengths_, options.keepOutlineSimple),
           constraints_(boundary, lengths_),
+          kkt_(mesh, boundary, lengths_, constraints_, options.keepOutlineSimple, options.sizes,
+               progress),
           multipliers_(Eigen::VectorXd::Zero(lengths_.size())) {}
 
     const IsometricObjective& objective() const { return objective_; }
 
-    /// The step of the quadratic programme, and how much it promises to take off the objective.
+    /// Lays out the quadratic model at Q, for the steps to come.
+    Result<void> renew(const Points2& Q, const IsometricObjective::Value& at) {
+        return kkt_.renew(objective_, {Q, at, multipliers_});
+    }
+
+    /// The step of the quadratic programme, and how much it promises to take off the objective. The
+    /// model may be some steps old: what they told of the curvature since makes up for it.
     Result<Points2> step(const Points2& Q, const IsometricObjective::Value& at, double& promised) {
-        const Points2 g = objective_.gradient(Q, at);
-        directions_ = constraints_.directions(Q);
-        const auto factorised = factorise(Q, at);
-        if (!factorised) {
-            return factorised.error();
-        }
-        auto P = solveKkt(-g, Eigen::VectorXd::Zero(lengths_.size()), multipliers_);
+        const Points2 g = lagrangian(Q, at);
+        Points2 reduced = g;
+        const std::vector<double> taken = memory_.reduce(reduced);
+        Eigen::VectorXd more = Eigen::VectorXd::Zero(lengths_.size());
+        auto P = kkt_.solve(-reduced, Eigen::VectorXd::Zero(lengths_.size()), more);
         if (P) {
+            memory_.complete(taken, *P);
+            multipliers_ += more;
             promised = -0.5 * dot(g, *P);
         }
         return P;
     }
 
-    /// Takes the step, or as much of it as lowers the objective. False where none does.
-    bool advance(Points2& Q, IsometricObjective::Value& at, const Points2& P, double promised) {
-        double t = kBackOff * objective_.largestStep(Q, P, 1 / kBackOff);
-        for (int k = 0; k < kMaxHalvings && !progress_.isCancelled(); ++k, t *= 0.5) {
+    /// Takes the step, or as much of it as lowers the objective.
+    /// @return how much of it; 0 where none does
+    double advance(Points2& Q, IsometricObjective::Value& at, const Points2& P, double promised,
+                   bool stale) {
+        double t = usefulPart(Q, at, P);
+        const int halvings = stale ? kMaxStaleHalvings : kMaxHalvings;
+        for (int k = 0; k < halvings && !progress_.isCancelled(); ++k, t *= 0.5) {
             Points2 moved = Q + t * P;
             if (!regainLengths(moved)) {
                 continue;
@@ -73,65 +87,68 @@ public:
             IsometricObjective::Value reached = objective_.evaluate(moved);
             if (reached.total < at.total - 2 * kSufficientDecrease * t * promised &&
                 (!objective_.keepsOutlineSimple() || outlineIsSimple(moved, boundary_))) {
+                memory_.add(moved - Q, lagrangian(moved, reached) - lagrangian(Q, at));
                 Q = std::move(moved);
                 at = std::move(reached);
-                return true;
+                return t;
             }
         }
-        return false;
+        return 0;
     }
+
+    /// After a step that single triangles stopped: gives them room.
+    void relax(Points2& Q, IsometricObjective::Value& at) {
+        objective_.relax(Q, kRelaxingPasses, progress_);
+        at = objective_.evaluate(Q);
+    }
+
+    /// What `renew` costs, in steps.
+    double renewingCost() const { return kkt_.renewingCost(); }
+    void forgetSteps() { memory_.clear(); }
+    Eigen::VectorXd& multipliers() { return multipliers_; }
 
 private:
-    Result<void> factorise(const Points2& Q, const IsometricObjective::Value& at) {
-        Result<void> factorised = Error{ErrorCode::FactorisationFailed, "", ""};
-        for (const double regularisation : kRegularisation) {
-            const auto hessian = objective_.hessian(Q, at);
-            BlockMatrix& K = hessian.matrix;
-            // Translations cost nothing: one vertex on a spring takes that freedom and no other.
-            K.addVertex(boundary_.front(),
-                        K.largestOnDiagonal(boundary_.front()) * Eigen::Matrix2d::Identity());
-            const std::size_t n = boundary_.size();
-            stiffness_.resize(lengths_.size());
-            for (std::size_t i = 0; i < n; ++i) {
-                stiffness_[static_cast<Eigen::Index>(i)] =
-                    kStiffness * std::max(K.largestOnDiagonal(boundary_[i]),
-                                          K.largestOnDiagonal(boundary_[(i + 1) % n]));
-            }
-            K.scaleDiagonal(1 + regularisation);
-            constraints_.addHessian(Q, stiffness_, multipliers_, K);
-            factorised = hessian.samePattern ? cholesky_.refactorise(K.matrix())
-                                             : cholesky_.factorise(K.matrix());
-            if (factorised || factorised.error().code != ErrorCode::FactorisationFailed) {
-                break;
-            }
-        }
-        return factorised;
+    Points2 lagrangian(const Points2& Q, const IsometricObjective::Value& at) const {
+        Points2 g = objective_.gradient(Q, at);
+        constraints_.addForces(constraints_.directions(Q), multipliers_, g);
+        return g;
     }
 
-    /// Solves  H P + A^T y = right,  A P = -c  by the augmented Lagrangian: y is the first guess of
-    /// the multipliers and then their value.
-    Result<Points2> solveKkt(const Points2& right, const Eigen::VectorXd& c, Eigen::VectorXd& y) {
-        Points2 P;
-        for (int k = 0; k < kMaxMultiplierUpdates; ++k) {
-            Points2 forces = right;
-            constraints_.addForces(directions_, -(y + stiffness_.cwiseProduct(c)), forces);
-            const auto solved =
-                cholesky_.solve(Eigen::Map<const Eigen::VectorXd>(forces.data(), forces.size()));
-            if (!solved) {
-                return solved.error();
-            }
-            if (!solved->allFinite()) {
-                return Error{ErrorCode::NotFinite, "", "a step of the isometric descent"};
-            }
-            P = Eigen::Map<const Points2>(solved->data(), forces.rows(), 2);
-            const Eigen::VectorXd left = constraints_.along(directions_, P) + c;
-            y += stiffness_.cwiseProduct(left);
-            if (left.lpNorm<Eigen::Infinity>() <=
-                kLinearisedLengths * P.lpNorm<Eigen::Infinity>()) {
+    /// How much of the step lowers the objective most, about, the lengths aside: more than all of
+    /// it where the model is too stiff.
+    double usefulPart(const Points2& Q, const IsometricObjective::Value& at,
+                      const Points2& P) const {
+        const double most = kBackOff * objective_.largestStep(Q, P, kLongestStep / kBackOff);
+        const auto valueAt = [&](double t) -> double {
+            return objective_.evaluate(Q + t * P).total;
+        };
+        double t = std::min(1.0, most);
+        double reached = valueAt(t);
+        for (int k = 0; k < kMaxHalvings && !(reached < at.total) && !progress_.isCancelled();
+             ++k) {
+            t *= 0.5;
+            reached = valueAt(t);
+        }
+        bool stretched = false;
+        while (t < most && !progress_.isCancelled()) {
+            const double further = std::min(most, kStretch * t);
+            const double there = valueAt(further);
+            if (!(there < reached)) {
                 break;
             }
+            t = further;
+            reached = there;
+            stretched = true;
         }
-        return P;
+        for (int k = 0; k < kMaxShortenings && !stretched && !progress_.isCancelled(); ++k) {
+            const double there = valueAt(kShorten * t);
+            if (!(there < reached)) {
+                break;
+            }
+            t *= kShorten;
+            reached = there;
+        }
+        return t;
     }
 
     /// Gives a stepped piece its exact boundary lengths back. Where they are off by much, the whole
@@ -148,7 +165,7 @@ private:
                 return false;
             }
             Eigen::VectorXd y = Eigen::VectorXd::Zero(c.size());
-            const auto P = solveKkt(Points2::Zero(Q.rows(), 2), c, y);
+            const auto P = kkt_.solve(Points2::Zero(Q.rows(), 2), c, y);
             if (!P) {
                 return false;
             }
@@ -162,10 +179,9 @@ private:
     Eigen::VectorXd lengths_;
     IsometricObjective objective_;
     LengthConstraints constraints_;
-    SparseCholesky cholesky_;
+    KktSolver kkt_;
+    StepMemory memory_;
     Eigen::VectorXd multipliers_;
-    Points2 directions_;         ///< of the boundary edges, as factorised
-    Eigen::VectorXd stiffness_;  ///< of the boundary edges, as factorised
 };
 
 }  // namespace
@@ -174,7 +190,10 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
                                            const std::vector<int>& boundary, const Points2& start,
                                            const DescentOptions& options,
                                            const Progress& progress) {
-    Descent descent(mesh, table, boundary, options.keepOutlineSimple, progress);
+    Descent descent(mesh, table, boundary, options, progress);
+    if (options.multipliers.size() > 0) {
+        descent.multipliers() = options.multipliers;
+    }
     DescentResult result;
     result.Q = start;
     IsometricObjective::Value at = descent.objective().evaluate(start);
@@ -182,25 +201,50 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
         return Error{ErrorCode::NotFinite, "", "the start has flipped triangles or touches itself"};
     }
     double first = 0;  // promise over tolerance at the start: the way to go, by its logarithm
+    DescentPace pace;
     while (result.iterations < options.maxIterations && !progress.isCancelled()) {
+        const bool fresh = pace.isFresh();
+        if (fresh) {
+            descent.forgetSteps();
+            if (const auto renewed = descent.renew(result.Q, at); !renewed) {
+                if (renewed.error().code == ErrorCode::OutOfMemory) {
+                    return renewed.error();
+                }
+                break;  // what was reached stands
+            }
+        }
         double promised = 0;
         const auto step = descent.step(result.Q, at, promised);
         if (!step && step.error().code == ErrorCode::OutOfMemory) {
             return step.error();
         }
-        if (!step) {
-            break;  // what was reached stands
-        }
-        // A step that promises a rise was not found exactly enough to go on with.
         const double wanted = options.tolerance * std::max(at.total - 1, kNoExcess);
-        result.converged = std::abs(promised) <= wanted;
-        if (promised <= wanted || !descent.advance(result.Q, at, *step, promised)) {
-            break;
+        const double enough = fresh ? wanted : kStaleTolerance * wanted;
+        // A step that promises a rise was not found exactly enough to go on with.
+        result.converged = step && std::abs(promised) <= enough;
+        const double before = at.total;
+        const double part =
+            step && promised > enough ? descent.advance(result.Q, at, *step, promised, !fresh) : 0;
+        if (part == 0) {
+            if (fresh || result.converged) {
+                break;
+            }
+            pace.renew();
+            continue;
         }
         ++result.iterations;
+        pace.count(part, promised, before - at.total, descent.renewingCost());
+        if (pace.hasArrived(wanted)) {
+            result.converged = true;
+            break;
+        }
+        if (pace.wasStopped()) {
+            descent.relax(result.Q, at);
+        }
         first = std::max(first, std::log(promised / wanted));
         progress.report(1 - std::log(promised / wanted) / first);
     }
+    result.multipliers = descent.multipliers();
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }

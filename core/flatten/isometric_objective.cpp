@@ -25,8 +25,12 @@ IsometricObjective::IsometricObjective(const MeshArrays& mesh, const EdgeTable& 
     : table_(table),
       boundary_(boundary),
       vertexCount_(static_cast<int>(mesh.V.rows())),
+      onBoundary_(static_cast<std::size_t>(mesh.V.rows()), 0),
       energy_(mesh, table),
       bending_(boundary, boundaryAngles3d(mesh, boundary), lengths, kOutlineStiffness) {
+    for (const int v : boundary) {
+        onBoundary_[v] = 1;
+    }
     if (keepOutlineSimple) {
         barrier_.emplace(boundary, lengths);
     }

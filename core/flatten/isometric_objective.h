@@ -40,6 +40,12 @@ public:
 
     Hessian hessian(const Points2& Q, const Value& at);
 
+    /// Moves single interior vertices where that lowers the energy by more than a little
+    /// (SymmetricDirichlet::relax).
+    void relax(Points2& Q, int passes, const Progress& progress) const {
+        energy_.relax(Q, onBoundary_, passes, progress);
+    }
+
     /// How far along P, up to `limit`, no triangle loses its area and no contact comes to pass.
     double largestStep(const Points2& Q, const Points2& P, double limit) const;
     bool keepsOutlineSimple() const { return barrier_.has_value(); }
@@ -50,6 +56,7 @@ private:
     const EdgeTable& table_;
     const std::vector<int>& boundary_;
     int vertexCount_;
+    std::vector<char> onBoundary_;  ///< by vertex
     SymmetricDirichlet energy_;
     OutlineBending bending_;
     std::optional<OutlineBarrier> barrier_;

@@ -20,23 +20,16 @@ constexpr double kFluxShare = 0.06;
 
 /// 2 pi minus the sum of the triangle angles at each vertex; on the boundary of no meaning.
 Eigen::VectorXd angleDefects(const MeshArrays& mesh) {
-    Eigen::VectorXd defect = Eigen::VectorXd::Constant(mesh.V.rows(), 2 * std::numbers::pi);
-    const Eigen::MatrixX3d corners = cornerAngles3d(mesh);
-    for (int f = 0; f < mesh.F.rows(); ++f) {
-        for (int k = 0; k < 3; ++k) {
-            defect[mesh.F(f, k)] -= corners(f, k);
-        }
-    }
-    return defect;
+    return 2 * std::numbers::pi - vertexAngles3d(mesh).array();
 }
 
 }  // namespace
 
 Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptions& options,
-                                   const Progress& progress) {
+                                   const Progress& progress, FlatteningMemory* memory) {
     const Stopwatch interiorTime;
     const MeshArrays& mesh = piece.mesh;
-    auto interior = ConformalInterior::make(piece, Progress(progress, kFactorisingShare));
+    auto interior = ConformalInterior::make(piece, Progress(progress, kFactorisingShare), memory);
     if (!interior) {
         return interior.error();
     }

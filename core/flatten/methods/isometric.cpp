@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/flatten/carried_start.h"
 #include "core/flatten/dirichlet_energy.h"
 #include "core/flatten/flat_notes.h"
+#include "core/flatten/flattening_memory.h"
 #include "core/flatten/isometric_descent.h"
+#include "core/flatten/isometric_start.h"
 #include "core/flatten/methods/methods.h"
 #include "core/flatten/tutte.h"
 #include "core/garment/garment.h"
@@ -31,10 +34,16 @@ bool isNear(double simple, double crossing) {
 
 /// Energy from which on another start may be better: the mean strain is beyond thirtyfold.
 constexpr double kSqueezed = 1e3;
-/// Shares of the time, as progress tells it.
+/// Steps after which a descent from carried positions has gone astray; most need two to six.
+constexpr int kMostCarriedSteps = 15;
+/// Shares of the time, as progress tells it: of an attempt from carried positions, of all; then of
+/// what is left.
+constexpr double kCarriedShare = 0.3;
+constexpr double kCarryingShare = 0.25;  // of that
 constexpr double kStartShare = 0.1;
 constexpr double kDescentShare = 0.6;
 constexpr double kUncrossShare = 0.3;
+constexpr double kCoarseShare = 0.3;  // of the descent's
 
 DescentOptions optionsFor(Quality quality) {
     DescentOptions options;
@@ -81,6 +90,14 @@ Result<DescentResult> descend(const Piece& piece, const Points2& start,
     return lowerIsometricEnergy(piece.mesh, piece.table, piece.boundary, start, options, progress);
 }
 
+Result<DescentResult> descendFromCoarse(const Piece& piece, const Points2& start,
+                                        DescentOptions options, const Progress& progress) {
+    IsometricStart near = coarseToFine(piece.mesh, piece.table, piece.boundary, start,
+                                       options.tolerance, Progress(progress, kCoarseShare));
+    options.multipliers = std::move(near.multipliers);
+    return descend(piece, near.Q, options, Progress(progress, 1 - kCoarseShare));
+}
+
 /// A simple outline with the same lengths, if one is near: from a circle, held apart on the way.
 std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& crossing,
                                      DescentOptions options, const Progress& progress) {
@@ -96,14 +113,72 @@ std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& cr
     return std::move(*simple);
 }
 
-}  // namespace
+/// What follows the descent: a look at the outline, and at the clock.
+Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece flat,
+                         const DescentOptions& descent, const Stopwatch& time,
+                         const Progress& progress, FlatteningMemory* memory) {
+    if (memory != nullptr) {
+        memory->flattened = lowest.converged ? memory->present : nullptr;
+        memory->Q = lowest.converged ? std::make_shared<const Points2>(lowest.Q) : nullptr;
+        memory->distortion = lowest.distortion;
+    }
+    flat.notes.clear();  // what there was to say of the start
+    if (!lowest.converged) {
+        flat.notes.push_back(
+            endedEarly(piece, "after " + std::to_string(lowest.iterations) + " steps"));
+    }
+    flat.interiorIterations = lowest.iterations;
+    flat.Q = std::move(lowest.Q);
+    if (const int crossings = outlineCrossings(flat.Q, piece.boundary); crossings > 0) {
+        if (auto simple = uncross(piece, lowest, descent, progress)) {
+            flat.notes.push_back(uncrossedNote(piece, crossings));
+            flat.interiorIterations += simple->iterations;
+            flat.Q = std::move(simple->Q);
+        }
+    }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
+    flat.angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
+                                   boundaryAngles2d(flat.Q, piece.boundary));
+    flat.interiorSeconds = time.seconds() - flat.boundarySeconds;
+    return flat;
+}
 
-Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& options,
-                                   const Progress& progress) {
-    const Stopwatch time;
+/// The descent from the positions kept of an earlier version. Nothing where these do not suit.
+std::optional<DescentResult> descendFromCarried(const Piece& piece, DescentOptions options,
+                                                FlatteningMemory& memory,
+                                                const Progress& progress) {
+    const auto carried = carriedStart(piece, memory, Progress(progress, kCarryingShare));
+    if (!carried) {
+        return std::nullopt;
+    }
+    options.maxIterations = std::min(options.maxIterations, kMostCarriedSteps);
+    auto lowest = descend(piece, *carried, options, Progress(progress, 1 - kCarryingShare));
+    if (!lowest || !lowest->converged) {
+        return std::nullopt;
+    }
+    return std::move(*lowest);
+}
+
+/// Without positions, notes and times.
+FlatPiece figuresOf(const FlatPiece& flat) {
+    FlatPiece figures;
+    figures.boundarySolver = flat.boundarySolver;
+    figures.boundaryIterations = flat.boundaryIterations;
+    figures.closureGap = flat.closureGap;
+    figures.delaunayFlips = flat.delaunayFlips;
+    return figures;
+}
+
+/// The cold way: from the conformal result, or the circle.
+Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions& options,
+                                       const Stopwatch& time, const Progress& progress,
+                                       FlatteningMemory* memory) {
+    const DescentOptions descent = optionsFor(options.quality);
     FlattenOptions conformal = options;
     conformal.authalic = 0;
-    auto flat = flattenCurvature(piece, conformal, Progress(progress, kStartShare));
+    auto flat = flattenCurvature(piece, conformal, Progress(progress, kStartShare), memory);
     if (!flat && (flat.error().code == ErrorCode::Cancelled ||
                   flat.error().code == ErrorCode::NoClosedOutline)) {
         return flat;
@@ -112,8 +187,10 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
     if (!start) {
         return start.error();
     }
-    const DescentOptions descent = optionsFor(options.quality);
-    auto lowest = descend(piece, *start, descent, Progress(progress, kDescentShare));
+    if (memory != nullptr) {
+        memory->start = flat ? figuresOf(*flat) : FlatPiece{};
+    }
+    auto lowest = descendFromCoarse(piece, *start, descent, Progress(progress, kDescentShare));
     if (!lowest && lowest.error().code == ErrorCode::NotFinite && flat) {
         // In a piece much deeper than its rim is long even the circle's triangles vanish in
         // rounding. The conformal result is what there is; its flips are counted.
@@ -123,30 +200,30 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
     if (!lowest) {
         return lowest.error();
     }
-    if (!flat) {
-        flat = FlatPiece{};
-    }
-    flat->notes.clear();  // what there was to say of the start
-    if (!lowest->converged) {
-        flat->notes.push_back(
-            endedEarly(piece, "after " + std::to_string(lowest->iterations) + " steps"));
-    }
-    flat->interiorIterations = lowest->iterations;
-    flat->Q = std::move(lowest->Q);
-    if (const int crossings = outlineCrossings(flat->Q, piece.boundary); crossings > 0) {
-        if (auto simple = uncross(piece, *lowest, descent, progress)) {
-            flat->notes.push_back(uncrossedNote(piece, crossings));
-            flat->interiorIterations += simple->iterations;
-            flat->Q = std::move(simple->Q);
+    return finish(piece, std::move(*lowest), flat ? std::move(*flat) : FlatPiece{}, descent, time,
+                  progress, memory);
+}
+
+}  // namespace
+
+Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& options,
+                                   const Progress& progress, FlatteningMemory* memory) {
+    const Stopwatch time;
+    const Progress all(progress, 1);  // whose fraction is of this call alone
+    std::optional<DescentResult> again;
+    if (memory != nullptr && memory->Q) {
+        again = descendFromCarried(piece, optionsFor(options.quality), *memory,
+                                   Progress(all, kCarriedShare));
+        if (all.isCancelled()) {
+            return Error{ErrorCode::Cancelled, "", ""};
         }
     }
-    if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+    const Progress rest(all, 1 - all.fraction());
+    if (again) {
+        return finish(piece, std::move(*again), memory->start, optionsFor(options.quality), time,
+                      rest, memory);
     }
-    flat->angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
-                                    boundaryAngles2d(flat->Q, piece.boundary));
-    flat->interiorSeconds = time.seconds() - flat->boundarySeconds;
-    return flat;
+    return descendFromConformal(piece, options, time, rest, memory);
 }
 
 }  // namespace toile

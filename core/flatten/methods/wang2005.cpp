@@ -15,12 +15,13 @@ constexpr double kBoundaryShare = 0.02;
 constexpr double kFactorisingShare = 0.88;
 
 Result<Points2> placeInterior(const Piece& piece, const FlattenOptions& options,
-                              const Points2& outline, FlatPiece& flat, const Progress& progress) {
+                              const Points2& outline, FlatPiece& flat, const Progress& progress,
+                              FlatteningMemory* memory) {
     if (options.authalic != 0) {
         return fillInteriorMixed(piece.mesh, piece.table, piece.boundary, outline, options.authalic,
                                  progress);
     }
-    auto interior = ConformalInterior::make(piece, Progress(progress, kFactorisingShare));
+    auto interior = ConformalInterior::make(piece, Progress(progress, kFactorisingShare), memory);
     if (!interior) {
         return interior.error();
     }
@@ -32,7 +33,7 @@ Result<Points2> placeInterior(const Piece& piece, const FlattenOptions& options,
 }  // namespace
 
 Result<FlatPiece> flattenWang2005(const Piece& piece, const FlattenOptions& options,
-                                  const Progress& progress) {
+                                  const Progress& progress, FlatteningMemory* memory) {
     const Stopwatch boundaryTime;
     const BoundaryProblem problem{boundaryLengths3d(piece.mesh.V, piece.boundary),
                                   boundaryAngles3d(piece.mesh, piece.boundary)};
@@ -49,7 +50,7 @@ Result<FlatPiece> flattenWang2005(const Piece& piece, const FlattenOptions& opti
 
     const Stopwatch interiorTime;
     progress.report(kBoundaryShare);
-    auto points = placeInterior(piece, options, boundary->points, flat, progress);
+    auto points = placeInterior(piece, options, boundary->points, flat, progress, memory);
     if (!points) {
         return points.error();
     }

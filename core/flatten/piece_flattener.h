@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/flatten/flatten.h"
+#include "core/flatten/flattening_memory.h"
+
+namespace toile {
+
+/// Flattens one piece again and again while it is edited, and reuses what it can: the factor of an
+/// earlier version's interior, for every method that needs one, and for `isometric` the positions
+/// last found. The first flattening, and any after a large edit, is that of `flatten`.
+///
+/// After a small edit `curvature` and `wang2005` give what `flatten` gives, to rounding.
+/// `isometric` descends from another start until it meets the same tolerance; where the energy has
+/// several minima it stays in the one that the piece already lies in, whatever energy `curvature`
+/// would have; of the outline's figures it repeats those of the last start from `curvature`. So the
+/// same version reached by other edits may lie a little otherwise, within the tolerance; who wants
+/// the very same positions back (undo) keeps them: they are immutable.
+///
+/// A value: copies share what is kept and go their own ways, so that an edit which parts a piece in
+/// two hands both on. Different objects may be used on different threads at a time, one object on
+/// one thread. After an error, or a cancel, what was kept stands.
+class PieceFlattener {
+public:
+    /// @param piece  the next version; its `sourceVertex` and `sourceFace` say what has stayed.
+    ///               Kept, with its factor, until one takes its place
+    /// Errors: those of `toile::flatten`. Cost: after a small edit linear passes and
+    /// back-substitutions; for `isometric` fewer steps.
+    Result<FlatPiece> flatten(const std::shared_ptr<const Piece>& piece,
+                              const FlattenOptions& options, const Progress& progress);
+
+    /// About what is kept, pieces aside.
+    std::size_t keptBytes() const;
+    /// About what will be kept of a piece when it has been flattened, known before.
+    static std::size_t expectedBytes(const Piece& piece);
+    /// Begins anew.
+    void forget() { memory_ = {}; }
+
+    /// Of larger pieces nothing is kept: the factor of a million triangles takes some 250 MB.
+    static constexpr int kMostTriangles = 1'100'000;
+
+private:
+    FlatteningMemory memory_;
+};
+
+}  // namespace toile

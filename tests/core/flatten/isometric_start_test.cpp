@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What takes an isometric descent down the long way: coarse pieces, single vertices, remembered
+// steps, and the decision when to factorise anew.
+#include "core/flatten/isometric_start.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include "core/flatten/coarsening.h"
+#include "core/flatten/descent_pace.h"
+#include "core/flatten/dirichlet_energy.h"
+#include "core/flatten/isometric_descent.h"
+#include "core/flatten/length_constraints.h"
+#include "core/flatten/step_memory.h"
+#include "core/flatten/tutte.h"
+#include "core/garment/piece.h"
+#include "core/quality/measures.h"
+#include "tests/core/support/shapes.h"
+
+namespace toile {
+namespace {
+
+std::shared_ptr<const Piece> cap() {
+    return test::asPiece(test::sphericalCap(24, 100, 2.9));
+}
+
+Points2 onCircle(const Piece& piece) {
+    const Progress progress;
+    const auto circle = tutteOnCircle(piece, progress);
+    EXPECT_TRUE(circle);
+    return *circle;
+}
+
+double energyOf(const Piece& piece, const Points2& Q) {
+    return SymmetricDirichlet(piece.mesh, piece.table).energy(Q);
+}
+
+TEST(Coarsening, KeepsTheBoundaryAndFlipsNothing) {
+    const auto piece = cap();
+    const Points2 Q = onCircle(*piece);
+    const int inner = static_cast<int>(Q.rows()) - static_cast<int>(piece->boundary.size());
+    const Coarsening coarse(piece->mesh, piece->boundary, Q, inner / 5, Progress());
+    EXPECT_LT(coarse.mesh().V.rows(), Q.rows() / 2);
+    ASSERT_EQ(coarse.boundary().size(), piece->boundary.size());
+    const Points2 flat = coarse.restricted(Q);
+    for (std::size_t i = 0; i < coarse.boundary().size(); ++i) {
+        EXPECT_EQ(coarse.mesh().V.row(coarse.boundary()[i]), piece->mesh.V.row(piece->boundary[i]));
+        EXPECT_EQ(flat.row(coarse.boundary()[i]), Q.row(piece->boundary[i]));
+    }
+    EXPECT_EQ(flippedTriangles(triangleAreas2d(flat, coarse.mesh().F)), 0);
+    // A disk still: Euler's count.
+    const EdgeTable table =
+        buildEdgeTable(coarse.mesh().F, static_cast<int>(coarse.mesh().V.rows()));
+    EXPECT_EQ(coarse.mesh().V.rows() - table.edges.rows() + coarse.mesh().F.rows(), 1);
+}
+
+TEST(Coarsening, ComesBackWithoutFlips) {
+    const auto piece = cap();
+    const Points2 Q = onCircle(*piece);
+    const Coarsening coarse(piece->mesh, piece->boundary, Q, 20, Progress());
+    const auto back = coarse.prolonged(coarse.restricted(Q));
+    ASSERT_TRUE(back);
+    EXPECT_EQ(coarse.restricted(*back), coarse.restricted(Q));
+    EXPECT_EQ(flippedTriangles(triangleAreas2d(*back, piece->mesh.F)), 0);
+}
+
+/// A plane's vertices lie among their rings as they did: mean value coordinates are exact there.
+TEST(Coarsening, RestoresAPlane) {
+    const auto piece = test::asPiece(test::planeGrid(12, 9, 10));
+    const Points2 Q = piece->mesh.V.leftCols<2>();
+    const Coarsening coarse(piece->mesh, piece->boundary, Q, 10, Progress());
+    EXPECT_LT(coarse.mesh().V.rows(), Q.rows());
+    const auto back = coarse.prolonged(coarse.restricted(Q));
+    ASSERT_TRUE(back);
+    EXPECT_LE((*back - Q).lpNorm<Eigen::Infinity>(), 1e-9);
+}
+
+/// Forces on fine vertices do the same work along a fine motion as the restricted ones along the
+/// coarse motion it comes from.
+TEST(Coarsening, RestrictsForcesAsItProlongsMotions) {
+    const auto piece = cap();
+    const Points2 Q = onCircle(*piece);
+    const Coarsening coarse(piece->mesh, piece->boundary, Q, static_cast<int>(Q.rows()) / 6,
+                            Progress());
+    const Eigen::Index few = coarse.mesh().V.rows();
+    const Points2 motion = coarse.restricted(piece->mesh.V.rightCols<2>());
+    const Points2 forces = piece->mesh.V.leftCols<2>().array().sin();
+    const Points2 onCoarse = coarse.restrictedForces(forces);
+    ASSERT_EQ(onCoarse.rows(), few);
+    EXPECT_NEAR(onCoarse.cwiseProduct(motion).sum(),
+                forces.cwiseProduct(coarse.prolongedMotion(motion)).sum(), 1e-9);
+    // What moves as one goes on as one, and no force gets lost.
+    EXPECT_LE((coarse.prolongedMotion(Points2::Ones(few, 2)) - Points2::Ones(Q.rows(), 2))
+                  .lpNorm<Eigen::Infinity>(),
+              1e-12);
+    EXPECT_LE((onCoarse.colwise().sum() - forces.colwise().sum()).norm(), 1e-9);
+}
+
+TEST(IsometricStart, IsNearerToTheEndWithExactLengths) {
+    const auto piece = cap();
+    const Points2 Q = onCircle(*piece);
+    const Progress progress;
+    const IsometricStart start =
+        coarseToFine(piece->mesh, piece->table, piece->boundary, Q, 1e-4, progress);
+    const auto lowest =
+        lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, Q, {}, progress);
+    ASSERT_TRUE(lowest);
+    EXPECT_LT(energyOf(*piece, start.Q) - lowest->distortion,
+              0.8 * (energyOf(*piece, Q) - lowest->distortion));
+    EXPECT_EQ(start.multipliers.size(), static_cast<Eigen::Index>(piece->boundary.size()));
+    const LengthConstraints constraints(piece->boundary,
+                                        boundaryLengths3d(piece->mesh.V, piece->boundary));
+    EXPECT_LE(constraints.residual(start.Q).lpNorm<Eigen::Infinity>(), 1e-9);
+}
+
+TEST(IsometricStart, LeavesWhatIsHardlyStrained) {
+    const auto piece = test::asPiece(test::planeGrid(30, 30, 10));
+    const Points2 Q = piece->mesh.V.leftCols<2>();
+    const Progress progress;
+    EXPECT_EQ(coarseToFine(piece->mesh, piece->table, piece->boundary, Q, 1e-4, progress).Q, Q);
+}
+
+TEST(SymmetricDirichlet, RelaxingLowersTheEnergyAndLeavesTheFixed) {
+    const auto piece = cap();
+    Points2 Q = onCircle(*piece);
+    const Points2 before = Q;
+    std::vector<char> fixed(static_cast<std::size_t>(Q.rows()), 0);
+    for (const int v : piece->boundary) {
+        fixed[v] = 1;
+    }
+    SymmetricDirichlet(piece->mesh, piece->table).relax(Q, fixed, 5, Progress());
+    EXPECT_LT(energyOf(*piece, Q), energyOf(*piece, before));
+    for (const int v : piece->boundary) {
+        EXPECT_EQ(Q.row(v), before.row(v));
+    }
+}
+
+/// On a quadratic function of two unknowns two steps tell all of the curvature.
+TEST(StepMemory, KnowsAQuadraticAfterAsManySteps) {
+    Eigen::Matrix2d H;
+    H << 5, 2, 2, 3;
+    const auto asStep = [](const Eigen::Vector2d& p) -> Points2 { return p.transpose(); };
+    StepMemory memory;
+    const Eigen::Vector2d first(1, 0);
+    const Eigen::Vector2d second = Eigen::Vector2d(-2, 5);  // conjugate to the first
+    memory.add(asStep(first), asStep(H * first));
+    memory.add(asStep(second), asStep(H * second));
+    memory.add(asStep(first), asStep(-first));  // says nothing: the gradient fell
+    const Eigen::Vector2d gradient(0.7, -1.9);
+    Points2 reduced = asStep(gradient);
+    const auto taken = memory.reduce(reduced);
+    Points2 step = -reduced;  // as by a poor inverse Hessian
+    memory.complete(taken, step);
+    const Eigen::Vector2d newton = -H.inverse() * gradient;
+    EXPECT_LE((step.transpose() - newton).norm(), 1e-12);
+}
+
+constexpr double kFactorisingCost = 12;  // in steps
+
+TEST(DescentPace, StaysWithAFactorisationThatServes) {
+    DescentPace pace;
+    EXPECT_TRUE(pace.isFresh());
+    pace.count(1, 100, 100, kFactorisingCost);
+    EXPECT_FALSE(pace.isFresh());
+    pace.count(1, 10, 9, kFactorisingCost);  // more than 109 / 13
+    EXPECT_FALSE(pace.isFresh());
+    pace.count(1, 0.1, 0.09, kFactorisingCost);  // little, but as promised
+    EXPECT_FALSE(pace.isFresh());
+    pace.count(1, 0.1, 0.01, kFactorisingCost);  // little, and less than promised
+    EXPECT_TRUE(pace.isFresh());
+}
+
+TEST(DescentPace, RenewsSoonerWhatCostsLess) {
+    for (const double cost : {1.0, kFactorisingCost}) {
+        DescentPace pace;
+        pace.count(1, 100, 100, cost);
+        pace.count(1, 100, 20, cost);
+        EXPECT_EQ(pace.isFresh(), cost == 1);
+    }
+}
+
+TEST(DescentPace, DoesNotTakeAStoppedStepForTheEnd) {
+    DescentPace pace;
+    pace.count(0.01, 5, 1e-6, kFactorisingCost);
+    EXPECT_TRUE(pace.wasStopped());
+    EXPECT_TRUE(pace.isFresh());
+    EXPECT_FALSE(pace.hasArrived(1e-4));
+    pace.count(1, 1e-5, 1e-5, kFactorisingCost);
+    EXPECT_TRUE(pace.hasArrived(1e-4));
+}
+
+}  // namespace
+}  // namespace toile
