@@ -2,11 +2,24 @@
 #include "app/document/document.h"
 
 #include <QString>
+#include <algorithm>
 #include <utility>
 
-namespace toile {
+#include "core/pipeline/garment_flattener.h"
 
-Document::Document(QObject* parent) : QObject(parent) {}
+namespace toile {
+namespace {
+
+bool isOfTheSameFiles(const Garment& a, const Garment& b) {
+    return std::equal(
+        a.files.begin(), a.files.end(), b.files.begin(), b.files.end(),
+        [](const auto& one, const auto& other) -> bool { return one->path == other->path; });
+}
+
+}  // namespace
+
+Document::Document(QObject* parent)
+    : QObject(parent), flattener_(std::make_shared<GarmentFlattener>()) {}
 
 Document::~Document() = default;
 
@@ -30,6 +43,10 @@ QString Document::title() const {
 
 void Document::setGarment(std::shared_ptr<const Garment> garment,
                           std::shared_ptr<const Scene> scene) {
+    // What was open before must leave no trace in another garment's results.
+    if (!garment_ || !garment || !isOfTheSameFiles(*garment_, *garment)) {
+        flattener_ = std::make_shared<GarmentFlattener>();
+    }
     garment_ = std::move(garment);
     scene_ = std::move(scene);
     results_.clear();

@@ -13,6 +13,7 @@
 
 namespace toile {
 
+class GarmentFlattener;
 struct Scene;
 
 /// The open garment: the one place that holds its state. Everything it hands out is a finished,
@@ -34,6 +35,9 @@ public:
     /// What the views draw, made of garment and results by the job that made them. May be null.
     const std::shared_ptr<const Scene>& scene() const { return scene_; }
     const FlattenOptions& options() const { return options_; }
+    /// What is kept of one flattening for the next, as long as the garment is of the same files;
+    /// thread-safe, for the jobs.
+    const std::shared_ptr<GarmentFlattener>& flattener() const { return flattener_; }
     const Selection& selection() const { return selection_; }
     /// The selected seam: an index into Garment::seams; none where no seam is selected.
     std::optional<int> seam() const { return seam_; }
@@ -75,6 +79,7 @@ private:
     PieceResults results_;
     std::shared_ptr<const Scene> scene_;
     FlattenOptions options_;
+    std::shared_ptr<GarmentFlattener> flattener_;
     Selection selection_;
     std::optional<int> seam_;
     ViewState view_;

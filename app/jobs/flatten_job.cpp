@@ -6,6 +6,7 @@
 
 #include "app/document/document.h"
 #include "app/render/scene_builder.h"
+#include "core/pipeline/garment_flattener.h"
 
 namespace toile {
 
@@ -21,7 +22,8 @@ FlattenJob::FlattenJob(Document& document)
     : document_(document),
       revision_(document.revision()),
       garment_(document.garment()),
-      options_(document.options()) {
+      options_(document.options()),
+      flattener_(document.flattener()) {
     Q_ASSERT(garment_);
 }
 
@@ -31,7 +33,7 @@ QString FlattenJob::title() const {
 
 Result<void> FlattenJob::process(Progress& progress) {
     progress.setShare(0, kFlatteningShare);
-    results_ = flattenGarment(*garment_, options_, progress);
+    results_ = flattener_->flatten(*garment_, options_, progress);
     if (!progress.isCancelled()) {
         progress.setShare(kFlatteningShare, 1);
         const LaidOutPattern pattern = layOut(*garment_, results_);

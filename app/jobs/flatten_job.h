@@ -9,10 +9,12 @@
 namespace toile {
 
 class Document;
+class GarmentFlattener;
 struct Scene;
 
 /// Flattens every piece of the document's garment with its options, lays the pieces out and
-/// prepares what both views draw. A piece that fails leaves the others alone.
+/// prepares what both views draw. What has not changed since the last time is not solved again. A
+/// piece that fails leaves the others alone.
 class FlattenJob : public Job {
 public:
     /// Takes its snapshot here. Requires an open garment.
@@ -28,6 +30,7 @@ private:
     std::uint64_t revision_;
     std::shared_ptr<const Garment> garment_;
     FlattenOptions options_;
+    std::shared_ptr<GarmentFlattener> flattener_;
     PieceResults results_;
     std::shared_ptr<const Scene> scene_;
 };

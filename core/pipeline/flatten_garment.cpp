@@ -1,209 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <exception>
-#include <memory>
-#include <mutex>
-#include <new>
-#include <numeric>
-#include <thread>
 #include <utility>
 
-#include "core/base/abandonable_threads.h"
-#include "core/base/stopwatch.h"
+#include "core/pipeline/piece_work.h"
 #include "core/pipeline/pipeline.h"
 
 namespace toile {
-namespace {
-
-/// Between two looks at the caller's progress while the workers are busy.
-constexpr std::chrono::milliseconds kLookEvery{5};
-/// Of a piece's time, about; the rest is measuring.
-constexpr double kFlatteningShare = 0.95;
-/// What the caller sees at most until all is done: the tally of the pieces' parts may round to 1
-/// before.
-constexpr double kNearlyDone = 0.999;
-
-std::shared_ptr<PieceResult> emptyResult(const std::shared_ptr<const Piece>& piece,
-                                         const FlattenOptions& options) {
-    auto result = std::make_shared<PieceResult>();
-    result->piece = piece;
-    result->options = options;
-    return result;
-}
-
-std::shared_ptr<const PieceResult> cancelledResult(const std::shared_ptr<const Piece>& piece,
-                                                   const FlattenOptions& options) {
-    auto result = emptyResult(piece, options);
-    result->error = Error{ErrorCode::Cancelled, piece->name, ""};
-    return result;
-}
-
-std::shared_ptr<const PieceResult> flattenOne(const std::shared_ptr<const Piece>& piece,
-                                              const FlattenOptions& options,
-                                              const Progress& progress) {
-    const Stopwatch time;
-    auto result = emptyResult(piece, options);
-    try {
-        auto flat = flatten(*piece, options, Progress(progress, kFlatteningShare));
-        if (progress.isCancelled()) {
-            return cancelledResult(piece, options);
-        }
-        progress.report(kFlatteningShare);
-        if (flat) {
-            result->quality = measure(*piece, flat->Q);
-            result->flat = std::move(*flat);
-        } else {
-            result->error = flat.error();
-        }
-    } catch (const std::bad_alloc&) {  // one piece too large must not end the others' thread
-        result->flat.reset();
-        result->quality.reset();
-        result->error = Error{ErrorCode::OutOfMemory, piece->name, ""};
-    }
-    result->seconds = time.seconds();
-    progress.report(1);
-    return result;
-}
-
-/// The work and all it needs, owned by the caller and the workers together: whoever leaves last
-/// clears it away.
-class Work {
-public:
-    Work(const Garment& garment, const FlattenOptions& options)
-        : pieces_(garment.pieces),
-          options_(options),
-          order_(pieces_.size()),
-          results_(pieces_.size()) {
-        // Largest first, so that no thread is left alone with a big piece at the end. Each result
-        // goes to its own place: the order of work leaves no trace.
-        std::iota(order_.begin(), order_.end(), std::size_t{0});
-        std::stable_sort(order_.begin(), order_.end(),
-                         [this](std::size_t a, std::size_t b) { return size(a) > size(b); });
-        for (const std::size_t k : order_) {
-            total_ += size(k);
-        }
-    }
-
-    /// What a worker does: one piece after the other, until there is none or all are cancelled.
-    void run() {
-        try {
-            for (std::size_t k = next_++; k < order_.size() && !progress_.isCancelled();
-                 k = next_++) {
-                const std::size_t piece = order_[k];
-                const Progress part(progress_, size(piece) / total_);
-                auto result = flattenOne(pieces_[piece], options_, part);
-                const std::lock_guard lock(mutex_);
-                results_[piece] = std::move(result);
-                ++finished_;
-                changed_.notify_one();
-            }
-        } catch (...) {  // a bug: the caller's to report, on the caller's thread
-            const std::lock_guard lock(mutex_);
-            failure_ = std::current_exception();
-            changed_.notify_one();
-        }
-    }
-
-    /// Waits for the workers and passes on what they report.
-    /// @return false where the caller has cancelled: they are told, and may still be busy
-    bool wait(const Progress& progress) {
-        std::unique_lock lock(mutex_);
-        while (finished_ < pieces_.size() && !failure_) {
-            if (progress.isCancelled()) {
-                progress_.cancel();
-                return false;
-            }
-            changed_.wait_for(lock, kLookEvery);
-            progress.report(std::min(progress_.fraction(), kNearlyDone));
-        }
-        if (failure_) {
-            progress_.cancel();
-            std::rethrow_exception(failure_);
-        }
-        return true;
-    }
-
-    /// Those done; where the work was cancelled the others say so.
-    PieceResults results() {
-        PieceResults results;
-        {
-            const std::lock_guard lock(mutex_);
-            results = results_;
-        }
-        for (std::size_t k = 0; k < results.size(); ++k) {
-            if (!results[k]) {
-                results[k] = cancelledResult(pieces_[k], options_);
-            }
-        }
-        return results;
-    }
-
-private:
-    double size(std::size_t piece) const {
-        return 1.0 + static_cast<double>(pieces_[piece]->mesh.F.rows());
-    }
-
-    const std::vector<std::shared_ptr<const Piece>> pieces_;
-    const FlattenOptions options_;
-    std::vector<std::size_t> order_;
-    double total_ = 0;
-    Progress progress_;  ///< the workers' own: the caller's may be gone when they look
-    std::atomic<std::size_t> next_{0};
-
-    std::mutex mutex_;  ///< of what follows
-    std::condition_variable changed_;
-    PieceResults results_;
-    std::size_t finished_ = 0;
-    std::exception_ptr failure_;
-};
-
-int coreCount() {
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-/// Waits while what was abandoned earlier has all the cores, and its memory: else cancelling again
-/// and again would heap up work.
-/// @return false where the caller has cancelled
-bool waitForACore(const Progress& progress) {
-    while (!progress.isCancelled() && AbandonableThreads::stillRunning() >= coreCount()) {
-        std::this_thread::sleep_for(kLookEvery);
-    }
-    return !progress.isCancelled();
-}
-
-/// Cores for this work. What was abandoned earlier still has its own.
-std::size_t workerCount(int threads, std::size_t pieces) {
-    int count = threads;
-    if (threads <= 0) {
-        count = coreCount() - AbandonableThreads::stillRunning();
-    }
-    return std::min(pieces, static_cast<std::size_t>(std::max(1, count)));
-}
-
-}  // namespace
 
 PieceResults flattenGarment(const Garment& garment, const FlattenOptions& options,
                             Progress& progress, int threads) {
-    progress.start(1);
-    const auto work = std::make_shared<Work>(garment, options);
-    AbandonableThreads workers;  // on the way out left alone, if they have not ended
-    const std::size_t wanted =
-        waitForACore(progress) ? workerCount(threads, garment.pieces.size()) : 0;
-    std::size_t running = 0;
-    while (running < wanted && workers.start([work] { work->run(); })) {
-        ++running;
+    std::vector<PieceTask> tasks;
+    for (const auto& piece : garment.pieces) {
+        tasks.push_back({piece});
     }
-    if (running == 0 && wanted > 0) {
-        work->run();  // no thread to be had: then here, and a cancel comes too late
+    PieceResults results;
+    for (DoneTask& done : workOn(std::move(tasks), options, progress, threads)) {
+        results.push_back(std::move(done.result));
     }
-    if (work->wait(progress)) {
-        workers.join();
-        progress.report(1);
-    }
-    return work->results();
+    return results;
 }
 
 }  // namespace toile

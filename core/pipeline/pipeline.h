@@ -57,6 +57,7 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, P
 /// @param threads   how many work at once; 0: as many as the machine has cores
 /// @return one result per piece, in the garment's order; after a cancel the unfinished ones carry
 ///         ErrorCode::Cancelled
+/// For a garment that is being edited see garment_flattener.h.
 PieceResults flattenGarment(const Garment& garment, const FlattenOptions& options,
                             Progress& progress, int threads = 0);
 

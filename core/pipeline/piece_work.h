@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/flatten/piece_flattener.h"
+#include "core/flatten/piece_result.h"
+
+// For the sources of this folder only.
+namespace toile {
+
+/// One piece to flatten, and what is kept of its last flattening, if anything is to be kept.
+struct PieceTask {
+    std::shared_ptr<const Piece> piece;
+    std::optional<PieceFlattener> flattener{};
+};
+
+struct DoneTask {
+    std::shared_ptr<const PieceResult> result;
+    std::optional<PieceFlattener> flattener{};  ///< as the flattening left it
+};
+
+/// Flattens and measures the pieces side by side, as `flattenGarment` promises.
+/// @return one per task, in order; after a cancel the unfinished ones carry ErrorCode::Cancelled
+///         and no flattener
+std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions& options,
+                             Progress& progress, int threads);
+
+}  // namespace toile
