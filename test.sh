@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds and runs every test: the library, the command line and the samples, the window under a
 # virtual display with software OpenGL, the build without Qt, the core once more under the address
-# and undefined-behaviour sanitizers, and the source format. Ends with status 0 only if all passed.
+# and undefined-behaviour sanitizers, a guard on speed, and the source format. Ends with status 0 only
+# if all passed.
 #
 #   ./test.sh            everything
 #   ./test.sh --quick    without the sanitizers
 set -euo pipefail
 cd "$(dirname "$0")"
 
-./run.sh --prepare libgtest-dev xvfb xauth clang-format python3-numpy
+./run.sh --prepare libgtest-dev libbenchmark-dev xvfb xauth clang-format python3-numpy
 
 step() { printf '\n== %s\n' "$1"; }
 jobs=$(nproc)

@@ -39,6 +39,20 @@ private slots:
         QVERIFY(document.results().empty());
     }
 
+    void keepsWhatFlatteningsLeftForTheSameFilesOnly() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        const auto first = document.flattener();
+        document.setGarment(twoPieces(), nullptr);
+        QCOMPARE(document.flattener(), first);
+        auto file = std::make_shared<SourceFile>();
+        file->path = "other.obj";
+        auto other = std::make_shared<Garment>(*twoPieces());
+        other->files = {file};
+        document.setGarment(other, nullptr);
+        QVERIFY(document.flattener() != first);
+    }
+
     void revisionRisesWithGarmentAndOptionsOnly() {
         Document document;
         const auto start = document.revision();

@@ -1,25 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// All benchmarks. Own options beside Google Benchmark's:
+//     --quick          nothing above 45 000 triangles, few repetitions
+//     --no-slow-peers  without the peers that take minutes
+#include <cstdio>
+#include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
-#include "tests/bench/lowest_times.h"
+#include "core/base/heap.h"
+#include "core/linalg/blas_kernels.h"
+#include "tests/bench/benchmarks.h"
+#include "tests/bench/keeping_reporter.h"
+#include "tests/bench/machine.h"
+#include "tests/bench/report/bars.h"
 
 int main(int argc, char** argv) {
+    using namespace toile::bench;
+    toile::chooseBlasKernels();  // as the window does
+    toile::keepFreedMemory();
     // Several rounds in turns, so that whatever else the machine does hits all alike. What the user
     // types comes later and wins.
-    char repetitions[] = "--benchmark_repetitions=9";
     char interleaving[] = "--benchmark_enable_random_interleaving=true";
-    std::vector<char*> arguments(argv, argv + argc);
-    arguments.insert(arguments.begin() + 1, {repetitions, interleaving});
+    std::vector<char*> arguments{argv[0], interleaving};
+    Scope scope;
+    for (int k = 1; k < argc; ++k) {
+        const std::string argument = argv[k];
+        if (argument == "--quick") {
+            scope.quick = true;
+        } else if (argument == "--no-slow-peers") {
+            scope.slowPeers = false;
+        } else {
+            arguments.push_back(argv[k]);
+        }
+    }
     int count = static_cast<int>(arguments.size());
     arguments.push_back(nullptr);
     benchmark::Initialize(&count, arguments.data());
     if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) {
         return 2;
     }
-    toile::bench::LowestTimes times;
-    benchmark::RunSpecifiedBenchmarks(&times);
-    times.printRatio("toileReader", "plainScan", 2);
-    times.printRatio("toileReader", "openMeshReader", 1);
+    describeMachine();
+    registerFloor(scope);
+    registerFlattening(scope);
+    registerPieces(scope);
+    registerReading(scope);
+    registerWriting(scope);
+    registerGarment(scope);
+    registerEndToEnd(scope);
+    registerMemory(scope);
+    registerResolve(scope);
+#ifdef TOILE_PEERS
+    registerPeers(scope);
+#endif
+    KeepingReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    std::printf("\n");
+    for (const Bar& bar : barsOf(reporter.measurements())) {
+        std::printf("%s\n", line(bar).c_str());
+    }
 }

@@ -2,13 +2,12 @@
 #include "tests/bench/panel_file.h"
 
 #include <cmath>
-#include <random>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "tests/bench/bench_pieces.h"
 
 namespace toile::bench {
 namespace {
@@ -61,17 +60,10 @@ std::string panelText() {
 
 }  // namespace
 
-PanelFile::PanelFile()
-    : path_(std::filesystem::temp_directory_path() /
-            ("toile_bench_" + std::to_string(std::random_device{}()) + ".obj")) {
+PanelFile::PanelFile() : path_(temporaryFolder() / "folded_panel.obj") {
     if (const Result<void> written = writeFile(path_, panelText()); !written) {
         throw std::runtime_error(sentence(written.error()));
     }
-}
-
-PanelFile::~PanelFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
 }
 
 }  // namespace toile::bench

@@ -5,15 +5,11 @@
 
 namespace toile::bench {
 
-/// An OBJ file like those that garment programs write, in the temporary folder for the life of the
-/// object: one folded panel of 217 800 triangles with its flat form as UV map, six decimals, about
-/// 15 MB.
+/// An OBJ file like those that garment programs write, in the folder for temporary files: one
+/// folded panel of 217 800 triangles with its flat form as UV map, six decimals, about 15 MB.
 class PanelFile {
 public:
     PanelFile();
-    ~PanelFile();
-    PanelFile(const PanelFile&) = delete;
-    PanelFile& operator=(const PanelFile&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
 

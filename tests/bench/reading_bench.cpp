@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/io/soup.h"
+#include "tests/bench/benchmarks.h"
 #include "tests/bench/panel_file.h"
 #include "tests/bench/plain_scan.h"
 
@@ -63,9 +64,13 @@ void openMeshReader(benchmark::State& state) {
     countTriangles(state, triangles);
 }
 
-BENCHMARK(plainScan)->Unit(benchmark::kMillisecond);
-BENCHMARK(toileReader)->Unit(benchmark::kMillisecond);
-BENCHMARK(openMeshReader)->Unit(benchmark::kMillisecond);
-
 }  // namespace
+
+void registerReading(const Scope& scope) {
+    const int repetitions = scope.quick ? 5 : 9;
+    measured(benchmark::RegisterBenchmark("plainScan", plainScan), repetitions);
+    measured(benchmark::RegisterBenchmark("toileReader", toileReader), repetitions);
+    measured(benchmark::RegisterBenchmark("openMeshReader", openMeshReader), repetitions);
+}
+
 }  // namespace toile::bench

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/bench/report/bars.h"
+
+#include <cmath>
+
+#include "tests/bench/report/figures.h"
+
+namespace toile::bench {
+namespace {
+
+/// Collects the bars for which there are figures.
+class Bars {
+public:
+    explicit Bars(const Measurements& run) : run_(run) {}
+
+    void add(const std::string& what, std::optional<double> measured, double bound,
+             bool atLeast = false, const std::string& unit = {}) {
+        if (measured) {
+            bars_.push_back({what, *measured, bound, atLeast, unit});
+        }
+    }
+    void addRatio(const std::string& name, const std::string& to, double most) {
+        add(name + " / " + to, run_.ratio(name, to), most);
+    }
+    void addTimesFaster(const std::string& name, const std::string& than, double least) {
+        add(than + " / " + name, run_.ratio(than, name), least, true);
+    }
+    const Measurements& run() const { return run_; }
+    std::vector<Bar> take() { return std::move(bars_); }
+
+private:
+    const Measurements& run_;
+    std::vector<Bar> bars_;
+};
+
+template <class Visit>
+void forEachPiece(const Visit& visit) {
+    for (const std::string surface : kSurfaces) {
+        for (const std::string size : kSizes) {
+            visit(surface + "/" + size);
+        }
+    }
+}
+
+void addFloor(Bars& bars) {
+    for (const std::string method : {"curvature", "wang2005"}) {
+        forEachPiece([&](const std::string& piece) {
+            const auto floor = bars.run().floorOf(piece);
+            const auto time = bars.run().lowest(method + "/" + piece);
+            if (floor && time) {
+                bars.add(method + "/" + piece + " / floor", *time / floor->measurement->lowest(),
+                         1.25);
+            }
+        });
+    }
+}
+
+void addPeers(Bars& bars) {
+    for (const std::string surface : kSurfaces) {
+        bars.addTimesFaster("curvature/" + surface + "/45000", "cgalLscm/" + surface + "/45000", 8);
+        bars.addTimesFaster("curvature/" + surface + "/500000", "cgalLscm/" + surface + "/500000",
+                            30);
+        const std::string piece = surface + "/45000";
+        bars.addTimesFaster("isometric/" + piece, "cgalArap/" + piece, 5);
+        const auto ours = bars.run().counter("isometric/" + piece, "energy");
+        const auto theirs = bars.run().counter("cgalArap/" + piece, "energy");
+        if (ours && theirs) {  // a peer with flipped triangles has no energy: infinite
+            bars.add("energy of isometric/" + piece + " / of cgalArap/" + piece, *ours / *theirs,
+                     1);
+        }
+    }
+}
+
+void addIsometric(Bars& bars) {
+    for (const std::string surface : kSurfaces) {
+        for (const std::string size : {"45000", "500000"}) {
+            bars.addRatio("isometric/" + surface + "/" + size, "curvature/" + surface + "/" + size,
+                          12);
+        }
+    }
+}
+
+/// Pairs such as "resolveDart/panel/45000/curvature" and "coldDart/panel/45000/curvature".
+void addResolve(Bars& bars) {
+    const std::string prefix = "resolve";
+    for (const auto& [name, measurement] : bars.run().all()) {
+        if (name.starts_with(prefix)) {
+            bars.addRatio(name, "cold" + name.substr(prefix.size()), 0.5);
+        }
+    }
+}
+
+void addFiles(Bars& bars) {
+    bars.addTimesFaster("garment/dress/threads-2", "garment/dress/threads-1", 1.7);
+    bars.addRatio("toileReader", "plainScan", 2);
+    bars.addRatio("toileReader", "openMeshReader", 1);
+    forEachPiece([&](const std::string& piece) {
+        bars.addRatio("buildPiece/" + piece, "curvature/" + piece, 1);
+    });
+    std::optional<double> all = 0;
+    for (const std::string format : {"obj", "svg", "dxf"}) {
+        const auto time = bars.run().lowest("write/panel/1000000/" + format);
+        all = all && time ? std::optional(*all + *time) : std::nullopt;
+    }
+    bars.add("write/panel/1000000, OBJ and SVG and DXF together", all, 2, false, "s");
+}
+
+void addMemory(Bars& bars) {
+    for (const std::string surface : kSurfaces) {
+        for (const auto& [method, most] : {std::pair{"curvature", 700.0}, {"isometric", 1228.8}}) {
+            const std::string name = "memory/" + surface + "/1000000/" + method;
+            bars.add(name, bars.run().counter(name, "peakMiB"), most, false, "MiB");
+        }
+    }
+}
+
+void addGrowth(Bars& bars) {
+    for (const std::string method : {"curvature", "wang2005", "isometric"}) {
+        for (const std::string surface : kSurfaces) {
+            bars.add("growth of " + method + " on " + surface + ", exponent",
+                     growthExponent(bars.run(), method, surface), 1.2);
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<double> growthExponent(const Measurements& run, const std::string& what,
+                                     const std::string& surface) {
+    const auto at = [&](const std::string& size) -> std::optional<std::pair<double, double>> {
+        const std::string piece = surface + "/" + size;
+        const Measurement* found = run.find(what + "/" + piece);
+        if (what == "floor") {
+            const auto floor = run.floorOf(piece);
+            found = floor ? floor->measurement : nullptr;
+        }
+        if (found == nullptr) {
+            return std::nullopt;
+        }
+        const auto triangles = found->counters.find("triangles");
+        return std::pair(triangles == found->counters.end() ? std::stod(size) : triangles->second,
+                         found->lowest());
+    };
+    const auto few = at("45000"), many = at("1000000");
+    if (!few || !many) {
+        return std::nullopt;
+    }
+    return std::log(many->second / few->second) / std::log(many->first / few->first);
+}
+
+std::vector<Bar> barsOf(const Measurements& run) {
+    Bars bars(run);
+    addFloor(bars);
+    addPeers(bars);
+    addIsometric(bars);
+    addResolve(bars);
+    addFiles(bars);
+    addMemory(bars);
+    addGrowth(bars);
+    return bars.take();
+}
+
+std::string line(const Bar& bar) {
+    const std::string unit = bar.unit.empty() ? "" : " " + bar.unit;
+    return bar.what + ": " + significant(bar.measured) + unit + ", at " +
+           (bar.atLeast ? "least " : "most ") + significant(bar.bound) + unit + ": " +
+           (bar.kept() ? "kept" : "NOT kept");
+}
+
+}  // namespace toile::bench

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Measures speed and writes docs/performance.md with its plot from what this one run measured.
+# Needs libbenchmark-dev; libcgal-dev for the peers. Leave the machine alone meanwhile.
+#
+#   tests/bench/run.sh            everything; about twelve minutes on two cores
+#   tests/bench/run.sh --quick    up to 45 000 triangles, without most peers
+#   tests/bench/run.sh --no-slow-peers   without the peers that take minutes
+# Further options go to Google Benchmark (--benchmark_filter=...). With any option the page goes into
+# build/bench/docs.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+docs=docs
+if (($# > 0)); then
+    docs=build/bench/docs # a part is no page to keep
+fi
+
+cmake --preset core -DTOILE_TESTS=OFF -DTOILE_BENCH=ON -B build/bench >/dev/null
+cmake --build build/bench --target toile_bench toile_bench_report --parallel "$(nproc)"
+mkdir -p "$docs/images"
+build/bench/tests/bench/toile_bench "$@" \
+    --benchmark_out=build/bench/run.json --benchmark_out_format=json
+build/bench/tests/bench/report/toile_bench_report build/bench/run.json "$docs"
