@@ -92,18 +92,22 @@ void InteriorSystem::number(WeightedEdges graph, int vertexCount,
             interior_.push_back(v);
         }
     }
-    diagonal_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(interior_.size()));
+}
+
+Eigen::VectorXd InteriorSystem::diagonal() const {
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(interior_.size()));
     for (int e = 0; e < graph_.edges.rows(); ++e) {
         for (const int v : {graph_.edges(e, 0), graph_.edges(e, 1)}) {
             if (interiorIndex_[v] >= 0) {
-                diagonal_[interiorIndex_[v]] += graph_.weights[e];
+                diagonal[interiorIndex_[v]] += graph_.weights[e];
             }
         }
     }
+    return diagonal;
 }
 
 Result<void> InteriorSystem::factorise(const Progress& progress) {
-    const SymmetricMatrix L = interiorLaplacian(graph_, interiorIndex_, diagonal_);
+    const SymmetricMatrix L = interiorLaplacian(graph_, interiorIndex_, diagonal());
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
@@ -139,6 +143,7 @@ Result<InteriorSystem> InteriorSystem::makeFrom(const InteriorSystem& before,
     if (!before.cholesky_) {
         return Error{ErrorCode::FactorisationFailed, "", "there is no factor to begin with"};
     }
+    system.diagonal_ = system.diagonal();
     if (!system.diagonal_.allFinite() || system.diagonal_.minCoeff() <= 0 ||
         system.diagonal_.maxCoeff() > kMostSpread * system.diagonal_.minCoeff()) {
         return Error{ErrorCode::FactorisationFailed, "", "the weights differ by too much"};

@@ -66,6 +66,7 @@ public:
 private:
     void number(WeightedEdges graph, int vertexCount, const std::vector<int>& boundary);
     Result<void> factorise(const Progress& progress);
+    Eigen::VectorXd diagonal() const;
     Result<Eigen::MatrixXd> solveUnknowns(const Eigen::MatrixXd& right, const Progress& progress);
     Eigen::MatrixXd solveEdited(const Eigen::MatrixXd& right) const;
     Eigen::MatrixXd residualOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& right) const;
@@ -76,7 +77,7 @@ private:
     std::vector<int> boundary_;
     std::vector<int> interior_;                 ///< vertex of each unknown
     std::vector<int> interiorIndex_;            ///< unknown of each vertex, -1 on the boundary
-    Eigen::VectorXd diagonal_;                  ///< of the matrix
+    Eigen::VectorXd diagonal_;                  ///< of the matrix, of an edited system only
     std::shared_ptr<SparseCholesky> cholesky_;  ///< null where `edited_` takes its place
     std::shared_ptr<const EditedCholesky> edited_;
     std::vector<int> editedRow_;  ///< of each unknown, in the edited system
