@@ -3,6 +3,9 @@
 
 #include <cctype>
 
+/// Marks what a window translates: its collector of texts looks for this. Says the text as it is.
+#define TR(text) text
+
 namespace toile {
 namespace {
 
@@ -16,146 +19,170 @@ struct Words {
 Words wordsOf(ErrorCode code) {
     switch (code) {
         case ErrorCode::FileUnreadable:
-            return {"file-unreadable", "the file cannot be read", "Check its name and permissions"};
+            return {"file-unreadable", TR("the file cannot be read"),
+                    TR("Check its name and permissions")};
         case ErrorCode::FileUnwritable:
-            return {"file-unwritable", "the file cannot be written",
-                    "Check that the folder exists, is writable and has room"};
+            return {"file-unwritable", TR("the file cannot be written"),
+                    TR("Check that the folder exists, is writable and has room")};
         case ErrorCode::UnknownFormat:
-            return {"unknown-format", "the file's ending names no format Toile knows",
-                    "Read .obj, .off, .ply or .stl; write .svg, .dxf, .obj or .json"};
+            return {"unknown-format", TR("the file's ending names no format Toile knows"),
+                    TR("Read .obj, .off, .ply or .stl; write .svg, .dxf, .obj or .json")};
         case ErrorCode::MalformedFile:
-            return {"malformed-file", "the file breaks the rules of its format",
-                    "Export it again from the program it came from"};
+            return {"malformed-file", TR("the file breaks the rules of its format"),
+                    TR("Export it again from the program it came from")};
         case ErrorCode::NoGeometry:
-            return {"no-geometry", "the file holds no faces",
-                    "Export the garment as a mesh with faces"};
+            return {"no-geometry", TR("the file holds no faces"),
+                    TR("Export the garment as a mesh with faces")};
+        case ErrorCode::MalformedProject:
+            return {"malformed-project", TR("the project file breaks the rules of its format"),
+                    TR("Open an older copy of it, or mend the place named with a text editor")};
+        case ErrorCode::NewerProject:
+            return {"newer-project", TR("the project was saved by a newer version of Toile"),
+                    TR("Open it with that version")};
         case ErrorCode::UnitGuessed:
-            return {"unit-guessed", "the file states no unit and its size leaves doubt",
-                    "State the unit if the size is wrong", true};
+            return {"unit-guessed", TR("the file states no unit and its size leaves doubt"),
+                    TR("State the unit if the size is wrong"), true};
         case ErrorCode::IndexOutOfRange:
-            return {"index-out-of-range", "faces name vertices that the file does not have",
-                    "They are left out; export the file again if something is missing", true};
+            return {"index-out-of-range", TR("faces name vertices that the file does not have"),
+                    TR("They are left out; export the file again if something is missing"), true};
         case ErrorCode::NonFinitePosition:
-            return {"non-finite-position", "positions are not finite numbers",
-                    "Faces on them are left out; export the file again if something is missing",
+            return {"non-finite-position", TR("positions are not finite numbers"),
+                    TR("Faces on them are left out; export the file again if something is missing"),
                     true};
         case ErrorCode::DegenerateFaceRecord:
-            return {"degenerate-face-record", "faces have fewer than three different corners",
-                    "They are left out", true};
+            return {"degenerate-face-record", TR("faces have fewer than three different corners"),
+                    TR("They are left out"), true};
         case ErrorCode::PolygonNotSimple:
-            return {"polygon-not-simple", "polygons could not be divided by their shape",
-                    "They are divided as a fan, which may fold over; triangulate them in the "
-                    "modelling program",
+            return {"polygon-not-simple", TR("polygons could not be divided by their shape"),
+                    TR("They are divided as a fan, which may fold over; triangulate them in the "
+                       "modelling program"),
                     true};
         case ErrorCode::UnusedVertices:
-            return {"unused-vertices", "vertices belong to no face", "", true};
+            return {"unused-vertices", TR("vertices belong to no face"), "", true};
         case ErrorCode::OutputDiffers:
-            return {"output-differs", "a mesh written from this file differs from it", "", true};
+            return {"output-differs", TR("a mesh written from this file differs from it"), "",
+                    true};
+        case ErrorCode::UnknownKey:
+            return {"unknown-key", TR("the file says things that this Toile does not know"),
+                    TR("They are gone once the project is saved here"), true};
+        case ErrorCode::FileChanged:
+            return {"file-changed", TR("the file is not as it was when the project was saved"),
+                    TR("Cuts, ease and places are kept; look whether they still fit"), true};
+        case ErrorCode::PieceGone:
+            return {"piece-gone", TR("the garment has no piece of this name any more"),
+                    TR("What the project says of it is left out"), true};
         case ErrorCode::EdgesCollapsed:
-            return {"edges-collapsed", "edges have no length", "Their two ends are made one vertex",
-                    true};
+            return {"edges-collapsed", TR("edges have no length"),
+                    TR("Their two ends are made one vertex"), true};
         case ErrorCode::FlatFacesRemoved:
-            return {"flat-faces-removed", "triangles have no area",
-                    "They are removed so that no hole opens", true};
+            return {"flat-faces-removed", TR("triangles have no area"),
+                    TR("They are removed so that no hole opens"), true};
         case ErrorCode::DuplicateFacesRemoved:
-            return {"duplicate-faces-removed", "faces lie twice on the same vertices",
-                    "One of each is kept", true};
+            return {"duplicate-faces-removed", TR("faces lie twice on the same vertices"),
+                    TR("One of each is kept"), true};
         case ErrorCode::WindingsTurned:
-            return {"windings-turned", "faces look to the other side than their neighbours",
-                    "They are turned over to agree with the larger area", true};
+            return {"windings-turned", TR("faces look to the other side than their neighbours"),
+                    TR("They are turned over to agree with the larger area"), true};
         case ErrorCode::EdgesCutApart:
-            return {"edges-cut-apart", "edges are shared by more than two faces",
-                    "The faces that continue each other best stay joined; the others are cut free",
-                    true};
+            return {
+                "edges-cut-apart", TR("edges are shared by more than two faces"),
+                TR("The faces that continue each other best stay joined; the others are cut free"),
+                true};
         case ErrorCode::VerticesSplit:
-            return {"vertices-split", "parts of the surface touch in a single vertex",
-                    "Each part gets a vertex of its own", true};
+            return {"vertices-split", TR("parts of the surface touch in a single vertex"),
+                    TR("Each part gets a vertex of its own"), true};
         case ErrorCode::VerticesAdded:
-            return {"vertices-added", "different edges of the surface join the same two vertices",
-                    "All but one of them get a vertex in their middle", true};
+            return {"vertices-added",
+                    TR("different edges of the surface join the same two vertices"),
+                    TR("All but one of them get a vertex in their middle"), true};
         case ErrorCode::VerticesWelded:
-            return {"vertices-welded", "vertices lie on each other without being joined",
-                    "They are made one", true};
+            return {"vertices-welded", TR("vertices lie on each other without being joined"),
+                    TR("They are made one"), true};
         case ErrorCode::HolesKept:
-            return {"holes-kept", "holes in the cloth stay open inside the outline",
-                    "The lengths of their rims are measured, not kept", true};
+            return {"holes-kept", TR("holes in the cloth stay open inside the outline"),
+                    TR("The lengths of their rims are measured, not kept"), true};
         case ErrorCode::OutlineCrosses:
-            return {"outline-crosses", "the flat outline crosses itself",
-                    "Divide the piece by a cut before it is cut out of cloth", true};
+            return {"outline-crosses", TR("the flat outline crosses itself"),
+                    TR("Divide the piece by a cut before it is cut out of cloth"), true};
         case ErrorCode::OutlineUncrossed:
             return {"outline-uncrossed",
-                    "the flat outline crossed itself and was moved apart, keeping its lengths", "",
-                    true};
+                    TR("the flat outline crossed itself and was moved apart, keeping its lengths"),
+                    "", true};
         case ErrorCode::DegenerateTriangles:
-            return {"degenerate-triangles", "triangles have almost no height",
-                    "The pattern may be uneven next to them; merge doubled vertices or remove the "
-                    "slivers in the modelling program",
-                    true};
+            return {
+                "degenerate-triangles", TR("triangles have almost no height"),
+                TR("The pattern may be uneven next to them; merge doubled vertices or remove the "
+                   "slivers in the modelling program"),
+                true};
         case ErrorCode::AnglesOutOfRange:
             return {"angles-out-of-range",
-                    "the surface's curvature asks for corners that no flat outline has",
-                    "Cut the piece where it curves most if the pattern looks folded there", true};
+                    TR("the surface's curvature asks for corners that no flat outline has"),
+                    TR("Cut the piece where it curves most if the pattern looks folded there"),
+                    true};
         case ErrorCode::EndedEarly:
-            return {"ended-early", "the method ended before it reached its goal",
-                    "The pattern can be used as it is; look for slivers in the piece, or cut it "
-                    "where it curves most",
+            return {"ended-early", TR("the method ended before it reached its goal"),
+                    TR("The pattern can be used as it is; look for slivers in the piece, or cut it "
+                       "where it curves most"),
                     true};
         case ErrorCode::ClosedSurface:
-            return {"closed-surface", "the piece is closed and has no outline",
-                    "Cut it open along a seam, or let Toile do it (--auto-cut)"};
+            return {"closed-surface", TR("the piece is closed and has no outline"),
+                    TR("Cut it open along a seam, or let Toile do it (--auto-cut)")};
         case ErrorCode::SeveralLoops:
-            return {"several-loops", "the piece has several boundary loops",
-                    "Cut it from loop to loop, or let Toile do it (--auto-cut)"};
+            return {"several-loops", TR("the piece has several boundary loops"),
+                    TR("Cut it from loop to loop, or let Toile do it (--auto-cut)")};
         case ErrorCode::Handle:
-            return {"handle", "the piece has a handle, like a ring or a cup",
-                    "Cut the handle open along a seam, or let Toile do it (--auto-cut)"};
+            return {"handle", TR("the piece has a handle, like a ring or a cup"),
+                    TR("Cut the handle open along a seam, or let Toile do it (--auto-cut)")};
         case ErrorCode::NonManifoldEdge:
-            return {"non-manifold-edge", "edges are shared by more than two faces",
-                    "Separate the layers that meet there"};
+            return {"non-manifold-edge", TR("edges are shared by more than two faces"),
+                    TR("Separate the layers that meet there")};
         case ErrorCode::NonManifoldVertex:
-            return {"non-manifold-vertex", "parts of the piece touch in a single vertex",
-                    "Separate the parts, or join them along an edge"};
+            return {"non-manifold-vertex", TR("parts of the piece touch in a single vertex"),
+                    TR("Separate the parts, or join them along an edge")};
         case ErrorCode::OpposedWinding:
-            return {"opposed-winding", "neighbouring faces look to opposite sides",
-                    "Make the normals consistent in the modelling program"};
+            return {"opposed-winding", TR("neighbouring faces look to opposite sides"),
+                    TR("Make the normals consistent in the modelling program")};
         case ErrorCode::NotOrientable:
-            return {"not-orientable", "the piece has one side only, like a Moebius strip",
-                    "Cut it across"};
+            return {"not-orientable", TR("the piece has one side only, like a Moebius strip"),
+                    TR("Cut it across")};
         case ErrorCode::DuplicateFace:
-            return {"duplicate-face", "faces lie twice on the same vertices",
-                    "Remove the doubled faces in the modelling program"};
+            return {"duplicate-face", TR("faces lie twice on the same vertices"),
+                    TR("Remove the doubled faces in the modelling program")};
         case ErrorCode::DegenerateFace:
-            return {"degenerate-face", "triangles have no area",
-                    "Merge doubled vertices or remove the slivers in the modelling program"};
+            return {"degenerate-face", TR("triangles have no area"),
+                    TR("Merge doubled vertices or remove the slivers in the modelling program")};
         case ErrorCode::ZeroLengthEdge:
-            return {"zero-length-edge", "boundary edges have no length",
-                    "Merge the doubled vertices in the modelling program"};
+            return {"zero-length-edge", TR("boundary edges have no length"),
+                    TR("Merge the doubled vertices in the modelling program")};
         case ErrorCode::CutImpossible:
-            return {"cut-impossible", "the cut cannot be made",
-                    "Move its points, or mend the piece first"};
+            return {"cut-impossible", TR("the cut cannot be made"),
+                    TR("Move its points, or mend the piece first")};
+        case ErrorCode::JoinImpossible:
+            return {"join-impossible", TR("the seam cannot be taken out"),
+                    TR("Leave it, or join the parts in the modelling program")};
         case ErrorCode::NoSuchSeam:
-            return {"no-such-seam", "the garment has no seam of this name",
-                    "See the names with \"toile info\""};
+            return {"no-such-seam", TR("the garment has no seam of this name"),
+                    TR("See the names with \"toile info\"")};
         case ErrorCode::NoClosedOutline:
             return {"no-closed-outline",
-                    "one boundary edge is as long as all the others together, so that no flat "
-                    "outline has these lengths",
-                    "Refine the boundary or move the seam"};
+                    TR("one boundary edge is as long as all the others together, so that no flat "
+                       "outline has these lengths"),
+                    TR("Refine the boundary or move the seam")};
         case ErrorCode::BoundaryNotConverged:
             return {"boundary-not-converged",
-                    "no closed outline near the surface's angles was found",
-                    "Cut the piece where it curves most, or choose the other boundary solver"};
+                    TR("no closed outline near the surface's angles was found"),
+                    TR("Cut the piece where it curves most, or choose the other boundary solver")};
         case ErrorCode::FactorisationFailed:
-            return {"factorisation-failed", "the interior's equations could not be solved",
-                    "Look for slivers and extreme differences of edge length in the piece"};
+            return {"factorisation-failed", TR("the interior's equations could not be solved"),
+                    TR("Look for slivers and extreme differences of edge length in the piece")};
         case ErrorCode::NotFinite:
-            return {"not-finite", "the result is not a finite number",
-                    "Look for extreme coordinates in the piece"};
+            return {"not-finite", TR("the result is not a finite number"),
+                    TR("Look for extreme coordinates in the piece")};
         case ErrorCode::OutOfMemory:
-            return {"out-of-memory", "there is not enough memory",
-                    "Close other programs, or flatten fewer or coarser pieces at a time"};
+            return {"out-of-memory", TR("there is not enough memory"),
+                    TR("Close other programs, or flatten fewer or coarser pieces at a time")};
         case ErrorCode::Cancelled:
-            return {"cancelled", "cancelled", ""};
+            return {"cancelled", TR("cancelled"), ""};
     }
     return {"unknown", "unknown error", ""};  // unreachable: the switch has every code
 }

@@ -16,6 +16,8 @@ enum class ErrorCode {
     UnknownFormat,
     MalformedFile,
     NoGeometry,
+    MalformedProject,
+    NewerProject,
     // Reading: the file is taken in, with a note
     UnitGuessed,
     IndexOutOfRange,
@@ -24,6 +26,9 @@ enum class ErrorCode {
     PolygonNotSimple,
     UnusedVertices,
     OutputDiffers,
+    UnknownKey,
+    FileChanged,
+    PieceGone,
     // Repairs: the mesh is put right, with a note
     EdgesCollapsed,
     FlatFacesRemoved,
@@ -52,6 +57,7 @@ enum class ErrorCode {
     DegenerateFace,
     ZeroLengthEdge,
     CutImpossible,
+    JoinImpossible,
     NoSuchSeam,
     // Solving
     NoClosedOutline,

@@ -6,6 +6,14 @@
 #include <random>
 #include <system_error>
 
+#ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
+#else
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
 namespace toile {
 namespace fs = std::filesystem;
 
@@ -30,6 +38,25 @@ Result<void> writeInPlace(const fs::path& path, std::string_view bytes) {
         return Error{ErrorCode::FileUnwritable, path.string(), "writing stopped half-way"};
     }
     return {};
+}
+
+/// Waits until the disk has the bytes: a rename may reach it before them otherwise, and a power cut
+/// would leave an empty file in the old one's place. Where the system cannot, nothing is lost but
+/// that.
+void flushToDisk(const fs::path& path) {
+#ifdef _WIN32
+    const int file = ::_wopen(path.c_str(), _O_RDWR | _O_BINARY);
+    if (file >= 0) {
+        (void)::_commit(file);
+        (void)::_close(file);
+    }
+#else
+    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file >= 0) {
+        (void)::fsync(file);
+        (void)::close(file);
+    }
+#endif
 }
 
 }  // namespace
@@ -84,6 +111,7 @@ Result<void> writeFile(const fs::path& wanted, std::string_view bytes) {
         fs::remove(part, failed);
         return Error{ErrorCode::FileUnwritable, wanted.string(), written.error().detail};
     }
+    flushToDisk(part);
     if (fs::exists(before)) {
         fs::permissions(part, before.permissions(), failed);
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/seam/seam_measure.h"
 
@@ -40,22 +41,30 @@ void takeLargest(std::optional<double>& largest, double value) {
     largest = std::max(largest.value_or(value), value);
 }
 
+/// How far the two flat sides are from fitting, the ease taken out; nothing where there are not
+/// two.
+/// @param results  null where a piece was not flattened
+std::optional<double> mismatchOf(const Seam& seam, const PieceResults& results) {
+    if (seam.kind == SeamKind::Free) {
+        return std::nullopt;
+    }
+    const PieceResult* left = results[seam.left.piece].get();
+    const PieceResult* right = results[seam.right.piece].get();
+    if (!left || !right || !left->flat || !right->flat) {
+        return std::nullopt;
+    }
+    return std::abs(
+        measureSeam(seam, *left->piece, left->flat->Q, *right->piece, right->flat->Q).errorMm);
+}
+
 /// Notes the mismatch of every seam at the garment and at the pieces that it joins.
 void measureSeams(const Garment& garment, ComparedMethod& method) {
     for (const Seam& seam : garment.seams.seams) {
-        if (seam.kind == SeamKind::Free) {
-            continue;
+        if (const auto mismatch = mismatchOf(seam, method.results)) {
+            takeLargest(method.figures.seamMismatch, *mismatch);
+            takeLargest(method.pieceFigures[seam.left.piece].seamMismatch, *mismatch);
+            takeLargest(method.pieceFigures[seam.right.piece].seamMismatch, *mismatch);
         }
-        const PieceResult& left = *method.results[seam.left.piece];
-        const PieceResult& right = *method.results[seam.right.piece];
-        if (!left.flat || !right.flat) {
-            continue;
-        }
-        const double mismatch = std::abs(
-            measureSeam(seam, *left.piece, left.flat->Q, *right.piece, right.flat->Q).errorMm);
-        takeLargest(method.figures.seamMismatch, mismatch);
-        takeLargest(method.pieceFigures[seam.left.piece].seamMismatch, mismatch);
-        takeLargest(method.pieceFigures[seam.right.piece].seamMismatch, mismatch);
     }
 }
 
@@ -137,6 +146,30 @@ ComparedMethod compared(Method method, const Garment& garment, PieceResults resu
     aggregate(made);
     measureSeams(garment, made);
     return made;
+}
+
+ComparedFigures comparedPiece(const Garment& garment, const PieceResults& results, int piece) {
+    ComparedFigures figures = figuresOf(*results[static_cast<std::size_t>(piece)]);
+    for (const Seam& seam : garment.seams.seams) {
+        if (seam.left.piece == piece || seam.right.piece == piece) {
+            if (const auto mismatch = mismatchOf(seam, results)) {
+                takeLargest(figures.seamMismatch, *mismatch);
+            }
+        }
+    }
+    return figures;
+}
+
+std::vector<int> sewnTo(const Garment& garment, int piece) {
+    std::set<int> others;
+    for (const Seam& seam : garment.seams.seams) {
+        if (seam.kind != SeamKind::Free &&
+            (seam.left.piece == piece || seam.right.piece == piece)) {
+            others.insert({seam.left.piece, seam.right.piece});
+        }
+    }
+    others.erase(piece);
+    return {others.begin(), others.end()};
 }
 
 std::optional<NearerMethods> nearerThanLengthKeeping(const Comparison& comparison) {

@@ -50,6 +50,16 @@ struct Comparison {
 /// Cost: that of measuring every seam once. Pure.
 ComparedMethod compared(Method method, const Garment& garment, PieceResults results);
 
+/// One of `ComparedMethod::pieceFigures`, for whom the rest of the garment is of no interest.
+/// @param results  one per piece of the garment, null where it was not flattened; that of `piece`
+///                 is there. Seams to a piece that is not flat are left out
+/// Cost: that of measuring the piece's seams once. Pure.
+ComparedFigures comparedPiece(const Garment& garment, const PieceResults& results, int piece);
+
+/// The other pieces that share a seam with this one, ascending: what it takes, besides the piece
+/// itself, to know its seams. Cost: negligible. Pure.
+std::vector<int> sewnTo(const Garment& garment, int piece);
+
 /// Methods with a free outline that come nearer to the designer's panels than every method that
 /// keeps seam lengths, and the nearest of those. Only methods that made every panel flat which any
 /// method did are looked at. Indices into `methods`.

@@ -15,6 +15,7 @@
 #include "core/cut/edge_path.h"
 #include "core/cut/shorten_cut.h"
 #include "core/mesh/disk_check.h"
+#include "core/mesh/face_normal.h"
 
 namespace toile {
 namespace {
@@ -31,15 +32,11 @@ double foldAngle(const SurfaceLinks& links, int edge) {
     if (table.useStart[edge + 1] - table.useStart[edge] != 2) {
         return 0;
     }
-    const auto normal = [&](int face) {
-        const MeshArrays& mesh = links.mesh();
-        const Eigen::Vector3d a = mesh.V.row(mesh.F(face, 0));
-        const Eigen::Vector3d b = mesh.V.row(mesh.F(face, 1));
-        const Eigen::Vector3d c = mesh.V.row(mesh.F(face, 2));
-        return Eigen::Vector3d((b - a).cross(c - a));
+    const auto normal = [&](int use) -> Eigen::Vector3d {
+        return doubleAreaNormal(links.mesh(), table.use[use] / 3);
     };
-    const Eigen::Vector3d m = normal(table.use[table.useStart[edge]] / 3);
-    const Eigen::Vector3d n = normal(table.use[table.useStart[edge] + 1] / 3);
+    const Eigen::Vector3d m = normal(table.useStart[edge]);
+    const Eigen::Vector3d n = normal(table.useStart[edge] + 1);
     return std::atan2(m.cross(n).norm(), m.dot(n));
 }
 

@@ -17,6 +17,9 @@ namespace {
 constexpr int kFewFaces = 20000;
 constexpr int kPointsOnEdgeOfFew = 3;
 
+/// Nodes between two looks at whether the search is still wanted: well below a millisecond.
+constexpr int kNodesPerPoll = 1024;
+
 /// The graph: vertices, then points on edges, then start and goal. Arcs run straight across one
 /// triangle, or along its side.
 class SteinerGraph {
@@ -33,9 +36,12 @@ public:
           parent_(start_ + 2, -1),
           isDone_(start_ + 2, 0) {}
 
-    bool search() {
+    bool search(const Progress& progress) {
         reach(start_, -1, 0, positionOf(links_.mesh(), from_));
-        while (!open_.empty()) {
+        for (int count = 0; !open_.empty(); ++count) {
+            if (count % kNodesPerPoll == 0 && progress.isCancelled()) {
+                return false;
+            }
             const int node = open_.top().second;
             open_.pop();
             if (node == start_ + 1) {
@@ -133,7 +139,7 @@ private:
 }  // namespace
 
 Result<PathPolyline> geodesicPath(const SurfaceLinks& links, const SurfacePoint& from,
-                                  const SurfacePoint& to) {
+                                  const SurfacePoint& to, const Progress& progress) {
     const int common = links.commonFace(from, to);
     if (common >= 0) {
         PathPolyline path{{*links.seenFrom(common, from), *links.seenFrom(common, to)}, 0};
@@ -141,7 +147,10 @@ Result<PathPolyline> geodesicPath(const SurfaceLinks& links, const SurfacePoint&
         return path;
     }
     SteinerGraph graph(links, from, to);
-    if (!graph.search()) {
+    if (!graph.search(progress)) {
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled, "", ""};
+        }
         return cutError("", "the points lie on parts that are not connected");
     }
     return straightened(links, graph.path());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/cut/surface_links.h"
 
@@ -11,10 +12,11 @@ namespace toile {
 /// tight (see straightened). Locally shortest, and never longer than the way along edges; that no
 /// other way is shorter is likely, not promised. May run along a rim.
 /// @return  points from `from` to `to`; a single one twice where both are the same
-/// @errors  a cut error where the points are not connected
+/// @param progress  polled while the graph is searched, nothing is reported
+/// @errors  a cut error where the points are not connected; Cancelled
 /// Cost: O(n log n) in the triangles nearer to `from` than the way is long. Re-entrant.
 Result<PathPolyline> geodesicPath(const SurfaceLinks& links, const SurfacePoint& from,
-                                  const SurfacePoint& to);
+                                  const SurfacePoint& to, const Progress& progress = Progress());
 
 /// One path.
 Result<PathPolyline> geodesicPath(const MeshArrays& mesh, const EdgeTable& table,

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/base/json_depth.h"
+#include "core/cut/ease_limit.h"
 
 namespace toile {
 namespace {
@@ -30,14 +32,14 @@ public:
         if (!json.is_object()) {
             return fail("the file is no JSON object");
         }
-        if (!onlyFields(json, {"version", "unit", "cuts", "ease"}, "the file")) {
+        if (!onlyFields(json, {"version", "unit", "cuts", "joins", "ease"}, "the file")) {
             return false;
         }
         const auto version = json.find("version");
         if (version == json.end() || *version != kVersion) {
             return fail("\"version\" must be 1");
         }
-        return unit(json) && cuts(json) && ease(json);
+        return unit(json) && cuts(json) && joins(json) && ease(json);
     }
 
 private:
@@ -91,11 +93,8 @@ private:
         if (!onlyFields(json, {"name", "kind", "along", "points"}, cut.name)) {
             return false;
         }
-        if (const auto given = json.find("name"); given != json.end()) {
-            if (!given->is_string() || given->get<std::string>().empty()) {
-                return fail(cut.name + ": \"name\" must be a text");
-            }
-            cut.name = given->get<std::string>();
+        if (!named(json, cut.name)) {
+            return false;
         }
         if (const auto kind = json.find("kind"); kind != json.end()) {
             const auto known = std::ranges::find_if(
@@ -111,28 +110,65 @@ private:
             }
             cut.alongEdges = *along == "edges";
         }
-        const auto points = json.find("points");
-        if (points == json.end() || !points->is_array()) {
-            return fail(cut.name + ": \"points\" must be a list");
-        }
-        for (const Json& entry : *points) {
-            if (!point(entry, cut)) {
-                return false;
-            }
+        if (!points(json, cut.name, cut.points)) {
+            return false;
         }
         file_.cuts.push_back(std::move(cut));
         return true;
     }
 
-    bool point(const Json& json, UserCut& cut) {
-        const bool three = json.is_array() && json.size() == 3 &&
-                           std::ranges::all_of(json, [](const Json& x) { return x.is_number(); });
-        if (!three) {
-            return fail(cut.name + ": point " + std::to_string(cut.points.size() + 1) +
-                        " must be three numbers");
+    bool joins(const Json& json) {
+        const auto joins = json.find("joins");
+        if (joins == json.end()) {
+            return true;
         }
-        cut.points.emplace_back(json[0].get<double>(), json[1].get<double>(),
-                                json[2].get<double>());
+        if (!joins->is_array()) {
+            return fail("\"joins\" must be a list");
+        }
+        for (const Json& entry : *joins) {
+            UserJoin join;
+            join.name = "join " + std::to_string(file_.joins.size() + 1);
+            if (!entry.is_object()) {
+                return fail(join.name + " is no object");
+            }
+            if (!onlyFields(entry, {"name", "points"}, join.name) || !named(entry, join.name) ||
+                !points(entry, join.name, join.points)) {
+                return false;
+            }
+            file_.joins.push_back(std::move(join));
+        }
+        return true;
+    }
+
+    /// Takes an entry's name where it has one.
+    bool named(const Json& json, std::string& name) {
+        const auto given = json.find("name");
+        if (given == json.end()) {
+            return true;
+        }
+        if (!given->is_string() || given->get<std::string>().empty()) {
+            return fail(name + ": \"name\" must be a text");
+        }
+        name = given->get<std::string>();
+        return true;
+    }
+
+    bool points(const Json& json, const std::string& name, std::vector<Eigen::Vector3d>& out) {
+        const auto points = json.find("points");
+        if (points == json.end() || !points->is_array()) {
+            return fail(name + ": \"points\" must be a list");
+        }
+        for (const Json& point : *points) {
+            const bool three =
+                point.is_array() && point.size() == 3 &&
+                std::ranges::all_of(point, [](const Json& x) { return x.is_number(); });
+            if (!three) {
+                return fail(name + ": point " + std::to_string(out.size() + 1) +
+                            " must be three numbers");
+            }
+            out.emplace_back(point[0].get<double>(), point[1].get<double>(),
+                             point[2].get<double>());
+        }
         return true;
     }
 
@@ -146,9 +182,10 @@ private:
         }
         for (const auto& [seam, percent] : ease->items()) {
             const bool usable = percent.is_number() && percent.get<double>() > -kPercent &&
-                                std::isfinite(percent.get<double>());
+                                percent.get<double>() <= kPercent * kMostEase;
             if (!usable) {
-                return fail("the ease of \"" + seam + "\" must be a number above -100");
+                return fail("the ease of \"" + seam +
+                            "\" must be a number above -100, 1000 at most");
             }
             file_.ease[seam] = percent.get<double>() / kPercent;
         }
@@ -159,10 +196,21 @@ private:
     std::string fault_;
 };
 
+Json pointsJson(const std::vector<Eigen::Vector3d>& points) {
+    Json list = Json::array();
+    for (const Eigen::Vector3d& point : points) {
+        list.push_back({point.x(), point.y(), point.z()});
+    }
+    return list;
+}
+
 }  // namespace
 
 Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name) {
     SeamsFile file;
+    if (jsonDepth(text) > kMostJsonDepth) {
+        return Error{ErrorCode::MalformedFile, name, "its lists lie too deep in each other"};
+    }
     try {
         Parser parser(file);
         if (!parser.run(Json::parse(text))) {
@@ -192,14 +240,13 @@ std::string writeSeamsFile(const SeamsFile& file) {
     }
     json["cuts"] = Json::array();
     for (const UserCut& cut : file.cuts) {
-        Json points = Json::array();
-        for (const Eigen::Vector3d& point : cut.points) {
-            points.push_back({point.x(), point.y(), point.z()});
-        }
         json["cuts"].push_back({{"name", cut.name},
                                 {"kind", std::string(name(cut.kind))},
                                 {"along", cut.alongEdges ? "edges" : "surface"},
-                                {"points", std::move(points)}});
+                                {"points", pointsJson(cut.points)}});
+    }
+    for (const UserJoin& join : file.joins) {
+        json["joins"].push_back({{"name", join.name}, {"points", pointsJson(join.points)}});
     }
     if (!file.ease.empty()) {
         for (const auto& [seam, ease] : file.ease) {

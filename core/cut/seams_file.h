@@ -11,23 +11,26 @@
 #include "core/base/length_unit.h"
 #include "core/base/result.h"
 #include "core/cut/user_cuts.h"
+#include "core/cut/user_join.h"
 
 namespace toile {
 
-/// What a seams file orders: cuts of the user's, and how much ease seams are meant to have. The
-/// format is described in docs/seams.md.
+/// What a seams file orders: seams taken out, cuts of the user's, and how much ease seams are meant
+/// to have. The format is described in docs/seams.md.
 struct SeamsFile {
-    /// Of the cuts' points; without one they are in the unit of the garment's own file.
+    /// Of all points; without one they are in the unit of the garment's own file.
     std::optional<LengthUnit> unit;
-    std::vector<UserCut> cuts;  ///< points as written, in the axes of the garment's file
+    std::vector<UserCut> cuts;      ///< points as written, in the axes of the garment's file
+    std::vector<UserJoin> joins{};  ///< likewise; made before the cuts
     /// By the seam's name: intended extra length of its left side, as a part of the right (0.1 = 10
     /// %; the file has percent).
     std::map<std::string, double> ease;
 
-    bool empty() const { return cuts.empty() && ease.empty(); }
+    bool empty() const { return cuts.empty() && joins.empty() && ease.empty(); }
+    bool operator==(const SeamsFile&) const = default;
 };
 
-/// Errors: FileUnreadable; MalformedFile, naming the cut and what is wrong with it. Linear.
+/// Errors: FileUnreadable; MalformedFile, naming the entry and what is wrong with it. Linear.
 Result<SeamsFile> readSeamsFile(const std::filesystem::path& path);
 /// The same for a text in memory. `name` is used in messages only.
 Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name);

@@ -7,6 +7,7 @@
 #include "core/cut/cut_error.h"
 #include "core/cut/edge_path.h"
 #include "core/cut/geodesic.h"
+#include "core/mesh/segment.h"
 
 namespace toile {
 namespace {
@@ -41,7 +42,7 @@ SurfacePoint nearestOnRim(const SurfaceLinks& links, const Eigen::Vector3d& p, d
         }
         const Eigen::Vector3d a = links.mesh().V.row(links.tail(use));
         const Eigen::Vector3d b = links.mesh().V.row(links.head(use));
-        const double t = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+        const double t = nearestShare(p, a, b);
         const double d = (a + t * (b - a) - p).norm();
         if (d < distance) {
             distance = d;

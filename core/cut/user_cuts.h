@@ -24,6 +24,8 @@ struct UserCut {
     Kind kind = Kind::Path;
     std::vector<Eigen::Vector3d> points;  ///< mm
     bool alongEdges = false;              ///< between the nearest vertices, along edges
+
+    bool operator==(const UserCut&) const = default;
 };
 
 /// The cut's curve on the surface. An end of a path that lies within a tenth of a triangle from the

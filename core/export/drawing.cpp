@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/export/grain_line.h"
 #include "core/export/label.h"
 #include "core/export/seam_marks.h"
 
@@ -15,6 +17,7 @@ constexpr double kCheckGap = 20;    // mm, between the pieces and the check squa
 constexpr double kCheckSide = 100;  // mm
 constexpr double kCheckTextHeight = 3.5;
 constexpr const char* kAllowanceNote = "net outline, no allowance";
+constexpr const char* kMirroredNote = "mirrored: wrong side of the fabric up";
 constexpr const char* kCheckText = "check square 100 mm x 100 mm";
 
 /// Keeps a text on the page: a tiny piece may be narrower than its own name.
@@ -28,18 +31,45 @@ void keepOnPage(DrawnText& text, const Drawing& drawing) {
     text.position.y() = keep(text.position.y(), below, drawing.height - 0.5 * text.height);
 }
 
+void addGrainLine(Drawing& drawing, const PatternPiece& piece, const Points2& outline,
+                  const DrawnText& name) {
+    const Eigen::Vector2d size = textExtent(name.lines, name.height);
+    const Eigen::Vector2d top = name.position + Eigen::Vector2d(0, 0.5 * name.height);
+    const Eigen::AlignedBox2d words(Eigen::Vector2d(top.x() - 0.5 * size.x(), top.y() - size.y()),
+                                    Eigen::Vector2d(top.x() + 0.5 * size.x(), top.y()));
+    auto line = grainLine(outline, *piece.grain, words);
+    if (!line) {
+        line = grainLine(outline, *piece.grain, {});  // no room beside the name: through it
+    }
+    if (line) {
+        drawing.paths.push_back(
+            {"piece-" + piece.id + "--grain", LayerKind::Grain, arrowPath(*line), false});
+    }
+}
+
 void addPiece(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d& offset) {
     if (piece.outline.rows() == 0) {
         return;
     }
     DrawnPath path{"piece-" + piece.id + "-cut", LayerKind::Cut, piece.outline};
     path.points.rowwise() += offset.transpose();
-    std::vector<std::string> lines{piece.name, kAllowanceNote};
+    std::vector<std::string> lines{piece.name};
+    if (std::string note = cuttingNote(piece.quantity, piece.mirroredPair); !note.empty()) {
+        lines.push_back(std::move(note));
+    }
+    lines.emplace_back(kAllowanceNote);
+    if (piece.mirrored) {
+        lines.push_back(kMirroredNote);
+    }
     const LabelPlace place = placeLabel(path.points, lines);
     DrawnText text{"piece-" + piece.id + "-name", LayerKind::Text, place.position, place.height,
                    std::move(lines)};
     keepOnPage(text, drawing);
+    const Points2 outline = path.points;
     drawing.paths.push_back(std::move(path));
+    if (piece.grain) {
+        addGrainLine(drawing, piece, outline, text);
+    }
     drawing.texts.push_back(std::move(text));
     for (std::size_t k = 0; k < piece.holes.size(); ++k) {
         DrawnPath hole{"piece-" + piece.id + "--hole-" + std::to_string(k + 1), LayerKind::Cut,
@@ -61,6 +91,12 @@ void addCheckSquare(Drawing& drawing, const Eigen::Vector2d& corner) {
 }
 
 }  // namespace
+
+bool hasLayer(const Drawing& drawing, LayerKind kind) {
+    return kind != LayerKind::Grain || std::ranges::any_of(drawing.paths, [](const auto& path) {
+               return path.layer == LayerKind::Grain;
+           });
+}
 
 Drawing draw(const Pattern& pattern, const Sheet& sheet) {
     // The check square stands to the right on whole millimetres, so that its sides come out as

@@ -12,11 +12,12 @@
 namespace toile {
 
 /// What a drawing's layer holds; each writer knows its name and colour for it.
-enum class LayerKind { Cut, Marks, Text, Check };
+enum class LayerKind { Cut, Marks, Grain, Text, Check };
 
-/// Every kind, in the order in which layers are written.
-inline constexpr std::array kLayerKinds{LayerKind::Cut, LayerKind::Marks, LayerKind::Text,
-                                        LayerKind::Check};
+/// Every kind, in the order in which layers are written. That of the grain is left out where no
+/// piece has a grain line.
+inline constexpr std::array kLayerKinds{LayerKind::Cut, LayerKind::Marks, LayerKind::Grain,
+                                        LayerKind::Text, LayerKind::Check};
 
 /// From one baseline of a text to the next, in heights of a capital letter.
 inline constexpr double kLineSpacing = 1.7;
@@ -48,11 +49,16 @@ struct Drawing {
     std::vector<DrawnText> texts;
 };
 
-/// Draws every piece's net outline and holes, its name with "net outline, no allowance", the names
-/// and ticks of its seams (seam_marks.h), and a 100 mm check square to the right of the pieces,
-/// with a margin of 10 mm around all. Width and height are whole millimetres. Ids:
-/// `piece-<id>-cut`, `piece-<id>--hole-<k>`, `piece-<id>-name`, `check-square`,
-/// `check-square-text`. Cost: that of placeLabel (label.h) per piece.
+/// True where the drawing has the layer: see kLayerKinds.
+bool hasLayer(const Drawing& drawing, LayerKind kind);
+
+/// Draws every piece's net outline and holes, its name with how often it is cut (`cuttingNote`),
+/// "net outline, no allowance" and, where it is mirrored, "wrong side up", its grain line where the
+/// grain is stated (grain_line.h), the names and ticks of its seams (seam_marks.h), and a 100 mm
+/// check square to the right of the pieces, with a margin of 10 mm around all. Width and height are
+/// whole millimetres. Ids: `piece-<id>-cut`, `piece-<id>--hole-<k>`, `piece-<id>-name`,
+/// `piece-<id>--grain`, `check-square`, `check-square-text`. Cost: that of placeLabel (label.h) per
+/// piece.
 Drawing draw(const Pattern& pattern, const Sheet& sheet);
 
 }  // namespace toile

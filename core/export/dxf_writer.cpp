@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <numbers>
+#include <ranges>
 
 #include <Eigen/Geometry>
 
@@ -26,6 +27,8 @@ LayerStyle styleOf(LayerKind kind) {
             return {"CUT", 1};  // red
         case LayerKind::Marks:
             return {"MARKS", 3};  // green
+        case LayerKind::Grain:
+            return {"GRAIN", 6};  // magenta
         case LayerKind::Text:
             return {"TEXT", 7};  // black on white, white on black
         case LayerKind::Check:
@@ -102,7 +105,7 @@ void writeHeader(TagWriter& out, const Drawing& drawing) {
     out.endSection();
 }
 
-void writeTables(TagWriter& out) {
+void writeTables(TagWriter& out, const Drawing& drawing) {
     out.beginSection("TABLES");
     out.beginTable("LTYPE", 1);
     out.tag(0, "LTYPE");
@@ -113,8 +116,9 @@ void writeTables(TagWriter& out) {
     out.tag(73, 0);
     out.tag(40, 0.0);
     out.endTable();
-    out.beginTable("LAYER", static_cast<int>(kLayerKinds.size()));
-    for (const LayerKind kind : kLayerKinds) {
+    const auto isThere = [&](LayerKind kind) -> bool { return hasLayer(drawing, kind); };
+    out.beginTable("LAYER", static_cast<int>(std::ranges::count_if(kLayerKinds, isThere)));
+    for (const LayerKind kind : kLayerKinds | std::views::filter(isThere)) {
         out.tag(0, "LAYER");
         out.tag(2, styleOf(kind).name);
         out.tag(70, 0);
@@ -180,7 +184,7 @@ void writeLine(TagWriter& out, const DrawnText& text, const std::string& line, d
 std::string writeDxf(const Drawing& drawing) {
     TagWriter out;
     writeHeader(out, drawing);
-    writeTables(out);
+    writeTables(out, drawing);
     out.beginSection("ENTITIES");
     for (const DrawnPath& path : drawing.paths) {
         writePath(out, path);

@@ -103,10 +103,12 @@ int appendAddedVertices(std::string& out, const Garment& garment, int file, int 
     return count;
 }
 
-void appendUvs(std::string& out, const FlatPiece& flat, const Eigen::Vector2d& offset) {
+void appendUvs(std::string& out, const FlatPiece& flat, const Placement& placement) {
     out.reserve(out.size() + static_cast<std::size_t>(flat.Q.rows()) * kVertexBytes);
+    const Eigen::Matrix2d linear = placement.linear();
     for (Eigen::Index v = 0; v < flat.Q.rows(); ++v) {
-        appendNumbers(out, "vt", {flat.Q(v, 0) + offset.x(), flat.Q(v, 1) + offset.y()});
+        const Eigen::Vector2d at = placement.offset + linear * flat.Q.row(v).transpose();
+        appendNumbers(out, "vt", {at.x(), at.y()});
     }
 }
 
@@ -151,7 +153,7 @@ void appendFileHead(std::string& out, const SourceFile& file, const FileNotes& n
 }  // namespace
 
 std::string writeObj(const Garment& garment, const PieceResults& results,
-                     const std::vector<Eigen::Vector2d>& offsets) {
+                     const std::vector<Placement>& placements) {
     ObjIndices indices{groupNames(garment), {}, {}, {}};
     indices.addedVertex.resize(garment.pieces.size());
     std::vector<FileNotes> notes(garment.files.size());
@@ -172,7 +174,7 @@ std::string writeObj(const Garment& garment, const PieceResults& results,
         const bool flat = results[p]->flat.has_value();
         indices.firstUv.push_back(flat ? nextUv : 0);
         if (flat) {
-            appendUvs(vertices, *results[p]->flat, offsets[p]);
+            appendUvs(vertices, *results[p]->flat, placements[p]);
             nextUv += static_cast<int>(results[p]->flat->Q.rows());
         }
     }
@@ -187,11 +189,25 @@ std::string writeObj(const Garment& garment, const PieceResults& results,
     comment(out, "Toile " + std::string(version()) + ": a garment with its pattern as UV map");
     comment(out, "vt in mm, y up, true scale; g names the piece; faces without vt are not flat");
     comment(out, "Not repeated: normals, materials, and the input's own UV map and groups");
+    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+        if (results[p]->flat && placements[p].mirrored) {
+            comment(out, "mirrored, wrong side of the fabric up: " + indices.group[p]);
+        }
+    }
     for (std::size_t f = 0; f < garment.files.size(); ++f) {
         appendFileHead(out, *garment.files[f], notes[f]);
     }
     out.reserve(out.size() + vertices.size() + faces.size());
     return out.append(vertices).append(faces);
+}
+
+std::string writeObj(const Garment& garment, const PieceResults& results,
+                     const std::vector<Eigen::Vector2d>& offsets) {
+    std::vector<Placement> placements;
+    for (const Eigen::Vector2d& offset : offsets) {
+        placements.push_back({offset});
+    }
+    return writeObj(garment, results, placements);
 }
 
 }  // namespace toile

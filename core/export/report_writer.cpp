@@ -88,7 +88,8 @@ Json secondsJson(const PieceResult& result, double readSeconds) {
             {"total", number(result.seconds)}};
 }
 
-Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& result) {
+Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& result,
+               const PieceOnSheet& place) {
     const SourceFile& file = *garment.files[piece.file];
     const bool solves = traits(result.options.method).solvesBoundary;
     Json json{{"name", piece.name},
@@ -114,18 +115,22 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
     json["notes"] = notesJson(result);
     json["holes"] = holesJson(piece, result);
     json["reference"] = referenceJson(result);
+    json["quantity"] = place.quantity;
+    json["mirrored_pair"] = place.mirroredPair;
     json["seconds"] = secondsJson(result, file.readSeconds);
     return json;
 }
 
 }  // namespace
 
-std::string writeReport(const Garment& garment, const PieceResults& results) {
+std::string writeReport(const Garment& garment, const PieceResults& results,
+                        const std::vector<PieceOnSheet>& places) {
     Json report{{"version", kReportVersion}, {"toile", text(version())}};
     report["files"] = filesJson(garment, results);
     report["pieces"] = Json::array();
     for (std::size_t i = 0; i < results.size(); ++i) {
-        report["pieces"].push_back(pieceJson(garment, *garment.pieces[i], *results[i]));
+        report["pieces"].push_back(pieceJson(garment, *garment.pieces[i], *results[i],
+                                             i < places.size() ? places[i] : PieceOnSheet{}));
     }
     report["cuts"] = cutsJson(garment);
     report["seams"] = seamsJson(garment, results);

@@ -26,6 +26,8 @@ LayerStyle styleOf(LayerKind kind) {
             return {"cut", "#ff0000"};
         case LayerKind::Marks:
             return {"marks", "#008000"};
+        case LayerKind::Grain:
+            return {"grain", "#800080"};
         case LayerKind::Text:
             return {"text", "#000000"};
         case LayerKind::Check:
@@ -155,7 +157,9 @@ std::string writeSvg(const Drawing& drawing) {
     pugi::xml_document document;
     const pugi::xml_node svg = addPage(document, drawing);
     for (const LayerKind kind : kLayerKinds) {
-        addLayer(svg, drawing, kind);
+        if (hasLayer(drawing, kind)) {
+            addLayer(svg, drawing, kind);
+        }
     }
     StringWriter out;
     document.save(out, "  ", pugi::format_indent, pugi::encoding_utf8);

@@ -7,6 +7,7 @@
 #include "core/export/drawing.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
+#include "core/sheet/placement.h"
 
 namespace toile {
 
@@ -18,22 +19,28 @@ namespace toile {
 std::string writeSvg(const Drawing& drawing);
 
 /// DXF R12 ASCII, profile "plain": LTYPE and LAYER tables, no blocks, POLYLINEs, closed but for
-/// ticks, on named coloured layers (CUT, MARKS, TEXT, CHECK), millimetres, y up, CRLF. 4 decimals.
-/// Texts become ASCII.
+/// ticks and grain lines, on named coloured layers (CUT, MARKS, TEXT, CHECK, and GRAIN where there
+/// is a grain line), millimetres, y up, CRLF. 4 decimals. Texts become ASCII.
 std::string writeDxf(const Drawing& drawing);
 
 /// The input again as OBJ with the pattern as its UV map: `v` lines with the file's own digits,
 /// faces in file order, polygons kept, one `vt` per (piece, vertex) in mm (shortest digits that
 /// read back exactly), faces of failed pieces without `vt`, `g` naming the piece. With several
 /// files, their vertices follow each other. Comments at the head list what differs from the input.
-/// @param results  one per piece of the garment, in its order
-/// @param offsets  per piece: what places its flat points on the sheet
+/// @param results     one per piece of the garment, in its order
+/// @param placements  per piece: what places its flat points on the sheet; mirrored pieces have
+///                    their triangles clockwise in the UV map, and a comment says so
 /// Cost: linear; about a third of a second per million triangles.
+std::string writeObj(const Garment& garment, const PieceResults& results,
+                     const std::vector<Placement>& placements);
+/// The same where nothing is turned.
 std::string writeObj(const Garment& garment, const PieceResults& results,
                      const std::vector<Eigen::Vector2d>& offsets);
 
 /// The JSON report of docs/report.md. Never NaN or Infinity: null.
-std::string writeReport(const Garment& garment, const PieceResults& results);
+/// @param places  one per piece of the garment, or none: each is cut once
+std::string writeReport(const Garment& garment, const PieceResults& results,
+                        const std::vector<PieceOnSheet>& places = {});
 
 /// What a garment holds before it is flat: files, pieces, cuts, seams and problems, as JSON.
 std::string writeInfo(const Garment& garment);

@@ -35,6 +35,12 @@ constexpr std::size_t kMostTests = 200;
 /// Cuts compared where none resolves everything.
 constexpr std::size_t kFewestLeastBadTests = 4;
 constexpr std::size_t kMostLeastBadTests = 40;
+/// The first ways looked at are as long as this part of the outline at most, the next so many times
+/// as long.
+constexpr double kFirstReach = 0.01;
+constexpr double kReachGrowth = 2;
+/// And from here on they cross the whole piece anyway: all are looked at.
+constexpr double kWholeReach = 0.125;
 /// A cut up to this much longer than the shortest is taken where it divides more evenly.
 constexpr double kHardlyLonger = 1.2;
 
@@ -73,19 +79,30 @@ public:
         std::partial_sum(lengths.begin(), lengths.end(), along_.begin() + 1);
     }
 
+    /// Short ways are looked at first, and mostly suffice: what is found among the ways up to a
+    /// length is the same as among all, if nothing longer could be preferred.
     std::optional<CrossingCut> best() {
         fromOppositePlaces();
         fromSpreadPlaces();
-        if (candidates_.empty()) {
-            return std::nullopt;
+        double longest = kFirstReach * along_.back();
+        while (true) {
+            const bool isAll = longest > kWholeReach * along_.back();
+            findWays(isAll ? std::numeric_limits<double>::infinity() : longest);
+            const Candidate* shortest = firstThatResolves();
+            if (shortest != nullptr && (isAll || kHardlyLonger * shortest->way.length <= longest)) {
+                return mostEven(*shortest);
+            }
+            if (isAll || progress_.isCancelled()) {
+                return candidates_.empty() ? std::nullopt : std::optional(leastBad());
+            }
+            longest *= kReachGrowth;
+            if (shortest != nullptr) {
+                ++testsLeft_;  // it will be tested again
+                longest = std::max(longest, kHardlyLonger * shortest->way.length);
+            } else if (testsLeft_ == 0) {
+                longest = along_.back();
+            }
         }
-        // Ways that part more of the crossings first, then short ones.
-        std::stable_sort(
-            candidates_.begin(), candidates_.end(), [](const Candidate& s, const Candidate& t) {
-                return std::tie(s.together, s.way.length) < std::tie(t.together, t.way.length);
-            });
-        const Candidate* shortest = firstThatResolves();
-        return shortest == nullptr ? leastBad() : mostEven(*shortest);
     }
 
 private:
@@ -93,6 +110,26 @@ private:
         InnerWay way;
         int together;  ///< crossings that it does not part
     };
+
+    /// Places of the outline, to be joined.
+    struct Search {
+        std::vector<int> from, to;
+    };
+
+    /// Sorted: ways that part more of the crossings first, then short ones.
+    void findWays(double longest) {
+        candidates_.clear();
+        for (const Search& search : searches_) {
+            if (progress_.isCancelled()) {
+                break;
+            }
+            add(ways_.find(search.from, search.to, longest));
+        }
+        std::stable_sort(
+            candidates_.begin(), candidates_.end(), [](const Candidate& s, const Candidate& t) {
+                return std::tie(s.together, s.way.length) < std::tie(t.together, t.way.length);
+            });
+    }
 
     bool isBetween(int edge, int from, int to) const {
         return from < to ? edge >= from && edge < to : edge >= from || edge < to;
@@ -138,8 +175,8 @@ private:
         for (const std::uint64_t word : order) {
             const auto opposite = places.find(word ^ all);
             if (opposite != places.end() && places[word].front() < opposite->second.front() &&
-                searched++ < kMaxOpposite && !progress_.isCancelled()) {
-                add(ways_.find(places[word], opposite->second));
+                searched++ < kMaxOpposite) {
+                searches_.push_back({places[word], opposite->second});
             }
         }
     }
@@ -174,10 +211,7 @@ private:
         const std::vector<int> places =
             spreadPlaces(std::clamp<std::size_t>(3000000 / edges, 4, 48));
         for (const int from : thinned(places, std::clamp<std::size_t>(3000000 / edges, 4, 96))) {
-            if (progress_.isCancelled()) {
-                return;
-            }
-            add(ways_.find({from}, places));
+            searches_.push_back({{from}, places});
         }
     }
 
@@ -210,9 +244,11 @@ private:
 
     bool mayTest() const { return testsLeft_ > 0 && !progress_.isCancelled(); }
 
+    /// Passes over those that were tested among shorter ways: they come first again.
     const Candidate* firstThatResolves() {
-        for (const Candidate& c : candidates_) {  // those that part all crossings come first
-            if (c.together > 0 || !mayTest()) {
+        for (; tested_ < candidates_.size(); ++tested_) {
+            const Candidate& c = candidates_[tested_];
+            if (c.together > 0 || !mayTest()) {  // those that part all crossings come first
                 break;
             }
             if (resolves(c.way)) {
@@ -275,7 +311,9 @@ private:
     InnerWays ways_;
     std::vector<double> along_;  ///< length of the outline up to each loop vertex
     std::size_t testsLeft_;
+    std::vector<Search> searches_;
     std::vector<Candidate> candidates_;
+    std::size_t tested_ = 0;  ///< candidates that do not resolve the crossings
 };
 
 }  // namespace

@@ -30,9 +30,10 @@ struct CrossingCut {
 /// @param crossings  from findOutlineCrossings(Q, piece.boundary), not empty
 /// @param progress   looked at between the ways and between the tests of cuts; cancelled, the best
 ///                   so far is returned, untested ones with `resolves` false
-/// Cost: some shortest ways through the piece and tests of cuts at n log n each, fewer of both the
-/// larger it is: tests pass over a few million outline edges altogether, so that the worst case is
-/// seconds. Deterministic. Pure.
+/// Cost: linear, and some shortest ways around the places they begin at, no farther than the cut is
+/// long, or through the whole piece where nothing short resolves all; and tests of cuts at n log n
+/// each. Fewer of both the larger the piece: tests pass over a few million outline edges
+/// altogether, so that the worst case is seconds. Deterministic. Pure.
 std::optional<CrossingCut> cutForCrossings(const Piece& piece, const Points2& Q,
                                            const std::vector<OutlineCrossing>& crossings,
                                            const Progress& progress = Progress());

@@ -61,8 +61,8 @@ struct FlatPiece {
     double closureGap = 0;       ///< |sum of the boundary edge vectors| / perimeter, before closing
     double angleEnergy = 0;      ///< 1/2 sum (theta - alpha)^2, radians squared
     int interiorIterations = 0;  ///< of methods that iterate inside; 0 for one linear solve
-    /// Edges turned to make the cotangent weights non-negative (conformal_interior.h); 0 where the
-    /// interior was placed by the mesh's own weights.
+    /// Edges turned to make the cotangent weights non-negative where triangles flipped
+    /// (conformal_interior.h); 0 where the interior was placed by the mesh's own weights.
     int delaunayFlips = 0;
     double boundarySeconds = 0;
     double interiorSeconds = 0;

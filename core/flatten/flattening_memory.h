@@ -3,12 +3,15 @@
 
 #include <memory>
 
+#include <Eigen/Core>
+
 #include "core/flatten/flatten.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 
 class InteriorSystem;
+struct KktModel;
 struct Piece;
 
 /// What one flattening leaves behind for the next of the same piece, edited (piece_flattener.h).
@@ -26,7 +29,14 @@ struct FlatteningMemory {
     /// them, before any crossing was undone; null where it did not.
     std::shared_ptr<const Piece> flattened{};
     std::shared_ptr<const Points2> Q{};
-    double distortion = 0;  ///< of these points; 1 where isometric
+    /// Its points with an outline that does not cross itself: the same, or those after it was moved
+    /// apart; null where it crosses still.
+    std::shared_ptr<const Points2> simple{};
+    double distortion = 0;  ///< of `Q`; 1 where isometric
+    /// How that descent ended: its last model, null for large pieces, and the pulls of the
+    /// boundary edges.
+    std::shared_ptr<const KktModel> model{};
+    std::shared_ptr<const Eigen::VectorXd> multipliers{};
 
     /// What the last conformal start of `isometric` had to tell of itself: its figures, no points.
     FlatPiece start{};

@@ -2,20 +2,27 @@
 #include "core/flatten/inner_ways.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
-#include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 
-#include "core/mesh/tri_mesh.h"
-
 namespace toile {
+
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 InnerWays::InnerWays(const Piece& piece)
     : piece_(piece),
-      halfedges_(halfedgesOf(piece)),
       loopIndex_(static_cast<std::size_t>(piece.mesh.V.rows()), -1),
-      isHoleRim_(static_cast<std::size_t>(piece.mesh.V.rows()), false) {
+      isHoleRim_(loopIndex_.size(), false),
+      start_(loopIndex_.size() + 1, 0),
+      distance_(loopIndex_.size(), kFar),
+      parent_(loopIndex_.size(), -1) {
     for (std::size_t i = 0; i < piece.boundary.size(); ++i) {
         loopIndex_[piece.boundary[i]] = static_cast<int>(i);
     }
@@ -24,54 +31,78 @@ InnerWays::InnerWays(const Piece& piece)
             isHoleRim_[v] = true;
         }
     }
+    const EdgeTable& table = piece.table;
+    const auto isInside = [&table](int e) { return table.useStart[e + 1] - table.useStart[e] > 1; };
+    for (int e = 0; e < table.edges.rows(); ++e) {
+        if (isInside(e)) {
+            ++start_[table.edges(e, 0) + 1];
+            ++start_[table.edges(e, 1) + 1];
+        }
+    }
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    end_.resize(static_cast<std::size_t>(start_.back()));
+    std::vector<int> next(start_.begin(), start_.end() - 1);
+    for (int e = 0; e < table.edges.rows(); ++e) {
+        if (isInside(e)) {
+            end_[next[table.edges(e, 0)]++] = table.edges(e, 1);
+            end_[next[table.edges(e, 1)]++] = table.edges(e, 0);
+        }
+    }
 }
 
-std::vector<InnerWay> InnerWays::find(const std::vector<int>& sources,
-                                      const std::vector<int>& targets) const {
+void InnerWays::search(const std::vector<int>& sources, double longest) {
     const Points3& V = piece_.mesh.V;
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    std::vector<double> distance(loopIndex_.size(), kFar);
-    std::vector<int> parent(loopIndex_.size(), -1);
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     for (const int i : sources) {
-        distance[piece_.boundary[i]] = 0;
+        distance_[piece_.boundary[i]] = 0;
+        reached_.push_back(piece_.boundary[i]);
         queue.emplace(0, piece_.boundary[i]);
     }
     while (!queue.empty()) {
         const auto [reached, v] = queue.top();
         queue.pop();
         const bool isEnd = loopIndex_[v] >= 0 && reached > 0;
-        if (reached > distance[v] || isEnd || isHoleRim_[v]) {
+        if (reached > distance_[v] || isEnd || isHoleRim_[v]) {
             continue;
         }
-        for (const auto out : halfedges_.voh_range(TriMesh::VertexHandle(v))) {
-            if (halfedges_.is_boundary(halfedges_.edge_handle(out))) {
-                continue;
-            }
-            const int w = halfedges_.to_vertex_handle(out).idx();
+        for (int k = start_[v]; k < start_[v + 1]; ++k) {
+            const int w = end_[k];
             const double there = reached + (V.row(v) - V.row(w)).norm();
-            if (there < distance[w]) {
-                distance[w] = there;
-                parent[w] = v;
+            if (there < distance_[w] && there <= longest) {
+                if (distance_[w] == kFar) {
+                    reached_.push_back(w);
+                }
+                distance_[w] = there;
+                parent_[w] = v;
                 queue.emplace(there, w);
             }
         }
     }
+}
+
+std::vector<InnerWay> InnerWays::find(const std::vector<int>& sources,
+                                      const std::vector<int>& targets, double longest) {
+    search(sources, longest);
     std::vector<InnerWay> ways;
     for (const int i : targets) {
         const int end = piece_.boundary[i];
-        if (parent[end] < 0) {
+        if (parent_[end] < 0) {
             continue;  // a source, or out of reach
         }
-        InnerWay way{-1, i, {}, distance[end]};
-        for (int v = end; v >= 0; v = parent[v]) {
+        InnerWay way{-1, i, {}, distance_[end]};
+        for (int v = end; v >= 0; v = parent_[v]) {
             way.path.push_back(v);
         }
         std::reverse(way.path.begin(), way.path.end());
         way.from = loopIndex_[way.path.front()];
         ways.push_back(std::move(way));
     }
+    for (const int v : reached_) {
+        distance_[v] = kFar;
+        parent_[v] = -1;
+    }
+    reached_.clear();
     return ways;
 }
 

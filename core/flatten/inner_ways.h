@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/garment/piece.h"
@@ -15,22 +16,33 @@ struct InnerWay {
 };
 
 /// Shortest ways along edges through the inside of a piece: they touch the outline only at their
-/// ends, and no hole's rim. Keeps a reference to the piece.
+/// ends, and no hole's rim. Keeps a reference to the piece. One thread at a time: searches share
+/// their workspace.
 class InnerWays {
 public:
+    /// Cost: linear.
     explicit InnerWays(const Piece& piece);
 
     /// For each target that can be reached, in order: the way from the nearest source. Equal ways
-    /// are decided by index. @param sources, targets  indices into Piece::boundary
-    /// Cost: O(#E log #E).
-    std::vector<InnerWay> find(const std::vector<int>& sources,
-                               const std::vector<int>& targets) const;
+    /// are decided by index.
+    /// @param sources, targets  indices into Piece::boundary
+    /// @param longest           mm: longer ways are left out, the others are the same as without
+    /// Cost: O(m log m) for the m edges within `longest` of the sources, and the targets.
+    std::vector<InnerWay> find(const std::vector<int>& sources, const std::vector<int>& targets,
+                               double longest = std::numeric_limits<double>::infinity());
 
 private:
+    void search(const std::vector<int>& sources, double longest);
+
     const Piece& piece_;
-    const TriMesh& halfedges_;
     std::vector<int> loopIndex_;   ///< of each vertex; -1 inside
     std::vector<bool> isHoleRim_;  ///< of each vertex
+    /// Ends of the edges inside: those of vertex v are end_[start_[v]] .. end_[start_[v + 1]].
+    std::vector<int> start_, end_;
+    // Between two searches: infinite, -1, empty.
+    std::vector<double> distance_;
+    std::vector<int> parent_;
+    std::vector<int> reached_;
 };
 
 }  // namespace toile

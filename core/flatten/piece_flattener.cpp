@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "core/flatten/flatten_with.h"
-#include "core/flatten/interior.h"
+#include "core/flatten/interior/interior.h"
+#include "core/flatten/isometric/kkt_solver.h"
 #include "core/garment/piece.h"
 
 namespace toile {
@@ -12,6 +13,8 @@ namespace {
 
 /// Of the factor, and of the positions, on meshes large enough to matter.
 constexpr std::size_t kBytesPerTriangle = 250;
+/// Of the model that `isometric` keeps of pieces that are not large.
+constexpr std::size_t kModelBytesPerTriangle = 1200;
 
 }  // namespace
 
@@ -33,14 +36,19 @@ Result<FlatPiece> PieceFlattener::flatten(const std::shared_ptr<const Piece>& pi
 
 std::size_t PieceFlattener::expectedBytes(const Piece& piece) {
     const bool isKept = !piece.defect && piece.mesh.F.rows() <= kMostTriangles;
-    return isKept ? kBytesPerTriangle * static_cast<std::size_t>(piece.mesh.F.rows()) : 0;
+    const bool hasModel = piece.mesh.V.rows() < KktSizes{}.large;
+    const std::size_t each = kBytesPerTriangle + (hasModel ? kModelBytesPerTriangle : 0);
+    return isKept ? each * static_cast<std::size_t>(piece.mesh.F.rows()) : 0;
 }
 
 std::size_t PieceFlattener::keptBytes() const {
     const std::size_t factor = memory_.interior ? memory_.interior->factorBytes() : 0;
-    const std::size_t points =
-        memory_.Q ? sizeof(double) * static_cast<std::size_t>(memory_.Q->size()) : 0;
-    return factor + points;
+    const std::size_t model = memory_.model ? memory_.model->bytes : 0;
+    const auto bytesOf = [](const std::shared_ptr<const Points2>& points) -> std::size_t {
+        return points ? sizeof(double) * static_cast<std::size_t>(points->size()) : 0;
+    };
+    const bool isApart = memory_.simple != memory_.Q;
+    return factor + model + bytesOf(memory_.Q) + (isApart ? bytesOf(memory_.simple) : 0);
 }
 
 }  // namespace toile

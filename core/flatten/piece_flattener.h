@@ -13,7 +13,8 @@ namespace toile {
 
 /// Flattens one piece again and again while it is edited, and reuses what it can: the factor of an
 /// earlier version's interior, for every method that needs one, and for `isometric` the positions
-/// last found. The first flattening, and any after a large edit, is that of `flatten`.
+/// last found, with the model that led to them. The first flattening, and any after a large edit,
+/// is that of `flatten`.
 ///
 /// After a small edit `curvature` and `wang2005` give what `flatten` gives, to rounding.
 /// `isometric` descends from another start until it meets the same tolerance; where the energy has

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/length_unit.h"
 #include "core/garment/cut_pieces.h"
+#include "core/garment/join_pieces.h"
 #include "core/garment/piece.h"
 #include "core/garment/seam.h"
 #include "core/garment/split.h"
@@ -36,12 +37,14 @@ struct SourceFile {
 /// and sewn. All of it follows from the files and the orders given; nothing is changed later.
 struct Garment {
     std::vector<std::shared_ptr<const SourceFile>> files;
-    std::vector<std::shared_ptr<const Piece>> pieces;    ///< as cut
-    std::vector<std::shared_ptr<const Piece>> wholes{};  ///< as divided, before any cut; those that
-                                                         ///< no cut touches are the same pointers
+    std::vector<std::shared_ptr<const Piece>> pieces;  ///< as cut
+    std::vector<std::shared_ptr<const Piece>>
+        wholes{};  ///< as divided, before any join or cut; those
+                   ///< that none touches are the same pointers
+    std::vector<MadeJoin> joins{};
     std::vector<MadeCut> cuts{};
     SeamGraph seams{};    ///< of `pieces`
-    Problems problems{};  ///< of the garment as a whole: cuts that could not be made
+    Problems problems{};  ///< of the garment as a whole: cuts and joins that could not be
 };
 
 }  // namespace toile

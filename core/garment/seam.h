@@ -15,16 +15,18 @@ enum class SeamKind {
     Free,  ///< sewn to nothing: a hem, an opening, or a seam that was not recognised
 };
 
-/// A directed stretch of a piece's outline. Places on the outline are arc lengths in mm along
-/// Piece::boundary, in its direction, 0 at its first vertex; they go on counting past the last
-/// vertex where the stretch passes it, so that |end - start| is always the 3D length.
+/// A directed stretch of a piece's outline, or of the rim of a hole in it. Places on the outline
+/// are arc lengths in mm along the loop (`loopOf`), in its direction, 0 at its first vertex; they
+/// go on counting past the last vertex where the stretch passes it, so that |end - start| is always
+/// the 3D length.
 struct SeamSide {
     int piece = -1;         ///< index of the piece; -1: there is no such side
-    int first = 0;          ///< first edge touched; edge k runs from boundary[k] to boundary[k+1]
+    int first = 0;          ///< first edge touched; edge k runs from vertex k of the loop to k + 1
     int count = 0;          ///< edges touched, wholly or in part; counts on past the last edge
     bool reversed = false;  ///< runs against the outline: start > end
     double start = 0;
     double end = 0;
+    int loop = 0;  ///< 0: Piece::boundary; k: Piece::holes[k - 1], whose flat length is not kept
 
     double length() const { return reversed ? start - end : end - start; }
 };
@@ -58,9 +60,12 @@ struct Seam {
 /// All seams and free edges of a garment: seams first, ordered by pieces.
 struct SeamGraph {
     std::vector<Seam> seams;
-    /// Per piece and boundary edge: the seams that touch it, ascending. Two or more where a seam
-    /// ends inside the edge or layers are stacked; none where a rest was too short to matter.
+    /// Per piece and edge of its outline: the seams that touch it, ascending. Two or more where a
+    /// seam ends inside the edge or layers are stacked; none where a rest was too short to matter.
     std::vector<std::vector<std::vector<int>>> seamsOfEdge;
+    /// Per piece: the seams that touch the rim of one of its holes, ascending. A rim that nothing
+    /// is sewn to is no free edge and has none.
+    std::vector<std::vector<int>> seamsOfHoles;
 };
 
 }  // namespace toile

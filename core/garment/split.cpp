@@ -42,10 +42,6 @@ int classOf(SplitMode mode, const PolygonSoup& soup, int face) {
     return 0;
 }
 
-}  // namespace
-
-namespace {
-
 /// Makes a vertex of each position and kind that a corner has, in order of both, and gives corners
 /// their vertices. @param kind  per corner; empty where all are of one
 void numberVertices(const Triangles& F, const std::vector<int>& kind, int positionCount,

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/io/readable_name.h"
 #include "core/io/text_cursor.h"
@@ -60,7 +61,11 @@ Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progre
     const std::string ending = utf8(path.extension());
     if (isForAssimp(ending)) {
 #ifdef TOILE_ASSIMP
-        return readWithAssimp(path, name, progress);
+        Result<PolygonSoup> soup = readWithAssimp(path, name, progress);
+        if (const auto bytes = soup ? readFile(path) : Result<std::string>(soup.error()); bytes) {
+            soup->contentHash = contentHash(*bytes);
+        }
+        return soup;
 #else
         return Error{
             ErrorCode::UnknownFormat, name,
@@ -76,7 +81,13 @@ Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progre
     if (!bytes) {
         return bytes.error();
     }
-    return reader(std::make_shared<const std::string>(std::move(*bytes)), name, progress);
+    const std::uint64_t hash = contentHash(*bytes);
+    Result<PolygonSoup> soup =
+        reader(std::make_shared<const std::string>(std::move(*bytes)), name, progress);
+    if (soup) {
+        soup->contentHash = hash;
+    }
+    return soup;
 }
 
 }  // namespace toile

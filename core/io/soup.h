@@ -50,6 +50,9 @@ struct PolygonSoup {
     std::vector<TextSpan> positionText;
     std::shared_ptr<const std::string> text;  ///< the file, where positionText is used
 
+    /// Of the file's bytes (base/content_hash.h); none where it was read from memory.
+    std::optional<std::uint64_t> contentHash{};
+
     std::optional<StatedUnit> statedUnit;  ///< of the positions; OBJ, OFF, PLY and STL have none
 
     Problems problems;

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linalg/cholmod_state.h"
 
+#include <array>
+
 #include <omp.h>
 
 #include "core/linalg/blas_kernels.h"
 
 namespace toile {
 
-SparseCholesky::State::State() {
-    // CHOLMOD opens four OpenMP threads per large supernode, whatever the machine has. Pieces
-    // are solved side by side already: no parallel regions inside, on this thread.
+void boundThreads() {
     omp_set_max_active_levels(0);
     useOneBlasThread();
+}
+
+CholmodState::CholmodState() {
+    boundThreads();
     cholmod_start(&common);
     common.print = 0;  // errors are values here, not text on a terminal
     common.error_handler = nullptr;
@@ -32,9 +36,71 @@ SparseCholesky::State::State() {
     common.final_ll = 1;  // L L^T: an indefinite matrix is refused, not factorised
 }
 
-SparseCholesky::State::~State() {
+CholmodState::~CholmodState() {
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
+}
+
+Result<void> CholmodState::analyse(const SymmetricMatrix& pattern, std::vector<int> order) {
+    cholmod_free_factor(&factor, &common);
+    cholmod_sparse view = viewOf(pattern);
+    common.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
+    factor = order.empty() ? cholmod_analyze(&view, &common)
+                           : cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
+    if (factor == nullptr) {
+        return Error{ErrorCode::OutOfMemory, "", "ordering"};
+    }
+    return {};
+}
+
+Result<void> CholmodState::analyseOrdered(const SymmetricMatrix& pattern) {
+    cholmod_free_factor(&factor, &common);
+    cholmod_sparse view = viewOf(pattern);
+    view.sorted = 0;
+    common.method[0].ordering = CHOLMOD_NATURAL;
+    factor = cholmod_analyze(&view, &common);
+    if (factor == nullptr) {
+        return Error{ErrorCode::OutOfMemory, "", "ordering"};
+    }
+    return {};
+}
+
+Result<void> CholmodState::factorise(const SymmetricMatrix& matrix) {
+    cholmod_sparse view = viewOf(matrix);
+    cholmod_factorize(&view, factor, &common);
+    return outcome();
+}
+
+Result<void> CholmodState::factoriseOrdered(const SymmetricMatrix& matrix) {
+    cholmod_sparse view = viewOf(matrix);
+    view.sorted = 0;
+    std::array<double, 2> nothingAdded{};
+    cholmod_super_numeric(&view, nullptr, nothingAdded.data(), factor, &common);
+    return outcome();
+}
+
+Result<void> CholmodState::outcome() const {
+    if (common.status == CHOLMOD_NOT_POSDEF || factor->minor < factor->n) {
+        return notPositiveDefinite();
+    }
+    if (common.status < CHOLMOD_OK) {
+        return Error{ErrorCode::OutOfMemory, "", "factorising"};
+    }
+    return {};
+}
+
+std::size_t CholmodState::bytes() const {
+    if (factor == nullptr) {
+        return 0;
+    }
+    const std::size_t entries = factor->is_super != 0
+                                    ? sizeof(double) * factor->xsize + sizeof(int) * factor->ssize
+                                    : (sizeof(double) + sizeof(int)) * factor->nzmax;
+    return entries + 4 * sizeof(int) * factor->n;
+}
+
+Error notPositiveDefinite() {
+    return Error{ErrorCode::FactorisationFailed, "", "the matrix is not positive definite"};
 }
 
 cholmod_sparse viewOf(const SymmetricMatrix& matrix) {
@@ -46,7 +112,7 @@ cholmod_sparse viewOf(const SymmetricMatrix& matrix) {
     view.x = const_cast<double*>(matrix.value.data());
     view.stype = -1;  // lower triangle stored
     view.itype = CHOLMOD_INT;
-    view.xtype = CHOLMOD_REAL;
+    view.xtype = matrix.value.empty() ? CHOLMOD_PATTERN : CHOLMOD_REAL;
     view.dtype = CHOLMOD_DOUBLE;
     view.sorted = 1;
     view.packed = 1;

@@ -6,8 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/linalg/cholmod_state.h"
-#include "core/linalg/factor_view.h"
+#include "core/linalg/factor_state.h"
 
 // With U = [E_touched, E_dropped, B_coupled] and w = U^T x, the edited system is
 //   A x + U z = b,    s = D w_touched,    w_dropped = 0,    w_added + C y = b_added,
@@ -32,15 +31,77 @@ Error unsuitable(const char* why) {
     return Error{ErrorCode::FactorisationFailed, "", why};
 }
 
+/// Sparse columns carried through L.
+struct Border {
+    std::vector<int> column;  ///< place of each in the panel
+    std::vector<int> reach;   ///< rows of L in which the panel is not zero
+    FactorView::Panel panel;  ///< L^-1 of the columns, on the reach
+};
+
+/// Columns stand in the order in which they begin, so that those that meet early on their way up
+/// stand together.
+/// @param mostWork  in multiplications
+Result<Border> carriedThrough(const FactorView& view, const std::vector<BorderEntry>& entries,
+                              int width, double mostWork) {
+    std::vector<int> begin(static_cast<std::size_t>(width), std::numeric_limits<int>::max());
+    std::vector<int> rows;
+    for (const BorderEntry& entry : entries) {
+        begin[entry.column] = std::min(begin[entry.column], entry.row);
+        rows.push_back(entry.row);
+    }
+    std::vector<int> order(begin.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&begin](int a, int b) { return begin[a] < begin[b]; });
+    Border border;
+    border.column.resize(order.size());
+    for (int c = 0; c < width; ++c) {
+        border.column[order[c]] = c;
+    }
+    FactorReach reach = view.reachOf(rows);
+    const double work = (view.workOn(reach) + static_cast<double>(reach.columns.size()) * width) *
+                        static_cast<double>(width);
+    if (work > std::max(kFreeWork, mostWork)) {
+        return unsuitable("the border would cost as much as a factorisation");
+    }
+    border.panel = FactorView::Panel::Zero(static_cast<Eigen::Index>(reach.columns.size()), width);
+    for (const BorderEntry& entry : entries) {
+        border.panel(reach.position[entry.row], border.column[entry.column]) += entry.value;
+    }
+    view.forwardOn(reach, border.panel);
+    border.reach = std::move(reach.columns);
+    return border;
+}
+
+/// P^T P.
+Eigen::MatrixXd squareOf(const FactorView::Panel& panel) {
+    Eigen::MatrixXd G = Eigen::MatrixXd::Zero(panel.cols(), panel.cols());
+    if (panel.rows() == 0) {
+        return G;  // Eigen divides by the number of rows
+    }
+    G.selfadjointView<Eigen::Lower>().rankUpdate(panel.transpose());
+    G.triangularView<Eigen::StrictlyUpper>() = G.transpose();
+    return G;
+}
+
+/// Row of L of each unknown.
+std::vector<int> rowsOf(const FactorView& view) {
+    std::vector<int> rowOf(static_cast<std::size_t>(view.size()));
+    for (int i = 0; i < view.size(); ++i) {
+        rowOf[view.permutation()[i]] = i;
+    }
+    return rowOf;
+}
+
 }  // namespace
 
 Result<EditedCholesky> EditedCholesky::make(std::shared_ptr<const SparseCholesky> factor,
                                             const MatrixEdit& edit) {
-    const cholmod_factor& L = *factor->state_->factor;
-    if (!FactorView::isReadable(L)) {
+    const auto readable = factor->state_->view();
+    if (!readable) {
         return unsuitable("this kind of factor cannot be shared");
     }
-    const FactorView view(L);
+    const FactorView& view = *readable;
     EditedCholesky edited;
     edited.oldSize_ = view.size();
     edited.addedCount_ = edit.addedCount;
@@ -62,12 +123,7 @@ Result<EditedCholesky> EditedCholesky::make(std::shared_ptr<const SparseCholesky
     }
     edited.factor_ = std::move(factor);
 
-    // The border, in rows of L. Columns stand in the order in which they begin, so that those that
-    // meet early on their way up stand together.
-    std::vector<int> rowOf(static_cast<std::size_t>(view.size()));
-    for (int i = 0; i < view.size(); ++i) {
-        rowOf[view.permutation()[i]] = i;
-    }
+    const std::vector<int> rowOf = rowsOf(view);
     const int firstDropped = static_cast<int>(touched.size());
     const int firstAdded = firstDropped + static_cast<int>(edit.dropped.size());
     const int width = static_cast<int>(count);
@@ -81,38 +137,16 @@ Result<EditedCholesky> EditedCholesky::make(std::shared_ptr<const SparseCholesky
     for (const auto& entry : edit.coupled) {
         entries.push_back({rowOf[entry.row], firstAdded + entry.column, entry.value});
     }
-    std::vector<int> begin(count, std::numeric_limits<int>::max());
-    std::vector<int> rows;
-    for (const BorderEntry& entry : entries) {
-        begin[entry.column] = std::min(begin[entry.column], entry.row);
-        rows.push_back(entry.row);
+    auto border = carriedThrough(view, entries, width, kMostWork * edited.factor_->state_->work());
+    if (!border) {
+        return border.error();
     }
-    std::vector<int> order(count);
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&begin](int a, int b) { return begin[a] < begin[b]; });
-    edited.column_.resize(count);
-    for (int c = 0; c < width; ++c) {
-        edited.column_[order[c]] = c;
-    }
-
-    FactorReach reach = view.reachOf(rows);
-    const double work = (view.workOn(reach) + static_cast<double>(reach.columns.size()) * width) *
-                        static_cast<double>(width);
-    if (work > std::max(kFreeWork, kMostWork * edited.factor_->state_->common.fl)) {
-        return unsuitable("the border would cost as much as a factorisation");
-    }
-    edited.border_ = Panel::Zero(static_cast<Eigen::Index>(reach.columns.size()), width);
-    for (const BorderEntry& entry : entries) {
-        edited.border_(reach.position[entry.row], edited.column_[entry.column]) += entry.value;
-    }
-    view.forwardOn(reach, edited.border_);
-    edited.reach_ = std::move(reach.columns);
+    edited.column_ = std::move(border->column);
+    edited.reach_ = std::move(border->reach);
+    edited.border_ = std::move(border->panel);
 
     // The k equations.
-    Eigen::MatrixXd G = Eigen::MatrixXd::Zero(width, width);
-    G.selfadjointView<Eigen::Lower>().rankUpdate(edited.border_.transpose());
-    G.triangularView<Eigen::StrictlyUpper>() = G.transpose();
+    const Eigen::MatrixXd G = squareOf(edited.border_);
     Eigen::MatrixXd M = G;
     for (int t = 0; t < firstDropped; ++t) {
         M.row(edited.column_[t]).setZero();
@@ -143,8 +177,77 @@ Result<EditedCholesky> EditedCholesky::make(std::shared_ptr<const SparseCholesky
     return edited;
 }
 
+Eigen::MatrixXd EditedCholesky::borderUnknowns(const Eigen::MatrixXd& g,
+                                               const Eigen::MatrixXd& addedRight) const {
+    const std::size_t firstAdded = column_.size() - static_cast<std::size_t>(addedCount_);
+    Eigen::MatrixXd h = g;
+    for (std::size_t t = 0; t < touched_.size(); ++t) {
+        h.row(column_[t]).setZero();
+    }
+    for (const auto& entry : changed_) {
+        h.row(column_[entry.row]) += entry.value * g.row(column_[entry.column]);
+    }
+    for (int a = 0; a < addedCount_; ++a) {
+        h.row(column_[firstAdded + a]) -= addedRight.row(a);
+    }
+    return small_.solve(h);
+}
+
+bool EditedCholesky::isCheap(double work) const {
+    return work <= std::max(kFreeWork, kMostWork * factor_->state_->work());
+}
+
+Result<Eigen::MatrixXd> EditedCholesky::squareOnInverse(
+    const std::vector<MatrixEdit::Entry>& columns, int width) const {
+    const FactorView view = *factor_->state_->view();
+    const std::vector<int> rowOf = rowsOf(view);
+    if (width > kMostColumns) {
+        return unsuitable("too many columns");
+    }
+    std::vector<BorderEntry> entries;
+    Eigen::MatrixXd addedRight = Eigen::MatrixXd::Zero(addedCount_, width);
+    for (const auto& entry : columns) {
+        if (entry.row < oldSize_) {
+            entries.push_back({rowOf[entry.row], entry.column, entry.value});
+        } else {
+            addedRight(entry.row - oldSize_, entry.column) += entry.value;
+        }
+    }
+    auto carried = carriedThrough(view, entries, width, kMostWork * factor_->state_->work());
+    if (!carried) {
+        return carried.error();
+    }
+    const std::vector<int>& place = carried->column;
+    Eigen::MatrixXd square = squareOf(carried->panel)(place, place);
+    if (column_.empty()) {
+        return square;
+    }
+    // Rows of L that both borders reach.
+    std::vector<int> here;
+    std::vector<int> there;
+    for (std::size_t i = 0, j = 0; i < reach_.size() && j < carried->reach.size();) {
+        const int difference = reach_[i] - carried->reach[j];
+        if (difference == 0) {
+            here.push_back(static_cast<int>(i));
+            there.push_back(static_cast<int>(j));
+        }
+        i += difference <= 0 ? 1 : 0;
+        j += difference >= 0 ? 1 : 0;
+    }
+    const Eigen::MatrixXd onBorder = border_(here, Eigen::all);
+    const Eigen::MatrixXd panel = carried->panel(there, place);
+    const Eigen::MatrixXd g = onBorder.transpose() * panel;
+    const Eigen::MatrixXd z = borderUnknowns(g, addedRight);
+    square.noalias() -= g.transpose() * z;
+    const std::size_t firstAdded = column_.size() - static_cast<std::size_t>(addedCount_);
+    for (int a = 0; a < addedCount_; ++a) {  // the added unknowns themselves
+        square.noalias() += addedRight.row(a).transpose() * z.row(column_[firstAdded + a]);
+    }
+    return square;
+}
+
 Eigen::MatrixXd EditedCholesky::solve(const Eigen::MatrixXd& right) const {
-    const FactorView view(*factor_->state_->factor);
+    const FactorView view = *factor_->state_->view();
     const int* permutation = view.permutation();
     Panel X(oldSize_, right.cols());
     for (int i = 0; i < oldSize_; ++i) {
@@ -159,18 +262,7 @@ Eigen::MatrixXd EditedCholesky::solve(const Eigen::MatrixXd& right) const {
             onReach.row(static_cast<Eigen::Index>(i)) = X.row(reach_[i]);
         }
         const Eigen::MatrixXd g = border_.transpose() * onReach;
-        const std::size_t firstAdded = column_.size() - static_cast<std::size_t>(addedCount_);
-        Eigen::MatrixXd h = g;
-        for (std::size_t t = 0; t < touched_.size(); ++t) {
-            h.row(column_[t]).setZero();
-        }
-        for (const auto& entry : changed_) {
-            h.row(column_[entry.row]) += entry.value * g.row(column_[entry.column]);
-        }
-        for (int a = 0; a < addedCount_; ++a) {
-            h.row(column_[firstAdded + a]) -= right.row(oldSize_ + a);
-        }
-        z = small_.solve(h);
+        z = borderUnknowns(g, right.bottomRows(addedCount_));
         onReach.noalias() -= border_ * z;
         for (std::size_t i = 0; i < reach_.size(); ++i) {
             X.row(reach_[i]) = onReach.row(static_cast<Eigen::Index>(i));

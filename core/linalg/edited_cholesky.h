@@ -46,6 +46,15 @@ public:
     /// the caller should look at the residual. Cost: a back-substitution.
     Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
+    /// W^T B^-1 W: what a further edit by the columns W needs.
+    /// @param columns  of W; rows are numbered as in `solve`, none of a dropped unknown
+    /// Errors: FactorisationFailed, as `make`. Cost: the columns along their ways.
+    Result<Eigen::MatrixXd> squareOnInverse(const std::vector<MatrixEdit::Entry>& columns,
+                                            int width) const;
+
+    /// True where so many multiplications are far less than a factorisation takes.
+    bool isCheap(double work) const;
+
     /// The most columns a border may have.
     static constexpr int kMostColumns = 1000;
 
@@ -53,6 +62,10 @@ private:
     EditedCholesky() = default;
 
     using Panel = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    /// z. @param g  U^T A^-1 b  @param addedRight  b of the added unknowns
+    Eigen::MatrixXd borderUnknowns(const Eigen::MatrixXd& g,
+                                   const Eigen::MatrixXd& addedRight) const;
 
     std::shared_ptr<const SparseCholesky> factor_;
     int oldSize_ = 0;

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/thread_budget.h"
+#include "core/linalg/divided_factor.h"
+
 namespace toile {
 namespace {
 
 using Panel = FactorView::Panel;
 using Block = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-
-/// Right-hand sides that are solved for at once: more would not stay in registers.
-constexpr int kFew = 3;
 
 /// Columns of a panel that are not all zero so far at a node.
 struct Span {
@@ -39,7 +39,17 @@ Span spanOf(const Panel& X, Eigen::Index row) {
 
 }  // namespace
 
-FactorView::FactorView(const cholmod_factor& factor) : factor_(&factor) {}
+FactorView::FactorView(const cholmod_factor& factor)
+    : factor_(&factor),
+      size_(static_cast<int>(factor.n)),
+      permutation_(static_cast<const int*>(factor.Perm)),
+      tailStart_(size_) {}
+
+FactorView::FactorView(const DividedFactor& factor)
+    : divided_(&factor),
+      size_(factor.size()),
+      permutation_(factor.permutation().data()),
+      tailStart_(factor.separatorStart()) {}
 
 bool FactorView::isReadable(const cholmod_factor& factor) {
     return factor.xtype == CHOLMOD_REAL && factor.itype == CHOLMOD_INT && factor.is_ll != 0 &&
@@ -47,10 +57,16 @@ bool FactorView::isReadable(const cholmod_factor& factor) {
 }
 
 int FactorView::nodeCount() const {
+    if (divided_ != nullptr) {
+        return static_cast<int>(divided_->nodes().size());
+    }
     return static_cast<int>(factor_->is_super != 0 ? factor_->nsuper : factor_->n);
 }
 
 FactorView::Node FactorView::node(int k) const {
+    if (divided_ != nullptr) {
+        return divided_->nodes()[static_cast<std::size_t>(k)];
+    }
     const auto* value = static_cast<const double*>(factor_->x);
     if (factor_->is_super != 0) {
         const int* super = static_cast<const int*>(factor_->super);
@@ -66,8 +82,8 @@ FactorView::Node FactorView::node(int k) const {
 
 FactorReach FactorView::reachOf(const std::vector<int>& columns) const {
     std::vector<int> nodeOf;  // of each column, where a node has several
-    if (factor_->is_super != 0) {
-        nodeOf.resize(factor_->n);
+    if (divided_ != nullptr || factor_->is_super != 0) {
+        nodeOf.resize(static_cast<std::size_t>(size_));
         for (int k = 0; k < nodeCount(); ++k) {
             const Node at = node(k);
             std::fill_n(nodeOf.begin() + at.first, at.width, k);
@@ -88,7 +104,7 @@ FactorReach FactorView::reachOf(const std::vector<int>& columns) const {
         }
     }
     std::sort(reach.nodes.begin(), reach.nodes.end());
-    reach.position.assign(factor_->n, -1);
+    reach.position.assign(static_cast<std::size_t>(size_), -1);
     for (const int k : reach.nodes) {
         const Node at = node(k);
         for (int c = 0; c < at.width; ++c) {
@@ -147,17 +163,22 @@ void FactorView::forwardOn(const FactorReach& reach, Panel& X) const {
 }
 
 template <int R>
-void FactorView::forwardFew(Panel& X) const {
+void FactorView::forwardFew(int fromNode, int toNode, double* X, double* tail) const {
     using Row = Eigen::Matrix<double, 1, R>;
+    const auto rowOf = [X, tail, start = tailStart_](int row) -> double* {
+        return row < start ? X + static_cast<std::ptrdiff_t>(row) * R
+                           : tail + static_cast<std::ptrdiff_t>(row - start) * R;
+    };
     std::vector<double> below;  // of each right-hand side in turn
-    for (int k = 0; k < nodeCount(); ++k) {
+    for (int k = fromNode; k < toNode; ++k) {
         const Node at = node(k);
+        double* const first = rowOf(at.first);
         if (at.width == 1) {
-            Eigen::Map<Row> own(X.row(at.first).data());
+            Eigen::Map<Row> own(first);
             own /= at.value[0];
             const Row x = own;
             for (int i = 1; i < at.height; ++i) {
-                Eigen::Map<Row>(X.row(at.rows[i]).data()) -= at.value[i] * x;
+                Eigen::Map<Row>(rowOf(at.rows[i])) -= at.value[i] * x;
             }
             continue;
         }
@@ -165,11 +186,11 @@ void FactorView::forwardFew(Panel& X) const {
         below.assign(static_cast<std::size_t>(rest) * R, 0);
         for (int c = 0; c < at.width; ++c) {
             const double* column = at.value + static_cast<std::ptrdiff_t>(c) * at.height;
-            Eigen::Map<Row> own(X.row(at.first + c).data());
+            Eigen::Map<Row> own(first + static_cast<std::ptrdiff_t>(c) * R);
             own /= column[c];
             const Row x = own;
             for (int i = c + 1; i < at.width; ++i) {
-                Eigen::Map<Row>(X.row(at.first + i).data()) -= column[i] * x;
+                Eigen::Map<Row>(first + static_cast<std::ptrdiff_t>(i) * R) -= column[i] * x;
             }
             for (int r = 0; r < R; ++r) {
                 double* sum = below.data() + static_cast<std::ptrdiff_t>(r) * rest;
@@ -180,7 +201,7 @@ void FactorView::forwardFew(Panel& X) const {
             }
         }
         for (int i = 0; i < rest; ++i) {
-            double* row = X.row(at.rows[at.width + i]).data();
+            double* row = rowOf(at.rows[at.width + i]);
             for (int r = 0; r < R; ++r) {
                 row[r] -= below[static_cast<std::size_t>(r) * rest + i];
             }
@@ -189,61 +210,101 @@ void FactorView::forwardFew(Panel& X) const {
 }
 
 template <int R>
-void FactorView::backwardFew(Panel& X) const {
+void FactorView::backwardFew(int fromNode, int toNode, double* X) const {
     using Row = Eigen::Matrix<double, 1, R>;
+    const auto rowOf = [X](int row) -> double* { return X + static_cast<std::ptrdiff_t>(row) * R; };
     std::vector<double> below;
-    for (int k = nodeCount() - 1; k >= 0; --k) {
+    for (int k = toNode - 1; k >= fromNode; --k) {
         const Node at = node(k);
+        double* const first = rowOf(at.first);
         if (at.width == 1) {
-            Row x = Eigen::Map<Row>(X.row(at.first).data());
+            Row x = Eigen::Map<Row>(first);
             for (int i = 1; i < at.height; ++i) {
-                x -= at.value[i] * Eigen::Map<const Row>(X.row(at.rows[i]).data());
+                x -= at.value[i] * Eigen::Map<const Row>(rowOf(at.rows[i]));
             }
-            Eigen::Map<Row>(X.row(at.first).data()) = x / at.value[0];
+            Eigen::Map<Row> ownRow(first);
+            ownRow = x / at.value[0];
             continue;
         }
         const int rest = at.height - at.width;
         below.resize(static_cast<std::size_t>(rest) * R);
         for (int i = 0; i < rest; ++i) {
-            const double* row = X.row(at.rows[at.width + i]).data();
+            const double* row = rowOf(at.rows[at.width + i]);
             for (int r = 0; r < R; ++r) {
                 below[static_cast<std::size_t>(r) * rest + i] = row[r];
             }
         }
         for (int c = at.width - 1; c >= 0; --c) {
             const double* column = at.value + static_cast<std::ptrdiff_t>(c) * at.height;
-            Row x = Eigen::Map<Row>(X.row(at.first + c).data());
+            double* const own = first + static_cast<std::ptrdiff_t>(c) * R;
+            Row x = Eigen::Map<Row>(own);
             const Eigen::Map<const Eigen::VectorXd> entry(column + at.width, rest);
             for (int r = 0; r < R; ++r) {
                 x[r] -= entry.dot(Eigen::Map<const Eigen::VectorXd>(
                     below.data() + static_cast<std::ptrdiff_t>(r) * rest, rest));
             }
             for (int i = c + 1; i < at.width; ++i) {
-                x -= column[i] * Eigen::Map<const Row>(X.row(at.first + i).data());
+                x -= column[i] * Eigen::Map<const Row>(first + static_cast<std::ptrdiff_t>(i) * R);
             }
-            Eigen::Map<Row>(X.row(at.first + c).data()) = x / column[c];
+            Eigen::Map<Row> ownRow(own);
+            ownRow = x / column[c];
         }
     }
 }
 
-void FactorView::forward(Panel& X) const {
-    for (Eigen::Index done = 0; done < X.cols(); done += kFew) {
-        const Eigen::Index count = std::min<Eigen::Index>(kFew, X.cols() - done);
-        Panel few = X.middleCols(done, count);
-        constexpr std::array kSolve = {&FactorView::forwardFew<1>, &FactorView::forwardFew<2>,
-                                       &FactorView::forwardFew<3>};
-        (this->*kSolve[static_cast<std::size_t>(count - 1)])(few);
-        X.middleCols(done, count) = few;
+template <int R>
+void FactorView::forwardAll(Panel& X) const {
+    double* const all = X.data();
+    double* const tail = all + static_cast<std::ptrdiff_t>(tailStart_) * R;
+    if (divided_ == nullptr) {
+        forwardFew<R>(0, nodeCount(), all, tail);
+        return;
     }
+    // Each half adds up what it takes from the separator's rows by itself.
+    const std::array<int, 2> end = divided_->nodeEnd();
+    std::array<Panel, 2> taken;
+    taken.fill(Panel::Zero(size_ - tailStart_, R));
+    runSideBySide([&] { forwardFew<R>(0, end[0], all, taken[0].data()); },
+                  [&] { forwardFew<R>(end[0], end[1], all, taken[1].data()); });
+    X.bottomRows(size_ - tailStart_) += taken[0] + taken[1];
+    forwardFew<R>(end[1], nodeCount(), all, tail);
+}
+
+template <int R>
+void FactorView::backwardAll(Panel& X) const {
+    double* const all = X.data();
+    if (divided_ == nullptr) {
+        backwardFew<R>(0, nodeCount(), all);
+        return;
+    }
+    const std::array<int, 2> end = divided_->nodeEnd();
+    backwardFew<R>(end[1], nodeCount(), all);
+    runSideBySide([&] { backwardFew<R>(0, end[0], all); },
+                  [&] { backwardFew<R>(end[0], end[1], all); });
+}
+
+void FactorView::forward(Panel& X) const {
+    constexpr std::array kSolve = {&FactorView::forwardAll<1>, &FactorView::forwardAll<2>,
+                                   &FactorView::forwardAll<3>};
+    solveFew(X, kSolve);
 }
 
 void FactorView::backward(Panel& X) const {
+    constexpr std::array kSolve = {&FactorView::backwardAll<1>, &FactorView::backwardAll<2>,
+                                   &FactorView::backwardAll<3>};
+    solveFew(X, kSolve);
+}
+
+/// Solves for a few right-hand sides at a time.
+void FactorView::solveFew(Panel& X, const std::array<Solve, kFew>& solve) const {
+    if (X.cols() > 0 && X.cols() <= kFew) {
+        (this->*solve[static_cast<std::size_t>(X.cols() - 1)])(X);
+        return;
+    }
     for (Eigen::Index done = 0; done < X.cols(); done += kFew) {
         const Eigen::Index count = std::min<Eigen::Index>(kFew, X.cols() - done);
         Panel few = X.middleCols(done, count);
-        constexpr std::array kSolve = {&FactorView::backwardFew<1>, &FactorView::backwardFew<2>,
-                                       &FactorView::backwardFew<3>};
-        (this->*kSolve[static_cast<std::size_t>(count - 1)])(few);
+        (this->*solve[static_cast<std::size_t>(count - 1)])(few);
         X.middleCols(done, count) = few;
     }
 }

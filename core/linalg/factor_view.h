@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <Eigen/Core>
@@ -17,10 +18,19 @@ struct FactorReach {
     std::vector<int> position;  ///< of each of the factor's columns in `columns`, or -1
 };
 
-/// Reads a factor P A P^T = L L^T, simplicial or supernodal, and solves with each half alone, which
-/// CHOLMOD does only for whole right-hand sides. A node is a run of columns with the same rows
-/// below; a simplicial factor has one column a node. The factor must outlive the view and is not
-/// changed: any number of threads may read one.
+class DividedFactor;
+
+/// Columns first .. first + width - 1 of a factor, dense from their diagonal block down.
+struct FactorNode {
+    int first, width, height;
+    const int* rows;      ///< `height`; the first `width` are the node's own columns
+    const double* value;  ///< column by column, `height` apart
+};
+
+/// Reads a factor P A P^T = L L^T, simplicial, supernodal or divided, and solves with each half
+/// alone, which CHOLMOD does only for whole right-hand sides. A node is a run of columns with the
+/// same rows below; a simplicial factor has one column a node. The factor must outlive the view and
+/// is not changed: any number of threads may read one.
 class FactorView {
 public:
     /// Many columns at once, row by row: what the inner loops run along.
@@ -28,13 +38,15 @@ public:
 
     /// Precondition: `isReadable(factor)`.
     explicit FactorView(const cholmod_factor& factor);
+    /// Precondition: it has been factorised.
+    explicit FactorView(const DividedFactor& factor);
 
     /// False for L D L^T, for complex numbers or long indices, and for what is only analysed.
     static bool isReadable(const cholmod_factor& factor);
 
-    int size() const { return static_cast<int>(factor_->n); }
+    int size() const { return size_; }
     /// Row of A in each row of L.
-    const int* permutation() const { return static_cast<const int*>(factor_->Perm); }
+    const int* permutation() const { return permutation_; }
 
     /// Cost: the ways' lengths, and O(size) for the arrays.
     FactorReach reachOf(const std::vector<int>& columns) const;
@@ -45,27 +57,37 @@ public:
     /// still zero at a node are passed over, and the better the nearer like columns stand.
     void forwardOn(const FactorReach& reach, Panel& X) const;
 
-    /// X := L^-1 X and X := L^-T X. Cost: the entries of L, per column.
+    /// X := L^-1 X and X := L^-T X. Cost: the entries of L, per column; the halves of a divided
+    /// factor side by side.
     void forward(Panel& X) const;
     void backward(Panel& X) const;
 
 private:
-    /// Columns first .. first + width - 1 of L, dense from their diagonal block down.
-    struct Node {
-        int first, width, height;
-        const int* rows;      ///< `height`; the first `width` are the node's own columns
-        const double* value;  ///< column by column, `height` apart
-    };
+    using Node = FactorNode;
+
+    /// Right-hand sides that are solved for at once: more would not stay in registers.
+    static constexpr int kFew = 3;
+    using Solve = void (FactorView::*)(Panel&) const;
 
     Node node(int k) const;
     int nodeCount() const;
 
+    /// @param tail  rows from `tailStart_` on stand here; the others in X
     template <int R>
-    void forwardFew(Panel& X) const;
+    void forwardFew(int fromNode, int toNode, double* X, double* tail) const;
     template <int R>
-    void backwardFew(Panel& X) const;
+    void backwardFew(int fromNode, int toNode, double* X) const;
+    template <int R>
+    void forwardAll(Panel& X) const;
+    template <int R>
+    void backwardAll(Panel& X) const;
+    void solveFew(Panel& X, const std::array<Solve, kFew>& solve) const;
 
-    const cholmod_factor* factor_;
+    const cholmod_factor* factor_ = nullptr;  ///< one of these two
+    const DividedFactor* divided_ = nullptr;
+    int size_;
+    const int* permutation_;
+    int tailStart_;  ///< first row of the separator of a divided factor; else `size_`
 };
 
 }  // namespace toile

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/thread_budget.h"
 #include "core/linalg/elimination_order.h"
 #include "core/linalg/landmark_distances.h"
 
@@ -22,6 +23,11 @@ constexpr double kLeastSide = 0.2;
 constexpr double kLongSeparator = 1.3;
 constexpr double kMuchSmaller = 0.6;
 constexpr double kWorthASurvey = 100;
+/// Unknowns from which on the halves may be dissected side by side.
+constexpr std::size_t kWorthTwoThreads = 20000;
+/// What the longer half has more than the other, nobody works on beside it: there a longer
+/// separator is the lesser evil.
+constexpr double kEvenHalves = 4;
 /// Of the unknowns: so many may lie in parts that cannot be halved.
 constexpr double kMostUnsplit = 0.1;
 
@@ -38,51 +44,93 @@ class Dissection {
 public:
     explicit Dissection(const CouplingGraph& graph)
         : graph_(graph),
-          survey_(graph),
           distances_(static_cast<std::size_t>(graph.size())),
           members_(distances_.size()),
           sorted_(distances_.size()),
           order_(distances_.size()),
-          inSeparator_(distances_.size(), 0),
-          local_(distances_.size(), -1) {
+          inSeparator_(distances_.size(), 0) {
         for (std::size_t v = 0; v < members_.size(); ++v) {
             members_[v].vertex = static_cast<int>(v);
         }
-        measure(0, members_.size());
     }
 
-    std::vector<int> order() {
-        dissect(0, members_.size(), members_.size(), members_.size());
-        if (static_cast<double>(unsplit_) > kMostUnsplit * static_cast<double>(members_.size())) {
+    EliminationOrder run() {
+        const std::size_t size = members_.size();
+        EliminationOrder result;
+        Workspace work(graph_);
+        measure(0, size, work);
+        if (size < kWorthTwoThreads) {
+            dissect(0, size, size, size, work);
+        } else {
+            result.halfEnd = dissectSideBySide(work);
+        }
+        if (static_cast<double>(work.unsplit) > kMostUnsplit * static_cast<double>(size)) {
             return {};
         }
-        return std::move(order_);
+        result.order = std::move(order_);
+        return result;
     }
 
 private:
+    /// What one thread needs while it dissects its part.
+    struct Workspace {
+        explicit Workspace(const CouplingGraph& graph)
+            : survey(graph), local(static_cast<std::size_t>(graph.size()), -1) {}
+
+        LandmarkSurvey survey;
+        std::vector<int> local;  ///< numbers within a leaf
+        std::vector<int> sizes;  ///< of levels
+        std::vector<int> part;   ///< to be surveyed
+        std::size_t unsplit = 0;
+    };
+
     /// A vertex and its distances side by side, for going through a part without jumps.
     struct Member {
         int vertex = 0;
         Distances distances{};
     };
 
+    /// As `dissect` for all.
+    /// @return where the halves end
+    std::array<int, 2> dissectSideBySide(Workspace& work) {
+        const std::size_t size = members_.size();
+        const Level level = smallestLevel(0, size, work, kEvenHalves);
+        if (level.landmark < 0) {
+            work.unsplit = size;
+            return {};
+        }
+        const auto bounds = divide(0, size, level);
+        const std::size_t lower = bounds.first, upper = bounds.second;
+        const std::size_t separator = size - (upper - lower);
+        std::size_t end = size;
+        for (std::size_t k = upper; k > lower; --k) {
+            order_[--end] = members_[k - 1].vertex;
+        }
+        Workspace other(graph_);
+        runSideBySide([&] { dissect(0, lower, lower, size, work); },
+                      [&] { dissect(upper, size, separator, size, other); });
+        work.unsplit += other.unsplit;
+        return {static_cast<int>(lower), static_cast<int>(separator)};
+    }
+
     /// Orders the members first to last - 1; they are eliminated just before place `end`.
     /// @param surveyed  size of the part in which the distances were counted
-    void dissect(std::size_t first, std::size_t last, std::size_t end, std::size_t surveyed) {
+    void dissect(std::size_t first, std::size_t last, std::size_t end, std::size_t surveyed,
+                 Workspace& work) {
         if (last - first <= kLeaf) {
-            orderByDegree(first, last, end);
+            orderByDegree(first, last, end, work);
             return;
         }
-        Level level = smallestLevel(first, last);
+        Level level = smallestLevel(first, last, work);
         const auto size = static_cast<double>(last - first);
         if (size > kWorthASurvey && level.size > kLongSeparator * std::sqrt(size) &&
             size < kMuchSmaller * static_cast<double>(surveyed)) {
-            measure(first, last);
+            measure(first, last, work);
             surveyed = last - first;
-            level = smallestLevel(first, last);
+            level = smallestLevel(first, last, work);
         }
         if (level.landmark < 0) {
-            unsplit_ += last - first;
+            work.unsplit += last - first;
             for (std::size_t k = last; k > first; --k) {
                 order_[--end] = members_[k - 1].vertex;
             }
@@ -92,17 +140,17 @@ private:
         for (std::size_t k = upper; k > lower; --k) {
             order_[--end] = members_[k - 1].vertex;
         }
-        dissect(upper, last, end, surveyed);
-        dissect(first, lower, end - (last - upper), surveyed);
+        dissect(upper, last, end, surveyed, work);
+        dissect(first, lower, end - (last - upper), surveyed, work);
     }
 
     /// Counts the distances of the members anew, within their part.
-    void measure(std::size_t first, std::size_t last) {
-        part_.clear();
+    void measure(std::size_t first, std::size_t last, Workspace& work) {
+        work.part.clear();
         for (std::size_t k = first; k < last; ++k) {
-            part_.push_back(members_[k].vertex);
+            work.part.push_back(members_[k].vertex);
         }
-        survey_.measure(part_, inSeparator_, distances_);
+        work.survey.measure(work.part, inSeparator_, distances_);
         for (std::size_t k = first; k < last; ++k) {
             members_[k].distances = distances_[members_[k].vertex];
         }
@@ -110,7 +158,7 @@ private:
 
     /// The smallest level that has enough vertices on either side; where no level has, the one in
     /// the middle.
-    Level smallestLevel(std::size_t first, std::size_t last) {
+    Level smallestLevel(std::size_t first, std::size_t last, Workspace& work, double evenness = 1) {
         Distances low = members_[first].distances;
         Distances high = low;
         for (std::size_t k = first + 1; k < last; ++k) {
@@ -119,14 +167,14 @@ private:
                 high[c] = std::max(high[c], members_[k].distances[c]);
             }
         }
-        std::array<int, kLandmarks + 1> start{};  // of each landmark's levels in sizes_
+        std::array<int, kLandmarks + 1> start{};  // of each landmark's levels in work.sizes
         for (int c = 0; c < kLandmarks; ++c) {
             start[c + 1] = start[c] + high[c] - low[c] + 1;
         }
-        sizes_.assign(static_cast<std::size_t>(start[kLandmarks]), 0);
+        work.sizes.assign(static_cast<std::size_t>(start[kLandmarks]), 0);
         for (std::size_t k = first; k < last; ++k) {
             for (int c = 0; c < kLandmarks; ++c) {
-                ++sizes_[start[c] + members_[k].distances[c] - low[c]];
+                ++work.sizes[start[c] + members_[k].distances[c] - low[c]];
             }
         }
         const auto all = static_cast<double>(last - first);
@@ -135,11 +183,11 @@ private:
         for (int c = 0; c < kLandmarks; ++c) {
             double below = 0;
             for (int d = 0; d <= high[c] - low[c]; ++d) {
-                const double size = sizes_[start[c] + d];
+                const double size = work.sizes[start[c] + d];
                 const double above = all - below - size;
                 const bool even = std::min(below, above) >= kLeastSide * all;
                 const bool middle = below <= 0.5 * all && above <= 0.5 * all;
-                const double cost = size * (1 + std::abs(below - above) / all);
+                const double cost = size * (1 + evenness * std::abs(below - above) / all);
                 if ((even || middle) && below > 0 && above > 0 && cost < bestCost) {
                     bestCost = cost;
                     best = {c, low[c] + d, size};
@@ -193,16 +241,16 @@ private:
     }
 
     /// Minimum degree among a few vertices; their neighbours outside count, as far as 64 bits go.
-    void orderByDegree(std::size_t first, std::size_t last, std::size_t end) {
+    void orderByDegree(std::size_t first, std::size_t last, std::size_t end, Workspace& work) {
         constexpr int kBits = 64;
         std::array<int, kBits> vertex{};
         int count = 0;
         const auto number = [&](int v) -> int {
-            if (local_[v] < 0 && count < kBits) {
-                local_[v] = count;
+            if (work.local[v] < 0 && count < kBits) {
+                work.local[v] = count;
                 vertex[count++] = v;
             }
-            return local_[v];
+            return work.local[v];
         };
         for (std::size_t k = first; k < last; ++k) {
             number(members_[k].vertex);
@@ -218,7 +266,7 @@ private:
             }
         }
         for (int i = 0; i < count; ++i) {
-            local_[vertex[i]] = -1;
+            work.local[vertex[i]] = -1;
         }
         std::size_t place = end - (last - first);
         for (std::uint64_t left = (std::uint64_t{1} << inside) - 1; left != 0;) {
@@ -238,22 +286,17 @@ private:
     }
 
     const CouplingGraph& graph_;
-    LandmarkSurvey survey_;
     std::vector<Distances> distances_;
     std::vector<Member> members_;  ///< permuted so that each part is a range
     std::vector<Member> sorted_;
     std::vector<int> order_;
     std::vector<char> inSeparator_;
-    std::vector<int> local_;  ///< numbers within a leaf
-    std::vector<int> sizes_;  ///< of levels
-    std::vector<int> part_;   ///< to be surveyed
-    std::size_t unsplit_ = 0;
 };
 
 }  // namespace
 
-std::vector<int> nestedDissection(const CouplingGraph& graph) {
-    return Dissection(graph).order();
+EliminationOrder nestedDissection(const CouplingGraph& graph) {
+    return Dissection(graph).run();
 }
 
 }  // namespace toile

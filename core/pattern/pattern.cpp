@@ -39,6 +39,9 @@ PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat, const S
             touched.insert(ofEdge.begin(), ofEdge.end());
         }
     }
+    if (index < static_cast<int>(seams.seamsOfHoles.size())) {
+        touched.insert(seams.seamsOfHoles[index].begin(), seams.seamsOfHoles[index].end());
+    }
     for (const int k : touched) {
         const Seam& seam = seams.seams[k];
         for (const SeamSide& side : {seam.left, seam.right}) {
@@ -48,6 +51,13 @@ PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat, const S
         }
     }
     return made;
+}
+
+std::string cuttingNote(int quantity, bool mirroredPair) {
+    if (mirroredPair) {
+        return "cut " + std::to_string(quantity) + (quantity == 1 ? " pair" : " pairs");
+    }
+    return quantity == 1 ? std::string() : "cut " + std::to_string(quantity);
 }
 
 void makeIdsUnique(Pattern& pattern) {

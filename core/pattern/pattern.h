@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,14 +22,23 @@ struct SeamMark {
 };
 
 /// One flat piece as a pattern maker knows it. Millimetres, y up, the fabric's right side facing
-/// the reader, never mirrored.
+/// the reader unless it says otherwise.
 struct PatternPiece {
     std::string name;  ///< as in the garment
     std::string id;    ///< unique slug, stable for the same garment
     Points2 outline;   ///< net outline (seam line), anti-clockwise, first vertex not repeated
     std::vector<Points2> holes{};   ///< closed lines inside it, clockwise
     std::vector<SeamMark> seams{};  ///< by number; free edges have none
+    /// Direction of the warp where somebody has stated it: radians anti-clockwise from the x axis.
+    std::optional<double> grain{};
+    bool mirrored = false;      ///< the fabric's wrong side faces the reader
+    int quantity = 1;           ///< how many are cut
+    bool mirroredPair = false;  ///< each of them also mirrored: left and right
 };
+
+/// What stands on a piece that is not cut once: "cut 3", or "cut 2 pairs" where each of them is cut
+/// mirrored too. Empty for a single piece.
+std::string cuttingNote(int quantity, bool mirroredPair);
 
 struct Pattern {
     std::string name;  ///< of the garment

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 #include "core/base/text.h"
+#include "core/garment/same_piece.h"
+#include "core/pipeline/file_space.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/seam/find_seams.h"
@@ -9,22 +13,6 @@
 
 namespace toile {
 namespace {
-
-/// The cuts as the pieces are: in millimetres, y up.
-std::vector<UserCut> inPieceSpace(const SeamsFile& seams, const Garment& garment) {
-    std::vector<UserCut> cuts = seams.cuts;
-    if (garment.files.empty()) {
-        return cuts;
-    }
-    const SourceFile& file = *garment.files.front();
-    const double millimetres = millimetresPer(seams.unit.value_or(file.unit));
-    for (UserCut& cut : cuts) {
-        for (Eigen::Vector3d& point : cut.points) {
-            point = millimetres * withYUp(file.up, point).transpose();
-        }
-    }
-    return cuts;
-}
 
 /// A hole is no fault, but its rim may change its length, and that is to be said.
 void noteHoles(Garment& garment) {
@@ -56,20 +44,40 @@ void setEase(Garment& garment, const SeamsFile& seams) {
     }
 }
 
+/// Cuts and joins are made anew each time; what comes out as it was before is the same piece, so
+/// that what is known of it (flat points, a place) stays.
+void keepUnchanged(std::vector<std::shared_ptr<const Piece>>& pieces,
+                   const std::vector<std::shared_ptr<const Piece>>& before) {
+    std::unordered_map<std::string_view, const std::shared_ptr<const Piece>*> byName;
+    for (const auto& piece : before) {
+        byName.emplace(piece->name, &piece);
+    }
+    for (auto& piece : pieces) {
+        const auto known = byName.find(piece->name);
+        if (known != byName.end() && isSamePiece(*piece, **known->second)) {
+            piece = *known->second;
+        }
+    }
+}
+
 }  // namespace
 
 Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, Progress& progress) {
     Garment made;
     made.files = garment.files;
     made.wholes = garment.wholes;
-    CutPieces cut =
-        cutPieces(garment.wholes, inPieceSpace(options.seams, garment), options.autoCut, progress);
+    JoinedPieces joined = joinPieces(garment.wholes, joinsInPieceSpace(options.seams, garment));
+    CutPieces cut = cutPieces(joined.pieces, cutsInPieceSpace(options.seams, garment),
+                              options.autoCut, progress);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
     made.pieces = std::move(cut.pieces);
+    keepUnchanged(made.pieces, garment.pieces);
     made.cuts = std::move(cut.cuts);
-    made.problems = std::move(cut.problems);
+    made.joins = std::move(joined.joins);
+    made.problems = std::move(joined.problems);
+    made.problems.insert(made.problems.end(), cut.problems.begin(), cut.problems.end());
     noteHoles(made);
     made.seams = findSeams(made.pieces);
     nameAfterCuts(made.seams, made.pieces, made.cuts);

@@ -15,6 +15,7 @@
 
 #include "core/base/abandonable_threads.h"
 #include "core/base/stopwatch.h"
+#include "core/base/thread_budget.h"
 #include "core/garment/piece.h"
 
 namespace toile {
@@ -176,12 +177,8 @@ bool waitForACore(const Progress& progress) {
 }
 
 /// Cores for this work. What was abandoned earlier still has its own.
-std::size_t workerCount(int threads, std::size_t pieces) {
-    int count = threads;
-    if (threads <= 0) {
-        count = coreCount() - AbandonableThreads::stillRunning();
-    }
-    return std::min(pieces, static_cast<std::size_t>(std::max(1, count)));
+int threadCount(int threads) {
+    return std::max(1, threads > 0 ? threads : coreCount() - AbandonableThreads::stillRunning());
 }
 
 }  // namespace
@@ -192,14 +189,20 @@ std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions&
     const std::size_t count = tasks.size();
     const auto work = std::make_shared<Work>(std::move(tasks), options);
     AbandonableThreads workers;  // on the way out left alone, if they have not ended
-    const std::size_t wanted =
-        count > 0 && waitForACore(progress) ? workerCount(threads, count) : 0;
+    const bool goesOn = count > 0 && waitForACore(progress);
+    const int cores = threadCount(threads);
+    const std::size_t wanted = goesOn ? std::min(count, static_cast<std::size_t>(cores)) : 0;
+    // Threads that no piece is left for take part in the large factorisations of others.
+    const auto run = [work, budget = std::make_shared<ThreadBudget>(cores)] {
+        const ThreadBudget::Worker worker(budget);
+        work->run();
+    };
     std::size_t running = 0;
-    while (running < wanted && workers.start([work] { work->run(); })) {
+    while (running < wanted && workers.start(run)) {
         ++running;
     }
     if (running == 0 && wanted > 0) {
-        work->run();  // no thread to be had: then here, and a cancel comes too late
+        run();  // no thread to be had: then here, and a cancel comes too late
     }
     if (work->wait(progress)) {
         workers.join();

@@ -12,6 +12,7 @@
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/pattern/pattern.h"
+#include "core/sheet/placement.h"
 #include "core/sheet/sheet.h"
 
 namespace toile {
@@ -27,19 +28,21 @@ struct LoadOptions {
     bool weld = false;     ///< join vertices that lie on each other, within each object
     bool strict = false;   ///< refuse a file in which anything had to be left out or mended
     bool autoCut = false;  ///< cut open what is no disk
-    SeamsFile seams{};     ///< the user's cuts, in the unit and axes of the first file, and ease
+    SeamsFile seams{};     ///< cuts, joins and ease; in the unit and axes of the first file
+
+    bool operator==(const LoadOptions&) const = default;
 };
 
-/// Reads files into one garment: soup, weld, unit, division, repair, cuts, seams. With several
-/// files piece names are prefixed by the file's stem. A cut that cannot be made, or an ease for a
-/// seam that is not there, is a problem of the garment. Errors: those of readSoup, for the first
-/// file that cannot be read; nothing is loaded then. With `strict` also the first note about
-/// something left out or mended.
+/// Reads files into one garment: soup, weld, unit, division, repair, joins, cuts, seams. With
+/// several files piece names are prefixed by the file's stem. A cut or a join that cannot be made,
+/// or an ease for a seam that is not there, is a problem of the garment. Errors: those of readSoup,
+/// for the first file that cannot be read; nothing is loaded then. With `strict` also the first
+/// note about something left out or mended.
 Result<Garment> loadGarment(const std::vector<std::filesystem::path>& paths,
                             const LoadOptions& options, Progress& progress);
 
-/// The same garment cut and sewn anew, for an edit of the cuts or the ease: nothing is read, and
-/// pieces that no cut touches are the same pointers as before.
+/// The same garment joined, cut and sewn anew, for an edit of joins, cuts or ease: nothing is read,
+/// and pieces that come out as they were before are the same pointers as before.
 /// Errors: Cancelled.
 Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, Progress& progress);
 
@@ -70,16 +73,22 @@ struct LaidOutPattern {
     Pattern pattern;
     Sheet sheet;
     std::vector<Eigen::Vector2d> offsets;  ///< per piece of the garment; zero where not flat
+    std::vector<Placement> placements;     ///< likewise, with the turns that the pattern has
 };
 
-LaidOutPattern layOut(const Garment& garment, const PieceResults& results);
+/// @param places  one per piece of the garment, or none: all in rows (`placeOnSheet`)
+LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
+                      const std::vector<PieceOnSheet>& places = {});
 
 /// True where `exportFile` knows the path's ending.
 bool canExport(const std::filesystem::path& path);
 
 /// Writes one file in the format of its ending (.svg, .dxf, .obj, .json).
-/// Errors: UnknownFormat, FileUnwritable.
+/// @param places    as for `layOut`
+/// @param progress  cancelled before the file is written, nothing is
+/// Errors: UnknownFormat, FileUnwritable, Cancelled.
 Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
-                        const PieceResults& results);
+                        const PieceResults& results, const std::vector<PieceOnSheet>& places = {},
+                        const Progress& progress = {});
 
 }  // namespace toile

@@ -43,8 +43,8 @@ private:
     Run walkFrom(int first) {
         const Contact& c = contacts_[first];
         Run run;
-        run.pieceA = outlines_.pieceOf[c.a];
-        run.pieceB = outlines_.pieceOf[c.b];
+        run.outlineA = outlines_.outlineOf[c.a];
+        run.outlineB = outlines_.outlineOf[c.b];
         run.parallel = c.parallel;
         run.certain = true;
         std::vector<Step> todo{{first, outlines_.local(c.a), outlines_.local(c.b), false}};
@@ -64,8 +64,8 @@ private:
 
     void addFacing(Run& run, const Step& step) const {
         const Contact& c = contacts_[step.contact];
-        const double a = outlines_.list[run.pieceA].arcOf(step.i);
-        const double b = outlines_.list[run.pieceB].arcOf(step.j);
+        const double a = outlines_.list[run.outlineA].arcOf(step.i);
+        const double b = outlines_.list[run.outlineB].arcOf(step.j);
         if (step.swapped) {
             run.line.push_back({a + c.b0, b + c.a0, c.gap0});
             run.line.push_back({a + c.b1, b + c.a1, c.gap1});
@@ -81,8 +81,10 @@ private:
             {{1, 0}, {0, along}, {1, along}, {-1, 0}, {0, -along}, {-1, -along}}};
         for (const auto& [di, dj] : moves) {
             const int i = step.i + di, j = step.j + dj;
-            const int a = outlines_.firstEdge[run.pieceA] + outlines_.list[run.pieceA].wrapIndex(i);
-            const int b = outlines_.firstEdge[run.pieceB] + outlines_.list[run.pieceB].wrapIndex(j);
+            const int a =
+                outlines_.firstEdge[run.outlineA] + outlines_.list[run.outlineA].wrapIndex(i);
+            const int b =
+                outlines_.firstEdge[run.outlineB] + outlines_.list[run.outlineB].wrapIndex(j);
             const int next = find(std::min(a, b), std::max(a, b));
             if (next >= 0 && !seen_[next] && contacts_[next].parallel == run.parallel) {
                 seen_[next] = 1;
@@ -113,7 +115,7 @@ private:
             line[k].a = std::max(line[k].a, line[k - 1].a);
             line[k].b = sign * std::max(sign * line[k].b, sign * line[k - 1].b);
         }
-        const double tiny = 1e-9 * outlines_.list[run.pieceA].spacingAt(line.front().a);
+        const double tiny = 1e-9 * outlines_.list[run.outlineA].spacingAt(line.front().a);
         line.erase(std::unique(line.begin(), line.end(),
                                [tiny](const Facing& p, const Facing& q) {
                                    return std::abs(q.a - p.a) <= tiny &&
@@ -121,9 +123,9 @@ private:
                                }),
                    line.end());
         // A seam that closes may overlap itself by a rounding error or a corner: once round is all.
-        const bool self = run.pieceA == run.pieceB;
+        const bool self = run.outlineA == run.outlineB;
         const double used = run.length() + (self ? run.lengthB() : 0.0);
-        const double there = outlines_.list[run.pieceA].length();
+        const double there = outlines_.list[run.outlineA].length();
         if (used > there) {
             const double from = line.front().a;
             run = run.part({from, from + run.length() * there / used});

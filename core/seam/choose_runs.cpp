@@ -77,20 +77,20 @@ private:
     }
 
     void take(const Run& run) {
-        taken_[run.pieceA].add(run.arcA());
-        taken_[run.pieceB].add(run.arcB());
+        taken_[run.outlineA].add(run.arcA());
+        taken_[run.outlineB].add(run.arcB());
     }
 
     /// Takes what of the part is free on both sides.
     void takeFree(const Part& part, std::vector<Chosen>& chosen) {
         const double least =
             (part.run.certain ? kLeastCertain : kLeastRest) * part.run.spacing(outlines_);
-        for (const Arc& a : taken_[part.run.pieceA].outside(part.run.arcA())) {
+        for (const Arc& a : taken_[part.run.outlineA].outside(part.run.arcA())) {
             const Run half = part.run.part(a);
             if (half.line.size() < 2 || half.length() < least) {
                 continue;
             }
-            for (const Arc& b : taken_[half.pieceB].outside(half.arcB())) {
+            for (const Arc& b : taken_[half.outlineB].outside(half.arcB())) {
                 const Run rest = half.partOnB(b);
                 if (rest.line.size() > 1 && std::min(rest.length(), rest.lengthB()) >= least) {
                     chosen.push_back({rest, false});
@@ -106,10 +106,10 @@ private:
             return;
         }
         const Run& run = part.run;
-        for (const Arc& a : taken_[run.pieceA].outside(run.arcA())) {
+        for (const Arc& a : taken_[run.outlineA].outside(run.arcA())) {
             takeLayer(run.part(a), chosen);
         }
-        for (const Arc& b : taken_[run.pieceB].outside(run.arcB())) {
+        for (const Arc& b : taken_[run.outlineB].outside(run.arcB())) {
             takeLayer(run.partOnB(b), chosen);
         }
     }

@@ -16,19 +16,23 @@ constexpr double kShortestFree = 0.5;
 void addFreeEdges(const Outlines& outlines, std::vector<Seam>& seams) {
     std::vector<ArcSet> sewn;
     std::vector<double> begin(outlines.list.size(), 0);  // a place where no free edge is cut in two
+    std::vector<char> isSewn(outlines.list.size(), 0);
     for (const Outline& outline : outlines.list) {
         sewn.emplace_back(outline.length());
     }
     for (const Seam& seam : seams) {
         for (const SeamSide& side : {seam.left, seam.right}) {
             const auto [low, high] = std::minmax(side.start, side.end);
-            sewn[side.piece].add({low, high});
-            begin[side.piece] = low;
+            const int index = outlines.indexOf(side);
+            sewn[index].add({low, high});
+            begin[index] = low;
+            isSewn[index] = 1;
         }
     }
     for (std::size_t p = 0; p < outlines.list.size(); ++p) {
         const Outline& outline = outlines.list[p];
-        if (outline.size() == 0) {
+        // A buttonhole is no edge that somebody might have forgotten to sew.
+        if (outline.size() == 0 || (outline.loop > 0 && !isSewn[p])) {
             continue;
         }
         for (const Arc& arc : sewn[p].outside({begin[p], begin[p] + outline.length()})) {
@@ -40,17 +44,26 @@ void addFreeEdges(const Outlines& outlines, std::vector<Seam>& seams) {
 }
 
 void indexEdges(const Outlines& outlines, SeamGraph& graph) {
-    for (const Outline& outline : outlines.list) {
-        graph.seamsOfEdge.emplace_back(outline.size());
+    const std::size_t pieces = outlines.firstHole.size();
+    for (std::size_t p = 0; p < pieces; ++p) {
+        graph.seamsOfEdge.emplace_back(outlines.list[p].size());
     }
+    graph.seamsOfHoles.resize(pieces);
+    const auto add = [](std::vector<int>& list, std::size_t seam) {
+        if (list.empty() || list.back() != static_cast<int>(seam)) {
+            list.push_back(static_cast<int>(seam));
+        }
+    };
     for (std::size_t k = 0; k < graph.seams.size(); ++k) {
         for (const SeamSide& side : {graph.seams[k].left, graph.seams[k].right}) {
+            if (side.piece >= 0 && side.loop > 0) {
+                add(graph.seamsOfHoles[side.piece], k);
+                continue;
+            }
             for (int e = 0; e < side.count; ++e) {
-                auto& list = graph.seamsOfEdge[side.piece]
-                                              [outlines.list[side.piece].wrapIndex(side.first + e)];
-                if (list.empty() || list.back() != static_cast<int>(k)) {
-                    list.push_back(static_cast<int>(k));
-                }
+                add(graph.seamsOfEdge[side.piece]
+                                     [outlines.list[side.piece].wrapIndex(side.first + e)],
+                    k);
             }
         }
     }

@@ -26,6 +26,9 @@ struct SeamOptions {
 /// Outlines of consistently wound pieces run against each other along a seam. A piece wound the
 /// other way is recognised by the balance of its contacts and matched along instead.
 ///
+/// The rim of a hole is an outline of its own: a patch that was cut out of a piece is sewn to it. A
+/// hole that nothing is sewn to stays out of the graph.
+///
 /// A place belongs to one seam. Where three layers meet in one line, the pair that continues an
 /// undisputed seam is taken first; the third layer is reported as a seam of its own, `stacked`
 /// on the place already taken, so that no layer is lost and no two pairs are mixed up.

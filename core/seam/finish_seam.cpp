@@ -16,7 +16,7 @@ constexpr double kSameVertex = 1e-6;
 /// The same run seen from the other side, running along that side's outline.
 Run turned(const Run& run) {
     Run other = run;
-    std::swap(other.pieceA, other.pieceB);
+    std::swap(other.outlineA, other.outlineB);
     for (Facing& f : other.line) {
         std::swap(f.a, f.b);
     }
@@ -28,12 +28,16 @@ Run turned(const Run& run) {
 
 /// Decides the kind, and turns a run of a piece with itself so that a dart ends at its point.
 SeamKind settleKind(const Outlines& outlines, Run& run) {
-    if (run.pieceA != run.pieceB) {
+    if (run.outlineA != run.outlineB) {
+        // The rims of holes come after all outlines; the pieces tell which side is the left one.
+        if (outlines.list[run.outlineB].piece < outlines.list[run.outlineA].piece) {
+            run = turned(run);
+        }
         return SeamKind::Seam;
     }
     const Tips tips = tipsOf(run, outlines);
     const bool point = tips.start != tips.end;
-    const Outline& outline = outlines.list[run.pieceA];
+    const Outline& outline = outlines.list[run.outlineA];
     if (point ? tips.start : outline.wrap(run.arcB().from) < outline.wrap(run.arcA().from)) {
         run = turned(run);
     }
@@ -67,7 +71,7 @@ struct Mark {
 };
 
 std::vector<SeamMatch> matchesOf(const Outlines& outlines, const Run& run) {
-    const Outline &a = outlines.list[run.pieceA], &b = outlines.list[run.pieceB];
+    const Outline &a = outlines.list[run.outlineA], &b = outlines.list[run.outlineB];
     const double tiny = kSameVertex * run.spacing(outlines);
     const Facing first = run.line.front(), last = run.line.back();
     std::vector<Mark> marks{{{first.a, first.b}, true, true}};
@@ -107,8 +111,8 @@ std::vector<SeamMatch> matchesOf(const Outlines& outlines, const Run& run) {
 }
 
 /// The side from one place to another, counted so that its smaller place lies in the first turn.
-SeamSide sideOf(const Outline& outline, int piece, double start, double end) {
-    SeamSide side{.piece = piece, .reversed = end < start};
+SeamSide sideOf(const Outline& outline, double start, double end) {
+    SeamSide side{.piece = outline.piece, .reversed = end < start, .loop = outline.loop};
     const double low = std::min(start, end);
     const double shift = outline.wrap(low) - low;
     side.start = start + shift;
@@ -131,7 +135,7 @@ Seam finishSeam(const Outlines& outlines, const Chosen& chosen) {
     seam.kind = settleKind(outlines, run);
     seam.stacked = chosen.stacked;
     seam.gap = run.meanGap();
-    const Outline &a = outlines.list[run.pieceA], &b = outlines.list[run.pieceB];
+    const Outline &a = outlines.list[run.outlineA], &b = outlines.list[run.outlineB];
     for (Facing* f : {&run.line.front(), &run.line.back()}) {
         f->a = onVertex(a, f->a);
         f->b = onVertex(b, f->b);
@@ -142,8 +146,8 @@ Seam finishSeam(const Outlines& outlines, const Chosen& chosen) {
         f.a = std::clamp(f.a, first.a, last.a);
         f.b = sign * std::clamp(sign * f.b, sign * first.b, sign * last.b);
     }
-    seam.left = sideOf(a, run.pieceA, first.a, last.a);
-    seam.right = sideOf(b, run.pieceB, first.b, last.b);
+    seam.left = sideOf(a, first.a, last.a);
+    seam.right = sideOf(b, first.b, last.b);
     seam.matches = matchesOf(outlines, run);
     for (SeamMatch& match : seam.matches) {
         match.left += seam.left.start - first.a;
@@ -156,15 +160,15 @@ Seam finishSeam(const Outlines& outlines, const Chosen& chosen) {
     const auto whole = [](const SeamSide& side, const Outline& outline) {
         return side.length() > (1 - kSameVertex) * outline.length();
     };
-    seam.closed = whole(seam.left, a) && whole(seam.right, b) && run.pieceA != run.pieceB;
+    seam.closed = whole(seam.left, a) && whole(seam.right, b) && run.outlineA != run.outlineB;
     return seam;
 }
 
-Seam freeEdge(const Outlines& outlines, int piece, Arc arc) {
-    const Outline& outline = outlines.list[piece];
+Seam freeEdge(const Outlines& outlines, int index, Arc arc) {
+    const Outline& outline = outlines.list[index];
     Seam seam;
     seam.kind = SeamKind::Free;
-    seam.left = sideOf(outline, piece, arc.from, arc.to);
+    seam.left = sideOf(outline, arc.from, arc.to);
     seam.length3d[0] = seam.left.length();
     seam.closed = seam.left.length() > (1 - kSameVertex) * outline.length();
     return seam;

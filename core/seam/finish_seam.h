@@ -11,6 +11,7 @@ namespace toile {
 Seam finishSeam(const Outlines& outlines, const Chosen& chosen);
 
 /// A seam of one side: an edge sewn to nothing.
-Seam freeEdge(const Outlines& outlines, int piece, Arc arc);
+/// @param index  of the outline
+Seam freeEdge(const Outlines& outlines, int index, Arc arc);
 
 }  // namespace toile

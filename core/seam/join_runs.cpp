@@ -39,8 +39,8 @@ public:
 
 private:
     std::tuple<int, int, bool, bool, double> key(const Chosen& c) const {
-        return {c.run.pieceA, c.run.pieceB, c.run.parallel, c.stacked,
-                outlines_.list[c.run.pieceA].wrap(c.run.line.front().a)};
+        return {c.run.outlineA, c.run.outlineB, c.run.parallel, c.stacked,
+                outlines_.list[c.run.outlineA].wrap(c.run.line.front().a)};
     }
 
     void findFollowers() {
@@ -73,11 +73,11 @@ private:
     }
 
     Arc betweenA(const Run& run, const Run& next) const {
-        return between(run.arcA(), next.arcA(), outlines_.list[run.pieceA]);
+        return between(run.arcA(), next.arcA(), outlines_.list[run.outlineA]);
     }
 
     Arc betweenB(const Run& run, const Run& next) const {
-        const Outline& outline = outlines_.list[run.pieceB];
+        const Outline& outline = outlines_.list[run.outlineB];
         return run.parallel ? between(run.arcB(), next.arcB(), outline)
                             : between(next.arcB(), run.arcB(), outline);
     }
@@ -89,8 +89,8 @@ private:
             const double least = kSamePlace * outlines_.list[piece].length();
             return gap.to - gap.from <= std::max(reach, least) && isFree(piece, gap);
         };
-        return near(run.run.pieceA, betweenA(run.run, next.run)) &&
-               near(run.run.pieceB, betweenB(run.run, next.run));
+        return near(run.run.outlineA, betweenA(run.run, next.run)) &&
+               near(run.run.outlineB, betweenB(run.run, next.run));
     }
 
     bool coincide(const Run& run) const {
@@ -117,8 +117,8 @@ private:
 
     void append(Run& run, const Run& next) {
         const Arc a = betweenA(run, next), b = betweenB(run, next);
-        taken_[run.pieceA].add(a);
-        taken_[run.pieceB].add(b);
+        taken_[run.outlineA].add(a);
+        taken_[run.outlineB].add(b);
         const double shiftA = a.to - next.line.front().a;
         const double shiftB =
             (run.parallel ? b.to : run.line.back().b - (b.to - b.from)) - next.line.front().b;

@@ -16,7 +16,7 @@ constexpr double kSamePlace = 1e-6;
 using Key = std::tuple<bool, int, int, SeamKind, std::array<double, 3>, double>;
 
 Key keyOf(const Outlines& outlines, const Seam& seam) {
-    const Outline& outline = outlines.list[seam.left.piece];
+    const Outline& outline = outlines.list[outlines.indexOf(seam.left)];
     const Eigen::Vector3d middle = outline.pointAt(0.5 * (seam.left.start + seam.left.end));
     std::array<double, 3> place{};
     for (int k = 0; k < 3; ++k) {

@@ -54,7 +54,7 @@ bool acrossTheCloth(const Segment& a, const Segment& b, const Eigen::Vector3d& g
 
 std::optional<Contact> contactOf(const Outlines& outlines, int ea, int eb, double tolerance) {
     const Segment a = segmentOf(outlines, ea), b = segmentOf(outlines, eb);
-    const bool samePiece = outlines.pieceOf[ea] == outlines.pieceOf[eb];
+    const bool samePiece = outlines.pieceOf(ea) == outlines.pieceOf(eb);
     const double cosine = a.along.dot(b.along);
     const bool parallel = cosine > 0;
     if (std::abs(cosine) < kSameLine || (parallel && samePiece)) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -33,22 +34,27 @@ int oppositeVertex(const Piece& piece, int u, int v) {
     return piece.mesh.F(use / 3, (use % 3 + 2) % 3);
 }
 
-Outline buildOutline(const Piece& piece) {
+Outline buildOutline(const Piece& piece, int index, int hole) {
     Outline outline;
-    const int n = static_cast<int>(piece.boundary.size());
+    outline.piece = index;
+    outline.loop = hole;
+    const std::vector<int>& loop =
+        hole == 0 ? piece.boundary : piece.holes[static_cast<std::size_t>(hole) - 1];
+    const int n = static_cast<int>(loop.size());
     if (n == 0 || piece.defect) {
         return outline;
     }
+    outline.vertices = loop;
     outline.P.resize(n, 3);
     outline.inward.resize(n, 3);
     outline.arc.assign(n + 1, 0);
     outline.spacing.resize(n);
     for (int k = 0; k < n; ++k) {
-        outline.P.row(k) = piece.mesh.V.row(piece.boundary[k]);
+        outline.P.row(k) = piece.mesh.V.row(loop[k]);
     }
     std::vector<double> length(n);
     for (int k = 0; k < n; ++k) {
-        const int u = piece.boundary[k], v = piece.boundary[(k + 1) % n];
+        const int u = loop[k], v = loop[(k + 1) % n];
         const Eigen::Vector3d along = outline.P.row((k + 1) % n) - outline.P.row(k);
         const Eigen::Vector3d across =
             piece.mesh.V.row(oppositeVertex(piece, u, v)) - piece.mesh.V.row(u);
@@ -64,7 +70,7 @@ Outline buildOutline(const Piece& piece) {
         }
         outline.spacing[k] = sum / (2 * kSpacingReach + 1);
     }
-    outline.angle = boundaryAngles3d(piece.mesh, piece.boundary);
+    outline.angle = boundaryAngles3d(piece.mesh, loop);
     return outline;
 }
 
@@ -102,13 +108,24 @@ Outlines buildOutlines(const std::vector<std::shared_ptr<const Piece>>& pieces) 
     Outlines all;
     Eigen::AlignedBox3d box;
     all.firstEdge.push_back(0);
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        all.list.push_back(buildOutline(*pieces[p]));
-        const Outline& outline = all.list.back();
+    const auto add = [&](Outline outline) {
+        const auto index = static_cast<int>(all.list.size());
         all.firstEdge.push_back(all.firstEdge.back() + outline.size());
-        all.pieceOf.insert(all.pieceOf.end(), outline.size(), static_cast<int>(p));
+        all.outlineOf.insert(all.outlineOf.end(), outline.size(), index);
+        all.list.push_back(std::move(outline));
+    };
+    const auto count = static_cast<int>(pieces.size());
+    for (int p = 0; p < count; ++p) {
+        add(buildOutline(*pieces[p], p, 0));
+        const Outline& outline = all.list.back();
         for (int k = 0; k < outline.size(); ++k) {
             box.extend(Eigen::Vector3d(outline.P.row(k)));
+        }
+    }
+    for (int p = 0; p < count; ++p) {
+        all.firstHole.push_back(static_cast<int>(all.list.size()));
+        for (int hole = 1; hole <= static_cast<int>(pieces[p]->holes.size()); ++hole) {
+            add(buildOutline(*pieces[p], p, hole));
         }
     }
     all.size = box.isEmpty() ? 0 : box.diagonal().norm();

@@ -7,11 +7,16 @@
 #include <Eigen/Core>
 
 #include "core/garment/piece.h"
+#include "core/garment/seam.h"
 
 namespace toile {
 
-/// The boundary of a piece as a closed polyline, ready for measuring. Arc lengths in mm.
+/// The boundary of a piece, or the rim of a hole in it, as a closed polyline, ready for measuring.
+/// Arc lengths in mm.
 struct Outline {
+    int piece = -1;               ///< whose
+    int loop = 0;                 ///< as in SeamSide
+    std::vector<int> vertices;    ///< #n, of the piece, in loop order
     Points3 P;                    ///< #n x 3, vertices in loop order
     Points3 inward;               ///< #n x 3, per edge: unit vector into the cloth
     std::vector<double> arc;      ///< #n + 1, of each vertex; the last is the perimeter
@@ -34,17 +39,24 @@ struct Outline {
     double nearestVertex(double s) const;
 };
 
-/// The outlines of all pieces, one each (empty where the piece is no disk), and their edges
-/// numbered in one go.
+/// The outlines of all pieces, one each (empty where the piece is no disk), then the rims of all
+/// holes; and their edges numbered in one go.
 struct Outlines {
     std::vector<Outline> list;
-    std::vector<int> firstEdge;  ///< per piece, one more at the end
-    std::vector<int> pieceOf;    ///< per edge
+    std::vector<int> firstEdge;  ///< per outline, one more at the end
+    std::vector<int> outlineOf;  ///< per edge
+    std::vector<int> firstHole;  ///< per piece: the outline of its first hole
     double size = 0;             ///< diagonal of the garment's bounding box
 
     int edgeCount() const { return firstEdge.back(); }
-    const Outline& of(int edge) const { return list[pieceOf[edge]]; }
-    int local(int edge) const { return edge - firstEdge[pieceOf[edge]]; }
+    const Outline& of(int edge) const { return list[outlineOf[edge]]; }
+    int local(int edge) const { return edge - firstEdge[outlineOf[edge]]; }
+    /// The piece that an edge is of.
+    int pieceOf(int edge) const { return of(edge).piece; }
+    /// The outline that a side runs along.
+    int indexOf(const SeamSide& side) const {
+        return side.loop == 0 ? side.piece : firstHole[side.piece] + side.loop - 1;
+    }
 };
 
 Outlines buildOutlines(const std::vector<std::shared_ptr<const Piece>>& pieces);

@@ -44,7 +44,7 @@ Facing Run::atB(double b) const {
 }
 
 Run Run::part(Arc onA) const {
-    Run cut{pieceA, pieceB, parallel, certain, folded, {atA(onA.from)}};
+    Run cut{outlineA, outlineB, parallel, certain, folded, {atA(onA.from)}};
     auto next = std::upper_bound(line.begin(), line.end(), onA.from,
                                  [](double s, const Facing& f) { return s < f.a; });
     for (; next != line.end() && next->a < onA.to; ++next) {
@@ -71,16 +71,16 @@ double Run::meanGap() const {
 
 double Run::spacing(const Outlines& outlines) const {
     const Facing middle = atA(0.5 * (line.front().a + line.back().a));
-    return 0.5 *
-           (outlines.list[pieceA].spacingAt(middle.a) + outlines.list[pieceB].spacingAt(middle.b));
+    return 0.5 * (outlines.list[outlineA].spacingAt(middle.a) +
+                  outlines.list[outlineB].spacingAt(middle.b));
 }
 
 Tips tipsOf(const Run& run, const Outlines& outlines) {
     Tips tips;
-    if (run.pieceA != run.pieceB || run.parallel) {
+    if (run.outlineA != run.outlineB || run.parallel) {
         return tips;
     }
-    const Outline& outline = outlines.list[run.pieceA];
+    const Outline& outline = outlines.list[run.outlineA];
     const auto meet = [&](const Facing& f, double step) {
         // From the end of one side on to the end of the other, in the direction away from the run.
         const double apart = outline.wrap(step * (f.b - f.a));

@@ -19,7 +19,7 @@ struct Facing {
 /// Two stretches of outline that face each other all along: a seam, before anything competes for
 /// its place. `line` has increasing a; its b increases where `parallel`, else decreases.
 struct Run {
-    int pieceA = 0, pieceB = 0;  ///< pieceA <= pieceB
+    int outlineA = 0, outlineB = 0;  ///< of Outlines::list, outlineA <= outlineB
     bool parallel = false;
     bool certain = false;  ///< made of contacts that are certain
     bool folded = false;   ///< the outline folded on itself at a plain edge: a pleat, if at all

@@ -31,8 +31,8 @@ std::vector<std::vector<double>> runEnds(const Outlines& outlines, const std::ve
     std::vector<std::vector<double>> ends(outlines.list.size());
     for (const Run& run : runs) {
         for (const Facing& f : {run.line.front(), run.line.back()}) {
-            ends[run.pieceA].push_back(outlines.list[run.pieceA].wrap(f.a));
-            ends[run.pieceB].push_back(outlines.list[run.pieceB].wrap(f.b));
+            ends[run.outlineA].push_back(outlines.list[run.outlineA].wrap(f.a));
+            ends[run.outlineB].push_back(outlines.list[run.outlineB].wrap(f.b));
         }
     }
     for (auto& places : ends) {
@@ -80,8 +80,8 @@ void findContests(const Outlines& outlines, std::vector<Part>& parts) {
         }
     };
     for (std::size_t k = 0; k < parts.size(); ++k) {
-        claim(parts[k].run.pieceA, parts[k].run.arcA(), static_cast<int>(k));
-        claim(parts[k].run.pieceB, parts[k].run.arcB(), static_cast<int>(k));
+        claim(parts[k].run.outlineA, parts[k].run.arcA(), static_cast<int>(k));
+        claim(parts[k].run.outlineB, parts[k].run.arcB(), static_cast<int>(k));
     }
     for (std::size_t p = 0; p < claims.size(); ++p) {
         const Outline& outline = outlines.list[p];
@@ -99,9 +99,9 @@ std::vector<Part> cutIntoParts(const Outlines& outlines, const std::vector<Run>&
     for (std::size_t k = 0; k < runs.size(); ++k) {
         const Run& run = runs[k];
         std::vector<double> cuts =
-            inside(ends[run.pieceA], outlines.list[run.pieceA].length(), run.arcA());
+            inside(ends[run.outlineA], outlines.list[run.outlineA].length(), run.arcA());
         for (const double b :
-             inside(ends[run.pieceB], outlines.list[run.pieceB].length(), run.arcB())) {
+             inside(ends[run.outlineB], outlines.list[run.outlineB].length(), run.arcB())) {
             cuts.push_back(run.atB(b).a);
         }
         std::sort(cuts.begin(), cuts.end());

@@ -17,11 +17,10 @@ struct PartOfEdge {
 
 /// The parts of a stretch, along the outline whatever the side's direction.
 std::vector<PartOfEdge> partsOf(const SeamSide& side, const Piece& piece) {
-    const int n = static_cast<int>(piece.boundary.size());
+    const std::vector<int>& loop = loopOf(side, piece);
+    const int n = static_cast<int>(loop.size());
     const auto lengthOf = [&](int k) {
-        return (piece.mesh.V.row(piece.boundary[(k + 1) % n]) -
-                piece.mesh.V.row(piece.boundary[k % n]))
-            .norm();
+        return (piece.mesh.V.row(loop[(k + 1) % n]) - piece.mesh.V.row(loop[k % n])).norm();
     };
     const auto [low, high] = std::minmax(side.start, side.end);
     // The arc length at which edge `first` begins, summed up as when the seam was found.
@@ -37,8 +36,8 @@ std::vector<PartOfEdge> partsOf(const SeamSide& side, const Piece& piece) {
             const double t = std::clamp((place - arc) / length, 0.0, 1.0);
             return t < kAtVertex ? 0 : t > 1 - kAtVertex ? 1 : t;
         };
-        parts.push_back({piece.boundary[k % n], piece.boundary[(k + 1) % n],
-                         length > 0 ? fraction(low) : 0, length > 0 ? fraction(high) : 1});
+        parts.push_back({loop[k % n], loop[(k + 1) % n], length > 0 ? fraction(low) : 0,
+                         length > 0 ? fraction(high) : 1});
         arc += length;
     }
     return parts;
@@ -63,6 +62,10 @@ Points lineThrough(const SeamSide& side, const Piece& piece, const Points& at) {
 }
 
 }  // namespace
+
+const std::vector<int>& loopOf(const SeamSide& side, const Piece& piece) {
+    return side.loop == 0 ? piece.boundary : piece.holes[static_cast<std::size_t>(side.loop) - 1];
+}
 
 double flatLength(const SeamSide& side, const Piece& piece, const Points2& Q) {
     double flat = 0;

@@ -35,6 +35,9 @@ double easeOf(const Seam& seam);
 SeamMeasure measureSeam(const Seam& seam, const Piece& l, const Points2& Ql, const Piece& r,
                         const Points2& Qr);
 
+/// The vertices of the loop that a side runs along, surface on its left.
+const std::vector<int>& loopOf(const SeamSide& side, const Piece& piece);
+
 /// Flat stretch of outline as a polyline, mm, in the side's direction: its two ends and the
 /// vertices between them. Cost: linear in the outline's edges. Pure.
 Points2 flatLine(const SeamSide& side, const Piece& piece, const Points2& Q);

@@ -24,18 +24,19 @@ struct FileEdge {
 std::vector<FileEdge> fileEdges(const std::vector<std::shared_ptr<const Piece>>& pieces,
                                 const Outlines& outlines) {
     std::vector<FileEdge> found;
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        const Piece& piece = *pieces[p];
-        const int n = outlines.list[p].size();
+    for (std::size_t o = 0; o < outlines.list.size(); ++o) {
+        const Outline& outline = outlines.list[o];
+        const Piece& piece = *pieces[outline.piece];
+        const int n = outline.size();
         if (piece.sourceVertex.size() != static_cast<std::size_t>(piece.mesh.V.rows())) {
             continue;
         }
         for (int k = 0; k < n; ++k) {
-            const int u = piece.sourceVertex[piece.boundary[k]];
-            const int v = piece.sourceVertex[piece.boundary[(k + 1) % n]];
+            const int u = piece.sourceVertex[outline.vertices[k]];
+            const int v = piece.sourceVertex[outline.vertices[(k + 1) % n]];
             if (u >= 0 && v >= 0 && u != v) {
                 found.push_back({{piece.file, std::min(u, v), std::max(u, v)},
-                                 outlines.firstEdge[p] + k,
+                                 outlines.firstEdge[o] + k,
                                  u < v});
             }
         }

@@ -36,7 +36,7 @@ double weightOf(const Outlines& outlines, const Contact& c) {
 std::vector<Balance> balances(const Outlines& outlines, const std::vector<Contact>& contacts) {
     std::map<std::pair<int, int>, double> sums;
     for (const Contact& c : contacts) {
-        const std::pair<int, int> pieces{outlines.pieceOf[c.a], outlines.pieceOf[c.b]};
+        const std::pair<int, int> pieces{outlines.pieceOf(c.a), outlines.pieceOf(c.b)};
         if (pieces.first != pieces.second) {
             sums[pieces] += (c.parallel ? -1 : 1) * weightOf(outlines, c);
         }
@@ -93,8 +93,8 @@ void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& conta
         windings.join(b.left, b.right, b.alike < 0);
     }
     std::erase_if(contacts, [&](const Contact& c) {
-        const bool against = windings.find(outlines.pieceOf[c.a]).second !=
-                             windings.find(outlines.pieceOf[c.b]).second;
+        const bool against = windings.find(outlines.pieceOf(c.a)).second !=
+                             windings.find(outlines.pieceOf(c.b)).second;
         return !c.certain && c.parallel != against;
     });
     std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) {

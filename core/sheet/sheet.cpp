@@ -93,17 +93,12 @@ std::vector<Row> chooseRows(const std::vector<Box>& boxes, double gap) {
     return best;
 }
 
-}  // namespace
-
-Sheet layOutInRows(const Pattern& pattern) {
-    std::vector<Box> boxes;
-    boxes.reserve(pattern.pieces.size());
+Sheet layOut(const std::vector<Box>& boxes) {
     double largest = 0;
-    for (const PatternPiece& piece : pattern.pieces) {
-        boxes.push_back(boundingBox(piece.outline));
-        largest = std::max(largest, boxes.back().size.maxCoeff());
+    for (const Box& box : boxes) {
+        largest = std::max(largest, box.size.maxCoeff());
     }
-    const double gap = std::min(kLargestGap, kRelativeGap * largest);
+    const double gap = gapBetweenPieces(largest);
     const std::vector<Row> rows = chooseRows(boxes, gap);
     const Eigen::Vector2d size = extent(rows, gap);
 
@@ -121,6 +116,30 @@ Sheet layOutInRows(const Pattern& pattern) {
         top -= row.height + gap;
     }
     return sheet;
+}
+
+}  // namespace
+
+double gapBetweenPieces(double largestSide) {
+    return std::min(kLargestGap, kRelativeGap * largestSide);
+}
+
+Sheet layOutInRows(const Pattern& pattern) {
+    std::vector<Box> boxes;
+    boxes.reserve(pattern.pieces.size());
+    for (const PatternPiece& piece : pattern.pieces) {
+        boxes.push_back(boundingBox(piece.outline));
+    }
+    return layOut(boxes);
+}
+
+Sheet layOutInRows(std::span<const Eigen::AlignedBox2d> placed) {
+    std::vector<Box> boxes;
+    boxes.reserve(placed.size());
+    for (const Eigen::AlignedBox2d& box : placed) {
+        boxes.push_back(box.isEmpty() ? Box{} : Box{box.min(), box.sizes()});
+    }
+    return layOut(boxes);
 }
 
 }  // namespace toile

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
-#include "core/flatten/abf_angles.h"
-#include "core/flatten/conformal_energy.h"
-#include "core/flatten/free_boundary.h"
+#include "core/flatten/free/abf_angles.h"
+#include "core/flatten/free/conformal_energy.h"
+#include "core/flatten/free/free_boundary.h"
 #include "core/flatten/methods/methods.h"
 #include "core/garment/piece.h"
 

@@ -2,10 +2,10 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "core/flatten/circle_outline.h"
-#include "core/flatten/mean_value.h"
+#include "core/flatten/boundary/circle_outline.h"
+#include "core/flatten/interior/mean_value.h"
+#include "core/flatten/interior/tutte.h"
 #include "core/flatten/methods/methods.h"
-#include "core/flatten/tutte.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 

@@ -7,16 +7,18 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "core/flatten/carried_start.h"
-#include "core/flatten/dirichlet_energy.h"
 #include "core/flatten/flat_notes.h"
 #include "core/flatten/flattening_memory.h"
-#include "core/flatten/isometric_descent.h"
-#include "core/flatten/isometric_start.h"
+#include "core/flatten/interior/tutte.h"
+#include "core/flatten/isometric/carried_start.h"
+#include "core/flatten/isometric/dirichlet_energy.h"
+#include "core/flatten/isometric/isometric_descent.h"
+#include "core/flatten/isometric/isometric_start.h"
+#include "core/flatten/isometric/kkt_model.h"
 #include "core/flatten/methods/methods.h"
-#include "core/flatten/tutte.h"
 #include "core/garment/garment.h"
 #include "core/quality/measures.h"
+#include "core/quality/outline_crossings.h"
 
 namespace toile {
 namespace {
@@ -36,13 +38,20 @@ bool isNear(double simple, double crossing) {
 constexpr double kSqueezed = 1e3;
 /// Steps after which a descent from carried positions has gone astray; most need two to six.
 constexpr int kMostCarriedSteps = 15;
+/// Vertices from which conjugate gradients cost less than a factorisation where steps are few.
+constexpr int kRoundsForFew = 15000;
+/// Accuracy of steps by conjugate gradients (two_level_solver.h) that takes as many of them as
+/// exact ones would be.
+constexpr double kRoughSteps = 0.2;
+constexpr int kMostSteppedApart = 40;  // with the outline held apart
 /// Shares of the time, as progress tells it: of an attempt from carried positions, of all; then of
 /// what is left.
 constexpr double kCarriedShare = 0.3;
-constexpr double kCarryingShare = 0.25;  // of that
+constexpr double kCarryingShare = 0.25;  // of that, each of two ways
 constexpr double kStartShare = 0.1;
 constexpr double kDescentShare = 0.6;
-constexpr double kUncrossShare = 0.3;
+constexpr double kUncrossShare = 0.2;
+constexpr double kAgainShare = 0.1;   // of an attempt from the last one
 constexpr double kCoarseShare = 0.3;  // of the descent's
 
 DescentOptions optionsFor(Quality quality) {
@@ -98,14 +107,49 @@ Result<DescentResult> descendFromCoarse(const Piece& piece, const Points2& start
     return descend(piece, near.Q, options, Progress(progress, 1 - kCoarseShare));
 }
 
-/// A simple outline with the same lengths, if one is near: from a circle, held apart on the way.
+/// Keeps what an edit of this piece may begin with.
+/// @param simple  positions whose outline does not cross itself, or null
+void keep(DescentResult lowest, const Points2* simple, FlatteningMemory& memory) {
+    memory.flattened = nullptr;
+    memory.Q = memory.simple = nullptr;
+    memory.model = nullptr;
+    memory.multipliers = nullptr;
+    if (!lowest.converged) {
+        return;
+    }
+    memory.flattened = memory.present;
+    memory.distortion = lowest.distortion;
+    const bool same = simple != nullptr && (simple->array() == lowest.Q.array()).all();
+    memory.Q = std::make_shared<const Points2>(std::move(lowest.Q));
+    memory.simple = same                ? memory.Q
+                    : simple != nullptr ? std::make_shared<const Points2>(*simple)
+                                        : nullptr;
+    memory.model = std::move(lowest.model);
+    memory.multipliers = std::make_shared<const Eigen::VectorXd>(std::move(lowest.multipliers));
+}
+
+/// A simple outline with the same lengths, if one is near, held apart on the way: after an edit
+/// from the crossing one with its sides parted, or from the last one; else from a circle.
 std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& crossing,
-                                     DescentOptions options, const Progress& progress) {
+                                     DescentOptions options, const CarriedStart* carried,
+                                     const Progress& progress) {
+    options.keepOutlineSimple = true;
+    options.sharesModel = false;
+    const auto start =
+        carried != nullptr ? carried->simplePositions(crossing.Q, progress) : std::nullopt;
+    if (start) {
+        DescentOptions again = options;
+        again.maxIterations = std::min(options.maxIterations, kMostSteppedApart);
+        again.multipliers = crossing.multipliers;
+        auto simple = descend(piece, *start, again, Progress(progress, kAgainShare));
+        if (simple && simple->converged && isNear(simple->distortion, crossing.distortion)) {
+            return std::move(*simple);
+        }
+    }
     const auto circle = tutteOnCircle(piece, Progress(progress, 0));
     if (!circle) {
         return std::nullopt;
     }
-    options.keepOutlineSimple = true;
     auto simple = descend(piece, *circle, options, Progress(progress, kUncrossShare));
     if (!simple || !isNear(simple->distortion, crossing.distortion)) {
         return std::nullopt;
@@ -115,29 +159,31 @@ std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& cr
 
 /// What follows the descent: a look at the outline, and at the clock.
 Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece flat,
-                         const DescentOptions& descent, const Stopwatch& time,
-                         const Progress& progress, FlatteningMemory* memory) {
-    if (memory != nullptr) {
-        memory->flattened = lowest.converged ? memory->present : nullptr;
-        memory->Q = lowest.converged ? std::make_shared<const Points2>(lowest.Q) : nullptr;
-        memory->distortion = lowest.distortion;
-    }
+                         const DescentOptions& descent, const CarriedStart* carried,
+                         const Stopwatch& time, const Progress& progress,
+                         FlatteningMemory* memory) {
     flat.notes.clear();  // what there was to say of the start
     if (!lowest.converged) {
         flat.notes.push_back(
             endedEarly(piece, "after " + std::to_string(lowest.iterations) + " steps"));
     }
     flat.interiorIterations = lowest.iterations;
-    flat.Q = std::move(lowest.Q);
+    flat.Q = lowest.Q;
+    bool isSimple = true;
     if (const int crossings = outlineCrossings(flat.Q, piece.boundary); crossings > 0) {
-        if (auto simple = uncross(piece, lowest, descent, progress)) {
+        isSimple = false;
+        if (auto simple = uncross(piece, lowest, descent, carried, progress)) {
             flat.notes.push_back(uncrossedNote(piece, crossings));
             flat.interiorIterations += simple->iterations;
             flat.Q = std::move(simple->Q);
+            isSimple = outlineIsSimple(flat.Q, piece.boundary);
         }
     }
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
+    }
+    if (memory != nullptr) {
+        keep(std::move(lowest), isSimple ? &flat.Q : nullptr, *memory);
     }
     flat.angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
                                    boundaryAngles2d(flat.Q, piece.boundary));
@@ -147,14 +193,23 @@ Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece fla
 
 /// The descent from the positions kept of an earlier version. Nothing where these do not suit.
 std::optional<DescentResult> descendFromCarried(const Piece& piece, DescentOptions options,
-                                                FlatteningMemory& memory,
+                                                const CarriedStart& carried,
                                                 const Progress& progress) {
-    const auto carried = carriedStart(piece, memory, Progress(progress, kCarryingShare));
-    if (!carried) {
+    std::optional<IsometricStart> start;
+    if (auto Q = carried.positions(Progress(progress, kCarryingShare))) {
+        start = IsometricStart{std::move(*Q), carried.multipliers()};
+        options.model = carried.model();
+    } else {
+        start = carried.fromCoarse(options.tolerance, Progress(progress, kCarryingShare));
+        options.sizes.large = kRoundsForFew;
+        options.sizes.accuracy = kRoughSteps;
+    }
+    if (!start) {
         return std::nullopt;
     }
     options.maxIterations = std::min(options.maxIterations, kMostCarriedSteps);
-    auto lowest = descend(piece, *carried, options, Progress(progress, 1 - kCarryingShare));
+    options.multipliers = std::move(start->multipliers);
+    auto lowest = descend(piece, start->Q, options, Progress(progress, 1 - 2 * kCarryingShare));
     if (!lowest || !lowest->converged) {
         return std::nullopt;
     }
@@ -173,9 +228,10 @@ FlatPiece figuresOf(const FlatPiece& flat) {
 
 /// The cold way: from the conformal result, or the circle.
 Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions& options,
-                                       const Stopwatch& time, const Progress& progress,
-                                       FlatteningMemory* memory) {
-    const DescentOptions descent = optionsFor(options.quality);
+                                       const CarriedStart* carried, const Stopwatch& time,
+                                       const Progress& progress, FlatteningMemory* memory) {
+    DescentOptions descent = optionsFor(options.quality);
+    descent.sharesModel = memory != nullptr;
     FlattenOptions conformal = options;
     conformal.authalic = 0;
     auto flat = flattenCurvature(piece, conformal, Progress(progress, kStartShare), memory);
@@ -200,8 +256,8 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
     if (!lowest) {
         return lowest.error();
     }
-    return finish(piece, std::move(*lowest), flat ? std::move(*flat) : FlatPiece{}, descent, time,
-                  progress, memory);
+    return finish(piece, std::move(*lowest), flat ? std::move(*flat) : FlatPiece{}, descent,
+                  carried, time, progress, memory);
 }
 
 }  // namespace
@@ -210,20 +266,22 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
                                    const Progress& progress, FlatteningMemory* memory) {
     const Stopwatch time;
     const Progress all(progress, 1);  // whose fraction is of this call alone
-    std::optional<DescentResult> again;
+    std::optional<CarriedStart> carried;
     if (memory != nullptr && memory->Q) {
-        again = descendFromCarried(piece, optionsFor(options.quality), *memory,
-                                   Progress(all, kCarriedShare));
+        carried.emplace(piece, *memory);
+        DescentOptions descent = optionsFor(options.quality);
+        descent.sharesModel = true;
+        auto again = descendFromCarried(piece, descent, *carried, Progress(all, kCarriedShare));
         if (all.isCancelled()) {
             return Error{ErrorCode::Cancelled, "", ""};
         }
+        if (again) {
+            return finish(piece, std::move(*again), memory->start, descent, &*carried, time,
+                          Progress(all, 1 - all.fraction()), memory);
+        }
     }
-    const Progress rest(all, 1 - all.fraction());
-    if (again) {
-        return finish(piece, std::move(*again), memory->start, optionsFor(options.quality), time,
-                      rest, memory);
-    }
-    return descendFromConformal(piece, options, time, rest, memory);
+    return descendFromConformal(piece, options, carried ? &*carried : nullptr, time,
+                                Progress(all, 1 - all.fraction()), memory);
 }
 
 }  // namespace toile

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/conformal_energy.h"
-#include "core/flatten/free_boundary.h"
+#include "core/flatten/free/conformal_energy.h"
+#include "core/flatten/free/free_boundary.h"
 #include "core/flatten/methods/methods.h"
 
 namespace toile {

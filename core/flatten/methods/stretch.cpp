@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "core/flatten/interior.h"
-#include "core/flatten/mean_value.h"
+#include "core/flatten/interior/interior.h"
+#include "core/flatten/interior/mean_value.h"
 #include "core/flatten/methods/methods.h"
 #include "core/garment/piece.h"
 #include "core/mesh/cotangents.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/stopwatch.h"
-#include "core/flatten/authalic.h"
-#include "core/flatten/boundary_problem.h"
-#include "core/flatten/conformal_interior.h"
+#include "core/flatten/boundary/boundary_problem.h"
+#include "core/flatten/free/authalic.h"
+#include "core/flatten/interior/conformal_interior.h"
 #include "core/flatten/methods/methods.h"
 #include "core/garment/garment.h"
 #include "core/quality/measures.h"

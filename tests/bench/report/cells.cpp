@@ -4,16 +4,25 @@
 #include "tests/bench/report/figures.h"
 
 namespace toile::bench {
+namespace {
+
+std::string cell(double lowest, double median) {
+    return milliseconds(lowest) + " (" + milliseconds(median) + ")";
+}
+
+}  // namespace
 
 std::string orDash(const std::optional<double>& value, std::string (*text)(double)) {
     return value ? text(*value) : "-";
 }
 
 std::string timeCell(const Measurement* measurement) {
-    if (measurement == nullptr) {
-        return "-";
-    }
-    return milliseconds(measurement->lowest()) + " (" + milliseconds(measurement->median()) + ")";
+    return measurement == nullptr ? "-" : cell(measurement->lowest(), measurement->median());
+}
+
+std::string wallCell(const Measurement* measurement) {
+    return measurement == nullptr ? "-"
+                                  : cell(measurement->lowestWall(), measurement->medianWall());
 }
 
 }  // namespace toile::bench

@@ -12,5 +12,7 @@ namespace toile::bench {
 std::string orDash(const std::optional<double>& value, std::string (*text)(double));
 /// The lowest and, in brackets, the middle time, in milliseconds: "44.2 (45.0)".
 std::string timeCell(const Measurement* measurement);
+/// The same by the clock on the wall.
+std::string wallCell(const Measurement* measurement);
 
 }  // namespace toile::bench

@@ -62,17 +62,32 @@ void addRun(const json& run, Measurements& measurements) {
                      unit * run.at("real_time").get<double>(), counters);
 }
 
-}  // namespace
-
-double Measurement::lowest() const {
+double lowestOf(const std::vector<double>& seconds) {
     return *std::min_element(seconds.begin(), seconds.end());
 }
 
-double Measurement::median() const {
-    std::vector<double> sorted = seconds;
+double medianOf(std::vector<double> sorted) {
     std::sort(sorted.begin(), sorted.end());
     const std::size_t middle = sorted.size() / 2;
     return sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
+}
+
+}  // namespace
+
+double Measurement::lowest() const {
+    return lowestOf(seconds);
+}
+
+double Measurement::median() const {
+    return medianOf(seconds);
+}
+
+double Measurement::lowestWall() const {
+    return lowestOf(wallSeconds);
+}
+
+double Measurement::medianWall() const {
+    return medianOf(wallSeconds);
 }
 
 std::string plainName(std::string_view fullName) {
@@ -95,6 +110,7 @@ void Measurements::add(std::string_view fullName, double cpuSeconds, double real
     const bool wall = fullName.find("/real_time") != fullName.npos;
     Measurement& measurement = all_[plainName(fullName)];
     measurement.seconds.push_back(wall ? realSeconds : cpuSeconds);
+    measurement.wallSeconds.push_back(realSeconds);
     for (const auto& [key, value] : counters) {
         const auto [found, isNew] = measurement.counters.emplace(key, value);
         found->second = std::min(found->second, value);
@@ -124,6 +140,19 @@ std::optional<double> Measurements::counter(const std::string& name,
 std::optional<double> Measurements::ratio(const std::string& name, const std::string& to) const {
     const auto mine = lowest(name), theirs = lowest(to);
     return mine && theirs ? std::optional(*mine / *theirs) : std::nullopt;
+}
+
+std::string Measurements::onAllCores(const std::string& method, const std::string& piece) const {
+    const std::string two = "cores/" + piece + "/" + method + "/threads-2";
+    return find(two) != nullptr ? two : method + "/" + piece;
+}
+
+std::optional<double> Measurements::wallRatio(const std::string& name,
+                                              const std::string& to) const {
+    const Measurement *mine = find(name), *theirs = find(to);
+    return mine != nullptr && theirs != nullptr
+               ? std::optional(mine->lowestWall() / theirs->lowestWall())
+               : std::nullopt;
 }
 
 std::optional<Measurements::Floor> Measurements::floorOf(const std::string& piece) const {

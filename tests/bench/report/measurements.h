@@ -13,10 +13,13 @@ namespace toile::bench {
 /// its name ("/real_time"): the work of several threads, files, other programs.
 struct Measurement {
     std::vector<double> seconds;             ///< of each repetition
+    std::vector<double> wallSeconds;         ///< the same by the clock on the wall
     std::map<std::string, double> counters;  ///< the lowest of all repetitions
 
     double lowest() const;
     double median() const;
+    double lowestWall() const;
+    double medianWall() const;
 };
 
 /// What one run measured, by names such as "curvature/panel/45000": what, on which piece, of how
@@ -35,6 +38,10 @@ public:
     std::optional<double> lowest(const std::string& name) const;
     std::optional<double> counter(const std::string& name, const std::string& counter) const;
     std::optional<double> ratio(const std::string& name, const std::string& to) const;
+    /// Name of the measurement of a method with all threads that it can use: of pieces of more than
+    /// 100 000 triangles two.
+    std::string onAllCores(const std::string& method, const std::string& piece) const;
+    std::optional<double> wallRatio(const std::string& name, const std::string& to) const;
 
     /// The fastest of the floor's candidates for a piece ("panel/45000"): "floor/panel/45000/...".
     struct Floor {

@@ -64,6 +64,9 @@ TEST(BenchReport, ARunIsReadWithItsUnitsCountersAndMachine) {
     EXPECT_DOUBLE_EQ(run.find("a/b")->median(), 4.5e-3);
     EXPECT_DOUBLE_EQ(*run.lowest("c"), 2);  // wall-clock time
     EXPECT_DOUBLE_EQ(*run.ratio("c", "a/b"), 500);
+    EXPECT_DOUBLE_EQ(run.find("a/b")->lowestWall(), 7e-6);
+    EXPECT_DOUBLE_EQ(*run.wallRatio("c", "a/b"), 2 / 7e-6);
+    EXPECT_EQ(run.onAllCores("a", "b"), "a/b");
     EXPECT_DOUBLE_EQ(*run.counter("a/b", "triangles"), 10);
     EXPECT_EQ(run.find("a/b")->counters.size(), 1u);
     EXPECT_FALSE(run.ratio("c", "gone"));

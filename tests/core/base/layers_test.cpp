@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Watches the layers: the core knows neither Qt nor OpenGL, and a core folder includes only what
-// lies above it in the module map of docs/architecture.md.
+// Watches the layers: the core knows neither Qt nor OpenGL, and a folder includes only what lies
+// above it in the module maps of docs/architecture.md.
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -29,14 +31,60 @@ const std::map<std::string, Folders> kMayUse = {
     {"seam", {"base", "mesh", "garment", "quality", "flatten"}},
     {"compare", {"base", "mesh", "garment", "quality", "flatten", "seam"}},
     {"pattern", {"base", "mesh", "garment", "quality", "flatten", "seam"}},
-    {"sheet", {"base", "mesh", "pattern"}},
+    {"sheet", {"base", "mesh", "quality", "pattern"}},
     {"export",
      {"base", "mesh", "io", "cut", "garment", "quality", "flatten", "seam", "compare", "pattern",
       "sheet"}},
     {"pipeline",
      {"base", "mesh", "io", "cut", "garment", "quality", "flatten", "seam", "compare", "pattern",
       "sheet", "export"}},
+    {"project",
+     {"base", "mesh", "io", "cut", "garment", "quality", "flatten", "seam", "pattern", "sheet",
+      "pipeline"}},
+    {"check",
+     {"base", "mesh", "garment", "quality", "flatten", "seam", "sheet", "export", "project"}},
 };
+
+/// A line of the app's table.
+struct AppFolder {
+    std::string name;  ///< below app/
+    Folders mayUse;
+};
+
+/// As docs/architecture.md has it, from above downwards.
+std::vector<AppFolder> appFolders() {
+    const std::regex row("^\\| `([a-z/]+)` \\|.*\\| ([a-z/, –]+) \\|$");
+    std::ifstream page(kRoot / "docs" / "architecture.md");
+    std::vector<AppFolder> folders;
+    bool isInTable = false;
+    std::smatch match;
+    for (std::string line; std::getline(page, line);) {
+        isInTable = (isInTable && line.starts_with('|')) || line == "| Folder | Holds | May use |";
+        if (!isInTable || !std::regex_match(line, match, row)) {
+            continue;
+        }
+        AppFolder folder{match[1], {}};
+        std::istringstream names(match[2].str());
+        for (std::string name; std::getline(names >> std::ws, name, ',');) {
+            if (name != "–") {
+                folder.mayUse.insert(name);
+            }
+        }
+        folders.push_back(std::move(folder));
+    }
+    return folders;
+}
+
+/// The deepest folder of the table that a file below app/ lies in; empty of app/ itself.
+std::string appFolderOf(const std::vector<AppFolder>& folders, const std::string& file) {
+    std::string deepest;
+    for (const AppFolder& folder : folders) {
+        if (file.starts_with(folder.name + '/') && folder.name.size() > deepest.size()) {
+            deepest = folder.name;
+        }
+    }
+    return deepest;
+}
 
 template <class Visit>
 void forEachInclude(const fs::path& folder, const Visit& visit) {
@@ -83,6 +131,55 @@ TEST(Layers, CoreFoldersIncludeOnlyUpwards) {
     }
 }
 
+TEST(Layers, TheTableOfTheAppGoesDownwards) {
+    const std::vector<AppFolder> folders = appFolders();
+    Folders above;
+    for (const AppFolder& folder : folders) {
+        for (const std::string& used : folder.mayUse) {
+            EXPECT_TRUE(above.contains(used)) << "app/" << folder.name << " may use " << used;
+        }
+        EXPECT_TRUE(above.insert(folder.name).second) << folder.name << " has two lines";
+    }
+    for (const auto& entry : fs::directory_iterator(kRoot / "app")) {
+        const std::string name = entry.path().filename().string();
+        EXPECT_TRUE(!entry.is_directory() || above.contains(name))
+            << "app/" << name << " is not in docs/architecture.md";
+    }
+    for (const std::string& name : above) {
+        EXPECT_TRUE(fs::is_directory(kRoot / "app" / name)) << name;
+    }
+}
+
+TEST(Layers, AppFoldersIncludeOnlyWhatTheirLineNames) {
+    const std::vector<AppFolder> folders = appFolders();
+    std::map<std::string, Folders> mayUse;
+    for (const AppFolder& folder : folders) {
+        mayUse[folder.name] = folder.mayUse;
+    }
+    int seen = 0;
+    forEachInclude(kRoot / "app", [&](const fs::path& file, const std::string& included) {
+        const std::string own = appFolderOf(folders, fs::relative(file, kRoot / "app").string());
+        if (own.empty() || !included.starts_with("app/")) {
+            return;
+        }
+        ++seen;
+        const std::string used = appFolderOf(folders, included.substr(4));
+        const bool isOwn =
+            !used.empty() && used.substr(0, used.find('/')) == own.substr(0, own.find('/'));
+        EXPECT_TRUE(isOwn || mayUse.at(own).contains(used)) << file << " includes " << included;
+    });
+    EXPECT_GT(seen, 100);
+}
+
+/// The types of its matrices stay in app/render too: what a camera says to others it says in Eigen.
+TEST(Layers, OnlyRenderTurnsMatricesIntoGlm) {
+    forEachInclude(kRoot / "app", [](const fs::path& file, const std::string& included) {
+        EXPECT_TRUE(file.parent_path().filename() == "render" ||
+                    included != "app/render/glm_eigen.h")
+            << file;
+    });
+}
+
 TEST(Layers, TheCommandLineIsFreeOfQt) {
     forEachInclude(kRoot / "app" / "cli", [](const fs::path& file, const std::string& included) {
         EXPECT_FALSE(included.starts_with("Q")) << file << " includes " << included;
@@ -93,8 +190,8 @@ TEST(Layers, TheCommandLineIsFreeOfQt) {
 /// leave app/render.
 TEST(Layers, OnlyRenderDrawsWithOpenGL) {
     const std::regex gl(
-        "^(GL/|glm/|QOpenGL(Functions|ExtraFunctions|Shader|Buffer|VertexArray|Texture|Framebuffer|"
-        "Version))");
+        "^(E?GL/|qopengl|glm/|QOpenGL(Functions|ExtraFunctions|Shader|Buffer|VertexArray|Texture|"
+        "Framebuffer|Version))");
     forEachInclude(kRoot / "app", [&](const fs::path& file, const std::string& included) {
         const bool inRender = file.parent_path().filename() == "render";
         EXPECT_TRUE(inRender || !std::regex_search(included, gl))

@@ -39,6 +39,18 @@ TEST(Geodesic, IsTheStraightLineOnAPlane) {
     }
 }
 
+TEST(Geodesic, GivesControlBackWhenCancelled) {
+    const Surface s(test::planeGrid(100, 100, 1));
+    Progress progress;
+    const SurfacePoint from = s.links.atVertex(0), to = s.links.atVertex(101 * 101 - 1);
+    EXPECT_TRUE(geodesicPath(s.links, from, to, progress));
+    progress.cancel();
+    const auto path =
+        geodesicPath(s.links, s.links.atVertex(100), s.links.atVertex(101 * 100), progress);
+    ASSERT_FALSE(path);
+    EXPECT_EQ(path.error().code, ErrorCode::Cancelled);
+}
+
 TEST(Geodesic, RunsThroughVerticesOfAPlaneWithoutBending) {
     const Surface s(test::planeGrid(8, 8, 1));
     const auto diagonal = geodesicPath(s.links, s.links.atVertex(8), s.links.atVertex(72));

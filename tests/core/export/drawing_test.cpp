@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/export/label.h"
+#include "core/export/writers.h"
 #include "tests/core/export/export_fixtures.h"
 
 namespace toile {
@@ -72,6 +73,29 @@ TEST(Draw, NamesPiecesAndSaysThatThereIsNoAllowance) {
         EXPECT_TRUE(ids.insert(text.id).second) << text.id;
     }
     EXPECT_TRUE(ids.contains("piece-aermel-cut") && ids.contains("piece-cuff-2-name"));
+}
+
+TEST(Draw, SaysHowOftenAPieceIsCut) {
+    Pattern pattern = test::sewingPattern();
+    pattern.pieces[0].quantity = 3;
+    pattern.pieces[1].mirroredPair = true;
+    pattern.pieces[2].mirroredPair = true;
+    pattern.pieces[2].quantity = 2;
+    const Drawing drawing = draw(pattern, layOutInRows(pattern));
+    const auto second = [&](std::size_t i) { return drawing.texts[i].lines[1]; };
+    EXPECT_EQ(second(0), "cut 3");
+    EXPECT_EQ(second(1), "cut 1 pair");
+    EXPECT_EQ(second(2), "cut 2 pairs");
+    EXPECT_EQ(second(3), "net outline, no allowance");
+    for (const std::string& file : {writeSvg(drawing), writeDxf(drawing)}) {
+        for (const char* note : {"cut 3", "cut 1 pair", "cut 2 pairs"}) {
+            EXPECT_NE(file.find(note), std::string::npos) << note;
+        }
+    }
+    for (const std::string& file :
+         {writeSvg(test::sewingDrawing()), writeDxf(test::sewingDrawing())}) {
+        EXPECT_EQ(file.find("cut 1"), std::string::npos);
+    }
 }
 
 TEST(Draw, HasACheckSquareOfAHundredMillimetresWithItsTextInside) {

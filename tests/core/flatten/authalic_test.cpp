@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/authalic.h"
+#include "core/flatten/free/authalic.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/flatten/flatten.h"
-#include "core/flatten/interior.h"
+#include "core/flatten/interior/interior.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/shapes.h"

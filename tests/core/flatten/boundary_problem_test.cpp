@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/boundary_problem.h"
+#include "core/flatten/boundary/boundary_problem.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/circle_outline.h"
+#include "core/flatten/boundary/circle_outline.h"
 
 #include <cmath>
 #include <numbers>

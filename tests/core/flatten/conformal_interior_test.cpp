@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/conformal_interior.h"
+#include "core/flatten/interior/conformal_interior.h"
 
 #include <algorithm>
 #include <random>
@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/flatten.h"
+#include "core/flatten/interior/delaunay_around.h"
 #include "core/mesh/cotangents.h"
 #include "core/mesh/intrinsic_delaunay.h"
 #include "core/quality/measures.h"
@@ -33,26 +34,37 @@ MeshArrays strip(double stretch, double jitter, double bump, unsigned seed) {
     return mesh;
 }
 
+/// Flipped triangles inside the outline of a flattening, by the mesh's own weights and by those
+/// that are Delaunay around the triangles which flip so.
 struct Flips {
     int plain, delaunay;
+    int turned;  ///< edges
 };
 
-/// Flipped triangles inside the outline of a flattening, by the mesh's own weights and by those of
-/// its Delaunay triangulation.
 Flips flipsByBoth(const Piece& piece, const Points2& Q) {
     Points2 outline(static_cast<Eigen::Index>(piece.boundary.size()), 2);
     for (std::size_t i = 0; i < piece.boundary.size(); ++i) {
         outline.row(static_cast<Eigen::Index>(i)) = Q.row(piece.boundary[i]);
     }
-    const auto flipsWith = [&](const WeightedEdges& graph) {
+    const auto placedWith = [&](const WeightedEdges& graph) -> Points2 {
         auto system = InteriorSystem::make(graph, static_cast<int>(piece.mesh.V.rows()),
                                            piece.boundary, Progress());
-        const auto points = system->extend(outline);
-        return flippedTriangles(triangleAreas2d(Points2(*points), piece.mesh.F));
+        return *system->extend(outline);
     };
-    const auto delaunay = intrinsicDelaunay(piece.mesh, piece.table, Progress());
-    return {flipsWith({piece.table.edges, cotangentWeights(piece.mesh, piece.table)}),
-            flipsWith(delaunay->graph)};
+    const auto flippedIn = [&piece](const Points2& points) {
+        return flippedTriangles(triangleAreas2d(points, piece.mesh.F));
+    };
+    const Eigen::VectorXd own = cotangentWeights(piece.mesh, piece.table);
+    const Points2 plain = placedWith({piece.table.edges, own});
+    const Eigen::VectorXd areas = triangleAreas2d(plain, piece.mesh.F);
+    std::vector<int> flipped;
+    for (int f = 0; f < areas.size(); ++f) {
+        if (areas[f] <= 0) {
+            flipped.push_back(f);
+        }
+    }
+    const auto around = delaunayAround(piece.mesh, piece.table, own, flipped, 2, Progress());
+    return {flippedIn(plain), flippedIn(placedWith(around->graph)), around->flips};
 }
 
 TEST(ConformalInterior, KeepsTheMeshsOwnWeightsWhereNothingFlips) {
@@ -80,7 +92,8 @@ TEST(ConformalInterior, TakesDelaunayWeightsWhereTheOwnOnesFlip) {
         EXPECT_GT(flips.plain, 0);
         EXPECT_EQ(flips.delaunay, 0);
         EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
-        EXPECT_EQ(flat->delaunayFlips,
+        EXPECT_EQ(flat->delaunayFlips, flips.turned);
+        EXPECT_LT(flat->delaunayFlips,
                   intrinsicDelaunay(piece->mesh, piece->table, Progress())->flips);
     }
 }
@@ -89,7 +102,7 @@ TEST(ConformalInterior, KeepsTheOwnWeightsWhereTheOthersFlipMore) {
     // On needles the mesh's triangles are none of the Delaunay triangulation's, and what keeps
     // those upright says nothing about these.
     int kept = 0;
-    for (unsigned seed = 1; seed <= 10; ++seed) {
+    for (unsigned seed = 1; seed <= 100; ++seed) {
         SCOPED_TRACE(seed);
         const auto piece = test::asPiece(strip(30, 0.3, 4, seed));
         const auto flat = flatten(*piece, {Method::Curvature}, Progress());
@@ -101,6 +114,39 @@ TEST(ConformalInterior, KeepsTheOwnWeightsWhereTheOthersFlipMore) {
         kept += 0 < flips.plain && flips.plain < flips.delaunay ? 1 : 0;
     }
     EXPECT_GT(kept, 0);
+}
+
+TEST(ConformalInterior, PlacesAroundFlipsAsANewFactorisationDoes) {
+    for (const double stretch : {1.0, 2.0, 6.0}) {
+        for (unsigned seed = 1; seed <= 8; ++seed) {
+            SCOPED_TRACE(testing::Message() << "stretch " << stretch << ", seed " << seed);
+            const auto piece = test::asPiece(strip(stretch, 0.3, 2, seed));
+            const auto vertexCount = static_cast<int>(piece->mesh.V.rows());
+            const Eigen::VectorXd own = cotangentWeights(piece->mesh, piece->table);
+            const auto around =
+                delaunayAround(piece->mesh, piece->table, own, {100, 101, 300, 444}, 2, Progress());
+            auto plain = InteriorSystem::make({piece->table.edges, own}, vertexCount,
+                                              piece->boundary, Progress());
+            auto nearby = InteriorSystem::makeNear(*plain, around->graph, Progress());
+            auto exact =
+                InteriorSystem::make(around->graph, vertexCount, piece->boundary, Progress());
+            ASSERT_TRUE(nearby) << sentence(nearby.error());
+            EXPECT_FALSE(nearby->ownsFactor());
+            Eigen::MatrixXd outline(static_cast<Eigen::Index>(piece->boundary.size()), 2);
+            for (std::size_t i = 0; i < piece->boundary.size(); ++i) {
+                outline.row(static_cast<Eigen::Index>(i)) =
+                    piece->mesh.V.row(piece->boundary[i]).head<2>();
+            }
+            const auto start = plain->extend(outline);
+            const auto expected = exact->extend(outline);
+            const double tolerance = 1e-10 * expected->cwiseAbs().maxCoeff();
+            EXPECT_LE((*nearby->extend(outline) - *expected).cwiseAbs().maxCoeff(), tolerance);
+            EXPECT_LE(
+                (*nearby->extend(outline, Progress(), &*start) - *expected).cwiseAbs().maxCoeff(),
+                tolerance);
+            EXPECT_FALSE(nearby->ownsFactor());
+        }
+    }
 }
 
 TEST(ConformalInterior, IsCancelledOnTheWay) {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/flatten.h"
-#include "core/flatten/mean_value.h"
-#include "core/flatten/tutte.h"
+#include "core/flatten/interior/mean_value.h"
+#include "core/flatten/interior/tutte.h"
 #include "core/garment/garment.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"

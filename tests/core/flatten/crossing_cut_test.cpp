@@ -15,20 +15,14 @@
 #include "core/flatten/flat_notes.h"
 #include "core/flatten/flatten.h"
 #include "core/quality/measures.h"
+#include "tests/core/support/flat_of.h"
 #include "tests/core/support/flat_trouble.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
 namespace {
 
-Points2 flatOf(const Piece& piece, Method method) {
-    FlattenOptions options;
-    options.method = method;
-    Progress progress;
-    const auto flat = flatten(piece, options, progress);
-    EXPECT_TRUE(flat) << (flat ? "" : sentence(flat.error()));
-    return flat ? flat->Q : Points2(Points2::Zero(piece.mesh.V.rows(), 2));
-}
+using test::flatOf;
 
 std::optional<CrossingCut> cutOf(const Piece& piece, const Points2& Q) {
     return cutForCrossings(piece, Q, findOutlineCrossings(Q, piece.boundary));

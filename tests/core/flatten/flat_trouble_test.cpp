@@ -9,6 +9,7 @@
 #include "core/flatten/flatten.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
+#include "tests/core/support/flat_of.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
@@ -16,12 +17,7 @@ namespace {
 
 /// The shapes are what they promise, and their exact-length outlines are in trouble.
 PieceQuality flattened(const Piece& piece, Method method) {
-    FlattenOptions options;
-    options.method = method;
-    Progress progress;
-    const auto flat = flatten(piece, options, progress);
-    EXPECT_TRUE(flat) << (flat ? "" : sentence(flat.error()));
-    return flat ? measure(piece, flat->Q) : PieceQuality{};
+    return measure(piece, test::flatOf(piece, method));
 }
 
 TEST(FlatTrouble, ASaddlesSlitCrossesItself) {

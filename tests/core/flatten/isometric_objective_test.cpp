@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The terms of the isometric objective against finite differences and known values.
-#include "core/flatten/isometric_objective.h"
+#include "core/flatten/isometric/isometric_objective.h"
 
 #include <cmath>
 #include <limits>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/flatten/length_constraints.h"
+#include "core/flatten/boundary/length_constraints.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/generator.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What takes an isometric descent down the long way: coarse pieces, single vertices, remembered
 // steps, and the decision when to factorise anew.
-#include "core/flatten/isometric_start.h"
+#include "core/flatten/isometric/isometric_start.h"
 
 #include <cmath>
 #include <limits>
@@ -9,13 +9,13 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "core/flatten/coarsening.h"
-#include "core/flatten/descent_pace.h"
-#include "core/flatten/dirichlet_energy.h"
-#include "core/flatten/isometric_descent.h"
-#include "core/flatten/length_constraints.h"
-#include "core/flatten/step_memory.h"
-#include "core/flatten/tutte.h"
+#include "core/flatten/boundary/length_constraints.h"
+#include "core/flatten/interior/tutte.h"
+#include "core/flatten/isometric/coarsening.h"
+#include "core/flatten/isometric/descent_pace.h"
+#include "core/flatten/isometric/dirichlet_energy.h"
+#include "core/flatten/isometric/isometric_descent.h"
+#include "core/flatten/isometric/step_memory.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/shapes.h"

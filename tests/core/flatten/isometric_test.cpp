@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/flatten/isometric_descent.h"
-#include "core/flatten/tutte.h"
+#include "core/flatten/interior/tutte.h"
+#include "core/flatten/isometric/isometric_descent.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/flat_trouble.h"

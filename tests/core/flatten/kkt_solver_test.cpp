@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The isometric descent's steps with and without a factorisation of the whole matrix.
-#include "core/flatten/kkt_solver.h"
+#include "core/flatten/isometric/kkt_solver.h"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "core/flatten/isometric_descent.h"
-#include "core/flatten/tutte.h"
+#include "core/flatten/interior/tutte.h"
+#include "core/flatten/isometric/isometric_descent.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/shapes.h"

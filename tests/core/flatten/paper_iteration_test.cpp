@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/tolerances.h"
-#include "core/flatten/boundary_problem.h"
+#include "core/flatten/boundary/boundary_problem.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/random_piece.h"
 #include "tests/core/support/shapes.h"

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/flatten/interior.h"
+#include "core/flatten/interior/interior.h"
 #include "core/flatten/match_versions.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
@@ -26,17 +26,6 @@ FlattenOptions by(Method method) {
     FlattenOptions options;
     options.method = method;
     return options;
-}
-
-/// A square panel bent both ways; large enough to be factorised in blocks.
-MeshArrays bentPanel(int side) {
-    MeshArrays mesh = test::planeGrid(side, side, 600.0 / side);
-    for (auto vertex : mesh.V.rowwise()) {
-        const double x = vertex.x() / 300 - 1;
-        const double y = vertex.y() / 300 - 1;
-        vertex.z() = 120 * std::exp(-2 * (x * x + y * y)) + 40 * x * y;
-    }
-    return mesh;
 }
 
 double extentOf(const Points2& Q) {
@@ -118,7 +107,8 @@ TEST(PieceFlattener, GivesWhatAColdSolveGivesAfterEveryEdit) {
         for (unsigned seed = 0; seed < 6; ++seed) {
             SCOPED_TRACE(std::string(name(method)) + ", seed " + std::to_string(seed));
             const bool isLarge = seed == 0;
-            Editor editor(test::originalPiece(isLarge ? bentPanel(90) : bentPanel(20)), seed);
+            Editor editor(test::originalPiece(isLarge ? test::bentPanel(90) : test::bentPanel(20)),
+                          seed);
             PieceFlattener flattener;
             for (int k = 0; k < (isLarge ? 12 : 40); ++k) {
                 expectAsCold(flattener, editor.next(), method);
@@ -138,6 +128,32 @@ TEST(PieceFlattener, GivesWhatAColdSolveGivesOnPiecesOfEveryKind) {
     }
 }
 
+TEST(PieceFlattener, GivesWhatAColdSolveGivesWhereTrianglesFlip) {
+    for (const Method method : {Method::Curvature, Method::Wang2005}) {
+        int turned = 0;
+        for (unsigned seed = 0; seed < 3; ++seed) {
+            SCOPED_TRACE(std::string(name(method)) + ", seed " + std::to_string(seed));
+            MeshArrays rough = test::planeGrid(30, 16, 20);
+            std::mt19937 random(seed);
+            const auto noise = [&random] { return 2.0 * random() / std::mt19937::max() - 1; };
+            for (int v = 0; v < rough.V.rows(); ++v) {
+                const bool isInside = v % 31 > 0 && v % 31 < 30 && v / 31 > 0 && v / 31 < 16;
+                rough.V.row(v) +=
+                    Eigen::RowVector3d(6 * noise(), 6 * noise(), isInside ? 60 * noise() : 0);
+            }
+            Editor editor(test::originalPiece(std::move(rough)), seed);
+            PieceFlattener flattener;
+            for (int k = 0; k < 8; ++k) {
+                const PiecePointer piece = editor.next();
+                expectAsCold(flattener, piece, method);
+                const auto flat = flatten(*piece, by(method), Progress());
+                turned += flat && flat->delaunayFlips > 0 ? 1 : 0;
+            }
+        }
+        EXPECT_GT(turned, 5);
+    }
+}
+
 TEST(PieceFlattener, GivesTheEnergyOfAColdSolveWithinItsTolerance) {
     for (const Quality quality : {Quality::Standard, Quality::Fine}) {
         FlattenOptions options = by(Method::Isometric);
@@ -145,7 +161,7 @@ TEST(PieceFlattener, GivesTheEnergyOfAColdSolveWithinItsTolerance) {
         const double tolerance = quality == Quality::Standard ? 2e-3 : 1e-4;
         for (unsigned seed = 0; seed < 3; ++seed) {
             SCOPED_TRACE("seed " + std::to_string(seed));
-            Editor editor(test::originalPiece(bentPanel(14)), seed);
+            Editor editor(test::originalPiece(test::bentPanel(14)), seed);
             PieceFlattener flattener;
             for (int k = 0; k < 8; ++k) {
                 const PiecePointer piece = editor.next();
@@ -181,7 +197,7 @@ TEST(PieceFlattener, NeedsFewerStepsAfterASmallEdit) {
 }
 
 TEST(PieceFlattener, UsesAFactorForEveryMethodThatNeedsOne) {
-    const PiecePointer panel = test::originalPiece(bentPanel(30));
+    const PiecePointer panel = test::originalPiece(test::bentPanel(30));
     PieceFlattener flattener;
     EXPECT_EQ(flattener.keptBytes(), 0U);
     ASSERT_TRUE(flattener.flatten(panel, by(Method::Curvature), Progress()));
@@ -193,7 +209,7 @@ TEST(PieceFlattener, UsesAFactorForEveryMethodThatNeedsOne) {
 }
 
 TEST(PieceFlattener, FillsHolesAsAColdSolveDoes) {
-    MeshArrays panel = bentPanel(24);
+    MeshArrays panel = test::bentPanel(24);
     Triangles without(panel.F.rows() - 8, 3);
     Eigen::Index kept = 0;
     for (int f = 0; f < panel.F.rows(); ++f) {  // a hole of two squares by two
@@ -239,7 +255,7 @@ PiecePointer withNeedle(const Piece& piece, double cotangent) {
 
 TEST(PieceFlattener, SucceedsWhereAColdSolveDoesWhenANeedleComesIn) {
     for (const int side : {12, 40}) {
-        const PiecePointer panel = test::originalPiece(bentPanel(side));
+        const PiecePointer panel = test::originalPiece(test::bentPanel(side));
         for (const Method method : {Method::Curvature, Method::Wang2005}) {
             for (int exponent = 2; exponent <= 16; ++exponent) {
                 SCOPED_TRACE("cotangent 1e" + std::to_string(exponent));
@@ -272,7 +288,7 @@ TEST(PieceFlattener, RepeatsTheFiguresOfTheStart) {
 }
 
 TEST(PieceFlattener, BeginsAnewWhereTheCarriedPositionsAreStrainedMuch) {
-    const PiecePointer panel = test::originalPiece(bentPanel(20));
+    const PiecePointer panel = test::originalPiece(test::bentPanel(20));
     PieceFlattener flattener;
     ASSERT_TRUE(flattener.flatten(panel, by(Method::Isometric), Progress()));
     MeshArrays pulled = panel->mesh;
@@ -289,7 +305,7 @@ TEST(PieceFlattener, BeginsAnewWhereTheCarriedPositionsAreStrainedMuch) {
 }
 
 TEST(PieceFlattener, AnErrorLeavesWhatIsKept) {
-    const PiecePointer panel = test::originalPiece(bentPanel(20));
+    const PiecePointer panel = test::originalPiece(test::bentPanel(20));
     PieceFlattener flattener;
     ASSERT_TRUE(flattener.flatten(panel, by(Method::Curvature), Progress()));
     const std::size_t kept = flattener.keptBytes();
@@ -302,7 +318,7 @@ TEST(PieceFlattener, AnErrorLeavesWhatIsKept) {
 }
 
 TEST(MatchVersions, TellsTheSidesOfACutApart) {
-    const PiecePointer panel = test::originalPiece(bentPanel(16));
+    const PiecePointer panel = test::originalPiece(test::bentPanel(16));
     for (const bool isStraight : {false, true}) {
         const auto path =
             isStraight ? test::straightDart(*panel, 5, 6) : test::dartAlongEdges(*panel, 5, 6);
@@ -330,7 +346,7 @@ TEST(MatchVersions, TellsTheSidesOfACutApart) {
 }
 
 TEST(MatchVersions, TakesAFaceOfTheFileWithVeryManyTriangles) {
-    Piece polygon = *test::originalPiece(bentPanel(16));
+    Piece polygon = *test::originalPiece(test::bentPanel(16));
     std::fill(polygon.sourceFace.begin(), polygon.sourceFace.end(), 0);
     const auto before = std::make_shared<const Piece>(polygon);
     const PiecePointer cut = test::opened(*before, {test::dartAlongEdges(*before, 5, 6)});
@@ -346,8 +362,8 @@ TEST(MatchVersions, TakesAFaceOfTheFileWithVeryManyTriangles) {
 }
 
 TEST(MatchVersions, FindsNothingInAnotherPiece) {
-    const auto match =
-        matchVersions(*test::asPiece(test::saddle(5, 10, 1)), *test::originalPiece(bentPanel(5)));
+    const auto match = matchVersions(*test::asPiece(test::saddle(5, 10, 1)),
+                                     *test::originalPiece(test::bentPanel(5)));
     EXPECT_FALSE(match.complete);
 }
 

@@ -11,8 +11,12 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include "tests/core/linalg/symmetric_product.h"
+
 namespace toile {
 namespace {
+
+using test::times;
 
 /// The Laplacian of a grid with random weights, some of them negative, and a little on the
 /// diagonal. Large grids get a supernodal factor, small ones a simplicial one.
@@ -107,19 +111,6 @@ Edited randomEdit(const SymmetricMatrix& old, int dropped, int changed, int adde
     return made;
 }
 
-Eigen::MatrixXd times(const SymmetricMatrix& A, const Eigen::MatrixXd& X) {
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(X.rows(), X.cols());
-    for (int j = 0; j < A.size; ++j) {
-        for (int k = A.columnStart[j]; k < A.columnStart[j + 1]; ++k) {
-            result.row(A.row[k]) += A.value[k] * X.row(j);
-            if (A.row[k] != j) {
-                result.row(j) += A.value[k] * X.row(A.row[k]);
-            }
-        }
-    }
-    return result;
-}
-
 TEST(EditedCholesky, SolvesWithWhateverWasDroppedChangedAndAdded) {
     std::mt19937 random(7);
     for (const int side : {2, 5, 20, 150}) {
@@ -147,6 +138,26 @@ TEST(EditedCholesky, SolvesWithWhateverWasDroppedChangedAndAdded) {
             }
         }
     }
+}
+
+TEST(EditedCholesky, SolvesWithManyAddedThatNothingOldIsCoupledTo) {
+    std::mt19937 random(11);
+    const SymmetricMatrix A = gridMatrix(3, random);
+    const auto factor = std::make_shared<SparseCholesky>();
+    ASSERT_TRUE(factor->factorise(A));
+    constexpr int kAdded = 200;
+    MatrixEdit edit;
+    edit.addedCount = kAdded;
+    for (int a = 0; a < kAdded; ++a) {
+        edit.amongAdded.push_back({a, a, 2.0});
+    }
+    const auto edited = EditedCholesky::make(factor, edit);
+    ASSERT_TRUE(edited);
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(A.size + kAdded, 2);
+    const Eigen::MatrixXd X = edited->solve(right);
+    EXPECT_LE((2 * X.bottomRows(kAdded) - right.bottomRows(kAdded)).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LE((X.topRows(A.size) - *factor->solve(right.topRows(A.size))).cwiseAbs().maxCoeff(),
+              1e-12);
 }
 
 TEST(EditedCholesky, LeavesTheFactorAlone) {

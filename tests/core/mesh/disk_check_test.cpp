@@ -5,25 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/support/literal_mesh.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
 namespace {
 
-MeshArrays meshOf(std::initializer_list<Eigen::RowVector3d> points,
-                  std::initializer_list<Eigen::RowVector3i> faces) {
-    MeshArrays mesh{Points3(static_cast<int>(points.size()), 3),
-                    Triangles(static_cast<int>(faces.size()), 3)};
-    int row = 0;
-    for (const auto& p : points) {
-        mesh.V.row(row++) = p;
-    }
-    row = 0;
-    for (const auto& f : faces) {
-        mesh.F.row(row++) = f;
-    }
-    return mesh;
-}
+using test::meshOf;
 
 void expectDefect(const MeshArrays& mesh, ErrorCode code) {
     const DiskCheck check = checkDisk(mesh, "sleeve");

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <initializer_list>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -13,23 +12,9 @@
 
 #include "core/mesh/disk_check.h"
 #include "core/mesh/repair.h"
+#include "tests/core/support/literal_mesh.h"
 
 namespace toile::test {
-
-inline MeshArrays meshOf(std::initializer_list<Eigen::RowVector3d> points,
-                         std::initializer_list<Eigen::RowVector3i> faces) {
-    MeshArrays mesh{Points3(static_cast<int>(points.size()), 3),
-                    Triangles(static_cast<int>(faces.size()), 3)};
-    int row = 0;
-    for (const auto& p : points) {
-        mesh.V.row(row++) = p;
-    }
-    row = 0;
-    for (const auto& f : faces) {
-        mesh.F.row(row++) = f;
-    }
-    return mesh;
-}
 
 /// The mesh as if it were the whole file.
 inline MeshPart asPart(MeshArrays mesh) {

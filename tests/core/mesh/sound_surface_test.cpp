@@ -7,30 +7,17 @@
 
 #include "core/mesh/disk_check.h"
 #include "core/mesh/repair.h"
+#include "tests/core/support/literal_mesh.h"
 #include "tests/core/support/random_piece.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
 namespace {
 
+using test::meshOf;
+
 bool isSound(const MeshArrays& mesh) {
     return isSoundSurface(mesh, buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows())));
-}
-
-MeshArrays meshOf(std::initializer_list<Eigen::RowVector3d> points,
-                  std::initializer_list<Eigen::RowVector3i> faces) {
-    MeshArrays mesh;
-    mesh.V.resize(static_cast<Eigen::Index>(points.size()), 3);
-    mesh.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
-    Eigen::Index row = 0;
-    for (const auto& point : points) {
-        mesh.V.row(row++) = point;
-    }
-    row = 0;
-    for (const auto& face : faces) {
-        mesh.F.row(row++) = face;
-    }
-    return mesh;
 }
 
 /// Both meshes as one, with the second's vertex `glued` made the first's vertex 0.

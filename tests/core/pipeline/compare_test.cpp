@@ -81,6 +81,34 @@ TEST(CompareMethods, ASeamsMismatchStandsAtBothItsPieces) {
     }));
 }
 
+TEST(ComparedPiece, IsAsInTheWholeGarmentAndTakesThePiecesSewnToItAlone) {
+    const Garment garment = load(kSamples / "tshirt.obj");
+    Progress progress;
+    const Method methods[] = {Method::Lscm};
+    const ComparedMethod whole = compareMethods(garment, methods, {}, progress).methods.front();
+    for (int piece = 0; piece < static_cast<int>(garment.pieces.size()); ++piece) {
+        const auto at = static_cast<std::size_t>(piece);
+        const std::vector<int> others = sewnTo(garment, piece);
+        EXPECT_FALSE(others.empty());
+        PieceResults some(garment.pieces.size());
+        some[at] = whole.results[at];
+        for (const int other : others) {
+            EXPECT_NE(other, piece);
+            const std::vector<int> back = sewnTo(garment, other);
+            EXPECT_TRUE(std::ranges::find(back, piece) != back.end());
+            some[static_cast<std::size_t>(other)] = whole.results[static_cast<std::size_t>(other)];
+        }
+        const ComparedFigures figures = comparedPiece(garment, some, piece);
+        EXPECT_EQ(figures.seamMismatch, whole.pieceFigures[at].seamMismatch);
+        EXPECT_EQ(figures.piA, whole.pieceFigures[at].piA);
+        EXPECT_EQ(figures.seconds, whole.pieceFigures[at].seconds);
+
+        PieceResults alone(garment.pieces.size());
+        alone[at] = whole.results[at];
+        EXPECT_EQ(comparedPiece(garment, alone, piece).piE, whole.pieceFigures[at].piE);
+    }
+}
+
 TEST(CompareMethods, AFailedPieceIsCountedAndTheOthersAreCompared) {
     const test::TemporaryFolder folder;
     const Garment garment =

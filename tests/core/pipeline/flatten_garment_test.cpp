@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <limits>
 #include <thread>
 
@@ -27,17 +26,6 @@ constexpr double kAllowed = kCancelSeconds;
 /// The machine may be busy with something else at just the wrong moment.
 constexpr int kTries = 3;
 
-/// A square panel of `side` squares a side, bent over a shoulder.
-MeshArrays bentPanel(int side) {
-    MeshArrays mesh = test::planeGrid(side, side, 600.0 / side);
-    for (auto vertex : mesh.V.rowwise()) {
-        const double x = vertex.x() / 300 - 1;
-        const double y = vertex.y() / 300 - 1;
-        vertex.z() = 150 * std::exp(-2 * (x * x + y * y)) + 40 * x * y;
-    }
-    return mesh;
-}
-
 Garment garmentOf(std::vector<std::shared_ptr<const Piece>> pieces) {
     Garment garment;
     garment.pieces = std::move(pieces);
@@ -45,7 +33,8 @@ Garment garmentOf(std::vector<std::shared_ptr<const Piece>> pieces) {
 }
 
 Garment smallGarment() {
-    return garmentOf({test::asPiece(bentPanel(12), "small"), test::asPiece(bentPanel(40), "large"),
+    return garmentOf({test::asPiece(test::bentPanel(12), "small"),
+                      test::asPiece(test::bentPanel(40), "large"),
                       test::asPiece(test::sphericalCap(14, 90, 1.2), "cap"),
                       test::asPiece(test::saddle(16, 200, 1.2), "saddle"),
                       test::asPiece(test::coneSector(20, 9, 20, 60, 2, 0.5), "cone"),
@@ -71,7 +60,7 @@ double secondsToReturn(const Garment& garment, Method method, double delay, Piec
 class CancelOfALargePanel : public testing::TestWithParam<Method> {};
 
 TEST_P(CancelOfALargePanel, GivesControlBackAtOnce) {
-    const Garment garment = garmentOf({test::asPiece(bentPanel(kPanelSide), "panel")});
+    const Garment garment = garmentOf({test::asPiece(test::bentPanel(kPanelSide), "panel")});
     for (const double delay : {0.05, 0.2, 0.6}) {
         SCOPED_TRACE(delay);
         double least = std::numeric_limits<double>::infinity();
@@ -98,9 +87,9 @@ INSTANTIATE_TEST_SUITE_P(FlattenGarment, CancelOfALargePanel,
 TEST(FlattenGarment, KeepsWhatIsDoneWhenCancelled) {
     // The large panel is taken first, so that of the small ones some are done long before it.
     std::vector<std::shared_ptr<const Piece>> pieces{
-        test::asPiece(bentPanel(kPanelSide / 2), "panel")};
+        test::asPiece(test::bentPanel(kPanelSide / 2), "panel")};
     for (int k = 0; k < 40; ++k) {
-        pieces.push_back(test::asPiece(bentPanel(4), "flap"));
+        pieces.push_back(test::asPiece(test::bentPanel(4), "flap"));
     }
     const Garment garment = garmentOf(pieces);
     Progress progress;
@@ -193,7 +182,7 @@ TEST(FlattenGarment, GivesTheSameBytesWithOneThreadAndWithMany) {
 }
 
 TEST(FlattenGarment, ReportsProgressThatGrowsWithinAPieceAndEndsAtOne) {
-    const Garment garment = garmentOf({test::asPiece(bentPanel(100), "panel")});
+    const Garment garment = garmentOf({test::asPiece(test::bentPanel(100), "panel")});
     Progress progress;
     progress.setShare(0.25, 0.75);
     std::atomic<bool> isDone{false};

@@ -2,7 +2,6 @@
 #include "core/pipeline/garment_flattener.h"
 
 #include <chrono>
-#include <cmath>
 #include <string>
 #include <thread>
 
@@ -17,16 +16,6 @@ namespace toile {
 namespace {
 
 using PiecePointer = std::shared_ptr<const Piece>;
-
-MeshArrays bentPanel(int side) {
-    MeshArrays mesh = test::planeGrid(side, side, 300.0 / side);
-    for (auto vertex : mesh.V.rowwise()) {
-        const double x = vertex.x() / 150 - 1;
-        const double y = vertex.y() / 150 - 1;
-        vertex.z() = 60 * std::exp(-2 * (x * x + y * y)) + 20 * x * y;
-    }
-    return mesh;
-}
 
 /// Pieces of one file, side by side, that know their faces there.
 Garment garmentOf(const std::vector<MeshArrays>& meshes) {
@@ -52,8 +41,8 @@ Garment garmentOf(const std::vector<MeshArrays>& meshes) {
 }
 
 Garment fourPieces() {
-    return garmentOf({bentPanel(30), test::sphericalCap(12, 90, 1.2), test::saddle(16, 200, 1.2),
-                      bentPanel(12)});
+    return garmentOf({test::bentPanel(30), test::sphericalCap(12, 90, 1.2),
+                      test::saddle(16, 200, 1.2), test::bentPanel(12)});
 }
 
 /// The garment with a cut across the first piece, as far as `end` (mm): over the whole of it the
@@ -165,7 +154,7 @@ TEST(GarmentFlattener, GivesTheSameBytesWithOneThreadAndWithMany) {
 }
 
 TEST(GarmentFlattener, IsAsGoodAsBeforeAfterACancel) {
-    const Garment whole = garmentOf({bentPanel(250), bentPanel(20)});
+    const Garment whole = garmentOf({test::bentPanel(250), test::bentPanel(20)});
     const Garment cut = withCut(whole, 150, 160);
     for (const int milliseconds : {0, 5, 40, 100}) {
         GarmentFlattener flattener;
@@ -225,10 +214,10 @@ TEST(GarmentFlattener, TakesNothingFromAnotherFile) {
         garment.files = {std::move(file)};
         return garment;
     };
-    MeshArrays other = bentPanel(20);
+    MeshArrays other = test::bentPanel(20);
     other.V.col(2) *= 1.1;  // the same triangles, nearly the same place
-    const Garment first = from("first.obj", garmentOf({bentPanel(20), bentPanel(12)}));
-    const Garment second = from("second.obj", garmentOf({other, bentPanel(12)}));
+    const Garment first = from("first.obj", garmentOf({test::bentPanel(20), test::bentPanel(12)}));
+    const Garment second = from("second.obj", garmentOf({other, test::bentPanel(12)}));
     GarmentFlattener flattener;
     const PieceResults before = flat(flattener, first, Method::Isometric);
     const PieceResults after = flat(flattener, second, Method::Isometric);
@@ -236,13 +225,14 @@ TEST(GarmentFlattener, TakesNothingFromAnotherFile) {
     expectSame(after, flattenGarment(second, {Method::Isometric}, progress));
     EXPECT_NE(after[1]->seconds, before[1]->seconds);  // solved again, though it is the same
     // An edit of the same file goes on from what was.
-    const Garment edited = from("second.obj", garmentOf({bentPanel(20), bentPanel(12)}));
+    const Garment edited =
+        from("second.obj", garmentOf({test::bentPanel(20), test::bentPanel(12)}));
     EXPECT_EQ(flat(flattener, edited, Method::Isometric)[1]->seconds, after[1]->seconds);
 }
 
 TEST(GarmentFlattener, TakesWhatCannotBeFlattened) {
     GarmentFlattener flattener;
-    const Garment garment = garmentOf({test::tube(12, 4), bentPanel(5)});
+    const Garment garment = garmentOf({test::tube(12, 4), test::bentPanel(5)});
     const PieceResults results = flat(flattener, garment, Method::Curvature);
     EXPECT_TRUE(results[0]->error);
     EXPECT_TRUE(results[1]->flat);

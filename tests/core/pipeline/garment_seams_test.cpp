@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/pattern/pattern.h"
 #include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
+#include "core/seam/seam_origin.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
 
@@ -197,6 +199,90 @@ TEST(GarmentSeams, CuttingAnewKeepsThePiecesWithoutCuts) {
     const auto undone = cutGarment(*after, {}, progress);
     ASSERT_TRUE(undone);
     EXPECT_EQ(undone->pieces, before->pieces);
+}
+
+TEST(GarmentSeams, ASecondCutKeepsThePiecesOfTheFirst) {
+    const test::TemporaryFolder folder;
+    Progress progress;
+    LoadOptions load;
+    load.unit = LengthUnit::Millimetre;
+    load.seams.cuts = {{"right", UserCut::Kind::Path, {{12, 5, 0}, {20, 5, 0}}, false}};
+    const auto before = loadGarment({folder.write("a.obj", kTwoSquares)}, load, progress);
+    ASSERT_TRUE(before);
+    load.seams.cuts.push_back({"left", UserCut::Kind::Path, {{2, 5, 0}, {8, 5, 0}}, false});
+    const auto after = cutGarment(*before, load, progress);
+    ASSERT_TRUE(after);
+    EXPECT_NE(after->pieces[0], before->pieces[0]);
+    EXPECT_EQ(after->pieces.back(), before->pieces.back());
+    EXPECT_NE(before->pieces.back(), before->wholes.back());  // a cut one
+}
+
+/// A triangle drawn on the surface of a piece, about its middle.
+UserCut loopOn(const Piece& piece, double size) {
+    const Points3& V = piece.mesh.V;
+    const Eigen::RowVector3d middle = V.colwise().mean();
+    Eigen::Index nearest = 0;
+    (V.rowwise() - middle).rowwise().squaredNorm().minCoeff(&nearest);
+    const Eigen::Vector3d at = V.row(nearest).transpose();
+    return {"loop",
+            UserCut::Kind::Loop,
+            {at + size * Eigen::Vector3d(-1, -0.5, 0), at + size * Eigen::Vector3d(1, -0.5, 0),
+             at + size * Eigen::Vector3d(0, 1, 0)},
+            false};
+}
+
+void expectPatchIsSewn(const std::filesystem::path& path, std::size_t which) {
+    LoadOptions load;
+    load.seams.unit = LengthUnit::Millimetre;
+    Progress progress;
+    const auto whole = loadGarment({path}, load, progress);
+    ASSERT_TRUE(whole);
+    std::size_t sewnBefore = 0;
+    for (const Seam& seam : whole->seams.seams) {
+        sewnBefore += seam.kind != SeamKind::Free;
+    }
+    load.seams.cuts = {loopOn(*whole->wholes[which], 50)};
+    load.seams.ease = {{"loop", 0.02}};
+    Flat flat;
+    auto made = cutGarment(*whole, load, progress);
+    ASSERT_TRUE(made);
+    flat.garment = std::move(*made);
+    flat.results = flattenGarment(flat.garment, {}, progress);
+    ASSERT_EQ(flat.garment.pieces.size(), whole->pieces.size() + 1);
+    const auto rows = ledger(flat);
+    EXPECT_EQ(rows.size(), sewnBefore + 1);
+    const auto row = std::ranges::find_if(
+        rows, [](const auto& entry) -> bool { return entry.first->name == "loop"; });
+    ASSERT_NE(row, rows.end());
+    const auto& [seam, measure] = *row;
+    EXPECT_TRUE(seam->closed);
+    EXPECT_EQ(seam->ease, 0.02);
+    EXPECT_NEAR(seam->length3d[0], seam->length3d[1], kEqual);
+    EXPECT_NE(seam->left.loop > 0, seam->right.loop > 0);
+    // The patch's edge keeps its length; the rim's is what it is.
+    const bool patchIsLeft = seam->left.loop == 0;
+    EXPECT_NEAR(patchIsLeft ? measure.length2dLeft : measure.length2dRight, seam->length3d[0],
+                0.01);
+    EXPECT_NEAR(measure.length2dLeft, measure.length2dRight, 0.05 * seam->length3d[0]);
+    // Both pieces bear the seam's number on the paper.
+    for (const SeamSide& side : {seam->left, seam->right}) {
+        const PieceResult& result = *flat.results[static_cast<std::size_t>(side.piece)];
+        const PatternPiece drawn =
+            makePatternPiece(*result.piece, *result.flat, flat.garment.seams, side.piece);
+        EXPECT_EQ(std::ranges::count(drawn.seams, std::string("loop"), &SeamMark::name), 1);
+    }
+    EXPECT_TRUE(isLeftBy(*seam, flat.garment.cuts.front(), flat.garment.pieces));
+}
+
+TEST(GarmentSeams, APatchIsSewnToItsHoleHoweverTheGarmentIsDivided) {
+    const auto samples = std::filesystem::path(TOILE_SOURCE_DIR) / "resources" / "samples";
+    for (const std::size_t piece : {0U, 1U}) {
+        SCOPED_TRACE(piece);
+        expectPatchIsSewn(samples / "tshirt.obj", piece);
+    }
+    const auto tee = test::sharedFile("garments/tee_sim.obj");
+    TOILE_NEEDS_SHARED(tee);
+    expectPatchIsSewn(tee, 4);
 }
 
 TEST(GarmentSeams, CutsFollowTheUnitAndTheAxesOfTheFile) {

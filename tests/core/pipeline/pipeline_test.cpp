@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/pipeline.h"
 
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include "tests/core/support/shapes.h"
@@ -128,6 +130,51 @@ TEST(Pipeline, CancellingMarksWhatIsNotDone) {
     for (const auto& result : flattenGarment(garment, {}, progress)) {
         ASSERT_TRUE(result->error);
         EXPECT_EQ(result->error->code, ErrorCode::Cancelled);
+    }
+}
+
+TEST(Pipeline, FilesShowPiecesAsTheyWereLaid) {
+    const test::TemporaryFolder folder;
+    const Garment garment = load({kSamples / "cap.obj"});
+    Progress progress;
+    const PieceResults results = flattenGarment(garment, {}, progress);
+    // As in rows: the same bytes as without a word about places.
+    const LaidOutPattern rows = layOut(garment, results);
+    std::vector<PieceOnSheet> places;
+    for (const Eigen::Vector2d& offset : rows.offsets) {
+        places.push_back({Placement{offset}, {}});
+    }
+    for (const char* name : {"a.svg", "a.dxf", "a.obj"}) {
+        ASSERT_TRUE(exportFile(folder / name, garment, results));
+        const std::string before = folder.read(name);
+        ASSERT_TRUE(exportFile(folder / name, garment, results, places));
+        EXPECT_EQ(folder.read(name), before) << name;
+    }
+    // Turned, mirrored and elsewhere: re-measured from the UV map.
+    places[0].placement = Placement{{900, -400}, 0.7, true};
+    ASSERT_TRUE(exportFile(folder / "b.obj", garment, results, places));
+    const std::string bytes = folder.read("b.obj");
+    EXPECT_NE(bytes.find("mirrored, wrong side of the fabric up"), std::string::npos);
+    std::vector<Eigen::Vector2d> uvs;
+    std::istringstream lines(bytes);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("vt ")) {
+            std::istringstream numbers(line.substr(3));
+            Eigen::Vector2d uv;
+            numbers >> uv.x() >> uv.y();
+            uvs.push_back(uv);
+        }
+    }
+    const Points2 &first = results[0]->flat->Q, &second = results[1]->flat->Q;
+    ASSERT_GE(static_cast<Eigen::Index>(uvs.size()), first.rows() + second.rows());
+    const Eigen::Vector2d shift = uvs[0] - places[0].placement->applied(first.row(0).transpose());
+    for (Eigen::Index v = 0; v < first.rows(); ++v) {
+        const Eigen::Vector2d should = places[0].placement->applied(first.row(v).transpose());
+        EXPECT_LT((uvs[static_cast<std::size_t>(v)] - should - shift).norm(), 1e-9);
+    }
+    for (Eigen::Index v = 0; v < second.rows(); ++v) {
+        const Eigen::Vector2d should = places[1].placement->applied(second.row(v).transpose());
+        EXPECT_LT((uvs[static_cast<std::size_t>(first.rows() + v)] - should - shift).norm(), 1e-9);
     }
 }
 

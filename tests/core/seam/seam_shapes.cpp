@@ -111,6 +111,12 @@ void expectSound(const SeamGraph& graph, const Pieces& pieces) {
                 EXPECT_TRUE(seam.matches.empty());
                 continue;
             }
+            if (side.loop > 0) {  // the rim of a hole
+                const auto& ofHoles = graph.seamsOfHoles[side.piece];
+                EXPECT_EQ(std::count(ofHoles.begin(), ofHoles.end(), static_cast<int>(k)), 1);
+                EXPECT_GT(side.length(), 0);
+                continue;
+            }
             const auto& edges = graph.seamsOfEdge[side.piece];
             const int n = static_cast<int>(edges.size());
             ASSERT_TRUE(side.first >= 0 && side.first < n && side.count > 0 && side.count <= n + 1);

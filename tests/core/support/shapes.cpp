@@ -144,6 +144,16 @@ MeshArrays planeGrid(int columns, int rows, double size) {
     });
 }
 
+MeshArrays bentPanel(int side) {
+    MeshArrays mesh = planeGrid(side, side, 600.0 / side);
+    for (auto vertex : mesh.V.rowwise()) {
+        const double x = vertex.x() / 300 - 1;
+        const double y = vertex.y() / 300 - 1;
+        vertex.z() = 120 * std::exp(-2 * (x * x + y * y)) + 40 * x * y;
+    }
+    return mesh;
+}
+
 MeshArrays cylinderSector(int columns, int rows, double radius, double angle, double height) {
     return gridSurface(columns, rows, [=](double s, double t) {
         const double phi = angle * (s - 0.5);

@@ -13,6 +13,8 @@ namespace toile::test {
 
 /// Columns x rows squares in the plane z = 0, each cut by one diagonal; `size` is a square's side.
 MeshArrays planeGrid(int columns, int rows, double size);
+/// A square panel of 600 mm, of side x side squares, bent both ways as over a shoulder.
+MeshArrays bentPanel(int side);
 /// A cylinder's sector meshed along its rulings: flat when unrolled. Width is the arc's chord sum.
 MeshArrays cylinderSector(int columns, int rows, double radius, double angle, double height);
 /// A cone's sector meshed along its rulings, from radius `inner` to `outer` along the slant.

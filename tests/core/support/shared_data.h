@@ -8,9 +8,7 @@
 namespace toile::test {
 
 /// A file of the shared garments, which stand beside the project and not in it.
-inline std::filesystem::path sharedFile(const char* name) {
-    return std::filesystem::path(TOILE_SHARED_DATA) / name;
-}
+std::filesystem::path sharedFile(const char* name);
 
 }  // namespace toile::test
 

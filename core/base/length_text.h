@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/length_unit.h"
+
+namespace toile {
+
+/// Lengths and angles as a person reads and types them. All functions are pure; text is UTF-8.
+
+/// How lengths are written.
+struct LengthFormat {
+    LengthUnit unit = LengthUnit::Millimetre;
+    /// Inches in fractions of this: 8, 16, 32; 0: decimals. Without meaning for other units.
+    int denominator = 0;
+    /// Between whole and decimals, the user's: "." or ",".
+    std::string decimalMark = ".";
+
+    bool operator==(const LengthFormat&) const = default;
+};
+
+/// Decimals that show a tenth of a millimetre in this unit, or what comes nearest: 1 for mm, 2 for
+/// cm, 4 for m, 2 for inches.
+int lengthDecimals(LengthUnit unit);
+
+/// Without the unit: "314.2", "31.42", "12 3/8", "-3/8", "0". Fractions are rounded to the nearest
+/// and shortened; what rounds to nothing has no sign. Not finite: "–".
+std::string lengthNumber(double millimetres, const LengthFormat& format);
+/// With the unit: "314.2 mm", "12 3/8 in".
+std::string lengthText(double millimetres, const LengthFormat& format);
+
+/// What a person typed, in millimetres; nothing where it is no length. Sums and differences of
+/// lengths, each with a unit of its own or in the format's, times or divided by plain numbers:
+/// "31,4 cm", "12 3/8\"", "12⅜ in", "1/2", "2 * 45 mm + 1 in". Either decimal mark is understood;
+/// no mark groups thousands.
+std::optional<double> parseLength(std::string_view text, const LengthFormat& format);
+
+/// "12.5°": degrees with up to `decimals` decimals, no trailing zeros.
+std::string angleText(double radians, int decimals, std::string_view decimalMark);
+/// "45", "12,5°", "-30 deg", "90 - 12.5": sums of degrees, in radians; nothing where it is none.
+std::optional<double> parseAngle(std::string_view text);
+
+}  // namespace toile

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/error.h"
+
+namespace toile {
+
+/// How much a finding matters to somebody with scissors in the hand.
+enum class Severity {
+    Fault,  ///< to be mended before the cloth is cut
+    Doubt,  ///< to be looked at: right or wrong, the person knows
+    Note,   ///< good to know
+};
+
+/// What was found. In the order in which a person would mend: what hides the rest comes first.
+enum class FindingKind {
+    NotFlattened,      ///< the pattern is not made, or older than the last change
+    NotFlat,           ///< a piece could not be flattened
+    OutlineCrosses,    ///< a flat outline crosses itself
+    FlippedTriangles,  ///< cloth lies turned over in the pattern
+    SeamLengths,       ///< two flat sides of a seam do not fit, the ease taken out
+    StrainWarp,        ///< strain beyond the fabric's limits along the grain,
+    StrainWeft,        ///< across it,
+    StrainBias,        ///< at 45 degrees to it
+    PiecesOverlap,     ///< two pieces lie on each other on the sheet
+    UnlikelySize,      ///< no garment is as small or as large
+    UnitInDoubt,       ///< the file's unit was guessed, and another is as likely
+    UpAxisInDoubt,     ///< likewise the axis that points up
+    GrainMissing,      ///< nobody has said how the grain runs
+    Message,           ///< what reading, cutting or flattening had to say: `Finding::error`
+};
+
+/// One past the last kind; kinds are contiguous from 0.
+inline constexpr int kFindingKindCount = static_cast<int>(FindingKind::Message) + 1;
+
+/// A number of a finding, and how it is to be written.
+struct Figure {
+    enum class Unit {
+        Length,   ///< mm
+        Percent,  ///< a fraction: 0.02 is 2 %
+        Strain,   ///< a fraction with a sign
+        Count,
+    };
+
+    double value = 0;
+    Unit unit = Unit::Count;
+
+    bool operator==(const Figure&) const = default;
+};
+
+/// A place on the cloth.
+struct FindingPlace {
+    Eigen::Vector2d flat = Eigen::Vector2d::Zero();      ///< mm, the flat piece's own coordinates
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< mm, on the garment
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< towards the right side, unit; or zero
+};
+
+/// One thing to know before the cloth is cut.
+struct Finding {
+    FindingKind kind = FindingKind::Message;
+    Severity severity = Severity::Note;
+    std::string where{};  ///< the name of the piece, the seam or the file; may be empty
+    /// Indices into the garment's pieces: one, two that lie on each other, or none.
+    std::vector<int> pieces{};
+    int seam = -1;                        ///< index into the garment's seams, or -1
+    std::optional<FindingPlace> place{};  ///< on the first piece: of the worst
+    /// What was measured, the telling number first; `findingWords` say where each goes.
+    std::vector<Figure> figures{};
+    std::string reason{};          ///< why something was guessed; English, else empty
+    std::optional<Error> error{};  ///< that says it all: of NotFlat, OutlineCrosses and Message
+};
+
+/// Stable kebab-case name, for example "seam-lengths".
+std::string_view name(FindingKind kind);
+/// "fault", "doubt", "note".
+std::string_view name(Severity severity);
+
+}  // namespace toile

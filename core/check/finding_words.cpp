@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/finding_words.h"
+
+#include <cctype>
+#include <cmath>
+
+#include "core/base/text.h"
+
+namespace toile {
+namespace {
+
+// The window's translations are told of this name (app/translations.cmake).
+#define TR(text) text
+
+constexpr FindingWords kWords[] = {
+    {TR("Not flattened"),
+     TR("the pattern does not show the garment as it is now (%1 of %2 pieces)"), TR("Flatten it")},
+    {TR("Pieces that are not flat"), "", ""},
+    {TR("Outlines that cross themselves"), "", ""},
+    {TR("Cloth turned over"), TR("triangles lie turned over in the pattern (%1 of %2)"),
+     TR("Choose another method, or cut the piece where it curves most")},
+    {TR("Seams that do not match"),
+     TR("the flat sides of the seam differ by %1 beyond the ease (%2 and %3)"),
+     TR("Choose a method that keeps seam lengths, or state the ease that is meant")},
+    {TR("Strain along the warp"),
+     TR("strain along the warp reaches %1, the fabric takes %2 (%3 of the area lies beyond)"),
+     TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
+    {TR("Strain along the weft"),
+     TR("strain along the weft reaches %1, the fabric takes %2 (%3 of the area lies beyond)"),
+     TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
+    {TR("Strain on the bias"),
+     TR("strain on the bias reaches %1, the fabric takes %2 (%3 of the area lies beyond)"),
+     TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
+    {TR("Pieces on each other"), TR("the pieces lie on each other on the sheet"),
+     TR("Move them apart, or lay them out again")},
+    {TR("Unlikely size"), TR("the garment is %1 at its largest"), TR("State the unit of its file")},
+    {TR("Unit in doubt"), TR("the file states no unit, and its size leaves doubt (%0)"),
+     TR("State the unit, or keep it if the size is right")},
+    {TR("Up axis in doubt"), TR("the file does not say which axis points up (%0)"),
+     TR("State the axis, or keep it if the garment stands upright")},
+    {TR("Grain not stated"), TR("nobody has said how the grain runs: it is taken to run upwards"),
+     TR("Turn the grain arrow, or let Toile find the best grain")},
+    {TR("Messages"), "", ""},
+};
+
+#undef TR
+
+static_assert(std::size(kWords) == kFindingKindCount);
+
+std::string written(const Figure& figure) {
+    constexpr double kPercent = 100, kFine = 100;
+    switch (figure.unit) {
+        case Figure::Unit::Length:
+            return fixed(figure.value, std::abs(figure.value) < kFine ? 2 : 1) + " mm";
+        case Figure::Unit::Percent:
+            return fixed(kPercent * figure.value, 1) + " %";
+        case Figure::Unit::Strain: {
+            const std::string number = fixed(kPercent * figure.value, 1);
+            return (number.front() == '-' ? "" : "+") + number + " %";
+        }
+        case Figure::Unit::Count:
+            return fixed(figure.value, 0);
+    }
+    return {};
+}
+
+}  // namespace
+
+const FindingWords& findingWords(FindingKind kind) {
+    return kWords[static_cast<std::size_t>(kind)];
+}
+
+std::string description(const Finding& finding) {
+    if (finding.error) {
+        std::string text(describe(finding.error->code));
+        return finding.error->detail.empty() ? text : text + " (" + finding.error->detail + ")";
+    }
+    std::string text;
+    for (const char* at = findingWords(finding.kind).describe; *at != '\0'; ++at) {
+        const bool isPlace = *at == '%' && std::isdigit(static_cast<unsigned char>(at[1])) != 0;
+        if (!isPlace) {
+            text += *at;
+            continue;
+        }
+        const auto number = static_cast<std::size_t>(*++at - '0');
+        if (number == 0) {
+            text += finding.reason;
+        } else if (number <= finding.figures.size()) {
+            text += written(finding.figures[number - 1]);
+        }
+    }
+    return text;
+}
+
+std::string adviceFor(const Finding& finding) {
+    return finding.error ? std::string(advice(finding.error->code))
+                         : findingWords(finding.kind).advice;
+}
+
+std::string sentence(const Finding& finding) {
+    std::string text = finding.where.empty() ? "" : finding.where + ": ";
+    text += description(finding);
+    std::string help = adviceFor(finding);
+    if (!help.empty()) {
+        help.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(help.front())));
+        text += "; " + help;
+    }
+    return text + ".";
+}
+
+std::string_view name(Severity severity) {
+    switch (severity) {
+        case Severity::Fault:
+            return "fault";
+        case Severity::Doubt:
+            return "doubt";
+        case Severity::Note:
+            return "note";
+    }
+    return "";
+}
+
+std::string_view name(FindingKind kind) {
+    switch (kind) {
+        case FindingKind::NotFlattened:
+            return "not-flattened";
+        case FindingKind::NotFlat:
+            return "not-flat";
+        case FindingKind::OutlineCrosses:
+            return "outline-crosses";
+        case FindingKind::FlippedTriangles:
+            return "flipped-triangles";
+        case FindingKind::SeamLengths:
+            return "seam-lengths";
+        case FindingKind::StrainWarp:
+            return "strain-warp";
+        case FindingKind::StrainWeft:
+            return "strain-weft";
+        case FindingKind::StrainBias:
+            return "strain-bias";
+        case FindingKind::PiecesOverlap:
+            return "pieces-overlap";
+        case FindingKind::UnlikelySize:
+            return "unlikely-size";
+        case FindingKind::UnitInDoubt:
+            return "unit-in-doubt";
+        case FindingKind::UpAxisInDoubt:
+            return "up-axis-in-doubt";
+        case FindingKind::GrainMissing:
+            return "grain-missing";
+        case FindingKind::Message:
+            return "message";
+    }
+    return "";
+}
+
+}  // namespace toile

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/check/finding.h"
+
+namespace toile {
+
+/// Whether the cloth may be cut.
+enum class Verdict {
+    NotFlattened,  ///< there is no pattern of the garment as it is now
+    Faults,
+    Doubts,  ///< no faults, but something to look at
+    Ready,
+};
+
+/// What was found, the faults first, then by kind, the worst of a kind first.
+struct Readiness {
+    std::vector<Finding> findings{};
+
+    int count(Severity severity) const;
+    Verdict verdict() const;
+};
+
+/// "not-flattened", "faults", "doubts", "ready".
+std::string_view name(Verdict verdict);
+/// "Ready to cut", "2 faults, 1 doubt", "No faults, 3 doubts", "Not flattened yet".
+std::string verdictText(const Readiness& readiness);
+
+}  // namespace toile

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/ready_to_cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "core/check/finding_list.h"
+#include "core/check/piece_check.h"
+#include "core/seam/seam_fit.h"
+#include "core/sheet/sheet_overlaps.h"
+
+namespace toile {
+namespace {
+
+Figure count(double value) {
+    return {value, Figure::Unit::Count};
+}
+
+Figure length(double millimetres) {
+    return {millimetres, Figure::Unit::Length};
+}
+
+class Checks {
+public:
+    Checks(const CutPlan& plan, const Progress& progress)
+        : plan_(plan), garment_(*plan.garment), progress_(progress) {}
+
+    Readiness run() {
+        checkFiles();
+        checkSize();
+        checkPresence();
+        for (std::size_t i = 0; i < garment_.pieces.size() && !progress_.isCancelled(); ++i) {
+            const int piece = static_cast<int>(i);
+            if (const PieceResult* result = resultOf(piece)) {
+                checkPiece({piece, *result, settingsOf(piece), plan_.fabric}, found_);
+            }
+        }
+        if (!progress_.isCancelled()) {
+            checkSeams();
+            checkSheet();
+        }
+        return found_.inOrder();
+    }
+
+private:
+    /// The piece's result, also one by other options; null where it is of another shape.
+    const PieceResult* resultOf(int piece) const {
+        const auto i = static_cast<std::size_t>(piece);
+        const PieceResult* result = i < plan_.results.size() ? plan_.results[i].get() : nullptr;
+        return result && result->piece == garment_.pieces[i] ? result : nullptr;
+    }
+
+    PieceSettings settingsOf(int piece) const {
+        const auto i = static_cast<std::size_t>(piece);
+        return i < plan_.settings.size() ? plan_.settings[i] : PieceSettings{};
+    }
+
+    void checkFiles() {
+        for (const auto& file : garment_.files) {
+            Finding finding;
+            finding.severity = Severity::Doubt;
+            finding.where = nameOf(*file);
+            if (file->unitInDoubt && !plan_.guessesKept) {
+                finding.kind = FindingKind::UnitInDoubt;
+                finding.reason = file->unitReason;
+                found_.add(finding);
+            }
+            if (file->upInDoubt && !plan_.guessesKept) {
+                finding.kind = FindingKind::UpAxisInDoubt;
+                finding.reason = file->upReason;
+                found_.add(finding);
+            }
+            for (const Error& problem : file->problems) {
+                if (problem.code != ErrorCode::UnitGuessed) {  // said above
+                    found_.add(problem, piecesNamed(problem.where));
+                }
+            }
+        }
+        for (const Error& problem : garment_.problems) {
+            // These name a cut or a seam, which may be called like a piece.
+            const bool ofPiece = problem.code != ErrorCode::CutImpossible &&
+                                 problem.code != ErrorCode::JoinImpossible &&
+                                 problem.code != ErrorCode::NoSuchSeam;
+            found_.add(problem, ofPiece ? piecesNamed(problem.where) : std::vector<int>{});
+        }
+    }
+
+    static std::string nameOf(const SourceFile& file) {
+        const std::u8string text = file.path.filename().u8string();
+        return {text.begin(), text.end()};
+    }
+
+    std::vector<int> piecesNamed(const std::string& name) const {
+        const auto found = std::ranges::find_if(
+            garment_.pieces, [&name](const auto& piece) -> bool { return piece->name == name; });
+        if (found == garment_.pieces.end()) {
+            return {};
+        }
+        return {static_cast<int>(found - garment_.pieces.begin())};
+    }
+
+    void checkSize() {
+        Eigen::AlignedBox3d box;
+        for (const auto& piece : garment_.pieces) {
+            if (piece->mesh.V.rows() > 0) {
+                box.extend(Eigen::Vector3d(piece->mesh.V.colwise().minCoeff().transpose()));
+                box.extend(Eigen::Vector3d(piece->mesh.V.colwise().maxCoeff().transpose()));
+            }
+        }
+        const double extent = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+        if (!box.isEmpty() && !(extent >= kSmallestGarment && extent <= kLargestGarment)) {
+            Finding finding;
+            finding.kind = FindingKind::UnlikelySize;
+            finding.severity = Severity::Doubt;
+            finding.figures = {length(extent)};
+            found_.add(std::move(finding));
+        }
+    }
+
+    /// Are there results, and of the present options?
+    void checkPresence() {
+        int missing = 0;
+        for (std::size_t i = 0; i < garment_.pieces.size(); ++i) {
+            const PieceResult* result = resultOf(static_cast<int>(i));
+            const bool isThere = result && result->options == plan_.options &&
+                                 !(result->error && result->error->code == ErrorCode::Cancelled);
+            missing += isThere ? 0 : 1;
+        }
+        if (missing > 0) {
+            Finding finding;
+            finding.kind = FindingKind::NotFlattened;
+            finding.severity = Severity::Fault;
+            finding.figures = {count(missing), count(static_cast<double>(garment_.pieces.size()))};
+            found_.add(std::move(finding));
+        }
+    }
+
+    void checkSeams() {
+        const auto& seams = garment_.seams.seams;
+        for (std::size_t i = 0; i < seams.size(); ++i) {
+            const Seam& seam = seams[i];
+            if (seam.kind == SeamKind::Free || !resultOf(seam.left.piece) ||
+                !resultOf(seam.right.piece)) {
+                continue;
+            }
+            const auto measure = measured(garment_, plan_.results, static_cast<int>(i));
+            const SeamFit fit = seamFit(seam, measure);
+            if (fit != SeamFit::Nearly && fit != SeamFit::Differs) {
+                continue;
+            }
+            Finding finding;
+            finding.kind = FindingKind::SeamLengths;
+            finding.severity = fit == SeamFit::Differs ? Severity::Fault : Severity::Doubt;
+            finding.where = seam.name;
+            finding.pieces = {seam.left.piece};
+            if (seam.right.piece != seam.left.piece) {
+                finding.pieces.push_back(seam.right.piece);
+            }
+            finding.seam = static_cast<int>(i);
+            const double error = std::abs(measure->errorMm);
+            finding.figures = {length(error), length(measure->length2dLeft),
+                               length(measure->length2dRight)};
+            found_.add(std::move(finding), error);
+        }
+    }
+
+    void checkSheet() {
+        std::vector<Points2> outlines(garment_.pieces.size());
+        for (std::size_t i = 0; i < outlines.size(); ++i) {
+            const PieceResult* result = resultOf(static_cast<int>(i));
+            const auto placement = settingsOf(static_cast<int>(i)).placement;
+            if (!result || !result->flat || !placement) {
+                continue;  // what has no place gets one beside the others
+            }
+            const auto& boundary = result->piece->boundary;
+            outlines[i].resize(static_cast<Eigen::Index>(boundary.size()), 2);
+            for (std::size_t k = 0; k < boundary.size(); ++k) {
+                const Eigen::Vector2d point = result->flat->Q.row(boundary[k]).transpose();
+                outlines[i].row(static_cast<Eigen::Index>(k)) =
+                    placement->applied(point).transpose();
+            }
+        }
+        for (const auto& [one, other] : overlappingOutlines(outlines)) {
+            Finding finding;
+            finding.kind = FindingKind::PiecesOverlap;
+            finding.severity = Severity::Doubt;
+            finding.where = garment_.pieces[static_cast<std::size_t>(one)]->name + " / " +
+                            garment_.pieces[static_cast<std::size_t>(other)]->name;
+            finding.pieces = {one, other};
+            found_.add(std::move(finding));
+        }
+    }
+
+    const CutPlan& plan_;
+    const Garment& garment_;
+    const Progress& progress_;
+    FindingList found_;
+};
+
+}  // namespace
+
+Readiness readyToCut(const CutPlan& plan, const Progress& progress) {
+    return plan.garment ? Checks(plan, progress).run() : Readiness{};
+}
+
+}  // namespace toile

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/check/readiness.h"
+#include "core/flatten/piece_result.h"
+#include "core/garment/fabric.h"
+#include "core/garment/garment.h"
+#include "core/project/piece_settings.h"
+
+namespace toile {
+
+/// What is looked through before cloth is cut. All of it immutable and shared, so that a copy for
+/// another thread costs nothing.
+struct CutPlan {
+    std::shared_ptr<const Garment> garment{};  ///< null: nothing is open
+    PieceResults results{};                    ///< one per piece, or null, or left out
+    FlattenOptions options{};                  ///< as the pieces are to be flattened
+    Fabric fabric = fabricPresets().front();
+    std::vector<PieceSettings> settings{};  ///< one per piece, without anchors; or left out
+    bool guessesKept = false;  ///< unit and up axis, where guessed, are right: a person said so
+
+    bool operator==(const CutPlan&) const = default;
+};
+
+/// A garment is larger than a doll's and smaller than a tent; largest extent, mm.
+inline constexpr double kSmallestGarment = 10, kLargestGarment = 10000;
+
+/// Looks through everything that a pattern maker would before cutting; docs/ready-to-cut.md names
+/// each check and its rule. Seams are judged as the ledger does (core/seam/seam_fit.h). A piece
+/// whose result is of another shape than it has now is passed by.
+/// Cost: linear in the triangles, a tenth of a second for a million; outlines n log n where
+/// they cross or lie near each other. Pure, thread-safe.
+/// @param progress  looked at between the checks of pieces; cancelled, the findings are incomplete
+Readiness readyToCut(const CutPlan& plan, const Progress& progress = Progress());
+
+}  // namespace toile

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/grain_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace toile {
+namespace {
+
+constexpr int kTrials = 24;          // parallel lines
+constexpr double kShare = 0.7;       // of the stretch inside that is drawn
+constexpr double kLongest = 300;     // mm
+constexpr double kShortest = 5;      // mm: what is shorter says nothing
+constexpr double kHead = 6;          // mm
+constexpr double kHeadShare = 0.15;  // of the line, at most
+constexpr double kHeadAngle = 0.35;  // radians to either side
+constexpr double kClear = 1.5;       // mm between the line and what it keeps off
+
+Eigen::Vector2d leftOf(const Eigen::Vector2d& direction) {
+    return {-direction.y(), direction.x()};
+}
+
+/// Where the line enters and leaves the outline, as distances from the point, in pairs.
+std::vector<double> crossings(const Points2& outline, const Eigen::Vector2d& point,
+                              const Eigen::Vector2d& direction) {
+    std::vector<double> places;
+    const Eigen::Vector2d normal = leftOf(direction);
+    const Eigen::Index count = outline.rows();
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Eigen::Vector2d a = outline.row(i).transpose() - point;
+        const Eigen::Vector2d b = outline.row((i + 1) % count).transpose() - point;
+        const double da = a.dot(normal), db = b.dot(normal);
+        if ((da < 0) != (db < 0)) {  // a vertex on the line counts for one of its edges
+            places.push_back((a + da / (da - db) * (b - a)).dot(direction));
+        }
+    }
+    std::ranges::sort(places);
+    return places;
+}
+
+bool meets(const Chord& chord, const Eigen::AlignedBox2d& box) {
+    if (box.isEmpty()) {
+        return false;
+    }
+    // Clips the chord by the box's four sides.
+    double from = 0, to = 1;
+    const Eigen::Vector2d way = chord.to - chord.from;
+    for (const int axis : {0, 1}) {
+        const double low = box.min()[axis] - chord.from[axis];
+        const double high = box.max()[axis] - chord.from[axis];
+        if (way[axis] == 0) {
+            if (low > 0 || high < 0) {
+                return false;
+            }
+            continue;
+        }
+        const double first = low / way[axis], second = high / way[axis];
+        from = std::max(from, std::min(first, second));
+        to = std::min(to, std::max(first, second));
+    }
+    return from <= to;
+}
+
+Chord shortened(const Eigen::Vector2d& point, const Eigen::Vector2d& direction, double from,
+                double to) {
+    const double half = 0.5 * std::min(kLongest, kShare * (to - from));
+    const Eigen::Vector2d middle = point + 0.5 * (from + to) * direction;
+    return {middle - half * direction, middle + half * direction};
+}
+
+}  // namespace
+
+std::optional<Chord> chordAt(const Points2& outline, const Eigen::Vector2d& point,
+                             const Eigen::Vector2d& direction) {
+    const std::vector<double> places = crossings(outline, point, direction);
+    std::optional<Chord> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < places.size(); i += 2) {
+        const double distance = std::max({places[i], -places[i + 1], 0.0});
+        if (distance < least) {
+            least = distance;
+            best = {point + places[i] * direction, point + places[i + 1] * direction};
+        }
+    }
+    return best;
+}
+
+std::optional<Chord> grainLine(const Points2& outline, double angle,
+                               const Eigen::AlignedBox2d& off) {
+    if (outline.rows() < 3 || !std::isfinite(angle)) {
+        return std::nullopt;
+    }
+    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d normal = leftOf(direction);
+    const Eigen::VectorXd across = outline * normal;
+    const double low = across.minCoeff(), high = across.maxCoeff();
+    Eigen::AlignedBox2d around = off;
+    if (!around.isEmpty()) {
+        around = {off.min().array() - kClear, off.max().array() + kClear};
+    }
+    std::optional<Chord> best;
+    double longest = kShortest;
+    for (int k = 0; k < kTrials; ++k) {
+        // From the middle outwards, so that of equals the one nearest to the middle is taken.
+        const double side = k % 2 == 0 ? 1 : -1;
+        const double place = 0.5 * (low + high) + side * (k + 1) / 2 * (high - low) / (kTrials + 2);
+        const Eigen::Vector2d point = place * normal;
+        const std::vector<double> places = crossings(outline, point, direction);
+        for (std::size_t i = 0; i + 1 < places.size(); i += 2) {
+            const Chord chord = shortened(point, direction, places[i], places[i + 1]);
+            const double length = (chord.to - chord.from).norm();
+            if (length > longest * (1 + 1e-9) && !meets(chord, around)) {
+                longest = length;
+                best = chord;
+            }
+        }
+    }
+    return best;
+}
+
+Points2 arrowPath(const Chord& line) {
+    const Eigen::Vector2d way = line.to - line.from;
+    const double head = std::min(kHead, kHeadShare * way.norm());
+    const Eigen::Vector2d back = -head * way.normalized();
+    Points2 path(5, 2);
+    path << line.from.transpose(), line.to.transpose(),
+        (line.to + Eigen::Rotation2Dd(kHeadAngle) * back).transpose(), line.to.transpose(),
+        (line.to + Eigen::Rotation2Dd(-kHeadAngle) * back).transpose();
+    return path;
+}
+
+}  // namespace toile

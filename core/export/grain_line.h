@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+struct Chord {
+    Eigen::Vector2d from, to;
+};
+
+/// The stretch of a straight line inside an outline that holds a point, or else the nearest to it.
+/// Nothing where the line misses the outline.
+/// @param outline    closed, first point not repeated
+/// @param direction  unit vector  Cost: linear and a sort of the edges met.
+std::optional<Chord> chordAt(const Points2& outline, const Eigen::Vector2d& point,
+                             const Eigen::Vector2d& direction);
+
+/// Where a grain line goes: of several parallel lines across the outline the longest stretch inside
+/// that keeps off a box, shortened to leave room at its ends. Nothing where no line has room.
+/// @param angle  of the line, radians
+std::optional<Chord> grainLine(const Points2& outline, double angle,
+                               const Eigen::AlignedBox2d& off);
+
+/// The line as a pen draws it: from end to end with the two strokes of an arrow head at `to`, as
+/// one open path, mm.
+Points2 arrowPath(const Chord& line);
+
+}  // namespace toile

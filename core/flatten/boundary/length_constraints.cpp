@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/boundary/length_constraints.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace toile {
+namespace {
+
+constexpr int kMaxSteps = 30;
+/// Length error that counts as none: of the edge, or of the piece's extent where that is more.
+constexpr double kExact = 1e-13;
+constexpr double kDigits = 4e-15;
+/// Times that: no progress below it is arrival too.
+constexpr double kNearlyExact = 100;
+/// Above this the outline's lengths are no longer near: no use in trying.
+constexpr double kFar = 4;
+
+/// Solves the cyclic tridiagonal system with 2 on the diagonal and beside_i coupling i and i + 1:
+/// the corner is taken out as a rank one change (Sherman and Morrison).
+Eigen::VectorXd solveCyclic(const Eigen::VectorXd& beside, const Eigen::VectorXd& right) {
+    const Eigen::Index n = right.size();
+    const double corner = beside[n - 1];
+    constexpr double kGamma = -2;  // of the order of the diagonal, opposite sign: no cancellation
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(n, 2);
+    diagonal[0] -= kGamma;
+    diagonal[n - 1] -= corner * corner / kGamma;
+    Eigen::MatrixX2d b = Eigen::MatrixX2d::Zero(n, 2);
+    b.col(0) = right;
+    b(0, 1) = kGamma;
+    b(n - 1, 1) = corner;
+    for (Eigen::Index i = 1; i < n; ++i) {
+        const double factor = beside[i - 1] / diagonal[i - 1];
+        diagonal[i] -= factor * beside[i - 1];
+        b.row(i) -= factor * b.row(i - 1);
+    }
+    b.row(n - 1) /= diagonal[n - 1];
+    for (Eigen::Index i = n - 2; i >= 0; --i) {
+        b.row(i) = (b.row(i) - beside[i] * b.row(i + 1)) / diagonal[i];
+    }
+    const double share = corner / kGamma;
+    const Eigen::RowVector2d both = b.row(0) + share * b.row(n - 1);
+    return b.col(0) - both[0] / (1 + both[1]) * b.col(1);
+}
+
+}  // namespace
+
+LengthConstraints::LengthConstraints(std::vector<int> boundary, Eigen::VectorXd lengths)
+    : boundary_(std::move(boundary)), lengths_(std::move(lengths)) {}
+
+Points2 LengthConstraints::directions(const Points2& Q) const {
+    const int n = count();
+    Points2 u(n, 2);
+    for (int i = 0; i < n; ++i) {
+        u.row(i) = (Q.row(boundary_[(i + 1) % n]) - Q.row(boundary_[i])).normalized();
+    }
+    return u;
+}
+
+Eigen::VectorXd LengthConstraints::residual(const Points2& Q) const {
+    const int n = count();
+    Eigen::VectorXd c(n);
+    for (int i = 0; i < n; ++i) {
+        c[i] = (Q.row(boundary_[(i + 1) % n]) - Q.row(boundary_[i])).norm() - lengths_[i];
+    }
+    return c;
+}
+
+Eigen::VectorXd LengthConstraints::along(const Points2& directions, const Points2& P) const {
+    const int n = count();
+    Eigen::VectorXd rates(n);
+    for (int i = 0; i < n; ++i) {
+        rates[i] = directions.row(i).dot(P.row(boundary_[(i + 1) % n]) - P.row(boundary_[i]));
+    }
+    return rates;
+}
+
+void LengthConstraints::addForces(const Points2& directions, const Eigen::VectorXd& y,
+                                  Points2& G) const {
+    const int n = count();
+    for (int i = 0; i < n; ++i) {
+        G.row(boundary_[i]) -= y[i] * directions.row(i);
+        G.row(boundary_[(i + 1) % n]) += y[i] * directions.row(i);
+    }
+}
+
+void LengthConstraints::addHessian(const Points2& Q, const Eigen::VectorXd& stiffness,
+                                   const Eigen::VectorXd& multipliers, BlockMatrix& hessian) const {
+    const int n = count();
+    for (int i = 0; i < n; ++i) {
+        const int v = boundary_[i];
+        const int w = boundary_[(i + 1) % n];
+        const Eigen::Vector2d edge = Q.row(w) - Q.row(v);
+        const double length = edge.norm();
+        const Eigen::Matrix2d onto = edge * edge.transpose() / (length * length);
+        const double pull = std::max(multipliers[i], 0.0) / length;
+        const Eigen::Matrix2d block =
+            stiffness[i] * onto + pull * (Eigen::Matrix2d::Identity() - onto);
+        hessian.addVertex(v, block);
+        hessian.addVertex(w, block);
+        hessian.addEdge(hessian.findEdge(v, w), -block);
+    }
+}
+
+bool LengthConstraints::restore(Points2& Q) const {
+    const int n = count();
+    double extent = 0;
+    for (const int v : boundary_) {
+        extent = std::max(extent, Q.row(v).lpNorm<Eigen::Infinity>());
+    }
+    // An edge much shorter than the piece is as long as the digits of its ends can say.
+    const Eigen::VectorXd allowed = (kExact * lengths_).cwiseMax(kDigits * extent);
+    double before = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < kMaxSteps; ++step) {
+        const Eigen::VectorXd c = residual(Q);
+        const double worst = c.cwiseQuotient(allowed).lpNorm<Eigen::Infinity>();
+        if (worst <= 1) {
+            return true;
+        }
+        const bool stalls = worst <= kNearlyExact && worst > 0.5 * before;
+        if (stalls || !(c.cwiseQuotient(lengths_).lpNorm<Eigen::Infinity>() <= kFar)) {
+            return stalls;
+        }
+        before = worst;
+        const Points2 u = directions(Q);
+        Eigen::VectorXd beside(n);
+        for (int i = 0; i < n; ++i) {
+            beside[i] = -u.row(i).dot(u.row((i + 1) % n));
+        }
+        const Eigen::VectorXd y = solveCyclic(beside, -c);
+        if (!y.allFinite()) {
+            return false;
+        }
+        addForces(u, y, Q);
+    }
+    return false;
+}
+
+}  // namespace toile

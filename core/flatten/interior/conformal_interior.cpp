@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/interior/conformal_interior.h"
+
+#include <utility>
+
+#include "core/flatten/flattening_memory.h"
+#include "core/flatten/interior/delaunay_around.h"
+#include "core/flatten/match_versions.h"
+#include "core/garment/piece.h"
+#include "core/mesh/cotangents.h"
+#include "core/mesh/intrinsic_delaunay.h"
+#include "core/quality/measures.h"
+
+namespace toile {
+namespace {
+
+/// Rings of triangles about flipped ones that get other weights too. Three clear fewer pieces of
+/// flips, one or none leaves more of them.
+constexpr int kRings = 2;
+
+/// Those that `flippedTriangles` (quality/measures.h) counts.
+std::vector<int> flippedIn(const Points2& Q, const Piece& piece) {
+    const Eigen::VectorXd areas = triangleAreas2d(Q, piece.mesh.F);
+    std::vector<int> flipped;
+    for (int f = 0; f < areas.size(); ++f) {
+        if (areas[f] <= 0) {
+            flipped.push_back(f);
+        }
+    }
+    return flipped;
+}
+
+/// True where other weights may do better.
+bool isOfTheWeights(const Error& error) {
+    return error.code == ErrorCode::NotFinite || error.code == ErrorCode::FactorisationFailed;
+}
+
+/// The system with the mesh's own weights, by what is known of an earlier version.
+Result<InteriorSystem> ownSystem(const Piece& piece, const Progress& progress,
+                                 FlatteningMemory* memory) {
+    WeightedEdges graph{piece.table.edges, cotangentWeights(piece.mesh, piece.table)};
+    const auto vertexCount = static_cast<int>(piece.mesh.V.rows());
+    if (memory != nullptr && memory->interior) {
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled, "", ""};
+        }
+        const VersionMatch match = matchVersions(piece, *memory->factorised);
+        auto edited = InteriorSystem::makeFrom(*memory->interior, match.vertex, graph, vertexCount,
+                                               piece.boundary, progress);
+        if (edited || edited.error().code == ErrorCode::Cancelled) {
+            return edited;
+        }
+    }
+    return InteriorSystem::make(std::move(graph), vertexCount, piece.boundary, progress);
+}
+
+}  // namespace
+
+Result<ConformalInterior> ConformalInterior::make(const Piece& piece, const Progress& progress,
+                                                  FlatteningMemory* memory) {
+    ConformalInterior interior(piece, memory);
+    auto system = ownSystem(piece, progress, memory);
+    if (!system && system.error().code == ErrorCode::FactorisationFailed) {
+        auto other = interior.withDelaunayWeights(progress);
+        if (!other && other.error().code == ErrorCode::FactorisationFailed) {
+            return system.error();
+        }
+        return other;
+    }
+    if (!system) {
+        return system.error();
+    }
+    interior.system_ = std::move(*system);
+    return interior;
+}
+
+Result<ConformalInterior> ConformalInterior::withOther(Result<InteriorSystem> system,
+                                                       int flips) const {
+    if (!system) {
+        return system.error();
+    }
+    ConformalInterior interior(*piece_);
+    interior.system_ = std::move(*system);
+    interior.delaunayFlips_ = flips;
+    return interior;
+}
+
+/// Errors also where no edge has to be turned: the weights are the mesh's own then.
+Result<ConformalInterior> ConformalInterior::withDelaunayWeights(const Progress& progress) const {
+    auto delaunay = intrinsicDelaunay(piece_->mesh, piece_->table, progress);
+    if (!delaunay) {
+        return delaunay.error();
+    }
+    if (delaunay->flips == 0) {
+        return Error{ErrorCode::FactorisationFailed, "", "the mesh is Delaunay"};
+    }
+    auto system =
+        InteriorSystem::make(std::move(delaunay->graph), static_cast<int>(piece_->mesh.V.rows()),
+                             piece_->boundary, progress);
+    return withOther(std::move(system), delaunay->flips);
+}
+
+/// Errors also where no edge has to be turned.
+Result<ConformalInterior> ConformalInterior::withDelaunayWeightsAround(
+    const std::vector<int>& faces, const Progress& progress) const {
+    auto delaunay = delaunayAround(piece_->mesh, piece_->table, system_.graph().weights, faces,
+                                   kRings, progress);
+    if (!delaunay) {
+        return delaunay.error();
+    }
+    if (delaunay->flips == 0) {
+        return Error{ErrorCode::FactorisationFailed, "", "the triangles are Delaunay"};
+    }
+    auto system = InteriorSystem::makeNear(system_, delaunay->graph, progress);
+    if (!system && system.error().code == ErrorCode::FactorisationFailed) {
+        system = InteriorSystem::make(std::move(delaunay->graph),
+                                      static_cast<int>(piece_->mesh.V.rows()), piece_->boundary,
+                                      progress);
+    }
+    return withOther(std::move(system), delaunay->flips);
+}
+
+void ConformalInterior::keep() {
+    if (memory_ != nullptr && system_.ownsFactor()) {
+        memory_->factorised = memory_->present;
+        memory_->interior = std::make_shared<const InteriorSystem>(system_);
+        memory_ = nullptr;
+    }
+}
+
+Result<Eigen::MatrixXd> ConformalInterior::solve(const Eigen::MatrixXd& b,
+                                                 const Progress& progress) {
+    auto values = system_.solve(b, progress);
+    if (values) {
+        keep();
+    }
+    if (values || !isOfTheWeights(values.error()) || delaunayFlips_ > 0) {
+        return values;
+    }
+    auto other = withDelaunayWeights(progress);
+    if (!other) {
+        return isOfTheWeights(other.error()) ? values.error() : other.error();
+    }
+    *this = std::move(*other);
+    return system_.solve(b, progress);
+}
+
+Result<Eigen::MatrixXd> ConformalInterior::extend(const Eigen::MatrixXd& onOutline,
+                                                  const Progress& progress) {
+    auto values = system_.extend(onOutline, progress);
+    if (values) {
+        keep();
+    }
+    return values;
+}
+
+Result<Points2> ConformalInterior::place(const Points2& outline, const Progress& progress) {
+    auto extended = extend(outline, progress);
+    if (delaunayFlips_ > 0 || (!extended && !isOfTheWeights(extended.error()))) {
+        return extended ? Result<Points2>(Points2(std::move(*extended))) : extended.error();
+    }
+    std::vector<int> flipped;
+    if (extended) {
+        flipped = flippedIn(Points2(*extended), *piece_);
+        if (flipped.empty()) {
+            return Points2(std::move(*extended));
+        }
+    }
+    auto other =
+        extended ? withDelaunayWeightsAround(flipped, progress) : withDelaunayWeights(progress);
+    const bool isCancelled = !other && other.error().code == ErrorCode::Cancelled;
+    if (isCancelled) {
+        return other.error();
+    }
+    if (other) {
+        auto better = other->system_.extend(outline, progress, extended ? &*extended : nullptr);
+        if (better && (!extended || flippedIn(Points2(*better), *piece_).size() < flipped.size())) {
+            *this = std::move(*other);
+            return Points2(std::move(*better));
+        }
+    }
+    return extended ? Result<Points2>(Points2(std::move(*extended))) : extended.error();
+}
+
+}  // namespace toile

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/isometric/carried_start.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "core/flatten/boundary/length_constraints.h"
+#include "core/flatten/flattening_memory.h"
+#include "core/flatten/interior/conformal_interior.h"
+#include "core/flatten/isometric/coarsening.h"
+#include "core/flatten/isometric/cut_sides.h"
+#include "core/flatten/isometric/dirichlet_energy.h"
+#include "core/flatten/isometric/isometric_descent.h"
+#include "core/flatten/isometric/isometric_start.h"
+#include "core/flatten/isometric/kkt_model.h"
+#include "core/flatten/isometric/outline_barrier.h"
+#include "core/flatten/methods/methods.h"
+#include "core/garment/garment.h"
+#include "core/garment/piece.h"
+#include "core/quality/measures.h"
+#include "core/quality/outline_crossings.h"
+
+namespace toile {
+namespace {
+
+/// Motion of the outline, in parts of its mean edge, that the interior need not follow.
+constexpr double kStill = 1e-9;
+/// Energy above 1 up to which a start is taken: so many times that before the edit, or so much. An
+/// edit that folds or squeezes the carried positions makes the way down longer than the usual one.
+constexpr double kMostGrowth = 2;
+constexpr double kSlightExcess = 0.05;
+/// And never from here on: the mean strain is beyond thirtyfold.
+constexpr double kSqueezed = 1e3;
+
+/// Between two sides that are parted, in parts of the barrier's reach.
+constexpr double kGap = 0.7;
+constexpr int kMostPartings = 5;
+constexpr int kRelaxingPasses = 4;
+/// Part of the vertices that a small edit leaves where they were in space.
+constexpr double kMostStay = 0.9;
+/// Of a coarse piece: vertices from which one is made, times the tolerance, and of the time.
+constexpr int kFewVertices = 200;
+constexpr double kCoarseTolerance = 3;
+constexpr double kCoarserShare = 0.4;
+/// Change of an edge's length, in parts of it, from which moving the outline alone folds.
+constexpr double kFarLength = 0.5;
+
+double mostEnergy(double before) {
+    return std::min(kSqueezed, 1 + std::max(kSlightExcess, kMostGrowth * (before - 1)));
+}
+
+/// The interior follows the outline's motion harmonically, by the memory's factor where it suits.
+std::optional<Points2> following(const Piece& piece, const Points2& carried, const Points2& outline,
+                                 FlatteningMemory& memory, const Progress& progress) {
+    auto interior = ConformalInterior::make(piece, progress, &memory);
+    if (!interior) {
+        return std::nullopt;
+    }
+    Eigen::MatrixXd motion(static_cast<Eigen::Index>(piece.boundary.size()), 2);
+    for (std::size_t i = 0; i < piece.boundary.size(); ++i) {
+        const int v = piece.boundary[i];
+        motion.row(static_cast<Eigen::Index>(i)) = outline.row(v) - carried.row(v);
+    }
+    const auto followed = interior->extend(motion, progress);
+    if (!followed) {
+        return std::nullopt;
+    }
+    Points2 moved = carried + *followed;
+    for (const int v : piece.boundary) {
+        moved.row(v) = outline.row(v);  // to the last digit
+    }
+    return moved;
+}
+
+/// Parts the two sides of cuts. To give the lengths back undoes some of it: once more, then.
+/// @return false where the outline crosses or touches itself still
+bool partedWithLengths(const Piece& piece, const LengthConstraints& constraints,
+                       const Eigen::VectorXd& lengths, Points2& Q) {
+    const Eigen::VectorXd gap = kGap * OutlineBarrier(piece.boundary, lengths).reach();
+    for (int k = 0; k < kMostPartings; ++k) {
+        partCutSides(piece, gap, Q);
+        if (!constraints.restore(Q)) {
+            return false;
+        }
+        if (outlineIsSimple(Q, piece.boundary)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+CarriedStart::CarriedStart(const Piece& piece, FlatteningMemory& memory)
+    : piece_(piece), memory_(memory), match_(matchVersions(piece, *memory.flattened)) {}
+
+std::optional<Points2> CarriedStart::positions(const Progress& progress) const {
+    auto start = startFrom(*memory_.Q, false, progress);
+    if (!start && memory_.simple && memory_.simple != memory_.Q) {
+        start = startFrom(*memory_.simple, false, progress);
+    }
+    return start;
+}
+
+std::optional<Points2> CarriedStart::simplePositions(const Points2& crossing,
+                                                     const Progress& progress) const {
+    auto parted = fitted(crossing, true, progress);
+    if (parted || !memory_.simple) {
+        return parted;
+    }
+    return startFrom(*memory_.simple, true, progress);
+}
+
+std::optional<Points2> CarriedStart::startFrom(const Points2& before, bool apart,
+                                               const Progress& progress) const {
+    const auto carried = carriedOver(match_, *memory_.flattened, before);
+    return carried ? fitted(*carried, apart, progress) : std::nullopt;
+}
+
+std::optional<Points2> CarriedStart::fitted(const Points2& carried, bool apart,
+                                            const Progress& progress) const {
+    if (progress.isCancelled()) {
+        return std::nullopt;
+    }
+    const Eigen::VectorXd lengths = boundaryLengths3d(piece_.mesh.V, piece_.boundary);
+    const LengthConstraints constraints(piece_.boundary, lengths);
+    if (constraints.residual(carried).cwiseQuotient(lengths).lpNorm<Eigen::Infinity>() >
+        kFarLength) {
+        return std::nullopt;
+    }
+    Points2 start = carried;
+    if (!(apart ? partedWithLengths(piece_, constraints, lengths, start)
+                : constraints.restore(start))) {
+        return std::nullopt;
+    }
+    // Mostly it is better where the interior follows; where the outline moves far against the size
+    // of its triangles it may fold there, and not where it stays.
+    if (progress.isCancelled()) {
+        return std::nullopt;
+    }
+    const SymmetricDirichlet energy(piece_.mesh, piece_.table);
+    double least = energy.energy(start);
+    if ((start - carried).lpNorm<Eigen::Infinity>() > kStill * lengths.mean()) {
+        auto moved = following(piece_, carried, start, memory_, progress);
+        if (const double other = moved ? energy.energy(*moved) : least; other < least) {
+            start = std::move(*moved);
+            least = other;
+        }
+    }
+    if (!(least < mostEnergy(memory_.distortion)) || progress.isCancelled()) {
+        return std::nullopt;
+    }
+    relaxInside(start, progress);
+    return start;
+}
+
+void CarriedStart::relaxInside(Points2& Q, const Progress& progress) const {
+    std::vector<char> fixed(static_cast<std::size_t>(Q.rows()), 0);
+    for (const int v : piece_.boundary) {
+        fixed[v] = 1;
+    }
+    SymmetricDirichlet(piece_.mesh, piece_.table).relax(Q, fixed, kRelaxingPasses, progress);
+}
+
+std::optional<IsometricStart> CarriedStart::fromCoarse(double tolerance,
+                                                       const Progress& progress) const {
+    const auto carried = carriedOver(match_, *memory_.flattened, *memory_.Q);
+    if (!carried || piece_.mesh.V.rows() < kFewVertices || !isSmallEdit() ||
+        progress.isCancelled()) {
+        return std::nullopt;
+    }
+    const Coarsening coarsening(piece_.mesh, piece_.boundary, *carried, progress);
+    if (!coarsening.savesWork() || progress.isCancelled()) {
+        return std::nullopt;
+    }
+    Piece coarse = makePiece(piece_.name, coarsening.mesh());
+    coarse.boundary = coarsening.boundary();
+    if (coarse.defect) {
+        return std::nullopt;
+    }
+    const auto flat = flattenCurvature(coarse, FlattenOptions(), Progress(progress, 0), nullptr);
+    if (!flat || !(SymmetricDirichlet(coarse.mesh, coarse.table).energy(flat->Q) < kSqueezed)) {
+        return std::nullopt;
+    }
+    // The fine piece will find its own way from there: the last digits are not worth having.
+    DescentOptions options;
+    options.tolerance = kCoarseTolerance * tolerance;
+    IsometricStart near = coarseToFine(coarse.mesh, coarse.table, coarse.boundary, flat->Q,
+                                       options.tolerance, Progress(progress, kCoarserShare));
+    options.multipliers = std::move(near.multipliers);
+    auto lowest = lowerIsometricEnergy(coarse.mesh, coarse.table, coarse.boundary, near.Q, options,
+                                       Progress(progress, 1 - kCoarserShare));
+    auto fine = lowest ? coarsening.followed(*carried, lowest->Q) : std::nullopt;
+    if (!fine || progress.isCancelled()) {
+        return std::nullopt;
+    }
+    relaxInside(*fine, progress);
+    return IsometricStart{std::move(*fine), std::move(lowest->multipliers)};
+}
+
+bool CarriedStart::isSmallEdit() const {
+    const Points3& before = memory_.flattened->mesh.V;
+    int stay = 0;
+    for (std::size_t v = 0; v < match_.vertex.size(); ++v) {
+        const int was = match_.vertex[v];
+        stay += was >= 0 && piece_.mesh.V.row(static_cast<Eigen::Index>(v)) == before.row(was);
+    }
+    return stay >= kMostStay * static_cast<double>(match_.vertex.size());
+}
+
+Eigen::VectorXd CarriedStart::multipliers() const {
+    const std::vector<int>& boundary = piece_.boundary;
+    const std::vector<int>& before = memory_.flattened->boundary;
+    Eigen::VectorXd pulls = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(boundary.size()));
+    std::vector<int> place(static_cast<std::size_t>(memory_.flattened->mesh.V.rows()), -1);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        place[before[i]] = static_cast<int>(i);
+    }
+    for (std::size_t i = 0; i < boundary.size(); ++i) {
+        const int v = match_.vertex[boundary[i]];
+        const int w = match_.vertex[boundary[(i + 1) % boundary.size()]];
+        const int at = v >= 0 ? place[v] : -1;
+        if (w >= 0 && at >= 0 && before[(static_cast<std::size_t>(at) + 1) % before.size()] == w) {
+            pulls[static_cast<Eigen::Index>(i)] = (*memory_.multipliers)[at];
+        }
+    }
+    return pulls;
+}
+
+std::shared_ptr<const KktModel> CarriedStart::model() const {
+    const Piece& before = *memory_.flattened;
+    const bool same = piece_.mesh.V.rows() == before.mesh.V.rows() &&
+                      piece_.mesh.F.rows() == before.mesh.F.rows() &&
+                      piece_.boundary == before.boundary &&
+                      (piece_.mesh.F.array() == before.mesh.F.array()).all();
+    return same ? memory_.model : nullptr;
+}
+
+}  // namespace toile

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/flatten/isometric/isometric_start.h"
+#include "core/flatten/match_versions.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+struct FlatteningMemory;
+struct KktModel;
+struct Piece;
+
+/// What the isometric descent of an earlier version left behind, carried over to a later one.
+class CarriedStart {
+public:
+    /// @param memory  with positions (`Q`); its interior's factor is used, and replaced where it
+    ///                does not suit. Outlives this, as does the piece
+    CarriedStart(const Piece& piece, FlatteningMemory& memory);
+
+    /// A start from the flat positions: they are carried over vertex by vertex, the outline is
+    /// moved to the new lengths, the interior follows harmonically, which mends what moving the
+    /// outline alone would fold, and single vertices are given room. Where the last outline was
+    /// moved apart, positions before that come first, and then those after.
+    /// @return positions without flipped triangles and with exact boundary lengths; nothing where
+    ///         that does not come out, where they are strained much more than before the edit, or
+    ///         cancelled
+    /// Cost: a factor's edit, two back-substitutions, some linear passes.
+    std::optional<Points2> positions(const Progress& progress) const;
+
+    /// A start whose outline does not cross itself: the sides of cuts that overlap are parted where
+    /// they do (cut_sides.h). Where it crosses elsewhere too, the same from the positions after the
+    /// last outline was moved apart.
+    /// @param crossing  the present version's, exact lengths, no flipped triangle
+    /// @return as `positions`
+    std::optional<Points2> simplePositions(const Points2& crossing, const Progress& progress) const;
+
+    /// A start where the edit moves the outline too far for `positions`, as a dart does that lets a
+    /// strained piece open: a coarse piece is flattened as if nothing were known, and the vertices
+    /// that it lacks follow it from their carried places.
+    /// @param tolerance  of the fine descent (DescentOptions)
+    /// @return as `positions`, with the boundary's pulls; nothing where most vertices have moved in
+    ///         space, the piece is small, its coarse one cannot be flattened, or cancelled
+    /// Cost: half a factorisation of size 2 #V.
+    std::optional<IsometricStart> fromCoarse(double tolerance, const Progress& progress) const;
+
+    /// How the boundary edges pull: 0 for those that the earlier version did not have.
+    Eigen::VectorXd multipliers() const;
+    /// The earlier version's model where the triangles are the same, or null.
+    std::shared_ptr<const KktModel> model() const;
+
+private:
+    bool isSmallEdit() const;
+    void relaxInside(Points2& Q, const Progress& progress) const;
+    std::optional<Points2> startFrom(const Points2& before, bool apart,
+                                     const Progress& progress) const;
+    std::optional<Points2> fitted(const Points2& carried, bool apart,
+                                  const Progress& progress) const;
+
+    const Piece& piece_;
+    FlatteningMemory& memory_;
+    VersionMatch match_;
+};
+
+}  // namespace toile

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace toile {
+
+/// Decides when a descent factorises anew, and when it has arrived, from what its steps bring;
+/// never from the clock, so that the same input takes the same way.
+///
+/// As long as steps with the old factorisation lower the objective by more than the average since,
+/// its own cost included, they are the cheaper way down; and where they keep their promises a new
+/// one would do no better. All O(1).
+class DescentPace {
+public:
+    /// @param fresh  false where there is a factorisation to begin with
+    explicit DescentPace(bool fresh = true) : fresh_(fresh) {}
+
+    /// True where the next step is to be with a new factorisation.
+    bool isFresh() const { return fresh_; }
+    void renew() { fresh_ = true; }
+
+    /// Counts a step.
+    /// @param part      of the step that was taken, above 0
+    /// @param promised  fall of the objective  @param fall  that came
+    /// @param renewingCost  what a factorisation costs, in steps with an old one
+    void count(double part, double promised, double fall, double renewingCost);
+
+    /// True where the last step, or all with one factorisation, brought hardly more than
+    /// `tolerance`, and not because single triangles stopped them.
+    bool hasArrived(double tolerance) const;
+
+    /// True where the last step was stopped by single triangles.
+    bool wasStopped() const;
+
+private:
+    bool fresh_;
+    bool went_ = false;  ///< a step since the factorisation was not stopped
+    double part_ = 0, fall_ = 0;
+    double fallen_ = 0, spent_ = 0;  ///< since the factorisation; in steps with an old one
+};
+
+}  // namespace toile

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
+#include <Eigen/LU>
+
+#include "core/flatten/isometric/dirichlet_energy.h"
+
+namespace toile {
+namespace {
+
+/// A move is worth while that promises to take this part off the energy of a vertex's triangles.
+constexpr double kWorthWhile = 0.02;
+constexpr int kMovesPerVisit = 3;
+constexpr int kMaxHalvings = 8;
+/// Newton's step is too short where triangles are squeezed: it is tried longer.
+constexpr double kStretch = 1.7;
+constexpr int kMaxStretches = 3;
+/// Vertices between two looks at the progress: some milliseconds.
+constexpr int kLookEvery = 1 << 12;
+
+}  // namespace
+
+SymmetricDirichlet::Stars SymmetricDirichlet::stars(int vertexCount) const {
+    Stars stars;
+    stars.start.assign(static_cast<std::size_t>(vertexCount) + 1, 0);
+    for (Eigen::Index k = 0; k < mesh_.F.size(); ++k) {
+        ++stars.start[mesh_.F.data()[k] + 1];
+    }
+    for (int v = 0; v < vertexCount; ++v) {
+        stars.start[v + 1] += stars.start[v];
+    }
+    stars.star.resize(static_cast<std::size_t>(mesh_.F.size()));
+    std::vector<int> next(stars.start.begin(), stars.start.end() - 1);
+    for (Eigen::Index k = 0; k < mesh_.F.size(); ++k) {
+        stars.star[next[mesh_.F.data()[k]]++] = static_cast<int>(k / 3);
+    }
+    return stars;
+}
+
+double SymmetricDirichlet::starEnergy(const Points2& Q, const Stars& stars, int v) const {
+    double sum = 0;
+    for (int k = stars.start[v]; k < stars.start[v + 1]; ++k) {
+        const Eigen::Matrix2d J = jacobian(Q, stars.star[k]);
+        const double D = J.determinant();
+        if (!(D > 0)) {
+            return std::numeric_limits<double>::infinity();
+        }
+        sum += 0.25 * shapes_[stars.star[k]].area * J.squaredNorm() * (1 + 1 / (D * D));
+    }
+    return sum;
+}
+
+SymmetricDirichlet::VertexModel SymmetricDirichlet::vertexModel(const Points2& Q,
+                                                                const Stars& stars, int v) const {
+    VertexModel model;
+    for (int k = stars.start[v]; k < stars.start[v + 1]; ++k) {
+        const int f = stars.star[k];
+        const Shape& shape = shapes_[f];
+        const int corner = mesh_.F(f, 0) == v ? 0 : mesh_.F(f, 1) == v ? 1 : 2;
+        const Eigen::Vector2d b(shape.b[corner][0], shape.b[corner][1]);
+        const Eigen::Matrix2d J = jacobian(Q, f);
+        const double I = J.squaredNorm();
+        const double D = J.determinant();
+        const double over2 = 1 / (D * D);
+        const double over3 = over2 / D;
+        // How I / 2 and D change with the vertex; the second derivative of D is nil.
+        const Eigen::Vector2d i = J * b;
+        const Eigen::Vector2d d(J(1, 1) * b[0] - J(1, 0) * b[1], J(0, 0) * b[1] - J(0, 1) * b[0]);
+        const double part = 0.25 * shape.area;
+        model.energy += part * I * (1 + over2);
+        model.gradient += part * (2 * (1 + over2) * i - 2 * I * over3 * d);
+        model.stiffness += part * (2 * (1 + over2) * b.squaredNorm() * Eigen::Matrix2d::Identity() -
+                                   4 * over3 * (i * d.transpose() + d * i.transpose()) +
+                                   6 * I * over2 * over2 * d * d.transpose());
+    }
+    return model;
+}
+
+/// One Newton step of a vertex, shortened or stretched as lowers the energy. False where none does,
+/// or where it would hardly.
+bool SymmetricDirichlet::relaxVertex(Points2& Q, const Stars& stars, int v) const {
+    const VertexModel model = vertexModel(Q, stars, v);
+    const Eigen::RowVector2d from = Q.row(v);
+    const Eigen::RowVector2d step = (-model.stiffness.inverse() * model.gradient).transpose();
+    if (!(-0.5 * step.dot(model.gradient) > kWorthWhile * model.energy)) {
+        return false;
+    }
+    double t = 1;
+    double reached = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < kMaxHalvings; ++k, t *= 0.5) {
+        Q.row(v) = from + t * step;
+        reached = starEnergy(Q, stars, v);
+        if (reached < model.energy) {
+            break;
+        }
+    }
+    if (!(reached < model.energy)) {
+        Q.row(v) = from;
+        return false;
+    }
+    for (int k = 0; k < kMaxStretches && t >= 1; ++k) {
+        const Eigen::RowVector2d kept = Q.row(v);
+        t *= kStretch;
+        Q.row(v) = from + t * step;
+        const double further = starEnergy(Q, stars, v);
+        if (!(further < reached)) {
+            Q.row(v) = kept;
+            break;
+        }
+        reached = further;
+    }
+    return true;
+}
+
+void SymmetricDirichlet::relax(Points2& Q, const std::vector<char>& fixed, int passes,
+                               const Progress& progress) const {
+    const auto count = static_cast<int>(Q.rows());
+    const Stars all = stars(count);
+    std::vector<char> waits(static_cast<std::size_t>(count), 1);
+    bool any = true;
+    for (int pass = 0; pass < passes && any; ++pass) {
+        any = false;
+        for (int v = 0; v < count; ++v) {
+            if (v % kLookEvery == 0 && progress.isCancelled()) {
+                return;
+            }
+            if (fixed[v] != 0 || waits[v] == 0) {
+                continue;
+            }
+            waits[v] = 0;
+            bool moved = false;
+            for (int k = 0; k < kMovesPerVisit && relaxVertex(Q, all, v); ++k) {
+                moved = true;
+            }
+            any = any || moved;
+            for (int k = all.start[v]; moved && k < all.start[v + 1]; ++k) {
+                for (int corner = 0; corner < 3; ++corner) {
+                    waits[mesh_.F(all.star[k], corner)] = 1;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace toile

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/isometric/isometric_descent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/flatten/isometric/descent_pace.h"
+#include "core/flatten/isometric/kkt_solver.h"
+#include "core/flatten/isometric/step_memory.h"
+#include "core/quality/measures.h"
+#include "core/quality/outline_crossings.h"
+
+namespace toile {
+namespace {
+
+constexpr int kMaxCorrections = 6;
+constexpr double kSmallCorrection = 1e-3;  // of an edge: the boundary alone may take it
+constexpr double kLargestCorrection = 1;   // of an edge: the quadratic model says nothing beyond
+constexpr double kSufficientDecrease = 1e-4;
+constexpr double kBackOff = 0.9;  // of the way to the first triangle without area
+constexpr int kMaxHalvings = 40;
+constexpr int kMaxStaleHalvings = 3;  // of a step that a new factorisation may do better
+/// Newton's step is too short where triangles are squeezed: from s^-2 it moves s by a third.
+constexpr double kLongestStep = 8;
+constexpr double kStretch = 1.5;
+constexpr double kShorten = 0.7;
+constexpr int kMaxShortenings = 4;
+constexpr int kRelaxingPasses = 3;
+/// A step with an old factorisation that promises no more than this many times the tolerance would
+/// need a new one to find more: not worth it.
+constexpr double kStaleTolerance = 2;
+/// An excess of energy below this is rounding.
+constexpr double kNoExcess = 1e-10;
+
+double dot(const Points2& a, const Points2& b) {
+    return a.cwiseProduct(b).sum();
+}
+
+class Descent {
+public:
+    Descent(const MeshArrays& mesh, const EdgeTable& table, const std::vector<int>& boundary,
+            const DescentOptions& options, const Progress& progress)
+        : progress_(progress),
+          boundary_(boundary),
+          lengths_(boundaryLengths3d(mesh.V, boundary)),
+          objective_(mesh, table, boundary, lengths_, options.keepOutlineSimple),
+          constraints_(boundary, lengths_),
+          kkt_(mesh, boundary, lengths_, constraints_, options.keepOutlineSimple, options.sizes,
+               progress),
+          multipliers_(options.multipliers.size() > 0 ? options.multipliers
+                                                      : Eigen::VectorXd::Zero(lengths_.size())) {
+        kkt_.adopt(options.model);
+    }
+
+    const IsometricObjective& objective() const { return objective_; }
+
+    /// Lays out the quadratic model at Q, for the steps to come.
+    Result<void> renew(const Points2& Q, const IsometricObjective::Value& at) {
+        return kkt_.renew(objective_, {Q, at, multipliers_});
+    }
+
+    /// The step of the quadratic programme, and how much it promises to take off the objective. The
+    /// model may be some steps old: what they told of the curvature since makes up for it.
+    Result<Points2> step(const Points2& Q, const IsometricObjective::Value& at, double& promised) {
+        if (slope_.rows() == 0) {
+            slope_ = objective_.gradient(Q, at);
+        }
+        const Points2 g = lagrangian(Q, slope_);
+        Points2 reduced = g;
+        const std::vector<double> taken = memory_.reduce(reduced);
+        Eigen::VectorXd more = Eigen::VectorXd::Zero(lengths_.size());
+        auto P = kkt_.solve(-reduced, Eigen::VectorXd::Zero(lengths_.size()), more);
+        if (P) {
+            memory_.complete(taken, *P);
+            multipliers_ += more;
+            promised = -0.5 * dot(g, *P);
+        }
+        return P;
+    }
+
+    /// Takes the last `step`, or as much of it as lowers the objective.
+    /// @return how much of it; 0 where none does
+    double advance(Points2& Q, IsometricObjective::Value& at, const Points2& P, double promised,
+                   bool stale) {
+        double t = usefulPart(Q, at, P);
+        const int halvings = stale ? kMaxStaleHalvings : kMaxHalvings;
+        for (int k = 0; k < halvings && !progress_.isCancelled(); ++k, t *= 0.5) {
+            Points2 moved = Q + t * P;
+            if (!regainLengths(moved)) {
+                continue;
+            }
+            IsometricObjective::Value reached = objective_.evaluate(moved);
+            if (reached.total < at.total - 2 * kSufficientDecrease * t * promised &&
+                (!objective_.keepsOutlineSimple() || outlineIsSimple(moved, boundary_))) {
+                Points2 slope = objective_.gradient(moved, reached);
+                memory_.add(moved - Q, lagrangian(moved, slope) - lagrangian(Q, slope_));
+                slope_ = std::move(slope);
+                Q = std::move(moved);
+                at = std::move(reached);
+                return t;
+            }
+        }
+        return 0;
+    }
+
+    /// After a step that single triangles stopped: gives them room.
+    void relax(Points2& Q, IsometricObjective::Value& at) {
+        objective_.relax(Q, kRelaxingPasses, progress_);
+        at = objective_.evaluate(Q);
+        slope_.resize(0, 2);
+    }
+
+    /// What `renew` costs, in steps.
+    double renewingCost() const { return kkt_.renewingCost(); }
+    void forgetSteps() { memory_.clear(); }
+    const Eigen::VectorXd& multipliers() const { return multipliers_; }
+    const KktSolver& kkt() const { return kkt_; }
+
+private:
+    /// @param slope  the objective's gradient at Q
+    Points2 lagrangian(const Points2& Q, const Points2& slope) const {
+        Points2 g = slope;
+        constraints_.addForces(constraints_.directions(Q), multipliers_, g);
+        return g;
+    }
+
+    /// How much of the step lowers the objective most, about, the lengths aside: more than all of
+    /// it where the model is too stiff.
+    double usefulPart(const Points2& Q, const IsometricObjective::Value& at,
+                      const Points2& P) const {
+        const double most = kBackOff * objective_.largestStep(Q, P, kLongestStep / kBackOff);
+        const auto valueAt = [&](double t) -> double {
+            return objective_.evaluate(Q + t * P).total;
+        };
+        double t = std::min(1.0, most);
+        double reached = valueAt(t);
+        for (int k = 0; k < kMaxHalvings && !(reached < at.total) && !progress_.isCancelled();
+             ++k) {
+            t *= 0.5;
+            reached = valueAt(t);
+        }
+        bool stretched = false;
+        while (t < most && !progress_.isCancelled()) {
+            const double further = std::min(most, kStretch * t);
+            const double there = valueAt(further);
+            if (!(there < reached)) {
+                break;
+            }
+            t = further;
+            reached = there;
+            stretched = true;
+        }
+        for (int k = 0; k < kMaxShortenings && !stretched && !progress_.isCancelled(); ++k) {
+            const double there = valueAt(kShorten * t);
+            if (!(there < reached)) {
+                break;
+            }
+            t *= kShorten;
+            reached = there;
+        }
+        return t;
+    }
+
+    /// Gives a stepped piece its exact boundary lengths back. Where they are off by much, the whole
+    /// piece moves as the quadratic model finds cheapest, with the step's own factorisation; moving
+    /// the boundary alone would flip the triangles along it.
+    bool regainLengths(Points2& Q) {
+        for (int k = 0; k < kMaxCorrections; ++k) {
+            const Eigen::VectorXd c = constraints_.residual(Q);
+            const double worst = c.cwiseQuotient(lengths_).lpNorm<Eigen::Infinity>();
+            if (worst <= kSmallCorrection) {
+                break;
+            }
+            if (!(worst <= kLargestCorrection)) {
+                return false;
+            }
+            Eigen::VectorXd y = Eigen::VectorXd::Zero(c.size());
+            const auto P = kkt_.solve(Points2::Zero(Q.rows(), 2), c, y);
+            if (!P) {
+                return false;
+            }
+            Q += *P;
+        }
+        return constraints_.restore(Q);
+    }
+
+    const Progress& progress_;
+    const std::vector<int>& boundary_;
+    Eigen::VectorXd lengths_;
+    IsometricObjective objective_;
+    LengthConstraints constraints_;
+    KktSolver kkt_;
+    StepMemory memory_;
+    Eigen::VectorXd multipliers_;
+    Points2 slope_;  ///< of the objective at the present point; no rows where it is not known
+};
+
+}  // namespace
+
+Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTable& table,
+                                           const std::vector<int>& boundary, const Points2& start,
+                                           const DescentOptions& options,
+                                           const Progress& progress) {
+    Descent descent(mesh, table, boundary, options, progress);
+    DescentResult result;
+    result.Q = start;
+    IsometricObjective::Value at = descent.objective().evaluate(start);
+    if (!std::isfinite(at.total)) {
+        return Error{ErrorCode::NotFinite, "", "the start has flipped triangles or touches itself"};
+    }
+    double first = 0;  // promise over tolerance at the start: the way to go, by its logarithm
+    DescentPace pace(options.model == nullptr);
+    while (result.iterations < options.maxIterations && !progress.isCancelled()) {
+        const bool fresh = pace.isFresh();
+        if (fresh) {
+            descent.forgetSteps();
+            if (const auto renewed = descent.renew(result.Q, at); !renewed) {
+                if (renewed.error().code == ErrorCode::OutOfMemory) {
+                    return renewed.error();
+                }
+                break;  // what was reached stands
+            }
+        }
+        double promised = 0;
+        const auto step = descent.step(result.Q, at, promised);
+        if (!step && step.error().code == ErrorCode::OutOfMemory) {
+            return step.error();
+        }
+        const double wanted = options.tolerance * std::max(at.total - 1, kNoExcess);
+        const double enough = fresh ? wanted : kStaleTolerance * wanted;
+        // A step that promises a rise was not found exactly enough to go on with.
+        result.converged = step && std::abs(promised) <= enough;
+        const double before = at.total;
+        const double part =
+            step && promised > enough ? descent.advance(result.Q, at, *step, promised, !fresh) : 0;
+        if (part == 0) {
+            if (fresh || result.converged) {
+                break;
+            }
+            pace.renew();
+            continue;
+        }
+        ++result.iterations;
+        pace.count(part, promised, before - at.total, descent.renewingCost());
+        if (pace.hasArrived(wanted)) {
+            result.converged = true;
+            break;
+        }
+        if (pace.wasStopped()) {
+            descent.relax(result.Q, at);
+        }
+        first = std::max(first, std::log(promised / wanted));
+        progress.report(1 - std::log(promised / wanted) / first);
+    }
+    result.multipliers = descent.multipliers();
+    if (options.sharesModel) {
+        result.model = descent.kkt().share();
+    }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
+    // The objective has fallen. Its small terms may have fallen at the cost of the distortion.
+    const double before = descent.objective().distortion(start);
+    result.distortion = descent.objective().distortion(result.Q);
+    if (result.distortion > before && !options.keepOutlineSimple) {
+        result.Q = start;
+        result.distortion = before;
+    }
+    return result;
+}
+
+}  // namespace toile

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/flatten/isometric/kkt_solver.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+struct DescentOptions {
+    /// Ends when a step promises to lower the objective's excess over 1 by less than this part of
+    /// it, or has lowered it by less than twice that.
+    double tolerance = 1e-4;
+    int maxIterations = 500;
+    /// Keeps the outline from crossing itself (outline_barrier.h). The start must not cross itself.
+    bool keepOutlineSimple = false;
+    KktSizes sizes{};
+    /// Of the boundary lengths, as a descent of a like piece with the same outline left them; if
+    /// empty, none is known.
+    Eigen::VectorXd multipliers{};
+    /// To begin with, as a descent of a piece with the same triangles and nearly the same shape
+    /// left it; null where there is none. Not for an outline to be kept simple.
+    std::shared_ptr<const KktModel> model{};
+    bool sharesModel = false;  ///< the result is to have the last model
+};
+
+struct DescentResult {
+    Points2 Q;
+    double distortion = 0;  ///< symmetric Dirichlet energy, 1 where isometric
+    int iterations = 0;
+    Eigen::VectorXd multipliers{};            ///< of the boundary lengths: how much each edge pulls
+    bool converged = false;                   ///< the tolerance was met
+    std::shared_ptr<const KktModel> model{};  ///< the last; null where not asked for, or large
+};
+
+/// Lowers the symmetric Dirichlet energy of a flattening over interior and boundary positions while
+/// every boundary edge keeps its 3D length. Every iterate is feasible: exact lengths, no flipped
+/// triangle, objective (isometric_objective.h: the energy and small terms beside it) below the one
+/// before; ending early costs quality only, and the result is never worse than the start.
+///
+/// Each step minimises the convexified second-order model under the linearised length conditions
+/// (sequential quadratic programming): the KKT system is solved by the augmented Lagrangian, whose
+/// matrix has the mesh's own sparsity (kkt_solver.h). Its factorisation serves several steps, as
+/// long as they go down faster than a new one would be worth; the steps since tell what changed
+/// (step_memory.h).
+/// The step is cut off before a triangle loses its area, a second-order correction with the same
+/// factorisation gives the lengths back, and the step is shortened until the objective falls, or
+/// stretched as long as it does. Where single triangles stop it, their vertices are moved first.
+///
+/// @param mesh, table, boundary  a disk without degenerate triangles
+/// @param start  #V x 2, unit of the mesh: boundary lengths exact, no flipped triangle
+/// @param progress  told how far the tolerance is still away, on a logarithmic scale
+/// Errors: NotFinite (the start has flipped triangles), OutOfMemory, Cancelled. A step that cannot
+/// be computed ends the descent, and `converged` is false. Cost: a sparse factorisation of size 2
+/// #V per two or three iterations; for large pieces ten to twenty times some four products with
+/// the matrix per iteration. Re-entrant.
+Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTable& table,
+                                           const std::vector<int>& boundary, const Points2& start,
+                                           const DescentOptions& options, const Progress& progress);
+
+}  // namespace toile

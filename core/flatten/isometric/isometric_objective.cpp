@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/isometric/isometric_objective.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/quality/measures.h"
+
+namespace toile {
+namespace {
+
+/// Energy of one radian at every vertex of the outline: enough that the outline of a strongly
+/// compressed piece does not buckle, too little to be felt elsewhere (docs/methods/isometric.md).
+constexpr double kOutlineStiffness = 0.02;
+
+std::pair<int, int> ordered(int v, int w) {
+    return {std::min(v, w), std::max(v, w)};
+}
+
+}  // namespace
+
+IsometricObjective::IsometricObjective(const MeshArrays& mesh, const EdgeTable& table,
+                                       const std::vector<int>& boundary,
+                                       const Eigen::VectorXd& lengths, bool keepOutlineSimple)
+    : table_(table),
+      boundary_(boundary),
+      vertexCount_(static_cast<int>(mesh.V.rows())),
+      onBoundary_(static_cast<std::size_t>(mesh.V.rows()), 0),
+      energy_(mesh, table),
+      bending_(boundary, boundaryAngles3d(mesh, boundary), lengths, kOutlineStiffness) {
+    for (const int v : boundary) {
+        onBoundary_[v] = 1;
+    }
+    if (keepOutlineSimple) {
+        barrier_.emplace(boundary, lengths);
+    }
+}
+
+IsometricObjective::Value IsometricObjective::evaluate(const Points2& Q) const {
+    Value value{energy_.energy(Q), {}};
+    if (std::isfinite(value.total)) {
+        value.total += bending_.energy(Q);
+        if (barrier_) {
+            value.contacts = barrier_->contacts(Q);
+            value.total += OutlineBarrier::energy(value.contacts);
+        }
+    }
+    return value;
+}
+
+Points2 IsometricObjective::gradient(const Points2& Q, const Value& at) const {
+    Points2 g = energy_.gradient(Q);
+    bending_.addGradient(Q, g);
+    OutlineBarrier::addGradient(at.contacts, g);
+    return g;
+}
+
+IsometricObjective::Hessian IsometricObjective::hessian(const Points2& Q, const Value& at) {
+    const bool samePattern = layOut(at.contacts);
+    matrix_->setZero();
+    energy_.addHessian(Q, edgeOf_, *matrix_);
+    bending_.addHessian(Q, *matrix_);
+    OutlineBarrier::addHessian(at.contacts, *matrix_);
+    return {*matrix_, samePattern};
+}
+
+double IsometricObjective::largestStep(const Points2& Q, const Points2& P, double limit) const {
+    const double step = energy_.largestStep(Q, P, limit);
+    return barrier_ ? barrier_->largestStep(Q, P, step) : step;
+}
+
+/// The mesh's edges, those from each boundary vertex to the next but one, and those between the
+/// vertices of contacts. True where the pattern is as before.
+bool IsometricObjective::layOut(const std::vector<OutlineBarrier::Contact>& contacts) {
+    const std::size_t n = boundary_.size();
+    std::vector<std::pair<int, int>> extra;
+    extra.reserve(n + 2 * contacts.size());
+    for (std::size_t i = 0; i < n; ++i) {
+        extra.push_back(ordered(boundary_[i], boundary_[(i + 2) % n]));
+    }
+    for (const OutlineBarrier::Contact& c : contacts) {
+        extra.push_back(ordered(c.vertex, c.from));
+        extra.push_back(ordered(c.vertex, c.to));
+    }
+    std::sort(extra.begin(), extra.end());
+    extra.erase(std::unique(extra.begin(), extra.end()), extra.end());
+    if (matrix_ && extra == extra_) {
+        return true;
+    }
+    extra_ = std::move(extra);
+    // Both lists are sorted: they are merged, leaving out what the mesh has already.
+    std::vector<std::pair<int, int>> all;
+    const auto meshEdges = static_cast<std::size_t>(table_.edges.rows());
+    all.reserve(meshEdges + extra_.size());
+    edgeOf_.resize(meshEdges);
+    auto next = extra_.begin();
+    for (int e = 0; e < table_.edges.rows(); ++e) {
+        const std::pair edge(table_.edges(e, 0), table_.edges(e, 1));
+        for (; next != extra_.end() && *next <= edge; ++next) {
+            if (*next != edge) {
+                all.push_back(*next);
+            }
+        }
+        edgeOf_[e] = static_cast<int>(all.size());
+        all.push_back(edge);
+    }
+    all.insert(all.end(), next, extra_.end());
+    VertexPairs pairs(static_cast<Eigen::Index>(all.size()), 2);
+    for (std::size_t e = 0; e < all.size(); ++e) {
+        pairs.row(static_cast<Eigen::Index>(e)) << all[e].first, all[e].second;
+    }
+    matrix_.emplace(pairs, vertexCount_);
+    return false;
+}
+
+}  // namespace toile

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/isometric/outline_barrier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace toile {
+namespace {
+
+constexpr double kReach = 0.1;    // of an edge
+constexpr double kWeight = 1e-4;  // of all contacts together, in units of the isometric energy
+
+struct Box {
+    Eigen::Array2d low, high;
+};
+
+Box around(std::initializer_list<Eigen::RowVector2d> points, double margin) {
+    Box box{*points.begin(), *points.begin()};
+    for (const auto& p : points) {
+        box.low = box.low.min(p.transpose().array());
+        box.high = box.high.max(p.transpose().array());
+    }
+    box.low -= margin;
+    box.high += margin;
+    return box;
+}
+
+/// Calls `meet(i, j)` for every vertex box i and edge box j that overlap: a sweep along the longer
+/// axis of the whole.
+template <class Meet>
+void forOverlaps(const std::vector<Box>& vertices, const std::vector<Box>& edges, Meet meet) {
+    const auto n = static_cast<int>(vertices.size());
+    Box whole = edges.front();
+    for (const Box& box : edges) {
+        whole.low = whole.low.min(box.low);
+        whole.high = whole.high.max(box.high);
+    }
+    const Eigen::Array2d size = whole.high - whole.low;
+    const int axis = size[0] >= size[1] ? 0 : 1;
+    // Vertices are numbered 0 .. n-1, edges n .. 2n-1.
+    const auto box = [&](int k) -> const Box& { return k < n ? vertices[k] : edges[k - n]; };
+    std::vector<int> order(2 * static_cast<std::size_t>(n));
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+        return std::pair(box(a).low[axis], a) < std::pair(box(b).low[axis], b);
+    });
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const Box& one = box(order[k]);
+        for (std::size_t m = k + 1; m < order.size() && box(order[m]).low[axis] <= one.high[axis];
+             ++m) {
+            const bool mixed = (order[k] < n) != (order[m] < n);
+            const Box& other = box(order[m]);
+            if (mixed && one.low[1 - axis] <= other.high[1 - axis] &&
+                other.low[1 - axis] <= one.high[1 - axis]) {
+                meet(std::min(order[k], order[m]), std::max(order[k], order[m]) - n);
+            }
+        }
+    }
+}
+
+double cross(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+}  // namespace
+
+OutlineBarrier::OutlineBarrier(std::vector<int> boundary, const Eigen::VectorXd& lengths)
+    : boundary_(std::move(boundary)),
+      reach_(kReach * lengths),
+      weight_(kWeight / lengths.sum() * lengths) {}
+
+Eigen::VectorXd OutlineBarrier::reach() const {
+    const Eigen::Index n = reach_.size();
+    Eigen::VectorXd reach(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        reach[i] = std::min(reach_[i], reach_[(i + n - 1) % n]);
+    }
+    return reach;
+}
+
+std::vector<OutlineBarrier::Contact> OutlineBarrier::contacts(const Points2& Q) const {
+    const int n = static_cast<int>(boundary_.size());
+    const auto vertexReach = [ofVertex = reach()](int i) -> double { return ofVertex[i]; };
+    std::vector<Box> vertices(n);
+    std::vector<Box> edges(n);
+    for (int i = 0; i < n; ++i) {
+        vertices[i] = around({Q.row(boundary_[i])}, vertexReach(i));
+        edges[i] = around({Q.row(boundary_[i]), Q.row(boundary_[(i + 1) % n])}, 0);
+    }
+    std::vector<std::pair<int, int>> pairs;
+    forOverlaps(vertices, edges, [&](int i, int j) {
+        if (i != j && i != (j + 1) % n) {
+            pairs.emplace_back(i, j);
+        }
+    });
+    std::sort(pairs.begin(), pairs.end());  // sums in an order that rounding cannot change
+    std::vector<Contact> found;
+    for (const auto& [i, j] : pairs) {
+        Contact contact{};
+        contact.vertex = boundary_[i];
+        contact.from = boundary_[j];
+        contact.to = boundary_[(j + 1) % n];
+        contact.reach = std::min(vertexReach(i), reach_[j]);
+        contact.weight = weight_[i];
+        const Eigen::RowVector2d edge = Q.row(contact.to) - Q.row(contact.from);
+        const Eigen::RowVector2d to = Q.row(contact.vertex) - Q.row(contact.from);
+        contact.place = std::clamp(to.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+        const Eigen::RowVector2d gap = to - contact.place * edge;
+        contact.distance = gap.norm();
+        if (contact.distance < contact.reach) {
+            contact.away = gap / contact.distance;
+            found.push_back(contact);
+        }
+    }
+    return found;
+}
+
+double OutlineBarrier::energy(const std::vector<Contact>& contacts) {
+    double sum = 0;
+    for (const Contact& c : contacts) {
+        const double over = c.reach / c.distance - 1;
+        sum += c.weight * over * over;
+    }
+    return sum;
+}
+
+void OutlineBarrier::addGradient(const std::vector<Contact>& contacts, Points2& g) {
+    for (const Contact& c : contacts) {
+        const double slope =
+            -2 * c.weight * (c.reach / c.distance - 1) * c.reach / (c.distance * c.distance);
+        g.row(c.vertex) += slope * c.away;
+        g.row(c.from) -= slope * (1 - c.place) * c.away;
+        g.row(c.to) -= slope * c.place * c.away;
+    }
+}
+
+void OutlineBarrier::addHessian(const std::vector<Contact>& contacts, BlockMatrix& hessian) {
+    for (const Contact& c : contacts) {
+        const double ratio = c.reach / c.distance;
+        const double curvature = 2 * c.weight * ratio * (3 * ratio - 2) / (c.distance * c.distance);
+        const Eigen::Matrix2d block = curvature * c.away.transpose() * c.away;
+        const int vertex[3] = {c.vertex, c.from, c.to};
+        const double share[3] = {1, c.place - 1, -c.place};
+        for (int a = 0; a < 3; ++a) {
+            hessian.addVertex(vertex[a], share[a] * share[a] * block);
+            for (int b = a + 1; b < 3; ++b) {
+                hessian.addEdge(hessian.findEdge(vertex[a], vertex[b]),
+                                share[a] * share[b] * block);
+            }
+        }
+    }
+}
+
+double OutlineBarrier::largestStep(const Points2& Q, const Points2& P, double limit) const {
+    const int n = static_cast<int>(boundary_.size());
+    const auto at = [&](int i) -> Eigen::RowVector2d { return Q.row(boundary_[i % n]); };
+    const auto then = [&](int i) -> Eigen::RowVector2d {
+        return at(i) + limit * P.row(boundary_[i % n]);
+    };
+    std::vector<Box> vertices(n);
+    std::vector<Box> edges(n);
+    for (int i = 0; i < n; ++i) {
+        vertices[i] = around({at(i), then(i)}, 0);
+        edges[i] = around({at(i), at(i + 1), then(i), then(i + 1)}, 0);
+    }
+    double most = limit;
+    forOverlaps(vertices, edges, [&](int i, int j) {
+        if (i == j || i == (j + 1) % n) {
+            return;
+        }
+        // The vertex is in line with the edge where a t^2 + b t + c = 0.
+        const Eigen::RowVector2d e = at(j + 1) - at(j);
+        const Eigen::RowVector2d r = at(i) - at(j);
+        const Eigen::RowVector2d de = P.row(boundary_[(j + 1) % n]) - P.row(boundary_[j]);
+        const Eigen::RowVector2d dr = P.row(boundary_[i]) - P.row(boundary_[j]);
+        const double a = cross(de, dr);
+        const double b = cross(e, dr) + cross(de, r);
+        const double c = cross(e, r);
+        const double under = b * b - 4 * a * c;
+        if (under < 0) {
+            return;
+        }
+        const double q = -0.5 * (b + std::copysign(std::sqrt(under), b));
+        for (const double t : {q / a, c / q}) {
+            if (t > 0 && t < most) {
+                const Eigen::RowVector2d edge = e + t * de;
+                const double place = (r + t * dr).dot(edge) / edge.squaredNorm();
+                if (place > -1e-6 && place < 1 + 1e-6) {
+                    most = t;
+                }
+            }
+        }
+    });
+    return most;
+}
+
+}  // namespace toile

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/linalg/block_matrix.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// Keeps an outline from crossing itself, as [SS15] section 4 does: each boundary vertex that comes
+/// nearer than `reach` to a boundary edge it does not belong to adds
+///   B = weight (reach / d - 1)^2
+/// to the energy, d its distance from the edge. Infinite at contact, zero beyond the reach, once
+/// differentiable. The reach is a tenth of the shortest edge concerned, so that two sides of a slit
+/// come to lie side by side. Immutable. Cost: O(n log n) per call on outlines that are not coiled.
+class OutlineBarrier {
+public:
+    /// @param boundary  loop of vertices  @param lengths  of its edges, unit of Q
+    OutlineBarrier(std::vector<int> boundary, const Eigen::VectorXd& lengths);
+
+    /// Of each boundary vertex: nearer to an edge as long as its own it is in contact.
+    Eigen::VectorXd reach() const;
+
+    /// A vertex near an edge.
+    struct Contact {
+        int vertex, from, to;  ///< mesh vertices
+        double reach, weight;
+        double distance;
+        double place;             ///< of the nearest point along the edge, in [0, 1]
+        Eigen::RowVector2d away;  ///< unit vector from the nearest point to the vertex
+    };
+
+    std::vector<Contact> contacts(const Points2& Q) const;
+
+    static double energy(const std::vector<Contact>& contacts);
+    static void addGradient(const std::vector<Contact>& contacts, Points2& g);
+    /// Gauss-Newton: positive semidefinite. Precondition: the matrix has all edges between the
+    /// three vertices of every contact.
+    static void addHessian(const std::vector<Contact>& contacts, BlockMatrix& hessian);
+
+    /// The largest step up to `limit` along P before a vertex meets an edge.
+    double largestStep(const Points2& Q, const Points2& P, double limit) const;
+
+private:
+    std::vector<int> boundary_;
+    Eigen::VectorXd reach_;   ///< of each edge
+    Eigen::VectorXd weight_;  ///< of each vertex
+};
+
+}  // namespace toile

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/isometric/two_level_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/flatten/isometric/coarsening.h"
+
+namespace toile {
+namespace {
+
+/// Error that may stay of a solution that follows, in the energy's norm, where its first guess has
+/// 1: what changed must be felt, however little it is.
+constexpr double kAccuracyAfter = 0.1;
+/// Below this there is rounding.
+constexpr double kNoError = 1e-8;
+constexpr int kMaxIterations = 200;
+
+double dot(const Points2& a, const Points2& b) {
+    return a.cwiseProduct(b).sum();
+}
+
+}  // namespace
+
+/// The coarse piece and its matrix.
+struct TwoLevelSolver::Coarse {
+    Coarse(const MeshArrays& mesh, const std::vector<int>& boundary, const Points2& Q,
+           const Eigen::VectorXd& lengths, bool keepOutlineSimple, const Progress& progress)
+        : piece(mesh, boundary, Q, progress),
+          table(buildEdgeTable(piece.mesh().F, static_cast<int>(piece.mesh().V.rows()))),
+          objective(piece.mesh(), table, piece.boundary(), lengths, keepOutlineSimple),
+          constraints(piece.boundary(), lengths) {}
+    Coarse(const Coarse&) = delete;
+    Coarse& operator=(const Coarse&) = delete;
+
+    Coarsening piece;
+    EdgeTable table;
+    IsometricObjective objective;
+    LengthConstraints constraints;
+    SparseCholesky cholesky;
+};
+
+TwoLevelSolver::TwoLevelSolver(const MeshArrays& mesh, const std::vector<int>& boundary,
+                               const Eigen::VectorXd& lengths, bool keepOutlineSimple,
+                               const Progress& progress, double accuracy)
+    : mesh_(mesh),
+      boundary_(boundary),
+      lengths_(lengths),
+      keepOutlineSimple_(keepOutlineSimple),
+      progress_(progress),
+      accuracy_(accuracy) {}
+
+TwoLevelSolver::~TwoLevelSolver() = default;
+
+Result<void> TwoLevelSolver::renew(const BlockMatrix& K, const ModelPoint& point,
+                                   const Eigen::VectorXd& stiffness, double regularisation) {
+    K_ = &K;
+    coarse_.reset();
+    // Made anew each time: its triangles must not be flipped at this point.
+    coarse_ = std::make_unique<Coarse>(mesh_, boundary_, point.Q, lengths_, keepOutlineSimple_,
+                                       progress_);
+    if (progress_.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
+    if (!coarse_->piece.savesWork()) {
+        return Error{ErrorCode::FactorisationFailed, "", "no coarse piece"};
+    }
+    const Points2 Q = coarse_->piece.restricted(point.Q);
+    const auto at = coarse_->objective.evaluate(Q);
+    BlockMatrix& coarse = coarse_->objective.hessian(Q, at).matrix;
+    addSpring(coarse, coarse_->piece.boundary().front());
+    addLengths(coarse, coarse_->constraints, {Q, at, point.multipliers}, stiffness, regularisation);
+    if (progress_.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
+    return coarse_->cholesky.factorise(coarse.matrix());
+}
+
+bool TwoLevelSolver::solve(const Points2& right, Points2& x, double& first) {
+    // Conjugate gradients [NW06].
+    Points2 r = right - K_->product(x);
+    Points2 d;
+    double rz = 0;
+    double enough = 0;
+    for (int k = 0; k < kMaxIterations; ++k) {
+        const auto z = precondition(r);
+        if (!z) {
+            return false;
+        }
+        const double before = std::exchange(rz, dot(r, *z));
+        if (k == 0) {
+            const bool follows = first > 0;
+            first = follows ? first : rz;
+            enough = accuracy_ * accuracy_ * first;
+            if (follows) {
+                enough = std::clamp(kAccuracyAfter * kAccuracyAfter * rz,
+                                    kNoError * kNoError * first, enough);
+            }
+        }
+        if (!(rz >= 0 && std::isfinite(rz))) {
+            return false;
+        }
+        if (rz <= enough) {
+            return true;
+        }
+        if (k == 0) {
+            d = *z;
+        } else {
+            d = *z + rz / before * d;
+        }
+        ++rounds_;
+        const Points2 Kd = K_->product(d);
+        const double stiffness = dot(d, Kd);
+        if (!(stiffness > 0)) {
+            return false;
+        }
+        x += rz / stiffness * d;
+        r -= rz / stiffness * Kd;
+    }
+    return false;
+}
+
+std::optional<Points2> TwoLevelSolver::precondition(const Points2& residual) {
+    // Sweep forth, coarse level, sweep back: symmetric and positive definite.
+    Points2 z = residual;
+    K_->sweepForth(z);
+    Points2 left = -K_->upperProduct(z);
+    if (progress_.isCancelled()) {
+        return std::nullopt;
+    }
+    const Points2 coarse = coarse_->piece.restrictedForces(left);
+    const auto solved =
+        coarse_->cholesky.solve(Eigen::Map<const Eigen::VectorXd>(coarse.data(), coarse.size()));
+    if (!solved) {
+        return std::nullopt;
+    }
+    const Points2 motion =
+        coarse_->piece.prolongedMotion(Eigen::Map<const Points2>(solved->data(), coarse.rows(), 2));
+    if (progress_.isCancelled()) {
+        return std::nullopt;
+    }
+    z += motion;
+    left -= K_->product(motion);
+    K_->sweepBack(left);
+    z += left;
+    return z;
+}
+
+}  // namespace toile

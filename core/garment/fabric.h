@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace toile {
+
+/// How far a cloth gives way along one direction before it tears, puckers or bags; parts of its
+/// length at rest, `least` <= 0 <= `most`.
+struct StrainLimits {
+    double least = 0;  ///< taken in without folds
+    double most = 0;   ///< stretched
+
+    bool operator==(const StrainLimits&) const = default;
+};
+
+/// What a garment is cut from, as far as flattening needs it.
+struct Fabric {
+    std::string id;     ///< "woven"; of a preset, or "custom"
+    StrainLimits warp;  ///< along the grain
+    StrainLimits weft;  ///< across it
+    StrainLimits bias;  ///< at 45 degrees to it
+
+    bool operator==(const Fabric&) const = default;
+};
+
+/// Common fabrics, the first of them the one to begin with (woven). Rules of thumb, not
+/// measurements: where it matters a sample is to be measured and the limits typed in.
+std::span<const Fabric> fabricPresets();
+
+/// The preset of this id; null where there is none.
+const Fabric* fabricPreset(std::string_view id);
+
+}  // namespace toile

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/garment/join_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "core/base/result.h"
+#include "core/base/text.h"
+#include "core/garment/cut_owner.h"
+#include "core/garment/rim_pairs.h"
+#include "core/mesh/disjoint_sets.h"
+#include "core/mesh/segment.h"
+
+namespace toile {
+namespace {
+
+using PiecePointer = std::shared_ptr<const Piece>;
+
+/// A rim edge with a partner counts as meant although one without is nearer, by this part of its
+/// length: the mesh may have changed a little since the points were set.
+constexpr double kNearlyThere = 0.5;
+
+Error joinError(const UserJoin& join, std::string detail) {
+    return {ErrorCode::JoinImpossible, join.name, std::move(detail)};
+}
+
+/// A place on a rim edge: how far along, and how far the asker is from it.
+struct OnEdge {
+    double along = 0;  ///< mm from its tail
+    double distance = std::numeric_limits<double>::infinity();
+};
+
+/// What is to become one: vertices of the left piece, and of the right one in the same order.
+struct Weld {
+    int left = 0, right = 0;
+    std::vector<std::pair<int, int>> vertices;
+    double length = 0;
+};
+
+class Joiner {
+public:
+    explicit Joiner(const std::vector<PiecePointer>& wholes) : pieces_(wholes) {
+        for (const PiecePointer& whole : wholes) {
+            names_.insert(whole->name);
+        }
+    }
+
+    Result<void> join(const UserJoin& join) {
+        if (join.points.size() < 2) {
+            return joinError(join, "it needs 2 points or more");
+        }
+        if (std::ranges::any_of(join.points,
+                                [](const Eigen::Vector3d& p) { return !p.allFinite(); })) {
+            return joinError(join, "a point is not finite");
+        }
+        rims_ = pairRims(pieces_);
+        const Result<int> seed = findSeed(join);
+        if (!seed) {
+            return seed.error();
+        }
+        const Weld weld = weldAlong(chainAround(rims_, *seed), join);
+        if (pieces_[weld.left]->file != pieces_[weld.right]->file) {
+            return joinError(join, pieces_[weld.left]->name + " and " + pieces_[weld.right]->name +
+                                       " come from different files");
+        }
+        return apply(join, weld);
+    }
+
+    void fail(const Error& error) { made_.problems.push_back(error); }
+
+    JoinedPieces take() {
+        std::erase(pieces_, nullptr);
+        made_.pieces = std::move(pieces_);
+        return std::move(made_);
+    }
+
+private:
+    Eigen::Vector3d at(int piece, int vertex) const { return pieces_[piece]->mesh.V.row(vertex); }
+    Eigen::Vector3d tailOf(int e) const { return at(rims_.edges[e].piece, rims_.edges[e].tail); }
+    Eigen::Vector3d headOf(int e) const { return at(rims_.edges[e].piece, rims_.edges[e].head); }
+    double lengthOf(int e) const { return (headOf(e) - tailOf(e)).norm(); }
+
+    OnEdge nearestOn(int e, const Eigen::Vector3d& point) const {
+        const Eigen::Vector3d a = tailOf(e), b = headOf(e);
+        const double t = nearestShare(point, a, b);
+        return {t * (b - a).norm(), (a + t * (b - a) - point).norm()};
+    }
+
+    double limit() const {
+        Eigen::AlignedBox3d box;
+        for (std::size_t e = 0; e < rims_.edges.size(); ++e) {
+            box.extend(tailOf(static_cast<int>(e)));
+        }
+        return box.isEmpty() ? 0 : kFarFromSurface * box.diagonal().norm();
+    }
+
+    /// The rim edge with a partner that the middle of the join lies on.
+    Result<int> findSeed(const UserJoin& join) const {
+        const Eigen::Vector3d& middle = join.points[join.points.size() / 2];
+        int nearest = -1, paired = -1;
+        double toNearest = std::numeric_limits<double>::infinity(), toPaired = toNearest;
+        for (int e = 0; e < static_cast<int>(rims_.edges.size()); ++e) {
+            const double distance = nearestOn(e, middle).distance;
+            if (distance < toNearest) {
+                nearest = e;
+                toNearest = distance;
+            }
+            if (rims_.edges[e].mate >= 0 && distance < toPaired) {
+                paired = e;
+                toPaired = distance;
+            }
+        }
+        if (nearest < 0) {
+            return joinError(join, "no piece has an edge");
+        }
+        if (toNearest > limit()) {
+            return joinError(
+                join, "it lies " + fixed(toNearest, 0) + " mm from the nearest edge of any piece");
+        }
+        const double allowed =
+            toNearest +
+            (paired < 0 ? 0 : kNearlyThere * std::min(lengthOf(nearest), lengthOf(paired)));
+        if (paired >= 0 && toPaired <= allowed) {
+            return paired;
+        }
+        const std::string& name = pieces_[rims_.edges[nearest].piece]->name;
+        return joinError(join,
+                         rims_.edges[nearest].mate == RimPairs::kSeveral
+                             ? "more than two edges lie on each other there, one of them of " + name
+                             : "the vertices of the two edges there, one of them of " + name +
+                                   ", do not lie on each other one to one");
+    }
+
+    /// Lengths along a chain up to each of its vertices.
+    std::vector<double> arcsOf(const PairedChain& chain) const {
+        std::vector<double> arc{0};
+        for (const int e : chain.edges) {
+            arc.push_back(arc.back() + lengthOf(e));
+        }
+        return arc;
+    }
+
+    double arcAt(const PairedChain& chain, const std::vector<double>& arc,
+                 const Eigen::Vector3d& point) const {
+        OnEdge best;
+        double at = 0;
+        for (std::size_t i = 0; i < chain.edges.size(); ++i) {
+            const OnEdge here = nearestOn(chain.edges[i], point);
+            if (here.distance < best.distance) {
+                best = here;
+                at = arc[i] + here.along;
+            }
+        }
+        return at;
+    }
+
+    /// The part of the chain that the join's points span, in whole edges, one at least.
+    Weld weldAlong(const PairedChain& chain, const UserJoin& join) const {
+        const std::vector<double> arc = arcsOf(chain);
+        double at = arcAt(chain, arc, join.points.front()), low = at, high = at;
+        for (std::size_t i = 1; i < join.points.size(); ++i) {
+            double step = arcAt(chain, arc, join.points[i]) - at;
+            if (chain.closed) {  // the shorter way round
+                step -= arc.back() * std::round(step / arc.back());
+            }
+            at += step;
+            low = std::min(low, at);
+            high = std::max(high, at);
+        }
+        // A closed seam that no chain goes all round, because it passes a doubtful vertex.
+        if (!chain.closed && (join.points.front() - join.points.back()).norm() <
+                                 kNearlyThere * lengthOf(chain.edges.front())) {
+            low = 0;
+            high = arc.back();
+        }
+        const int count = static_cast<int>(chain.edges.size());
+        const auto vertexNear = [&](double s) {
+            const double turns = chain.closed ? std::floor(s / arc.back()) : 0;
+            const double rest = s - turns * arc.back();
+            const auto after = std::ranges::lower_bound(arc, rest);
+            int k = static_cast<int>(std::min(after - arc.begin(), std::ptrdiff_t{count}));
+            k -= k > 0 && rest - arc[k - 1] < arc[k] - rest ? 1 : 0;
+            return k + static_cast<int>(turns) * count;
+        };
+        int first = vertexNear(low), last = vertexNear(high);
+        if (first == last) {
+            first -= chain.closed || first > 0 ? 1 : 0;
+            last = first + 1;
+        }
+        if (chain.closed) {
+            last = std::min(last, first + count);
+        }
+        Weld weld{rims_.edges[chain.edges[0]].piece,
+                  rims_.edges[rims_.edges[chain.edges[0]].mate].piece,
+                  {}};
+        for (int i = first; i < last; ++i) {
+            const int e = chain.edges[(i % count + count) % count];
+            const RimPairs::Edge& edge = rims_.edges[e];
+            const RimPairs::Edge& mate = rims_.edges[edge.mate];
+            weld.vertices.emplace_back(edge.tail, mate.head);
+            weld.vertices.emplace_back(edge.head, mate.tail);
+            weld.length += lengthOf(e);
+        }
+        if (weld.right < weld.left) {
+            std::swap(weld.left, weld.right);
+            for (auto& [left, right] : weld.vertices) {
+                std::swap(left, right);
+            }
+        }
+        return weld;
+    }
+
+    Result<void> apply(const UserJoin& join, const Weld& weld) {
+        const bool itself = weld.left == weld.right;
+        const Piece& left = *pieces_[weld.left];
+        const Piece& right = *pieces_[weld.right];
+        Piece made = welded(left, right, weld);
+        if (made.defect && isNoSurface(made.defect->code)) {
+            return joinError(
+                join, made.name + ", the result: " + std::string(describe(made.defect->code)));
+        }
+        if (!itself) {
+            made.name = freeName(left.name + " + " + right.name);
+            if (made.defect) {
+                made.defect->where = made.name;
+            }
+        }
+        made_.joins.push_back({join.name, made.name, weld.length});
+        pieces_[weld.left] = std::make_shared<const Piece>(std::move(made));
+        if (!itself) {
+            pieces_[weld.right] = nullptr;
+        }
+        return {};
+    }
+
+    static Piece welded(const Piece& left, const Piece& right, const Weld& weld) {
+        const bool itself = weld.left == weld.right;
+        const auto offset = static_cast<int>(itself ? 0 : left.mesh.V.rows());
+        const auto total = static_cast<int>(offset + right.mesh.V.rows());
+        DisjointSets same(total);
+        for (const auto& [l, r] : weld.vertices) {
+            same.join(l, offset + r);
+        }
+        const auto partOf = [&](int v) -> const Piece& { return v < offset ? left : right; };
+        const auto inPart = [&](int v) { return v < offset ? v : v - offset; };
+        const auto sourceOf = [&](int v) {
+            const std::vector<int>& source = partOf(v).sourceVertex;
+            return source.empty() ? -1 : source[inPart(v)];
+        };
+        MeshArrays mesh;
+        mesh.V.resize(total, 3);
+        std::vector<int> number(total), sourceVertex;
+        int count = 0;
+        for (int v = 0; v < total; ++v) {
+            const int root = same.root(v);  // the least: known already
+            if (root == v) {
+                number[v] = count;
+                mesh.V.row(count++) = partOf(v).mesh.V.row(inPart(v));
+                sourceVertex.push_back(sourceOf(v));
+            } else {
+                number[v] = number[root];
+                int& source = sourceVertex[number[root]];
+                source = source < 0 ? sourceOf(v) : source;
+            }
+        }
+        mesh.V.conservativeResize(count, 3);
+        const auto leftFaces = itself ? Eigen::Index{0} : left.mesh.F.rows();
+        mesh.F.resize(leftFaces + right.mesh.F.rows(), 3);
+        std::vector<int> sourceFace = itself ? std::vector<int>{} : left.sourceFace;
+        sourceFace.insert(sourceFace.end(), right.sourceFace.begin(), right.sourceFace.end());
+        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+            for (int k = 0; k < 3; ++k) {
+                mesh.F(f, k) = number[f < leftFaces ? left.mesh.F(f, k)
+                                                    : offset + right.mesh.F(f - leftFaces, k)];
+            }
+        }
+        Piece made = makePiece(left.name, std::move(mesh));
+        made.file = left.file;
+        made.sourceVertex = std::move(sourceVertex);
+        made.sourceFace = std::move(sourceFace);
+        return made;
+    }
+
+    static bool isNoSurface(ErrorCode defect) {
+        return defect == ErrorCode::NonManifoldEdge || defect == ErrorCode::NonManifoldVertex ||
+               defect == ErrorCode::OpposedWinding || defect == ErrorCode::NotOrientable ||
+               defect == ErrorCode::DuplicateFace || defect == ErrorCode::DegenerateFace;
+    }
+
+    std::string freeName(const std::string& wanted) {
+        std::string name = wanted;
+        for (int k = 2; !names_.insert(name).second; ++k) {
+            name = wanted + " " + std::to_string(k);
+        }
+        return name;
+    }
+
+    std::vector<PiecePointer> pieces_;  ///< null where a piece has become part of another
+    RimPairs rims_;
+    std::set<std::string> names_;
+    JoinedPieces made_;
+};
+
+}  // namespace
+
+JoinedPieces joinPieces(const std::vector<PiecePointer>& wholes,
+                        const std::vector<UserJoin>& joins) {
+    Joiner joiner(wholes);
+    for (const UserJoin& join : joins) {
+        if (const auto done = joiner.join(join); !done) {
+            joiner.fail(done.error());
+        }
+    }
+    return joiner.take();
+}
+
+}  // namespace toile

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/cut/user_join.h"
+#include "core/garment/piece.h"
+
+namespace toile {
+
+/// A seam that was taken out.
+struct MadeJoin {
+    std::string name;   ///< the user's
+    std::string piece;  ///< what came of it: "front + back", or the one piece on both sides
+    double length = 0;  ///< mm, of the line that was closed
+};
+
+/// Pieces after joining, and what was done.
+struct JoinedPieces {
+    std::vector<std::shared_ptr<const Piece>> pieces;
+    std::vector<MadeJoin> joins;
+    Problems problems;  ///< JoinImpossible, for each seam that could not be taken out
+};
+
+/// Takes seams out, one after the other: where two rims have the same vertices along the points of
+/// a join, the two are made one. The first piece keeps its place in the list, its vertices and its
+/// faces their numbers; those of the second follow, less the vertices that became the first's. Both
+/// sides may be of one piece: the two edges of a dart, or of a tube. Area, winding and sources are
+/// kept; the designer's panel is not, since two panels are not one. What comes of it need be no
+/// disk: that is then its defect. Pieces without a join are handed on as they are, by pointer.
+/// Refused, each with its reason, and nothing else left out for it: points far from any rim; a rim
+/// there that has no other one with the same vertices, or more than one; pieces of two files; what
+/// would be no surface any more.
+/// Cost: for every join linear in all triangles; nothing without joins. Deterministic. Re-entrant.
+JoinedPieces joinPieces(const std::vector<std::shared_ptr<const Piece>>& wholes,
+                        const std::vector<UserJoin>& joins);
+
+}  // namespace toile

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/cut/seams_file.h"
+#include "core/garment/garment.h"
+
+namespace toile {
+
+/// A garment's pieces are in millimetres, y up; the points of a seams file are in the axes of the
+/// garment's first file, in the unit that the seams file states, else in that of the first file.
+/// Without files both are the same. Pure.
+
+/// mm, y up. Undone by `inFileSpace`, but for rounding.
+Eigen::Vector3d inPieceSpace(const Eigen::Vector3d& point, const SeamsFile& seams,
+                             const Garment& garment);
+Eigen::Vector3d inFileSpace(const Eigen::Vector3d& point, const SeamsFile& seams,
+                            const Garment& garment);
+
+/// The cuts and joins with their points as the pieces are.
+std::vector<UserCut> cutsInPieceSpace(const SeamsFile& seams, const Garment& garment);
+std::vector<UserJoin> joinsInPieceSpace(const SeamsFile& seams, const Garment& garment);
+
+}  // namespace toile

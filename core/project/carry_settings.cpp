@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/carry_settings.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "core/flatten/match_versions.h"
+
+namespace toile {
+namespace {
+
+/// Finds the piece of one version that another's came from.
+class Origins {
+public:
+    explicit Origins(const Garment& before) {
+        for (std::size_t i = 0; i < before.pieces.size(); ++i) {
+            const Piece& piece = *before.pieces[i];
+            byPointer_.emplace(&piece, static_cast<int>(i));
+            byName_.emplace(piece.name, static_cast<int>(i));
+            auto& owner = ownerOfFace_[piece.file];
+            for (const int face : piece.sourceFace) {
+                if (face >= 0) {
+                    if (owner.size() <= static_cast<std::size_t>(face)) {
+                        owner.resize(static_cast<std::size_t>(face) + 1, -1);
+                    }
+                    owner[static_cast<std::size_t>(face)] = static_cast<int>(i);
+                }
+            }
+        }
+    }
+
+    CarriedFrom of(const std::shared_ptr<const Piece>& piece) const {
+        if (const auto same = byPointer_.find(piece.get()); same != byPointer_.end()) {
+            return {same->second, true, {}};
+        }
+        if (const auto named = byName_.find(piece->name); named != byName_.end()) {
+            return {named->second, false, {}};
+        }
+        return {byFaces(*piece), false, {}};
+    }
+
+private:
+    int byFaces(const Piece& piece) const {
+        const auto owners = ownerOfFace_.find(piece.file);
+        if (owners == ownerOfFace_.end()) {
+            return -1;
+        }
+        std::map<int, int> shared;
+        for (const int face : piece.sourceFace) {
+            if (face >= 0 && static_cast<std::size_t>(face) < owners->second.size()) {
+                if (const int owner = owners->second[static_cast<std::size_t>(face)]; owner >= 0) {
+                    ++shared[owner];
+                }
+            }
+        }
+        const auto most = std::ranges::max_element(shared, {}, &std::pair<const int, int>::second);
+        return most == shared.end() ? -1 : most->first;
+    }
+
+    std::unordered_map<const Piece*, int> byPointer_;
+    std::unordered_map<std::string_view, int> byName_;
+    std::map<int, std::vector<int>> ownerOfFace_;  ///< per file
+};
+
+/// Not more than may be kept, evenly over the list.
+std::vector<Anchor> thinned(std::vector<Anchor> anchors) {
+    const auto count = anchors.size();
+    const auto most = static_cast<std::size_t>(kMostAnchors);
+    if (count <= most) {
+        return anchors;
+    }
+    std::vector<Anchor> some;
+    for (std::size_t i = 0; i < most; ++i) {
+        some.push_back(anchors[i * count / most]);
+    }
+    return some;
+}
+
+/// Where vertices of the piece were when the one before it was flat.
+std::vector<Anchor> anchorsOf(const Piece& piece, const Piece& before, const PieceResult* result,
+                              const std::vector<Anchor>& anchorsBefore) {
+    const bool flat = result && result->flat && result->piece.get() == &before;
+    if (!flat && anchorsBefore.empty()) {
+        return {};
+    }
+    std::unordered_map<int, Eigen::Vector2d> known;
+    for (const Anchor& anchor : anchorsBefore) {
+        known.emplace(anchor.vertex, anchor.flat);
+    }
+    const VersionMatch match = matchVersions(piece, before);
+    std::vector<Anchor> anchors;
+    for (std::size_t v = 0; v < match.vertex.size(); ++v) {
+        const int old = match.vertex[v];
+        if (old < 0) {
+            continue;
+        }
+        if (flat) {
+            anchors.push_back({static_cast<int>(v), result->flat->Q.row(old).transpose()});
+        } else if (const auto found = known.find(old); found != known.end()) {
+            anchors.push_back({static_cast<int>(v), found->second});
+        }
+    }
+    return thinned(std::move(anchors));
+}
+
+}  // namespace
+
+std::vector<CarriedFrom> carriedFrom(const Garment& before,
+                                     const std::vector<PieceSettings>& settings,
+                                     const PieceResults& results, const Garment& after) {
+    const Origins origins(before);
+    std::vector<CarriedFrom> carried;
+    for (const auto& piece : after.pieces) {
+        CarriedFrom& from = carried.emplace_back(origins.of(piece));
+        if (from.piece >= 0 && !from.same) {
+            const auto at = static_cast<std::size_t>(from.piece);
+            const PieceResult* result = at < results.size() ? results[at].get() : nullptr;
+            static const std::vector<Anchor> kNone;
+            from.anchors = anchorsOf(*piece, *before.pieces[at], result,
+                                     at < settings.size() ? settings[at].anchors : kNone);
+        }
+    }
+    return carried;
+}
+
+std::vector<PieceSettings> carriedSettings(const std::vector<CarriedFrom>& from,
+                                           const std::vector<PieceSettings>& settings) {
+    std::vector<PieceSettings> carried(from.size());
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        if (from[i].piece >= 0 && static_cast<std::size_t>(from[i].piece) < settings.size()) {
+            carried[i] = settings[static_cast<std::size_t>(from[i].piece)];
+            if (!from[i].same) {
+                carried[i].anchors = from[i].anchors;
+            }
+        }
+    }
+    return carried;
+}
+
+}  // namespace toile

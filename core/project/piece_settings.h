@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/sheet/placement.h"
+
+namespace toile {
+
+/// A vertex of a piece, and where it lay in the flat coordinates that placement and grain are
+/// about, mm.
+struct Anchor {
+    int vertex = 0;
+    Eigen::Vector2d flat = Eigen::Vector2d::Zero();
+
+    bool operator==(const Anchor&) const = default;
+};
+
+/// What a person has said about one piece, beyond its shape.
+struct PieceSettings {
+    /// Where the flat piece lies; none until it has been laid out.
+    std::optional<Placement> placement{};
+    /// A person has put it there: it moves for no other piece.
+    bool placedByHand = false;
+    /// Direction of the warp, radians anti-clockwise from the x axis of the flat piece's own
+    /// coordinates; none where nobody has said so, and then it runs upwards (kGrainUpwards).
+    std::optional<double> grain{};
+    int quantity = 1;           ///< how many are cut
+    bool mirroredPair = false;  ///< each of them also mirrored: left and right
+
+    /// Placement and grain are about the flat coordinates of an earlier flattening as long as there
+    /// are anchors: those of the next are fitted to them, and then they go (`anchoredSettings`).
+    std::vector<Anchor> anchors{};
+
+    bool operator==(const PieceSettings&) const = default;
+};
+
+/// What of it a drawing shows.
+inline PieceOnSheet onSheet(const PieceSettings& settings) {
+    return {settings.placement, settings.grain, settings.quantity, settings.mirroredPair};
+}
+
+inline constexpr double kGrainUpwards = 1.5707963267948966;
+
+inline double grainOf(const PieceSettings& settings) {
+    return settings.grain.value_or(kGrainUpwards);
+}
+
+}  // namespace toile

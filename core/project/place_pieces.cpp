@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/place_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "core/sheet/arrange.h"
+#include "core/sheet/free_place.h"
+#include "core/sheet/sheet.h"
+#include "core/sheet/sheet_overlaps.h"
+
+namespace toile {
+namespace {
+
+constexpr double kPartGapShare = 0.5;  // of that between pieces, between parts of one piece
+constexpr double kGrownAlike = 0.01;   // a unit is far from another
+constexpr double kStays = 1;           // mm: so far a cut part may get from its place
+constexpr double kChanged = 0.1;       // mm: less is no other shape
+
+/// The outline where it lies on the sheet.
+Points2 placedOutline(const PieceResult& result, const Placement& place) {
+    const std::vector<int>& outline = result.piece->boundary;
+    Points2 points(outline.size(), 2);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        points.row(static_cast<Eigen::Index>(i)) =
+            place.applied(result.flat->Q.row(outline[i]).transpose()).transpose();
+    }
+    return points;
+}
+
+Eigen::AlignedBox2d boxOf(const Points2& points) {
+    return outlineBox(points, Placement{});
+}
+
+/// Twice the area inside, whichever way the outline runs.
+double areaOf(const Points2& outline) {
+    double area = 0;
+    for (Eigen::Index i = 0, k = outline.rows() - 1; i < outline.rows(); k = i++) {
+        area += outline(k, 0) * outline(i, 1) - outline(i, 0) * outline(k, 1);
+    }
+    return std::abs(area);
+}
+
+class Placing {
+public:
+    Placing(std::vector<PieceSettings> settings, const PieceResults& results)
+        : settings_(std::move(settings)), results_(results) {}
+
+    std::vector<PieceSettings> run(const std::vector<std::optional<FlatMotion>>& motions,
+                                   const std::vector<Eigen::Vector2d>& proposed) {
+        followUnit();
+        const std::vector<std::vector<std::size_t>> cut = partsOfOne();
+        std::vector<char> isPart(settings_.size(), 0), changed(settings_.size(), 0);
+        for (const auto& parts : cut) {
+            for (const std::size_t part : parts) {
+                isPart[part] = 1;
+            }
+        }
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            if (isFlat(i)) {
+                changed[i] = fit(i, motions[i], isPart[i] != 0);
+            }
+        }
+        makeRoom(cut, changed);
+        placeNew(proposed);
+        return std::move(settings_);
+    }
+
+private:
+    bool isFlat(std::size_t i) const { return results_[i] && results_[i]->flat; }
+    bool isPlaced(std::size_t i) const { return isFlat(i) && settings_[i].placement; }
+
+    Points2 outlineOf(std::size_t i) const {
+        return placedOutline(*results_[i], settings_[i].placement.value_or(Placement{}));
+    }
+
+    double gap() const {
+        double largest = 0;
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            if (isFlat(i)) {
+                largest = std::max(largest, boxOf(outlineOf(i)).sizes().maxCoeff());
+            }
+        }
+        return gapBetweenPieces(largest);  // as the first layout has it
+    }
+
+    /// Where all pieces have grown alike the garment was read in another unit, and the sheet grows
+    /// with them.
+    void followUnit() {
+        std::optional<double> least, most;
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            if (!isFlat(i)) {
+                continue;
+            }
+            const auto growth = anchorGrowth(settings_[i].anchors, results_[i]->flat->Q);
+            if (!growth) {
+                return;
+            }
+            least = std::min(least.value_or(*growth), *growth);
+            most = std::max(most.value_or(*growth), *growth);
+        }
+        const bool alike = least && *most - *least <= kGrownAlike * *most;
+        if (!alike || std::abs(*most - 1) <= kAnchorDoubt) {
+            return;
+        }
+        for (PieceSettings& settings : settings_) {
+            settings = scaledSettings(std::move(settings), *most);
+        }
+    }
+
+    /// Parts of one piece have its very placement until they are fitted for the first time.
+    std::vector<std::vector<std::size_t>> partsOfOne() const {
+        std::vector<std::vector<std::size_t>> cut;
+        std::vector<char> done(settings_.size(), 0);
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            std::vector<std::size_t> parts;
+            for (std::size_t k = i; k < settings_.size(); ++k) {
+                if (!done[k] && isPlaced(k) && !settings_[k].anchors.empty() &&
+                    settings_[k].placement == settings_[i].placement) {
+                    parts.push_back(k);
+                    done[k] = 1;
+                }
+            }
+            if (parts.size() > 1) {
+                cut.push_back(std::move(parts));
+            }
+        }
+        return cut;
+    }
+
+    /// Lays the piece where it lay. @return whether its shape has changed
+    bool fit(std::size_t i, const std::optional<FlatMotion>& motion, bool isPart) {
+        PieceSettings& settings = settings_[i];
+        if (!settings.anchors.empty()) {
+            const Points2& Q = results_[i]->flat->Q;
+            const auto misfit = anchorMisfit(settings.anchors, Q);
+            settings = isPart ? anchoredSettings(std::move(settings), Q, kStays)
+                              : anchoredSettings(std::move(settings), Q);
+            return !misfit || *misfit > kChanged;
+        }
+        if (motion) {
+            settings = uprightSettings(std::move(settings), motion->oldOfNew, motion->reach);
+            return motion->misfit > kChanged;
+        }
+        return false;
+    }
+
+    void makeRoom(const std::vector<std::vector<std::size_t>>& cut,
+                  const std::vector<char>& changed) {
+        if (cut.empty() && std::ranges::find(changed, 1) == changed.end()) {
+            return;
+        }
+        outlines_.assign(settings_.size(), Points2(0, 2));
+        std::vector<char> stays(settings_.size(), 0);
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            stays[i] = settings_[i].placedByHand ? 1 : 0;
+            if (isPlaced(i)) {
+                outlines_[i] = outlineOf(i);
+            }
+        }
+        const double between = kPartGapShare * gap();
+        for (const auto& parts : cut) {
+            stays[takeApart(parts, between)] = 1;
+        }
+        pushNeighbours(changed, stays, between);
+    }
+
+    /// @return the part that stays
+    std::size_t takeApart(std::vector<std::size_t> parts, double between) {
+        std::ranges::stable_sort(parts, std::greater<>(),
+                                 [this](std::size_t part) { return areaOf(outlines_[part]); });
+        std::vector<Points2> later;  // those that have no place yet are in nobody's way
+        for (const std::size_t part : parts) {
+            later.push_back(std::exchange(outlines_[part], Points2(0, 2)));
+        }
+        outlines_[parts.front()] = later.front();
+        for (std::size_t k = 1; k < parts.size(); ++k) {
+            outlines_[parts[k]] = later[k];
+            if (liesOnAnother(parts[k])) {
+                moveAway(parts[k], between);
+            }
+        }
+        return parts.front();
+    }
+
+    void pushNeighbours(const std::vector<char>& changed, const std::vector<char>& stays,
+                        double between) {
+        for (const auto& [a, b] : overlappingOutlines(outlines_)) {
+            const auto one = static_cast<std::size_t>(a), other = static_cast<std::size_t>(b);
+            const bool stillLie = !overlappingOutlines({outlines_[one], outlines_[other]}).empty();
+            if (!stillLie || (!changed[one] && !changed[other]) || (stays[one] && stays[other])) {
+                continue;
+            }
+            // Rather the one that is as it was; of two alike the smaller one.
+            bool first = areaOf(outlines_[one]) < areaOf(outlines_[other]);
+            if (changed[one] != changed[other]) {
+                first = !changed[one];
+            }
+            if (stays[one] != stays[other]) {
+                first = !stays[one];
+            }
+            moveAway(first ? one : other, between);
+        }
+    }
+
+    bool liesOnAnother(std::size_t i) const {
+        return std::ranges::any_of(outlines_, [&](const Points2& other) {
+            return &other != &outlines_[i] && !overlappingOutlines({outlines_[i], other}).empty();
+        });
+    }
+
+    void moveAway(std::size_t i, double between) {
+        std::vector<Points2> others = outlines_;
+        others[i].resize(0, 2);
+        const Eigen::Vector2d move = moveToFreePlace(outlines_[i], others, between);
+        settings_[i].placement->offset += move;
+        outlines_[i].rowwise() += move.transpose();
+    }
+
+    void placeNew(const std::vector<Eigen::Vector2d>& proposed) {
+        Eigen::AlignedBox2d taken;
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            if (isPlaced(i)) {
+                taken.extend(boxOf(outlineOf(i)));
+            }
+        }
+        const double between = gap();
+        // Downwards in a column to the right of everything, then in another.
+        Eigen::Vector2d corner = Eigen::Vector2d::Zero();
+        double columnRight = 0;
+        if (!taken.isEmpty()) {
+            corner = {taken.max().x() + between, taken.max().y()};
+            columnRight = corner.x();
+        }
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            if (!isFlat(i) || settings_[i].placement) {
+                continue;
+            }
+            if (taken.isEmpty()) {
+                settings_[i].placement = Placement{proposed[i]};
+                continue;
+            }
+            const Eigen::AlignedBox2d box = boxOf(outlineOf(i));
+            const bool atTop = corner.y() == taken.max().y();
+            if (!atTop && corner.y() - box.sizes().y() < taken.min().y()) {
+                corner = {columnRight + between, taken.max().y()};
+            }
+            const Eigen::Vector2d upperLeft(box.min().x(), box.max().y());
+            settings_[i].placement = Placement{corner - upperLeft};
+            columnRight = std::max(columnRight, corner.x() + box.sizes().x());
+            corner.y() -= box.sizes().y() + between;
+        }
+    }
+
+    std::vector<PieceSettings> settings_;
+    const PieceResults& results_;
+    std::vector<Points2> outlines_;  ///< where pieces lie; empty where they do not
+};
+
+}  // namespace
+
+std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
+                                                   const PieceResults& after) {
+    std::vector<std::optional<FlatMotion>> motions(after.size());
+    for (std::size_t i = 0; i < after.size() && i < before.size(); ++i) {
+        const PieceResult *old = before[i].get(), *now = after[i].get();
+        if (old && now && old != now && old->piece == now->piece && old->flat && now->flat) {
+            const RigidMotion motion = bestMotion(now->flat->Q, old->flat->Q);
+            motions[i] = FlatMotion{motion, now->flat->Q.rowwise().norm().maxCoeff(),
+                                    misfit(motion, now->flat->Q, old->flat->Q)};
+        }
+    }
+    return motions;
+}
+
+std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
+                                          const PieceResults& results,
+                                          const std::vector<std::optional<FlatMotion>>& motions,
+                                          const std::vector<Eigen::Vector2d>& proposed) {
+    return Placing(std::move(settings), results).run(motions, proposed);
+}
+
+}  // namespace toile

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/flatten/piece_result.h"
+#include "core/project/rigid_motion.h"
+
+namespace toile {
+
+/// How a piece's flat coordinates differ from those it had before.
+struct FlatMotion {
+    RigidMotion oldOfNew{};
+    double reach = 0;   ///< mm: how far from the origin the new points go
+    double misfit = 0;  ///< mm: how far a point gets at most by the change of shape
+};
+
+/// Compares two flattenings, piece by piece; none where the result is the same one, or one of the
+/// two is not there, not flat or of another piece.
+/// @return one per result of `after`  Cost: linear in the vertices. Pure.
+std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
+                                                   const PieceResults& after);
+
+/// The settings for a new flattening: pieces stay where they are on the sheet, and the grain keeps
+/// its direction on the cloth. A piece that nobody has turned stays upright.
+/// Of the parts of one piece that was cut the largest stays where it was in the piece. The others
+/// do so too where they lie on nothing there, else they go to a free place nearby; what lies in a
+/// hole of the rest lies on the rest.
+/// Where a piece has another shape and lies on another one now, that one makes room, or the piece
+/// itself does, if nobody has placed it by hand; where both were, both stay.
+/// Pieces without a place get one: to the right of all others; or, where no piece has one yet, the
+/// place proposed.
+/// @param settings  one per result
+/// @param motions   of `flatMotions`
+/// @param proposed  one offset per result: a layout of all pieces
+/// Cost: linear in the outlines, some milliseconds more for each piece that has to move. Pure.
+std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
+                                          const PieceResults& results,
+                                          const std::vector<std::optional<FlatMotion>>& motions,
+                                          const std::vector<Eigen::Vector2d>& proposed);
+
+}  // namespace toile

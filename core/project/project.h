@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/garment/fabric.h"
+#include "core/pipeline/pipeline.h"
+#include "core/project/piece_settings.h"
+
+namespace toile {
+
+/// One mesh file of a project: where it was, and what was in it.
+struct MeshReference {
+    std::filesystem::path path;           ///< absolute
+    std::optional<std::uint64_t> hash{};  ///< contentHash of its bytes; none: not known
+    /// Absolute too: where else to look, where there is no file at `path`. May be empty.
+    std::filesystem::path elsewhere{};
+
+    bool operator==(const MeshReference&) const = default;
+};
+
+/// How the garment was shown, as far as it belongs to the garment.
+struct ProjectView {
+    std::string overlay;  ///< the window's word for it; empty: not stated
+    bool wireframe = false;
+    bool designerOutline = false;
+
+    bool operator==(const ProjectView&) const = default;
+};
+
+/// Everything a person has done with a garment; what follows from it (pieces, seams, flat pieces)
+/// is worked out again. The file format is described in docs/project-file.md.
+struct Project {
+    std::vector<MeshReference> files{};  ///< read as one garment
+    LoadOptions loading{};
+    FlattenOptions options{};
+    Fabric fabric = fabricPresets().front();
+    std::map<std::string, PieceSettings> pieces{};  ///< by name
+    ProjectView view{};
+    /// Where this is the recovery file of another: that project's path, empty where it had none.
+    std::optional<std::filesystem::path> recoveryOf{};
+
+    bool operator==(const Project&) const = default;
+};
+
+/// The settings of a garment's pieces, in its order; as nobody had said anything where the project
+/// does not know a piece. Pure.
+std::vector<PieceSettings> settingsFor(const Project& project, const Garment& garment);
+
+/// What the person should know where the garment is not the one the project was made with: files
+/// whose content is another, pieces that are no more there. Pure.
+Problems differencesTo(const Project& project, const Garment& garment);
+
+/// The settings by name, with anchors for those pieces that are flat.
+/// @param settings, results  one per piece; results may be null or left out
+std::map<std::string, PieceSettings> settingsByName(const Garment& garment,
+                                                    std::vector<PieceSettings> settings,
+                                                    const PieceResults& results);
+
+/// Paths and content hashes of the garment's files.
+std::vector<MeshReference> meshReferences(const Garment& garment);
+
+/// Files of the project that are not there; `path` of those found elsewhere is set to that. Touches
+/// the disk.
+std::vector<std::filesystem::path> locateMeshes(Project& project);
+
+}  // namespace toile

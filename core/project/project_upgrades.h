@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "core/project/json_fields.h"
+
+namespace toile {
+
+/// The version of the project format that is written, and up to which files are read.
+inline constexpr int kProjectVersion = 1;
+
+/// Makes a document of one version into one of the next, as far as it is what it should be: what is
+/// wrong in it is found when it is read.
+struct ProjectUpgrade {
+    int from;
+    void (*apply)(Json& document);
+};
+
+/// One for each version before the present one. There are none yet.
+std::span<const ProjectUpgrade> projectUpgrades();
+
+/// Applies, one after the other, the upgrades from `version` on; each says its new "version".
+void upgradeProject(Json& document, int version, std::span<const ProjectUpgrade> upgrades);
+
+}  // namespace toile

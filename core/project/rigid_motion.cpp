@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/rigid_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace toile {
+namespace {
+
+Eigen::Matrix2d rotation(double turn) {
+    const double c = std::cos(turn), s = std::sin(turn);
+    return (Eigen::Matrix2d() << c, -s, s, c).finished();
+}
+
+/// Root mean square distance from the centre.
+double spread(const Points2& points) {
+    return std::sqrt((points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().mean());
+}
+
+bool canBeTrusted(const std::vector<Anchor>& anchors, Eigen::Index vertices) {
+    return std::ranges::all_of(anchors, [vertices](const Anchor& anchor) {
+        return anchor.vertex >= 0 && anchor.vertex < vertices && anchor.flat.allFinite();
+    });
+}
+
+/// Where the anchors are in Q, and where they were.
+std::pair<Points2, Points2> pointsOf(const std::vector<Anchor>& anchors, const Points2& Q) {
+    Points2 now(anchors.size(), 2), then(anchors.size(), 2);
+    for (std::size_t i = 0; i < anchors.size(); ++i) {
+        now.row(static_cast<Eigen::Index>(i)) = Q.row(anchors[i].vertex);
+        then.row(static_cast<Eigen::Index>(i)) = anchors[i].flat.transpose();
+    }
+    return {std::move(now), std::move(then)};
+}
+
+/// Whether a motion is none, for a piece that reaches so far from the origin.
+bool staysThere(const RigidMotion& oldOfNew, double reach) {
+    return std::abs(oldOfNew.turn) * reach + oldOfNew.shift.norm() <= kSamePlace;
+}
+
+struct Fit {
+    RigidMotion motion{};
+    double misfit = 0;
+    double radius = 0;  ///< of the anchors about their middle
+};
+
+/// None where the anchors cannot be trusted.
+std::optional<Fit> fitOf(const std::vector<Anchor>& anchors, const Points2& Q) {
+    if (anchors.empty() || !canBeTrusted(anchors, Q.rows())) {
+        return std::nullopt;
+    }
+    const auto [now, then] = pointsOf(anchors, Q);
+    const double before = spread(then), after = spread(now);
+    if (!(std::abs(after - before) <= kAnchorDoubt * std::max(before, after))) {
+        return std::nullopt;
+    }
+    Fit fit{bestMotion(now, then)};
+    fit.misfit = misfit(fit.motion, now, then);
+    fit.radius =
+        std::sqrt((now.rowwise() - now.colwise().mean()).rowwise().squaredNorm().maxCoeff());
+    return fit;
+}
+
+}  // namespace
+
+Eigen::Vector2d RigidMotion::applied(const Eigen::Vector2d& point) const {
+    return shift + rotation(turn) * point;
+}
+
+RigidMotion bestMotion(const Points2& from, const Points2& to) {
+    RigidMotion motion;
+    if (from.rows() == 0) {
+        return motion;
+    }
+    const Eigen::RowVector2d a = from.colwise().mean(), b = to.colwise().mean();
+    // Sums of dot and cross products about the centres: their angle is the turn.
+    double dot = 0, cross = 0;
+    for (Eigen::Index i = 0; i < from.rows(); ++i) {
+        const Eigen::RowVector2d p = from.row(i) - a, q = to.row(i) - b;
+        dot += p.dot(q);
+        cross += p.x() * q.y() - p.y() * q.x();
+    }
+    motion.turn = dot != 0 || cross != 0 ? std::atan2(cross, dot) : 0;
+    motion.shift = b.transpose() - rotation(motion.turn) * a.transpose();
+    motion.middle = a.transpose();
+    return motion;
+}
+
+double misfit(const RigidMotion& motion, const Points2& from, const Points2& to) {
+    double most = 0;
+    for (Eigen::Index i = 0; i < from.rows(); ++i) {
+        most = std::max(most,
+                        (motion.applied(from.row(i).transpose()) - to.row(i).transpose()).norm());
+    }
+    return most;
+}
+
+PieceSettings movedSettings(PieceSettings settings, const RigidMotion& oldOfNew, double reach) {
+    if (staysThere(oldOfNew, reach)) {
+        return settings;
+    }
+    if (settings.placement) {
+        Placement& place = *settings.placement;
+        place.offset += place.linear() * oldOfNew.shift;
+        // Turning before a reflection is turning the other way after it.
+        place.turn += place.mirrored ? -oldOfNew.turn : oldOfNew.turn;
+    }
+    if (settings.grain) {
+        *settings.grain -= oldOfNew.turn;
+    }
+    return settings;
+}
+
+PieceSettings uprightSettings(PieceSettings settings, const RigidMotion& oldOfNew, double reach) {
+    if (!settings.placement || settings.placement->turn != 0 || staysThere(oldOfNew, reach)) {
+        return movedSettings(std::move(settings), oldOfNew, reach);
+    }
+    Placement& place = *settings.placement;
+    place.offset += place.linear() * (oldOfNew.applied(oldOfNew.middle) - oldOfNew.middle);
+    if (settings.grain) {
+        *settings.grain -= oldOfNew.turn;
+    }
+    return settings;
+}
+
+PieceSettings anchoredSettings(PieceSettings settings, const Points2& Q, double mostAway) {
+    const std::vector<Anchor> anchors = std::exchange(settings.anchors, {});
+    const auto fit = fitOf(anchors, Q);
+    if (!fit) {
+        return settings;
+    }
+    const double reach = Q.rowwise().norm().maxCoeff();
+    const bool upright = std::abs(fit->motion.turn) * fit->radius <= mostAway;
+    return upright ? uprightSettings(std::move(settings), fit->motion, reach)
+                   : movedSettings(std::move(settings), fit->motion, reach);
+}
+
+std::optional<double> anchorMisfit(const std::vector<Anchor>& anchors, const Points2& Q) {
+    const auto fit = fitOf(anchors, Q);
+    return fit ? std::optional(fit->misfit) : std::nullopt;
+}
+
+std::optional<double> anchorGrowth(const std::vector<Anchor>& anchors, const Points2& Q) {
+    if (anchors.size() < 2 || !canBeTrusted(anchors, Q.rows())) {
+        return std::nullopt;
+    }
+    const auto [now, then] = pointsOf(anchors, Q);
+    const double before = spread(then), after = spread(now);
+    return before > 0 && after > 0 ? std::optional(after / before) : std::nullopt;
+}
+
+PieceSettings scaledSettings(PieceSettings settings, double factor) {
+    if (settings.placement) {
+        settings.placement->offset *= factor;
+    }
+    for (Anchor& anchor : settings.anchors) {
+        anchor.flat *= factor;
+    }
+    return settings;
+}
+
+std::vector<Anchor> outlineAnchors(const std::vector<int>& outline, const Points2& Q) {
+    if (outline.size() < 2) {
+        return {};
+    }
+    std::vector<double> arc{0};
+    for (std::size_t i = 1; i <= outline.size(); ++i) {
+        const int last = outline[i - 1], next = outline[i % outline.size()];
+        arc.push_back(arc.back() + (Q.row(next) - Q.row(last)).norm());
+    }
+    const auto count = std::min(outline.size(), std::size_t{kOutlineAnchors});
+    std::vector<Anchor> anchors;
+    std::size_t at = 0;  // never back, and none twice
+    for (std::size_t k = 0; k < count; ++k) {
+        const double wanted = arc.back() * static_cast<double>(k) / static_cast<double>(count);
+        while (outline.size() - at > count - k && arc[at] < wanted) {
+            ++at;
+        }
+        anchors.push_back({outline[at], Q.row(outline[at]).transpose()});
+        ++at;
+    }
+    return anchors;
+}
+
+}  // namespace toile

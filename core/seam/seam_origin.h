@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/garment/cut_pieces.h"
+#include "core/garment/join_pieces.h"
+#include "core/garment/seam.h"
+
+namespace toile {
+
+/// True where a cut left this seam. @param pieces  those that the seam was found for, mm
+/// Cost: the points of the cut times the edges of the seam.
+bool isLeftBy(const Seam& seam, const MadeCut& cut,
+              const std::vector<std::shared_ptr<const Piece>>& pieces);
+
+/// The order that takes a seam out which the garment's own division made: points along its left
+/// side, mm, its ends among them.
+UserJoin joinAlong(const Seam& seam, const std::vector<std::shared_ptr<const Piece>>& pieces);
+
+}  // namespace toile

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sheet/free_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "core/mesh/segment.h"
+
+namespace toile {
+namespace {
+
+using Box = Eigen::AlignedBox2d;
+using Point = Eigen::Vector2d;
+
+constexpr int kDirections = 32;
+constexpr int kBisections = 8;
+/// Outlines are thinned so that they stay this near to what they were, as a part of the gap.
+constexpr double kThinning = 0.1;
+/// Bends that survive the thinning at most: a frayed edge must not cost more than a smooth one.
+constexpr std::size_t kMostPoints = 400;
+
+/// Keeps the points between `from` and `to` that lie far from the line through what is kept
+/// (Douglas and Peucker).
+void thin(const std::vector<Point>& points, std::size_t from, std::size_t to, double most,
+          std::vector<char>& kept) {
+    std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
+    while (!open.empty()) {
+        const auto [a, b] = open.back();
+        open.pop_back();
+        double farthest = most;
+        std::size_t at = 0;
+        for (std::size_t i = a + 1; i < b; ++i) {
+            const double d = distanceToSegment(points[i], points[a], points[b % points.size()]);
+            if (d > farthest) {
+                farthest = d;
+                at = i;
+            }
+        }
+        if (at > 0) {
+            kept[at] = 1;
+            open.emplace_back(a, at);
+            open.emplace_back(at, b);
+        }
+    }
+}
+
+struct Shape {
+    std::vector<Point> points;
+    Box box;
+};
+
+Shape shapeOf(const Points2& outline, double most) {
+    Shape shape;
+    if (outline.rows() < 3 || !outline.allFinite()) {
+        return shape;
+    }
+    std::vector<Point> all;
+    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
+        all.emplace_back(outline.row(i).transpose());
+    }
+    const auto farthest = static_cast<std::size_t>(
+        std::ranges::max_element(
+            all, {}, [&](const Point& p) -> double { return (p - all.front()).squaredNorm(); }) -
+        all.begin());
+    std::vector<char> kept(all.size(), 0);
+    for (std::size_t count = kMostPoints + 1; count > kMostPoints; most *= 2) {
+        std::ranges::fill(kept, 0);
+        kept[0] = kept[farthest] = 1;
+        thin(all, 0, farthest, most, kept);
+        thin(all, farthest, all.size(), most, kept);
+        count = static_cast<std::size_t>(std::ranges::count(kept, 1));
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (kept[i]) {
+            shape.points.push_back(all[i]);
+            shape.box.extend(all[i]);
+        }
+    }
+    return shape;
+}
+
+double cross(const Point& a, const Point& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+bool cross(const Point& a, const Point& b, const Point& c, const Point& d) {
+    return (cross(b - a, c - a) > 0) != (cross(b - a, d - a) > 0) &&
+           (cross(d - c, a - c) > 0) != (cross(d - c, b - c) > 0);
+}
+
+bool contains(const Shape& shape, const Point& p) {
+    bool inside = false;
+    for (std::size_t i = 0, k = shape.points.size() - 1; i < shape.points.size(); k = i++) {
+        const Point &a = shape.points[i], &b = shape.points[k];
+        if ((a.y() > p.y()) != (b.y() > p.y()) &&
+            p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+Box grown(Box box, double by) {
+    box.min().array() -= by;
+    box.max().array() += by;
+    return box;
+}
+
+/// True where the shape, moved, lies on the other or comes nearer to it than `gap`.
+bool inTheWay(const Shape& moving, const Point& move, const Shape& other, double gap) {
+    Box box = moving.box;
+    box.translate(move);
+    if (!grown(box, gap).intersects(other.box)) {
+        return false;
+    }
+    if (contains(other, moving.points.front() + move) ||
+        contains(moving, other.points.front() - move)) {
+        return true;
+    }
+    // Only edges near to both boxes can be near to each other.
+    const Box near = grown(box.intersection(grown(other.box, gap)), gap);
+    std::vector<std::pair<Point, Point>> edges;
+    for (std::size_t i = 0, k = other.points.size() - 1; i < other.points.size(); k = i++) {
+        Box edge(other.points[i]);
+        edge.extend(other.points[k]);
+        if (edge.intersects(near)) {
+            edges.emplace_back(other.points[k], other.points[i]);
+        }
+    }
+    for (std::size_t i = 0, k = moving.points.size() - 1; i < moving.points.size(); k = i++) {
+        const Point a = moving.points[k] + move, b = moving.points[i] + move;
+        Box edge(a);
+        edge.extend(b);
+        if (!edge.intersects(near)) {
+            continue;
+        }
+        const Box reach = grown(edge, gap);
+        for (const auto& [c, d] : edges) {
+            Box there(c);
+            there.extend(d);
+            if (there.intersects(reach) &&
+                (distanceToSegment(a, c, d) < gap || distanceToSegment(b, c, d) < gap ||
+                 distanceToSegment(c, a, b) < gap || distanceToSegment(d, a, b) < gap ||
+                 cross(a, b, c, d))) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// How far the shape must go along a direction to be past the other for good.
+double wayPast(const Shape& moving, const Shape& other, const Point& along, double gap) {
+    double first = std::numeric_limits<double>::infinity(), last = -first;
+    for (const Point& p : moving.points) {
+        first = std::min(first, p.dot(along));
+    }
+    for (const Point& p : other.points) {
+        last = std::max(last, p.dot(along));
+    }
+    return last - first + 1.001 * gap;
+}
+
+class Search {
+public:
+    Search(const Points2& outline, const std::vector<Points2>& others, double gap)
+        : gap_((1 + 2 * kThinning) * gap), moving_(shapeOf(outline, kThinning * gap)) {
+        for (const Points2& other : others) {
+            if (Shape shape = shapeOf(other, kThinning * gap); !shape.points.empty()) {
+                others_.push_back(std::move(shape));
+            }
+        }
+    }
+
+    Point shortest() const {
+        Point best = Point::Zero();
+        if (moving_.points.empty() || !firstInTheWay(best)) {
+            return best;
+        }
+        double least = std::numeric_limits<double>::infinity();
+        for (int k = 0; k < kDirections; ++k) {
+            const double angle = 2 * std::numbers::pi * k / kDirections;
+            const Point along(std::cos(angle), std::sin(angle));
+            const double way = wayAlong(along, least);
+            // Ways alike but for rounding: the first of them, whatever the machine.
+            if (way < (1 - 1e-6) * least) {
+                least = way;
+                best = way * along;
+            }
+        }
+        return best;
+    }
+
+private:
+    const Shape* firstInTheWay(const Point& move) const {
+        const auto found = std::ranges::find_if(
+            others_, [&](const Shape& other) { return inTheWay(moving_, move, other, gap_); });
+        return found == others_.end() ? nullptr : &*found;
+    }
+
+    /// A way that is free; any at all where it is not shorter than `least`.
+    double wayAlong(const Point& along, double least) const {
+        double blocked = 0, free = 0;
+        // Past one after the other: past none twice.
+        const Shape* other = firstInTheWay(Point::Zero());
+        for (std::size_t round = 0; other && round < others_.size(); ++round) {
+            free = std::max(free, wayPast(moving_, *other, along, gap_));
+            other = firstInTheWay(free * along);
+        }
+        if (free > least) {
+            if (firstInTheWay(least * along)) {
+                return free;
+            }
+            free = least;
+        }
+        for (int round = 0; round < kBisections; ++round) {
+            const double middle = 0.5 * (blocked + free);
+            (firstInTheWay(middle * along) ? blocked : free) = middle;
+        }
+        return free;
+    }
+
+    double gap_;
+    Shape moving_;
+    std::vector<Shape> others_;
+};
+
+}  // namespace
+
+Eigen::Vector2d moveToFreePlace(const Points2& outline, const std::vector<Points2>& others,
+                                double gap) {
+    return Search(outline, others, gap).shortest();
+}
+
+}  // namespace toile

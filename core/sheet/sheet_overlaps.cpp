@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sheet/sheet_overlaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "core/mesh/exact_orientation.h"
+#include "core/mesh/segment.h"
+#include "core/quality/segment_pairs.h"
+
+namespace toile {
+namespace {
+
+using Box = Eigen::AlignedBox2d;
+using Point = Eigen::RowVector2d;
+
+/// Overlaps below this are edges laid on each other, mm.
+constexpr double kTouching = 1e-3;
+
+Box boxOf(const Points2& outline) {
+    Box box;
+    if (outline.rows() < 3 || !outline.allFinite()) {
+        return box;
+    }
+    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
+        box.extend(Eigen::Vector2d(outline.row(i).transpose()));
+    }
+    return box;
+}
+
+Point next(const Points2& outline, Eigen::Index i) {
+    return outline.row((i + 1) % outline.rows());
+}
+
+void addEdgesIn(const Box& box, const Points2& outline, std::vector<Segment2>& segments) {
+    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
+        Box edge;
+        edge.extend(Eigen::Vector2d(outline.row(i).transpose()));
+        edge.extend(Eigen::Vector2d(next(outline, i).transpose()));
+        if (edge.intersects(box)) {
+            segments.push_back({outline.row(i), next(outline, i)});
+        }
+    }
+}
+
+double distanceToLine(const Point& p, const Segment2& line) {
+    const Point along = line.b - line.a;
+    const Point off = p - line.a;
+    const double length = along.norm();
+    return length > 0 ? std::abs(along.x() * off.y() - along.y() * off.x()) / length : 0;
+}
+
+/// True where the segments cross, and one of them by more than a touch.
+bool crossWell(const Segment2& s, const Segment2& t) {
+    const bool crosses = exactOrientation(s.a, s.b, t.a) * exactOrientation(s.a, s.b, t.b) < 0 &&
+                         exactOrientation(t.a, t.b, s.a) * exactOrientation(t.a, t.b, s.b) < 0;
+    return crosses && std::min(distanceToLine(t.a, s), distanceToLine(t.b, s)) > kTouching &&
+           std::min(distanceToLine(s.a, t), distanceToLine(s.b, t)) > kTouching;
+}
+
+/// By the winding number, whichever way the outline runs.
+bool contains(const Points2& outline, const Point& p) {
+    int winding = 0;
+    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
+        const Point a = outline.row(i), b = next(outline, i);
+        if (a.y() <= p.y() && b.y() > p.y()) {
+            winding += exactOrientation(a, b, p) > 0;
+        } else if (a.y() > p.y() && b.y() <= p.y()) {
+            winding -= exactOrientation(a, b, p) < 0;
+        }
+    }
+    return winding != 0;
+}
+
+double distanceTo(const Points2& outline, const Point& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
+        const Point a = outline.row(i), b = next(outline, i);
+        least = std::min(least, distanceToSegment(p, a, b));
+    }
+    return least;
+}
+
+/// Some place just inside the edges of `inner` that is well inside `outer` too: that is so where
+/// one contains the other, and where one lies exactly on the other.
+bool hasPlaceIn(const Points2& outer, const Points2& inner, const Box& both) {
+    // A few, spread over the outline, tell: where edges cross has been looked for already.
+    constexpr Eigen::Index kProbes = 16;
+    constexpr double kInside = 10 * kTouching;
+    const Eigen::Index step = std::max<Eigen::Index>(1, inner.rows() / kProbes);
+    for (Eigen::Index i = 0; i < inner.rows(); i += step) {
+        const Point a = inner.row(i), along = next(inner, i) - a;
+        if (along.norm() < kInside) {
+            continue;
+        }
+        const Point aside = kInside * Point(-along.y(), along.x()).normalized();
+        for (const Point& p : {Point(a + along / 2 + aside), Point(a + along / 2 - aside)}) {
+            if (both.contains(Eigen::Vector2d(p.transpose())) && contains(inner, p) &&
+                contains(outer, p) && distanceTo(outer, p) > kTouching) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool overlap(const Points2& one, const Points2& other, const Box& both) {
+    std::vector<Segment2> segments;
+    addEdgesIn(both, one, segments);
+    const auto split = static_cast<int>(segments.size());
+    addEdgesIn(both, other, segments);
+    bool found = false;
+    visitSegmentPairs(segments, 0, [&](int i, int j, const PlaneCell&) -> bool {
+        const bool ofBoth = i < split && j >= split;
+        found = found || (ofBoth && crossWell(segments[static_cast<std::size_t>(i)],
+                                              segments[static_cast<std::size_t>(j)]));
+        return !found;
+    });
+    return found || hasPlaceIn(one, other, both) || hasPlaceIn(other, one, both);
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> overlappingOutlines(const std::vector<Points2>& outlines) {
+    std::vector<Box> boxes;
+    std::vector<int> order;
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        boxes.push_back(boxOf(outlines[i]));
+        if (!boxes.back().isEmpty()) {
+            order.push_back(static_cast<int>(i));
+        }
+    }
+    const auto box = [&boxes](int i) -> const Box& { return boxes[static_cast<std::size_t>(i)]; };
+    std::ranges::stable_sort(
+        order, [&](int a, int b) -> bool { return box(a).min().x() < box(b).min().x(); });
+    std::vector<std::pair<int, int>> found;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        for (std::size_t j = i + 1; j < order.size(); ++j) {
+            const int a = order[i], b = order[j];
+            if (box(b).min().x() > box(a).max().x()) {
+                break;
+            }
+            const Box both = box(a).intersection(box(b));
+            const bool touch = both.isEmpty() || both.sizes().minCoeff() <= kTouching;
+            if (!touch && overlap(outlines[static_cast<std::size_t>(a)],
+                                  outlines[static_cast<std::size_t>(b)], both)) {
+                found.emplace_back(std::min(a, b), std::max(a, b));
+            }
+        }
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+}  // namespace toile

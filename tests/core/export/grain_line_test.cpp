@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/grain_line.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "core/export/writers.h"
+#include "tests/core/export/dxf_reader.h"
+#include "tests/core/export/export_fixtures.h"
+
+namespace toile {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+bool isInside(const Points2& outline, const Eigen::Vector2d& point) {
+    bool inside = false;
+    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
+        const Eigen::Vector2d a = outline.row(i), b = outline.row((i + 1) % outline.rows());
+        if ((a.y() > point.y()) != (b.y() > point.y()) &&
+            point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+            inside = !inside;
+        }
+    }
+    return inside;
+}
+
+TEST(GrainLine, LiesInsideAlongItsDirection) {
+    for (const PatternPiece& piece : test::sewingPattern().pieces) {
+        for (const double angle : {0.0, 0.4, kPi / 2, 2.5}) {
+            const auto line = grainLine(piece.outline, angle, {});
+            if (!line) {
+                continue;  // no room for one
+            }
+            const Eigen::Vector2d way = (line->to - line->from).normalized();
+            EXPECT_LT((way - Eigen::Vector2d(std::cos(angle), std::sin(angle))).norm(), 1e-9);
+            for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                EXPECT_TRUE(isInside(piece.outline, line->from + share * (line->to - line->from)))
+                    << piece.name << angle;
+            }
+        }
+    }
+}
+
+TEST(GrainLine, KeepsOffTheName) {
+    const Points2 outline = test::rectangle(0, 0, 200, 300);
+    const Eigen::AlignedBox2d name(Eigen::Vector2d(60, 140), Eigen::Vector2d(140, 160));
+    const auto line = grainLine(outline, kPi / 2, name);
+    ASSERT_TRUE(line);
+    EXPECT_TRUE(line->from.x() < 60 || line->from.x() > 140);
+    EXPECT_GT((line->to - line->from).norm(), 150);
+    EXPECT_FALSE(grainLine(outline, kPi / 2, {Eigen::Vector2d(-1, -1), Eigen::Vector2d(201, 301)}));
+    EXPECT_FALSE(grainLine(Points2(0, 2), 0, {}));
+}
+
+TEST(ChordAt, TakesTheStretchThatHoldsThePoint) {
+    // A U: the line across its arms has two stretches inside.
+    const Points2 outline = test::horseshoe(0, 0, 100, 20);
+    const auto chord = chordAt(outline, {90, 80}, {1, 0});
+    ASSERT_TRUE(chord);
+    EXPECT_NEAR((chord->to - chord->from).norm(), 20, 1e-9);
+    EXPECT_GT(chord->from.x(), 75);
+    EXPECT_FALSE(chordAt(outline, {0, 500}, {1, 0}));
+}
+
+TEST(GrainLine, IsDrawnOnALayerOfItsOwnWhereStated) {
+    Pattern pattern = test::sewingPattern();
+    EXPECT_EQ(test::DxfFile(writeDxf(draw(pattern, layOutInRows(pattern)))).layers.count("GRAIN"),
+              0U);
+    pattern.pieces[0].grain = 0.5;
+    pattern.pieces[0].mirrored = true;
+    const Drawing drawing = draw(pattern, layOutInRows(pattern));
+    const test::DxfFile file(writeDxf(drawing));
+    EXPECT_TRUE(file.faults.empty());
+    EXPECT_EQ(file.layers.count("GRAIN"), 1U);
+    int lines = 0;
+    for (const auto& line : file.polylines) {
+        if (line.layer == "GRAIN") {
+            ++lines;
+            EXPECT_FALSE(line.closed);
+            const Eigen::RowVector2d way = line.points[1] - line.points[0];
+            EXPECT_NEAR(std::atan2(way.y(), way.x()), 0.5, 1e-3);
+        }
+    }
+    EXPECT_EQ(lines, 1);
+    const std::string svg = writeSvg(drawing);
+    EXPECT_NE(svg.find("layer-grain"), std::string::npos);
+    EXPECT_NE(svg.find("wrong side of the fabric up"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/segment.h"
+
+#include <Eigen/Core>
+#include <gtest/gtest.h>
+
+namespace toile {
+namespace {
+
+const Eigen::Vector2d kFrom(1, 2), kTo(5, 5);  // 5 long
+
+TEST(Segment, IsNearestWhereTheWayMeetsItAtRightAngles) {
+    const Eigen::Vector2d across(-0.6, 0.8);
+    for (const double share : {0.0, 0.25, 1.0}) {
+        const Eigen::Vector2d point = kFrom + share * (kTo - kFrom) + 3 * across;
+        EXPECT_NEAR(nearestShare(point, kFrom, kTo), share, 1e-12);
+        EXPECT_NEAR(distanceToSegment(point, kFrom, kTo), 3, 1e-12);
+    }
+}
+
+TEST(Segment, EndsAtItsEnds) {
+    const Eigen::Vector2d way = kTo - kFrom;
+    EXPECT_EQ(nearestShare<Eigen::Vector2d>(kFrom - way, kFrom, kTo), 0);
+    EXPECT_EQ(nearestShare<Eigen::Vector2d>(kTo + way, kFrom, kTo), 1);
+    EXPECT_NEAR(distanceToSegment<Eigen::Vector2d>(kTo + way, kFrom, kTo), 5, 1e-12);
+}
+
+TEST(Segment, WithoutLengthIsAPoint) {
+    const Eigen::RowVector3d place(1, 2, 3), point(1, 2, 7);
+    EXPECT_EQ(nearestShare(point, place, place), 0);
+    EXPECT_EQ(distanceToSegment(point, place, place), 4);
+}
+
+}  // namespace
+}  // namespace toile
