@@ -36,5 +36,7 @@ fi
 
 step "All tests"
 export QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1
-xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX" \
+# Without -noreset the display starts anew whenever its last program leaves, and turns away one that
+# comes at that moment.
+xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX -noreset" \
     ctest --preset ci --parallel "$jobs"

@@ -3,6 +3,8 @@
 #include "app/cli/command_line.h"
 #include "core/linalg/blas_kernels.h"
 #ifdef TOILE_GUI
+#include "app/cli/project_input.h"
+#include "app/run_render.h"
 #include "app/run_window.h"
 #include "core/base/heap.h"
 #endif
@@ -12,6 +14,9 @@ int main(int argc, char** argv) {
     const toile::Arguments arguments = toile::parseArguments(argc, argv);
 #ifdef TOILE_GUI
     if (arguments.command == toile::Arguments::Command::Window) {
+        if (const auto refusal = toile::refusalOfProject(arguments)) {
+            return toile::runCommand(*refusal);
+        }
         toile::keepFreedMemory();
         return toile::runWindow(argc, argv,
                                 {.files = arguments.inputs,
@@ -21,6 +26,9 @@ int main(int argc, char** argv) {
                                  .overlay = arguments.overlay,
                                  .flattening = arguments.options,
                                  .panel = arguments.panel});
+    }
+    if (arguments.command == toile::Arguments::Command::Render) {
+        return toile::runRender(argc, argv, arguments);
     }
 #endif
     return toile::runCommand(arguments);

@@ -1,113 +1,126 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window's menus, its toolbar and the box that says what Toile is.
+// The window's menus and its toolbar, from the tables of actions and menus.
 #include <QDockWidget>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
+#include <map>
 
+#include "app/actions/garment_actions.h"
+#include "app/actions/menu_table.h"
+#include "app/actions/project_actions.h"
 #include "app/main_window.h"
 #include "app/widgets/icon.h"
-#include "core/base/version.h"
 
 namespace toile {
 
 namespace {
 
-void fill(const ActionRegistry& actions, QMenu& menu, std::initializer_list<ActionId> ids) {
-    for (const ActionId id : ids) {
-        menu.addAction(&actions[id]);
+/// A heading at the very top would touch the menu's frame.
+constexpr int kAirOverHeading = 4;
+
+/// A menu of which nothing can be done now cannot be opened either.
+void followActions(QMenu& menu) {
+    const auto update = [&menu] {
+        const QList<QAction*> actions = menu.actions();
+        menu.menuAction()->setEnabled(std::any_of(actions.begin(), actions.end(), [](auto* action) {
+            return !action->isSeparator() && action->isEnabled();
+        }));
+    };
+    for (QAction* action : menu.actions()) {
+        QObject::connect(action, &QAction::enabledChanged, &menu, update);
     }
+    update();
+}
+
+/// Fills menus; those below others are made when they are come to.
+struct MenuMaker {
+    const ActionRegistry& actions;
+    QList<QDockWidget*> lists;
+    RecentFiles& recent;
+    std::map<std::string_view, const MenuSpec*> table{};
+
+    void fill(QMenu& menu, const MenuSpec& spec) {
+        menu.setObjectName(spec.name);
+        if (std::holds_alternative<MenuHeading>(spec.items.front())) {
+            menu.setContentsMargins(0, kAirOverHeading, 0, 0);
+        }
+        for (const MenuItem& item : spec.items) {
+            std::visit([&](const auto& entry) { add(menu, entry); }, item);
+        }
+    }
+
+    void add(QMenu& menu, ActionId id) { menu.addAction(&actions[id]); }
+    void add(QMenu& menu, MenuSeparator) { menu.addSeparator(); }
+    void add(QMenu& menu, MenuHeading heading) { menu.addSection(menuText(heading.text)); }
+    void add(QMenu& menu, Submenu submenu) {
+        const MenuSpec& spec = *table.at(submenu.name);
+        QMenu& below = *menu.addMenu(menuText(spec.title));
+        fill(below, spec);
+        if (!std::holds_alternative<RecentPlace>(spec.items.front())) {
+            followActions(below);  // what was opened last is another whenever the menu opens
+        }
+    }
+    void add(QMenu& menu, RecentPlace) { recent.fill(menu); }
+    void add(QMenu& menu, ListsPlace) {
+        for (QDockWidget* list : lists) {
+            menu.addAction(list->toggleViewAction());
+        }
+    }
+};
+
+/// Overlays that have no button of their own: one button that shows which of them is on.
+constexpr std::initializer_list<ActionId> kRarerOverlays = {
+    ActionId::OverlayArea, ActionId::OverlayAngle, ActionId::OverlayDirichlet};
+
+/// A button with these choices; it looks as the chosen one does, or says `text` where none is.
+QToolButton* makeChoiceButton(const ActionRegistry& actions, std::initializer_list<ActionId> ids,
+                              const QString& text, const QString& tip, QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setToolTip(tip);
+    button->setStatusTip(tip);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(button);
+    for (const ActionId id : ids) {
+        menu->addAction(&actions[id]);
+    }
+    button->setMenu(menu);
+    const auto follow = [button, menu, text] {
+        const QList<QAction*> choices = menu->actions();
+        const auto chosen = std::ranges::find_if(
+            choices, [](const QAction* choice) { return choice->isChecked(); });
+        const bool any = chosen != choices.end();
+        button->setText(any ? (*chosen)->iconText() : text);
+        button->setIcon(any ? (*chosen)->icon() : choices.front()->icon());
+        button->setDown(any);
+        button->setEnabled(choices.front()->isEnabled());
+    };
+    for (const QAction* choice : menu->actions()) {
+        QObject::connect(choice, &QAction::changed, button, follow);
+    }
+    // The button forgets that it is down when its menu closes.
+    QObject::connect(menu, &QMenu::aboutToHide, button, follow, Qt::QueuedConnection);
+    follow();
+    return button;
 }
 
 }  // namespace
 
 void MainWindow::makeMenus() {
-    QMenu& file = *menuBar()->addMenu(tr("&File"));
-    fill(actions_, file, {ActionId::Open});
-    file.addSeparator();
-    QMenu& exports = *file.addMenu(tr("&Export pattern"));
-    exports.setObjectName("exportMenu");
-    fill(actions_, exports,
-         {ActionId::ExportSvg, ActionId::ExportDxf, ActionId::ExportObj, ActionId::ExportReport});
-    file.addSeparator();
-    fill(actions_, file, {ActionId::Quit});
-
-    QMenu& edit = *menuBar()->addMenu(tr("&Edit"));
-    fill(actions_, edit, {ActionId::SelectAll, ActionId::SelectNone});
-    edit.addSeparator();
-    fill(actions_, edit, {ActionId::StateEase, ActionId::ForgetEase});
-
-    makeViewMenu();
-    makeGarmentMenu();
-
-    makeFlattenMenu();
-
-    QMenu& help = *menuBar()->addMenu(tr("&Help"));
-    fill(actions_, help, {ActionId::About});
-    connect(&actions_[ActionId::About], &QAction::triggered, this, &MainWindow::showAbout);
-    connect(&actions_[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
-}
-
-void MainWindow::makeFlattenMenu() {
-    QMenu& flatten = *menuBar()->addMenu(tr("F&latten"));
-    flatten.setObjectName("flattenMenu");
-    flatten.setContentsMargins(0, 4, 0, 0);  // a heading at the very top would touch the frame
-    for (const bool keepsLengths : {true, false}) {
-        flatten.addSection(keepsLengths ? tr("Seam lines keep their length")
-                                        : tr("Seam lines may change"));
-        for (const MethodTraits& method : allMethods()) {
-            if (method.keepsLengths == keepsLengths) {
-                flatten.addAction(&actions_[actionOf(method.method)]);
-            }
+    MenuMaker maker{
+        actions_,
+        {piecesDock_, seamsDock_, problemsDock_, historyDock_, positionDock_, fabricDock_},
+        garmentActions_->project().recent()};
+    for (const MenuSpec& spec : menuTable()) {
+        maker.table.emplace(spec.name, &spec);
+    }
+    for (const MenuSpec& spec : menuTable()) {
+        if (spec.inMenuBar) {
+            maker.fill(*menuBar()->addMenu(menuText(spec.title)), spec);
         }
     }
-    flatten.addSeparator();
-    QMenu& quality = *flatten.addMenu(tr("&Quality"));
-    quality.setObjectName("qualityMenu");
-    fill(actions_, quality,
-         {ActionId::QualityDraft, ActionId::QualityStandard, ActionId::QualityFine});
-    const QAction& standard = actions_[ActionId::QualityStandard];
-    connect(&standard, &QAction::enabledChanged, quality.menuAction(), &QAction::setEnabled);
-    quality.menuAction()->setEnabled(standard.isEnabled());
-    flatten.addSeparator();
-    fill(actions_, flatten, {ActionId::SolverNewton, ActionId::SolverSlcp});
-    flatten.addSeparator();
-    fill(actions_, flatten, {ActionId::FlattenAgain, ActionId::Cancel});
-}
-
-void MainWindow::makeViewMenu() {
-    QMenu& view = *menuBar()->addMenu(tr("&View"));
-    fill(actions_, view,
-         {ActionId::OverlayNone, ActionId::OverlayChecker, ActionId::OverlayArea,
-          ActionId::OverlayAngle, ActionId::OverlayStrain});
-    view.addSeparator();
-    fill(actions_, view, {ActionId::Wireframe, ActionId::DesignerOutline, ActionId::Frame});
-    view.addSeparator();
-    fill(actions_, view, {ActionId::GoToPieces, ActionId::GoToSeams, ActionId::GoToMessages});
-    QMenu& lists = *view.addMenu(tr("Sh&ow"));
-    for (QDockWidget* dock : {piecesDock_, seamsDock_, messagesDock_}) {
-        lists.addAction(dock->toggleViewAction());
-    }
-}
-
-void MainWindow::makeGarmentMenu() {
-    QMenu& garment = *menuBar()->addMenu(tr("&Garment"));
-    fill(actions_, garment, {ActionId::Reload});
-    garment.addSeparator();
-    fill(actions_, *garment.addMenu(tr("&Unit")),
-         {ActionId::UnitAuto, ActionId::UnitMillimetre, ActionId::UnitCentimetre,
-          ActionId::UnitMetre, ActionId::UnitInch});
-    fill(actions_, *garment.addMenu(tr("Up &axis")),
-         {ActionId::UpAuto, ActionId::UpY, ActionId::UpZ});
-    fill(
-        actions_, *garment.addMenu(tr("&Divide by")),
-        {ActionId::SplitAuto, ActionId::SplitComponents, ActionId::SplitObjects,
-         ActionId::SplitGroups, ActionId::SplitMaterials, ActionId::SplitUv, ActionId::SplitSeams});
-    garment.addSeparator();
-    fill(actions_, garment, {ActionId::AutoCut, ActionId::Weld});
-    garment.addSeparator();
-    fill(actions_, garment, {ActionId::SeamsFromFile, ActionId::SeamsToFile});
 }
 
 void MainWindow::makeToolBar() {
@@ -117,6 +130,7 @@ void MainWindow::makeToolBar() {
     bar.setIconSize({20, 20});
     bar.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar.addAction(&actions_[ActionId::Open]);
+    bar.addAction(&actions_[ActionId::Save]);
     auto* exports = new QToolButton(&bar);
     exports->setText(tr("Export"));
     exports->setIcon(themedIcon("export"));
@@ -129,31 +143,26 @@ void MainWindow::makeToolBar() {
     exports->setEnabled(exportAction.isEnabled());
     bar.addWidget(exports);
     bar.addSeparator();
+    bar.addAction(&actions_[ActionId::Undo]);
+    bar.addAction(&actions_[ActionId::Redo]);
+    bar.addSeparator();
     bar.addAction(&actions_[ActionId::FlattenAgain]);
     bar.addAction(&actions_[ActionId::Frame]);
     bar.addSeparator();
-    for (const ActionId id :
-         {ActionId::OverlayNone, ActionId::OverlayChecker, ActionId::OverlayArea,
-          ActionId::OverlayAngle, ActionId::OverlayStrain}) {
+    for (const ActionId id : {ActionId::OverlayNone, ActionId::OverlayChecker,
+                              ActionId::OverlayStrain, ActionId::OverlayWarp, ActionId::OverlayWeft,
+                              ActionId::OverlayBias, ActionId::OverlayPrincipal}) {
         bar.addAction(&actions_[id]);
     }
+    auto* more = makeChoiceButton(actions_, kRarerOverlays, tr("More"), tr("More overlays"), &bar);
+    more->setObjectName("moreOverlays");
+    bar.addWidget(more);
     bar.addSeparator();
     bar.addAction(&actions_[ActionId::Wireframe]);
-}
-
-void MainWindow::showAbout() {
-    const std::string_view number = version();
-    auto* box = new QMessageBox(this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setWindowTitle(tr("About Toile"));
-    box->setIconPixmap(QIcon(":/icons/toile.svg").pixmap(64, 64));
-    box->setText(QString("<h3>Toile %1</h3>")
-                     .arg(QString::fromUtf8(number.data(), static_cast<qsizetype>(number.size()))));
-    box->setInformativeText(
-        tr("Sewing patterns from 3D garments, every seam line at its true length: the "
-           "length-preserved natural boundary of Wang (2005).\n\nFree software under the GNU "
-           "General Public License, version 3 or later."));
-    box->open();
+    // Qt's own is black on any ground.
+    if (auto* rest = bar.findChild<QToolButton*>("qt_toolbar_ext_button")) {
+        rest->setIcon(themedIcon("more"));
+    }
 }
 
 }  // namespace toile

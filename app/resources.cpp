@@ -6,6 +6,7 @@
 // The macro declares a function and has to stand outside of any namespace.
 static void registerResources() {
     Q_INIT_RESOURCE(toile);
+    Q_INIT_RESOURCE(translations);
 }
 
 namespace toile {

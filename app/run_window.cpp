@@ -3,14 +3,20 @@
 
 #include <QApplication>
 #include <QIcon>
+#include <QImage>
 #include <QTimer>
 #include <cstdio>
 #include <utility>
 
+#include "app/base/path_text.h"
+#include "app/jobs/ready_checker.h"
 #include "app/main_window.h"
+#include "app/platform_choice.h"
 #include "app/render/gl_support.h"
 #include "app/resources.h"
+#include "app/settings/language.h"
 #include "app/settings/preferences.h"
+#include "app/settings/theme.h"
 #include "app/views/view_area.h"
 #include "app/widgets/banner.h"
 #include "core/base/version.h"
@@ -20,33 +26,20 @@ namespace toile {
 namespace {
 
 constexpr int kPollMilliseconds = 50;
+constexpr int kQuietRounds = 6, kMostRounds = 100;  // a cursor may blink for ever
 /// Exit statuses, as the command line's.
 constexpr int kFailed = 1, kUnreadable = 3;
 
 QStringList toStrings(const std::vector<std::filesystem::path>& paths) {
     QStringList list;
     for (const auto& path : paths) {
-        list << QString::fromStdU16String(path.u16string());
+        list << textOf(path);
     }
     return list;
 }
 
 void complain(const QString& sentence) {
     std::fputs(qPrintable("toile: " + sentence + '\n'), stderr);
-}
-
-/// Qt ends the program with a signal where it finds no display; a sentence is kinder.
-bool displayIsMissing() {
-#ifdef Q_OS_LINUX
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
-        if (!qEnvironmentVariableIsEmpty(name)) {
-            return false;
-        }
-    }
-    return true;
-#else
-    return false;
-#endif
 }
 
 /// Waits until the views show the result, then writes the picture and leaves the event loop.
@@ -63,21 +56,29 @@ private:
         if (workspace.jobs().isBusy()) {
             return;
         }
-        if (!window_.banner().isHidden()) {
-            complain(window_.banner().sentence());
-            QApplication::exit(kUnreadable);
-            return;
-        }
         const bool empty = workspace.document().garment() == nullptr;
-        if (!empty && !window_.views().isUpToDate()) {
+        if (!window_.banner().isHidden()) {
+            if (const QString said = window_.banner().sentence(); said != said_) {
+                said_ = said;
+                complain(said);
+            }
+            if (empty) {
+                QApplication::exit(kUnreadable);
+                return;
+            }
+        }
+        if (!empty && !(window_.views().isUpToDate() && window_.checker().isUpToDate())) {
             return;
         }
-        // One more round lets layouts and the window's other parts settle.
-        if (++quietRounds_ < 4) {
+        // Layouts, figures and legends come a little later, each in its time.
+        const QImage picture = window_.grab().toImage();
+        quietRounds_ = picture == last_ ? quietRounds_ + 1 : 0;
+        last_ = picture;
+        if (quietRounds_ < kQuietRounds && ++rounds_ < kMostRounds) {
             return;
         }
         timer_.stop();
-        const bool written = window_.grab().save(path_);
+        const bool written = picture.save(path_);
         if (!written) {
             complain(QApplication::translate("RunWindow", "could not write %1").arg(path_));
         }
@@ -87,7 +88,10 @@ private:
     MainWindow& window_;
     QString path_;
     QTimer timer_;
-    int quietRounds_ = 0;
+    QString said_;  ///< on stderr already
+    QImage last_;
+    int quietRounds_ = 0;  ///< in which nothing has changed
+    int rounds_ = 0;
 };
 
 /// The lists come in with the first garment.
@@ -101,18 +105,31 @@ void showOnceOpen(MainWindow& window, Panel panel) {
         });
 }
 
+/// What is typed goes before what the first project says, which is heard once it is open.
+void keepOverlay(Document& document, Overlay overlay) {
+    document.setOverlay(overlay);
+    QObject::connect(
+        &document, &Document::changed, &document,
+        [&document, overlay, kept = false](DocumentChanges what) mutable {
+            if (what.testFlag(DocumentChange::Opened) && !std::exchange(kept, true)) {
+                document.setOverlay(overlay);
+            }
+        },
+        Qt::QueuedConnection);
+}
+
 }  // namespace
 
 int runWindow(int argc, char** argv, const WindowOptions& options) {
-    if (displayIsMissing()) {
-        complain(
-            "there is no display to open the window on; \"toile flatten\" needs none, and "
-            "xvfb-run lends one");
+    auto display = std::make_unique<DisplayProbe>();
+    if (const QString problem = windowProblem(*display); !problem.isEmpty()) {
+        complain(problem);
         return kUnreadable;
     }
     loadResources();
     QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
     QApplication application(argc, argv);
+    display.reset();
     const std::string_view number = version();
     QApplication::setApplicationName("Toile");
     QApplication::setApplicationVersion(
@@ -123,9 +140,18 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     // A picture must not depend on, nor change, what a person has set.
     Preferences forgetful{QString()};
     Preferences own;
+    useLanguage((photograph ? forgetful : own).language());
+    applyTheme((photograph ? forgetful : own).theme());
     MainWindow window(photograph ? forgetful : own);
     if (photograph) {
         window.resize(options.width, options.height);
+        // Nor on where the pointer rests, nor on which window the desktop has made the active one.
+        window.setWindowFlags(window.windowFlags() | Qt::WindowTransparentForInput |
+                              Qt::WindowDoesNotAcceptFocus);
+        window.setAttribute(Qt::WA_ShowWithoutActivating);
+    }
+    if (!photograph) {
+        window.keepRecoveryFiles(Autosave::defaultFolder());
     }
     LoadOptions load = options.load;
     if (!options.seams.empty()) {
@@ -138,7 +164,9 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     }
     window.workspace().setLoading(std::move(load));
     window.workspace().document().setOptions(options.flattening);
-    window.workspace().document().setOverlay(options.overlay);
+    if (options.overlay) {
+        keepOverlay(window.workspace().document(), *options.overlay);
+    }
     window.show();
     if (!options.files.empty()) {
         window.openFiles(toStrings(options.files));
@@ -148,7 +176,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     }
     std::optional<Photographer> photographer;
     if (photograph) {
-        photographer.emplace(window, QString::fromStdU16String(options.screenshot.u16string()));
+        photographer.emplace(window, textOf(options.screenshot));
     }
     return QApplication::exec();
 }

@@ -16,7 +16,7 @@ struct WindowOptions {
     std::filesystem::path seams;               ///< a file of cuts and ease; may be empty
     /// Where set: load, flatten, wait for the views, write a picture of the whole window, leave.
     std::filesystem::path screenshot;
-    Overlay overlay = Overlay::Checker;
+    std::optional<Overlay> overlay;  ///< instead of what the window or a project begins with
     FlattenOptions flattening;
     std::optional<Panel> panel;       ///< the list in front; none: as it was left
     int width = 1600, height = 1000;  ///< of the screenshot, logical pixels

@@ -3,23 +3,114 @@
 
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
 #include <algorithm>
 
 #include "core/io/soup.h"
+#include "core/project/project_file.h"
 
 namespace toile {
+namespace {
+
+QStringList meshSuffixes() {
+    QStringList suffixes;
+    for (const std::string& ending : readableEndings()) {
+        suffixes << QString::fromStdString(ending);
+    }
+    return suffixes;
+}
+
+/// "*.obj *.ply"
+QString patternsOf(const QStringList& suffixes) {
+    QString patterns;
+    for (const QString& suffix : suffixes) {
+        patterns += (patterns.isEmpty() ? "*" : " *") + suffix;
+    }
+    return patterns;
+}
+
+SaveAnswer askInABox(QWidget* parent, const QString& name) {
+    QMessageBox box(parent);
+    box.setObjectName("askToSave");
+    box.setIcon(QMessageBox::Question);
+    box.setText(QCoreApplication::translate("FileDialogs", "Save the changes to %1?").arg(name));
+    box.setInformativeText(QCoreApplication::translate(
+        "FileDialogs", "Without saving, what you have done since the last time is lost."));
+    box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+        case QMessageBox::Save:
+            return SaveAnswer::Save;
+        case QMessageBox::Discard:
+            return SaveAnswer::Discard;
+        default:
+            return SaveAnswer::Cancel;
+    }
+}
+
+OverwriteAnswer askAboutOthers(QWidget* parent, const QString& name) {
+    QMessageBox box(parent);
+    box.setObjectName("askToOverwrite");
+    box.setIcon(QMessageBox::Warning);
+    box.setText(
+        QCoreApplication::translate(
+            "FileDialogs", "%1 was changed by another program since it was opened. Save anyway?")
+            .arg(name));
+    box.setInformativeText(QCoreApplication::translate(
+        "FileDialogs", "Saving anyway loses what the other program has put there."));
+    const QPushButton* anyway = box.addButton(
+        QCoreApplication::translate("FileDialogs", "Save anyway"), QMessageBox::DestructiveRole);
+    QPushButton* as = box.addButton(QCoreApplication::translate("FileDialogs", "Save as…"),
+                                    QMessageBox::AcceptRole);
+    box.addButton(QMessageBox::Cancel);
+    box.setDefaultButton(as);
+    box.exec();
+    return box.clickedButton() == anyway ? OverwriteAnswer::SaveAnyway
+           : box.clickedButton() == as   ? OverwriteAnswer::SaveAs
+                                         : OverwriteAnswer::Cancel;
+}
+
+bool mayReplace(QWidget* parent, const QString& path) {
+    return QMessageBox::question(
+               parent, QCoreApplication::translate("FileDialogs", "Replace the file?"),
+               QCoreApplication::translate("FileDialogs", "There is a file %1 already. Replace it?")
+                   .arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
+}
+
+/// The name of a file to write, with the ending of the suggestion. Whoever gets a name may write
+/// to it: what is there already has been asked about by its full name.
+QString askForTarget(QWidget* parent, const QString& title, const QString& suggestion,
+                     const QString& filter) {
+    const QString suffix = QFileInfo(suggestion).suffix();
+    QFileDialog dialog(parent, title, QFileInfo(suggestion).absolutePath(), filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    dialog.selectFile(suggestion);
+    while (dialog.exec() == QDialog::Accepted) {
+        QString path = dialog.selectedFiles().constFirst();
+        if (path.endsWith('.' + suffix, Qt::CaseInsensitive)) {
+            return path;
+        }
+        // "dress.v2" has an ending, though not this one.
+        path += '.' + suffix;
+        if (!QFileInfo::exists(path) || mayReplace(parent, path)) {
+            return path;
+        }
+        dialog.selectFile(path);
+    }
+    return {};
+}
+
+}  // namespace
 
 FileDialogs FileDialogs::native() {
     FileDialogs dialogs;
     dialogs.open = [](QWidget* parent, const QString& folder) {
-        QString patterns;
-        for (const QString& suffix : openableSuffixes()) {
-            patterns += (patterns.isEmpty() ? "*" : " *") + suffix;
-        }
         return QFileDialog::getOpenFileNames(
             parent, QCoreApplication::translate("FileDialogs", "Open a garment"), folder,
-            QCoreApplication::translate("FileDialogs", "3D garments (%1);;All files (*)")
-                .arg(patterns));
+            QCoreApplication::translate("FileDialogs", "Garments and projects (%1);;All files (*)")
+                .arg(patternsOf(openableSuffixes())));
     };
     dialogs.openSeams = [](QWidget* parent, const QString& folder) {
         return QFileDialog::getOpenFileName(
@@ -27,19 +118,28 @@ FileDialogs FileDialogs::native() {
             QCoreApplication::translate("FileDialogs", "Seams files (*.json);;All files (*)"));
     };
     dialogs.save = [](QWidget* parent, const QString& suggestion, const QString& filter) {
-        return QFileDialog::getSaveFileName(
-            parent, QCoreApplication::translate("FileDialogs", "Export the pattern"), suggestion,
-            filter);
+        return askForTarget(parent,
+                            QCoreApplication::translate("FileDialogs", "Export the pattern"),
+                            suggestion, filter);
     };
+    dialogs.saveProject = [](QWidget* parent, const QString& suggestion) {
+        return askForTarget(parent, QCoreApplication::translate("FileDialogs", "Save the project"),
+                            suggestion,
+                            QCoreApplication::translate("FileDialogs", "Toile projects (*.toile)"));
+    };
+    dialogs.findMesh = [](QWidget* parent, const QString& folder, const QString& name) {
+        return QFileDialog::getOpenFileName(
+            parent, QCoreApplication::translate("FileDialogs", "Where is %1?").arg(name), folder,
+            QCoreApplication::translate("FileDialogs", "3D garments (%1);;All files (*)")
+                .arg(patternsOf(meshSuffixes())));
+    };
+    dialogs.askToSave = askInABox;
+    dialogs.askToOverwrite = askAboutOthers;
     return dialogs;
 }
 
 QStringList openableSuffixes() {
-    QStringList suffixes;
-    for (const std::string& ending : readableEndings()) {
-        suffixes << QString::fromStdString(ending);
-    }
-    return suffixes;
+    return meshSuffixes() << QString::fromUtf8(kProjectEnding.data());
 }
 
 bool isOpenable(const QString& path) {

@@ -8,6 +8,12 @@ class QWidget;
 
 namespace toile {
 
+/// What becomes of unsaved changes.
+enum class SaveAnswer { Save, Discard, Cancel };
+
+/// What becomes of a file that another program has changed.
+enum class OverwriteAnswer { SaveAnyway, SaveAs, Cancel };
+
 /// Asking for files. Replaceable, so that tests answer without a dialog on the screen.
 struct FileDialogs {
     /// Files to open as one garment; empty where the person thought better of it.
@@ -17,12 +23,21 @@ struct FileDialogs {
     /// File to write; empty where the person thought better of it. The suggestion is a full path
     /// whose ending is the format's.
     std::function<QString(QWidget* parent, const QString& suggestion, const QString& filter)> save;
+    /// Project file to write; empty where the person thought better of it.
+    std::function<QString(QWidget* parent, const QString& suggestion)> saveProject;
+    /// Where a mesh of a project is, that is not where it was; empty where that is not known.
+    std::function<QString(QWidget* parent, const QString& folder, const QString& name)> findMesh;
+    /// Whether the changes to the garment of this name are to be saved before it is closed.
+    std::function<SaveAnswer(QWidget* parent, const QString& name)> askToSave;
+
+    /// Whether the project of this name is to be saved over what another program has put there.
+    std::function<OverwriteAnswer(QWidget* parent, const QString& name)> askToOverwrite;
 
     /// The desktop's own dialogs.
     static FileDialogs native();
 };
 
-/// Endings of mesh files that can be opened, lower case with the dot.
+/// Endings of mesh and project files that can be opened, lower case with the dot.
 QStringList openableSuffixes();
 bool isOpenable(const QString& path);
 

@@ -6,19 +6,31 @@
 #include <QWidget>
 #include <utility>
 
+#include "app/actions/layout_actions.h"
+#include "app/actions/project_actions.h"
 #include "app/actions/reading_actions.h"
 #include "app/actions/workspace.h"
+#include "app/base/path_text.h"
 #include "app/render/scene.h"
 #include "app/settings/preferences.h"
+#include "app/text/error_text.h"
+#include "core/project/project_file.h"
 
 namespace toile {
 
 namespace {
 
 constexpr std::pair<ActionId, Overlay> kOverlays[] = {
-    {ActionId::OverlayNone, Overlay::None},     {ActionId::OverlayChecker, Overlay::Checker},
-    {ActionId::OverlayArea, Overlay::Area},     {ActionId::OverlayAngle, Overlay::Angle},
+    {ActionId::OverlayNone, Overlay::None},
+    {ActionId::OverlayChecker, Overlay::Checker},
+    {ActionId::OverlayArea, Overlay::Area},
+    {ActionId::OverlayAngle, Overlay::Angle},
     {ActionId::OverlayStrain, Overlay::Strain},
+    {ActionId::OverlayWarp, Overlay::Warp},
+    {ActionId::OverlayWeft, Overlay::Weft},
+    {ActionId::OverlayBias, Overlay::Bias},
+    {ActionId::OverlayPrincipal, Overlay::Principal},
+    {ActionId::OverlayDirichlet, Overlay::Dirichlet},
 };
 
 constexpr std::pair<ActionId, Quality> kQualities[] = {
@@ -31,16 +43,27 @@ constexpr std::pair<ActionId, Quality> kQualities[] = {
 
 GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
                                Preferences& preferences, QWidget& window)
-    : actions_(actions), workspace_(workspace), preferences_(preferences), window_(window) {
+    : actions_(actions),
+      workspace_(workspace),
+      preferences_(preferences),
+      window_(window),
+      project_(new ProjectActions(actions, workspace, preferences, dialogs_, window, this)) {
+    connect(project_, &ProjectActions::failed, this, &GarmentActions::failed);
+    connect(&project_->recent(), &RecentFiles::wanted, this, &GarmentActions::openFiles);
     connectFiles();
+    connectHistory();
     connectSelection();
     connectView();
     connectFlattening();
     connectSeams();
     new ReadingActions(actions, workspace, this);
+    connect(new LayoutActions(actions, workspace, this), &LayoutActions::failed, this,
+            &GarmentActions::failed);
     connect(&workspace_.document(), &Document::changed, this, &GarmentActions::onChanged);
-    connect(&workspace_.jobs(), &JobRunner::started, this, &GarmentActions::updateEnabled);
-    connect(&workspace_.jobs(), &JobRunner::idle, this, &GarmentActions::updateEnabled);
+    for (const JobRunner* jobs : {&workspace_.jobs(), &workspace_.writing()}) {
+        connect(jobs, &JobRunner::started, this, &GarmentActions::updateEnabled);
+        connect(jobs, &JobRunner::idle, this, &GarmentActions::updateEnabled);
+    }
     onChanged(DocumentChange::View | DocumentChange::Options | DocumentChange::Garment);
 }
 
@@ -56,6 +79,25 @@ void GarmentActions::connectFiles() {
             [this] { askAndExport("json", tr("JSON report (*.json)")); });
 }
 
+void GarmentActions::connectHistory() {
+    connect(&actions_[ActionId::Undo], &QAction::triggered, &workspace_, &Workspace::undo);
+    connect(&actions_[ActionId::Redo], &QAction::triggered, &workspace_, &Workspace::redo);
+    connect(&workspace_, &Workspace::loadingChanged, this, &GarmentActions::updateHistory);
+    connect(&workspace_.document().history(), &QUndoStack::indexChanged, this,
+            &GarmentActions::updateHistory);
+    updateHistory();
+}
+
+void GarmentActions::updateHistory() {
+    const QUndoStack& history = workspace_.document().history();
+    QAction& undo = actions_[ActionId::Undo];
+    QAction& redo = actions_[ActionId::Redo];
+    undo.setEnabled(workspace_.canUndo());
+    redo.setEnabled(workspace_.canRedo());
+    undo.setText(workspace_.canUndo() ? tr("&Undo: %1").arg(workspace_.undoText()) : tr("&Undo"));
+    redo.setText(history.canRedo() ? tr("&Redo: %1").arg(history.redoText()) : tr("&Redo"));
+}
+
 void GarmentActions::connectSelection() {
     connect(&actions_[ActionId::SelectAll], &QAction::triggered, this, [this] {
         Document::Selection all;
@@ -67,6 +109,7 @@ void GarmentActions::connectSelection() {
     connect(&actions_[ActionId::SelectNone], &QAction::triggered, this, [this] {
         workspace_.document().setSelection({});
         workspace_.document().setSeam({});
+        workspace_.document().setMark({});
     });
 }
 
@@ -79,6 +122,18 @@ void GarmentActions::connectView() {
             &Document::setWireframe);
     connect(&actions_[ActionId::DesignerOutline], &QAction::toggled, &workspace_.document(),
             &Document::setDesignerOutline);
+    connect(&actions_[ActionId::ValuesPerTriangle], &QAction::toggled, &workspace_.document(),
+            &Document::setValuesPerTriangle);
+    connect(&actions_[ActionId::WorstSpots], &QAction::toggled, &workspace_.document(),
+            &Document::setWorstSpots);
+    connect(&actions_[ActionId::ShowSeams], &QAction::toggled, &workspace_.document(),
+            &Document::setSeamsShown);
+    connect(&actions_[ActionId::Xray], &QAction::toggled, &workspace_.document(),
+            &Document::setXray);
+    connect(&actions_[ActionId::Shaded], &QAction::toggled, &workspace_.document(),
+            &Document::setShaded);
+    connect(&actions_[ActionId::PieceColours], &QAction::toggled, &workspace_.document(),
+            &Document::setPieceColours);
 }
 
 void GarmentActions::connectFlattening() {
@@ -96,8 +151,10 @@ void GarmentActions::connectFlattening() {
             [this] { workspace_.setBoundarySolver(BoundarySolver::Slcp); });
     connect(&actions_[ActionId::FlattenAgain], &QAction::triggered, this,
             [this] { workspace_.flattenAgain(); });
-    connect(&actions_[ActionId::Cancel], &QAction::triggered, this,
-            [this] { workspace_.jobs().cancel(); });
+    connect(&actions_[ActionId::AutoFlatten], &QAction::triggered, &workspace_,
+            &Workspace::setAutoFlatten);
+    actions_[ActionId::AutoFlatten].setChecked(workspace_.autoFlatten());
+    connect(&actions_[ActionId::Cancel], &QAction::triggered, &workspace_, &Workspace::cancel);
 }
 
 void GarmentActions::connectSeams() {
@@ -120,12 +177,26 @@ void GarmentActions::openFiles(const QStringList& files) {
     if (files.isEmpty()) {
         return;
     }
+    project_->leaveThen([this, files] { openNow(files); });
+}
+
+void GarmentActions::openNow(const QStringList& files) {
     preferences_.setOpenFolder(QFileInfo(files.front()).absolutePath());
     Workspace::Paths paths;
+    bool anyProject = false;
     for (const QString& file : files) {
-        paths.emplace_back(file.toStdU16String());
+        paths.emplace_back(pathOf(file));
+        anyProject = anyProject || isProjectFile(paths.back());
     }
-    workspace_.open(std::move(paths));
+    if (!anyProject) {
+        workspace_.open(std::move(paths));
+    } else if (files.size() == 1) {
+        project_->open(files.front());
+    } else {
+        emit failed(
+            tr("A project is opened by itself: choose one project, or the meshes of one "
+               "garment."));
+    }
 }
 
 void GarmentActions::askAndReadSeams() {
@@ -133,24 +204,24 @@ void GarmentActions::askAndReadSeams() {
     if (path.isEmpty()) {
         return;
     }
-    const auto read = workspace_.readSeams(path.toStdU16String());
+    const auto read = workspace_.readSeams(pathOf(path));
     if (!read) {
-        emit failed(QString::fromStdString(sentence(read.error())));
+        emit failed(errorText(read.error()));
     }
 }
 
 void GarmentActions::askAndWriteSeams() {
     const auto& source = workspace_.document().garment()->files.front()->path;
-    const QFileInfo first(QString::fromStdU16String(source.u16string()));
+    const QFileInfo first(textOf(source));
     const QString path = dialogs_.save(
         &window_, QString("%1/%2.seams.json").arg(first.absolutePath(), first.completeBaseName()),
         tr("Seams files (*.json)"));
     if (path.isEmpty()) {
         return;
     }
-    const auto written = workspace_.writeSeams(path.toStdU16String());
+    const auto written = workspace_.writeSeams(pathOf(path));
     if (!written) {
-        emit failed(QString::fromStdString(sentence(written.error())));
+        emit failed(errorText(written.error()));
     }
 }
 
@@ -159,7 +230,7 @@ void GarmentActions::askAndExport(const QString& suffix, const QString& filter) 
         return;
     }
     const auto& source = workspace_.document().garment()->files.front()->path;
-    const QFileInfo first(QString::fromStdU16String(source.u16string()));
+    const QFileInfo first(textOf(source));
     const QString remembered = preferences_.exportFolder();
     const QString folder = remembered.isEmpty() ? first.absolutePath() : remembered;
     // "-pattern" keeps an OBJ export from proposing to replace the garment itself.
@@ -172,7 +243,7 @@ void GarmentActions::askAndExport(const QString& suffix, const QString& filter) 
         path += '.' + suffix;
     }
     preferences_.setExportFolder(QFileInfo(path).absolutePath());
-    workspace_.exportTo(path.toStdU16String());
+    workspace_.exportTo(pathOf(path));
 }
 
 void GarmentActions::onChanged(DocumentChanges what) {
@@ -183,6 +254,12 @@ void GarmentActions::onChanged(DocumentChanges what) {
         }
         actions_[ActionId::Wireframe].setChecked(document.view().wireframe);
         actions_[ActionId::DesignerOutline].setChecked(document.view().designerOutline);
+        actions_[ActionId::ValuesPerTriangle].setChecked(document.view().valuesPerTriangle);
+        actions_[ActionId::WorstSpots].setChecked(document.view().worstSpots);
+        actions_[ActionId::ShowSeams].setChecked(document.view().seams);
+        actions_[ActionId::Xray].setChecked(document.view().xray);
+        actions_[ActionId::Shaded].setChecked(document.view().shaded);
+        actions_[ActionId::PieceColours].setChecked(document.view().pieceColours);
     }
     if (what.testFlag(DocumentChange::Options)) {
         const FlattenOptions& options = document.options();
@@ -204,11 +281,23 @@ void GarmentActions::updateEnabled() {
     const bool open = document.garment() != nullptr;
     const bool constrained = traits(document.options().method).solvesBoundary;
     for (const ActionId id :
-         {ActionId::SelectAll, ActionId::SelectNone, ActionId::Frame, ActionId::FlattenAgain,
-          ActionId::Wireframe, ActionId::GoToPieces, ActionId::GoToSeams, ActionId::GoToMessages}) {
+         {ActionId::SelectAll, ActionId::SelectNone, ActionId::Frame, ActionId::ToolSelect,
+          ActionId::ToolCut, ActionId::ToolLoop, ActionId::ToolDart, ActionId::ToolJoin,
+          ActionId::ToolMeasure, ActionId::FlattenAgain, ActionId::Wireframe, ActionId::GoToPieces,
+          ActionId::GoToSeams, ActionId::GoToProblems, ActionId::ReadyToCut, ActionId::GoToHistory,
+          ActionId::CompareMethods}) {
         actions_[id].setEnabled(open);
     }
     for (const auto& [id, overlay] : kOverlays) {
+        actions_[id].setEnabled(open);
+    }
+    const bool measured = open && isMeasured(document.view().overlay);
+    actions_[ActionId::ValuesPerTriangle].setEnabled(measured);
+    actions_[ActionId::WorstSpots].setEnabled(measured);
+    for (const ActionId id :
+         {ActionId::ShowSeams, ActionId::Xray, ActionId::Shaded, ActionId::PieceColours,
+          ActionId::LookFront, ActionId::LookBack, ActionId::LookRight, ActionId::LookLeft,
+          ActionId::LookTop, ActionId::LookBottom, ActionId::Orthographic, ActionId::PlayMorph}) {
         actions_[id].setEnabled(open);
     }
     for (const ActionId id :
@@ -228,7 +317,8 @@ void GarmentActions::updateEnabled() {
     // A free outline has no boundary problem to solve.
     actions_[ActionId::SolverNewton].setEnabled(constrained);
     actions_[ActionId::SolverSlcp].setEnabled(constrained);
-    actions_[ActionId::Cancel].setEnabled(workspace_.jobs().isBusy());
+    actions_[ActionId::Cancel].setEnabled(workspace_.jobs().isBusy() ||
+                                          workspace_.writing().isBusy());
 }
 
 }  // namespace toile

@@ -10,6 +10,7 @@
 namespace toile {
 
 class Preferences;
+class ProjectActions;
 class Workspace;
 
 /// What the actions do to the garment: asks where it must, hands the wish to the workspace, and
@@ -23,7 +24,11 @@ public:
                    QWidget& window);
 
     void setFileDialogs(FileDialogs dialogs) { dialogs_ = std::move(dialogs); }
-    /// Opens what the person has chosen or dropped, and remembers the folder.
+    FileDialogs& fileDialogs() { return dialogs_; }
+    /// Saving and projects.
+    ProjectActions& project() { return *project_; }
+    /// Opens what the person has chosen or dropped, a project or meshes, and remembers the folder.
+    /// Asks first where changes would be lost.
     void openFiles(const QStringList& files);
 
 signals:
@@ -32,11 +37,14 @@ signals:
 
 private:
     void connectFiles();
+    void connectHistory();
+    void updateHistory();
     void connectSelection();
     void connectView();
     void connectFlattening();
     void connectSeams();
     void askAndOpen();
+    void openNow(const QStringList& files);
     void askAndReadSeams();
     void askAndWriteSeams();
     void askAndExport(const QString& suffix, const QString& filter);
@@ -48,6 +56,7 @@ private:
     Preferences& preferences_;
     QWidget& window_;
     FileDialogs dialogs_ = FileDialogs::native();
+    ProjectActions* project_;
 };
 
 }  // namespace toile

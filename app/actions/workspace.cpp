@@ -4,187 +4,277 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/base/path_text.h"
 #include "app/jobs/export_job.h"
-#include "app/jobs/flatten_job.h"
 #include "app/jobs/import_job.h"
-#include "core/base/file.h"
 
 namespace toile {
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
     connect(&document_, &Document::changed, this, &Workspace::onChanged);
-    connect(&jobs_, &JobRunner::failed, this, &Workspace::onOver);
-    connect(&jobs_, &JobRunner::cancelled, this, &Workspace::onOver);
+    connect(&document_.history(), &QUndoStack::indexChanged, this, [this] { opening_.noteEdit(); });
+    // A job that makes room for another says nothing about what is asked for now.
+    connect(&jobs_, &JobRunner::failed, this,
+            [this](const QString&, const QString&, bool replaced) {
+                if (!replaced) {
+                    onFailed();
+                }
+            });
+    connect(&jobs_, &JobRunner::cancelled, this, [this](const QString&, bool replaced) {
+        if (!replaced) {
+            onCancelled();
+        }
+    });
+    connect(&writing_, &JobRunner::failed, this, [this] { afterWriting_ = {}; });
+    connect(&writing_, &JobRunner::idle, this, [this] {
+        if (const auto next = std::exchange(afterWriting_, {})) {
+            next();
+        }
+    });
 }
 
 Workspace::~Workspace() {
+    shutdown();
+}
+
+void Workspace::shutdown() {
     jobs_.shutdown();
+    writing_.finish();
+}
+
+void Workspace::cancel() {
+    if (!jobs_.isBusy()) {
+        writing_.cancel();
+        return;
+    }
+    jobs_.cancel();
+    // The job says so when it has stopped; what is asked for until then is not cancelled with it.
+    if (!isChanging()) {
+        upkeep_.onCancelled();
+    } else if (!jobs_.isUnderWay(change_)) {
+        stopChanging();
+    }
+}
+
+void Workspace::begin(std::unique_ptr<Job> job) {
+    upkeep_.giveWay();
+    change_ = jobs_.replace(std::move(job));
 }
 
 void Workspace::open(Paths files) {
     if (files.empty()) {
         return;
     }
-    if (!requested_.empty() && files != requested_) {
-        loading_.unit.reset();
-        loading_.up.reset();
-        loading_.seams = {};
-        if (loading_.split == SplitMode::Seams) {
-            loading_.split = SplitMode::Auto;
-        }
+    const bool another = opening_.isActive() && !opening_.files();
+    const Paths before = opening_.files() ? opening_.files()->paths : openPaths();
+    // What was wished for while another is read was about that.
+    Opening::Files coming{std::move(files), another ? document_.loading() : loading()};
+    if (!before.empty() && coming.paths != before) {
+        coming.loading.unit.reset();
+        coming.loading.up.reset();
+        coming.loading.seams = {};
+        divideByWhatIsThere(coming.loading);
     }
-    requested_ = std::move(files);
-    read();
+    wishes_.clear();
+    opening_.begin(std::move(coming));
+    startOpening();
 }
 
-void Workspace::reload() {
-    read();
-}
-
-void Workspace::read() {
+void Workspace::startOpening() {
     emit loadingChanged();
-    if (!requested_.empty()) {
-        importing_ = true;
-        jobs_.replace(std::make_unique<ImportJob>(document_, requested_, loading_));
+    const Opening::Files& files = *opening_.files();
+    begin(std::make_unique<ImportJob>(
+        files.paths, files.loading, std::nullopt,
+        [this](std::shared_ptr<const Garment> garment, std::shared_ptr<const Scene> scene,
+               const std::vector<CarriedFrom>&) {
+            // Another garment is not cut from the same cloth for having been opened later.
+            const bool again = opening_.files()->paths == openPaths();
+            arrived([this, again, loading = opening_.files()->loading, garment = std::move(garment),
+                     scene = std::move(scene)] {
+                DocumentState next;
+                next.loading = loading;
+                next.options = document_.options();
+                if (again || !document_.garment()) {
+                    next.fabric = document_.fabric();
+                }
+                next.garment = garment;
+                next.scene = scene;
+                document_.open(std::move(next));
+            });
+        }));
+}
+
+void Workspace::openBy(std::unique_ptr<Job> reading) {
+    wishes_.clear();
+    opening_.begin();
+    emit loadingChanged();
+    begin(std::move(reading));
+}
+
+void Workspace::arrived(std::function<void()> open) {
+    // What was asked for meanwhile is about what comes.
+    const Opening::Next next = opening_.arrive(
+        [this, open = std::move(open), wishes = std::exchange(wishes_, {})]() mutable {
+            jobs_.drop(change_);  // of a wish for the garment that goes
+            wishes_ = std::exchange(wishes, {});
+            open();
+            follow();
+        });
+    emit loadingChanged();
+    next();
+    follow();  // where it was not opened: the reading took the place of this
+}
+
+void Workspace::notOpened() {
+    stopChanging();
+    follow();
+}
+
+void Workspace::stopChanging() {
+    if (isChanging()) {
+        opening_.stop();
+        wishes_.clear();
+        emit loadingChanged();
     }
 }
 
-void Workspace::setLoading(LoadOptions loading) {
-    loading_ = std::move(loading);
-    read();
-}
-
-template <class Value>
-void Workspace::change(Value LoadOptions::*field, const Value& value) {
-    if (loading_.*field != value) {
-        loading_.*field = value;
-        read();
-    }
-}
-
-void Workspace::setUnit(std::optional<LengthUnit> unit) {
-    change(&LoadOptions::unit, unit);
-}
-
-void Workspace::setUpAxis(std::optional<UpAxis> up) {
-    change(&LoadOptions::up, up);
-}
-
-void Workspace::setSplit(SplitMode split) {
-    change(&LoadOptions::split, split);
-}
-
-void Workspace::setAutoCut(bool on) {
-    change(&LoadOptions::autoCut, on);
-}
-
-void Workspace::setWeld(bool on) {
-    change(&LoadOptions::weld, on);
-}
-
-Result<void> Workspace::readSeams(const std::filesystem::path& path) {
-    auto seams = readSeamsFile(path);
-    if (!seams) {
-        return seams.error();
-    }
-    loading_.seams = std::move(*seams);
-    read();
-    return {};
-}
-
-Result<void> Workspace::writeSeams(const std::filesystem::path& path) const {
-    return writeFile(path, writeSeamsFile(loading_.seams));
-}
-
-void Workspace::removeCut(const std::string& name) {
-    std::vector<UserCut>& cuts = loading_.seams.cuts;
-    const auto cut = std::ranges::find(cuts, name, &UserCut::name);
-    if (cut == cuts.end()) {
+void Workspace::follow() {
+    if (opening_.isActive() || jobs_.isUnderWay(change_)) {
         return;
     }
-    cuts.erase(cut);
-    if (cuts.empty() && loading_.split == SplitMode::Seams) {
-        loading_.split = SplitMode::Auto;
-    }
-    read();
+    wishes_.empty() ? upkeep_.catchUp() : grantWish();
 }
 
-void Workspace::setEase(int seam, std::optional<double> ease) {
-    const std::string name = document_.garment()->seams.seams[static_cast<std::size_t>(seam)].name;
-    const auto note = [&](LoadOptions& options) {
-        if (ease) {
-            options.seams.ease[name] = *ease;
-        } else {
-            options.seams.ease.erase(name);
-        }
-    };
-    note(loaded_);
-    document_.setSeamEase(seam, ease);
-    if (requested_ == openPaths()) {
-        note(loading_);
-        if (importing_) {
-            read();  // the reading under way does not know of it
-        }
+void Workspace::onChanged(DocumentChanges what) {
+    if (what.testFlag(DocumentChange::Loading)) {
+        emit loadingChanged();
     }
+    constexpr DocumentChanges kWork = DocumentChange::Opened | DocumentChange::Garment |
+                                      DocumentChange::Seams | DocumentChange::Options |
+                                      DocumentChange::Results;
+    if (what & kWork) {
+        upkeep_.note(what);
+    }
+    if (opening_.isActive()) {
+        return;  // what comes is flattened then
+    }
+    if (!wishes_.empty()) {
+        if ((what & (kWork | DocumentChange::Loading)) && jobs_.isUnderWay(change_)) {
+            grantWish();  // what is on its way was begun with another state
+        }
+    } else if (what & kWork) {
+        upkeep_.catchUp();
+    }
+}
+
+void Workspace::onCancelled() {
+    if (!isChanging()) {
+        upkeep_.onCancelled();
+    } else if (!jobs_.isUnderWay(change_)) {
+        stopChanging();
+        follow();  // what this had taken the place of
+    }
+}
+
+void Workspace::onFailed() {
+    if (!isChanging()) {
+        upkeep_.onFailed();
+    } else if (!jobs_.isUnderWay(change_)) {
+        stopChanging();
+        follow();
+    }
+}
+
+bool Workspace::canUndo() const {
+    return !wishes_.empty() || document_.history().canUndo();
+}
+
+bool Workspace::canRedo() const {
+    return wishes_.empty() && document_.history().canRedo();
+}
+
+QString Workspace::undoText() const {
+    return wishes_.empty() ? document_.history().undoText() : wishes_.back().text;
+}
+
+void Workspace::undo() {
+    if (wishes_.empty()) {
+        document_.history().undo();
+        return;
+    }
+    wishes_.pop_back();
+    if (wishes_.empty() && !opening_.isActive()) {
+        jobs_.drop(change_);  // it was on its way
+    }
+    emit loadingChanged();
+    follow();
+}
+
+void Workspace::redo() {
+    if (wishes_.empty()) {
+        document_.history().redo();
+    }
+}
+
+void Workspace::changeOptions(const QString& text, const FlattenOptions& options) {
+    if (!document_.garment()) {
+        document_.setOptions(options);
+        return;
+    }
+    DocumentState next = document_.state();
+    next.options = options;
+    document_.edit(text, std::move(next));
 }
 
 void Workspace::setMethod(Method method) {
     FlattenOptions options = document_.options();
     options.method = method;
-    document_.setOptions(options);
+    changeOptions(tr("Method"), options);
 }
 
 void Workspace::setQuality(Quality quality) {
     FlattenOptions options = document_.options();
     options.quality = quality;
-    document_.setOptions(options);
+    changeOptions(tr("Quality"), options);
 }
 
 void Workspace::setBoundarySolver(BoundarySolver solver) {
     FlattenOptions options = document_.options();
     options.boundarySolver = solver;
-    document_.setOptions(options);
+    changeOptions(tr("Boundary solver"), options);
 }
 
 void Workspace::flattenAgain() {
-    // While a garment is being read, flattening follows by itself.
-    if (document_.garment() && !importing_) {
-        jobs_.replace(std::make_unique<FlattenJob>(document_));
+    if (document_.garment() && !isChanging()) {
+        upkeep_.want();
+        upkeep_.catchUp();
+    }
+}
+
+void Workspace::setAutoFlatten(bool on) {
+    upkeep_.setAutomatic(on);
+    if (!isChanging()) {
+        upkeep_.catchUp();
     }
 }
 
 bool Workspace::canExport() const {
-    return !document_.results().empty();
+    const PieceResults& results = document_.results();
+    return !results.empty() && std::ranges::find(results, nullptr) == results.end();
 }
 
 void Workspace::exportTo(const std::filesystem::path& path) {
     Q_ASSERT(canExport());
-    jobs_.start(
-        std::make_unique<ExportJob>(document_, path, [this](const std::filesystem::path& written) {
-            emit exported(QString::fromStdU16String(written.u16string()));
-        }));
+    writing_.start(std::make_unique<ExportJob>(
+        document_, path,
+        [this](const std::filesystem::path& written) { emit exported(textOf(written)); }));
 }
 
-void Workspace::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Garment)) {
-        importing_ = false;
-        loaded_ = loading_;
-    }
-    if (what & (DocumentChange::Garment | DocumentChange::Options)) {
-        flattenAgain();
-    }
-}
-
-void Workspace::onOver() {
-    // A job that makes room for a reading says nothing about the reading.
-    if (jobs_.hasWaiting() || !std::exchange(importing_, false)) {
-        return;
-    }
-    requested_ = openPaths();
-    if (document_.garment()) {
-        // What was asked for did not come: the garment is still as it was read.
-        loading_ = loaded_;
-        emit loadingChanged();
+void Workspace::whenWritten(std::function<void()> then) {
+    if (writing_.isBusy()) {
+        afterWriting_ = std::move(then);
+    } else {
+        then();
     }
 }
 

@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command_line.h"
+#include "app/document/view_words.h"
 #include "core/base/version.h"
+#include "core/flatten/option_words.h"
+#include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
 
 namespace toile {
@@ -20,28 +22,28 @@ namespace {
 struct Typed {
     std::vector<std::string> inputs, windowFiles, outputs, methods;
     std::string unit, up, split = "auto", seams, method{name(FlattenOptions{}.method)}, report,
-                          screenshot, overlay = "checker", panel;
+                          screenshot, overlay, panel, views = "both", size, look, picture, fabric;
+    std::string seamsShown = "on", bar;
     std::string solver = "newton", quality = "standard", freeBoundary = "pinned",
                 stretchOutline = "circle";
 };
 
-const std::map<std::string, Overlay> kOverlays = {{"none", Overlay::None},
-                                                  {"checker", Overlay::Checker},
-                                                  {"area", Overlay::Area},
-                                                  {"angle", Overlay::Angle},
-                                                  {"strain", Overlay::Strain}};
+constexpr Word<ViewsShown> kViewWords[] = {
+    {ViewsShown::Garment, "garment"}, {ViewsShown::Pattern, "pattern"}, {ViewsShown::Both, "both"}};
 
-const std::map<std::string, Panel> kPanels = {
-    {"pieces", Panel::Pieces}, {"seams", Panel::Seams}, {"messages", Panel::Messages}};
+constexpr Word<Panel> kPanelWords[] = {{Panel::Pieces, "pieces"},
+                                       {Panel::Seams, "seams"},
+                                       {Panel::ProblemList, "problems"},
+                                       {Panel::History, "history"}};
 
-const std::map<std::string, Quality> kQualities = {
-    {"draft", Quality::Draft}, {"standard", Quality::Standard}, {"fine", Quality::Fine}};
-
-const std::map<std::string, FreeBoundary> kFreeBoundaries = {{"pinned", FreeBoundary::Pinned},
-                                                             {"spectral", FreeBoundary::Spectral}};
-
-const std::map<std::string, StretchOutline> kStretchOutlines = {
-    {"circle", StretchOutline::Circle}, {"curvature", StretchOutline::Curvature}};
+template <class Value, std::size_t n>
+std::vector<std::string> namesOf(const Word<Value> (&words)[n]) {
+    std::vector<std::string> names;
+    for (const auto& [value, word] : words) {
+        names.emplace_back(word);
+    }
+    return names;
+}
 
 /// One of these words; the help lists them as the option's type already.
 template <class Words>
@@ -51,8 +53,20 @@ CLI::Validator oneOf(const Words& words) {
     return member;
 }
 
+std::string alternatives(const std::vector<std::string>& words) {
+    return CLI::detail::join(words, "|");
+}
+
 CLI::Validator oneOf(std::initializer_list<std::string> words) {
     return oneOf(std::vector<std::string>(words));
+}
+
+void addInputs(CLI::App& command, Typed& typed) {
+    command
+        .add_option("INPUT", typed.inputs,
+                    "Garment mesh: .obj, .off, .ply or .stl; or a project: .toile")
+        ->required()
+        ->type_name("FILE...");
 }
 
 /// How files are read, divided and cut: the commands and the window alike.
@@ -68,9 +82,10 @@ void addReading(CLI::App& command, Typed& typed, LoadOptions& load) {
         ->type_name("y|z")
         ->check(oneOf({"y", "z"}));
     command
-        .add_option("--seams", typed.seams,
-                    "Cut the garment along the lines of this file, and take the ease of its seams "
-                    "from it (docs/seams.md)")
+        .add_option(
+            "--seams", typed.seams,
+            "Cut and join the garment along the lines of this file, and take the ease of its "
+            "seams from it (docs/seams.md)")
         ->type_name("FILE.json");
     command.add_flag("--auto-cut", load.autoCut, "Cut open whatever cannot lie flat as it is");
     command.add_flag("--weld", load.weld, "Join vertices that lie on each other");
@@ -98,20 +113,20 @@ void addMethodOptions(CLI::App& command, Typed& typed, FlattenOptions& options) 
     command
         .add_option("--quality", typed.quality,
                     "How much time isometric takes for how little distortion")
-        ->type_name("draft|standard|fine")
-        ->check(oneOf(kQualities))
+        ->type_name(alternatives(namesOf(kQualityWords)))
+        ->check(oneOf(namesOf(kQualityWords)))
         ->capture_default_str();
     command
         .add_option("--free-boundary", typed.freeBoundary,
                     "How natural holds its outline: two vertices pinned, or none")
-        ->type_name("pinned|spectral")
-        ->check(oneOf(kFreeBoundaries))
+        ->type_name(alternatives(namesOf(kFreeBoundaryWords)))
+        ->check(oneOf(namesOf(kFreeBoundaryWords)))
         ->capture_default_str();
     command
         .add_option("--stretch-outline", typed.stretchOutline,
                     "Outline in which stretch works: a circle as published, or that of curvature")
-        ->type_name("circle|curvature")
-        ->check(oneOf(kStretchOutlines))
+        ->type_name(alternatives(namesOf(kStretchOutlineWords)))
+        ->check(oneOf(namesOf(kStretchOutlineWords)))
         ->capture_default_str();
     command
         .add_option("--authalic", options.authalic,
@@ -124,16 +139,14 @@ void addMethodOptions(CLI::App& command, Typed& typed, FlattenOptions& options) 
 void addMethod(CLI::App& command, Typed& typed) {
     const std::vector<std::string> names = methodNames();
     command.add_option("--method", typed.method, "Flattening method")
-        ->type_name(CLI::detail::join(names, "|"))
+        ->type_name(alternatives(names))
         ->check(oneOf(names))
         ->capture_default_str();
 }
 
 CLI::App* addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App* flatten = app.add_subcommand("flatten", "Flatten every piece of a garment");
-    flatten->add_option("INPUT", typed.inputs, "Garment mesh: .obj, .off, .ply or .stl")
-        ->required()
-        ->type_name("FILE...");
+    addInputs(*flatten, typed);
     flatten
         ->add_option("-o,--output", typed.outputs,
                      "File to write, by its ending: .svg, .dxf, .obj (input with the pattern as "
@@ -154,9 +167,7 @@ CLI::App* addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
 CLI::App* addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App* compare =
         app.add_subcommand("compare", "Flatten a garment by several methods and compare them");
-    compare->add_option("INPUT", typed.inputs, "Garment mesh: .obj, .off, .ply or .stl")
-        ->required()
-        ->type_name("FILE...");
+    addInputs(*compare, typed);
     const std::vector<std::string> names = methodNames();
     compare->add_option("--methods", typed.methods, "Methods to compare; all where none is named")
         ->type_name(CLI::detail::join(names, ","))
@@ -171,11 +182,78 @@ CLI::App* addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
     return compare;
 }
 
+void addOverlay(CLI::App& command, Typed& typed, const std::string& help) {
+    command.add_option("--overlay", typed.overlay, help)
+        ->type_name(alternatives(namesOf(kOverlayWords)))
+        ->check(oneOf(namesOf(kOverlayWords)));
+}
+
+CLI::App* addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
+    CLI::App* render =
+        app.add_subcommand("render", "Draw a garment and its pattern as the window shows them");
+    addInputs(*render, typed);
+    render->add_option("-o,--output", typed.picture, "Picture to write")
+        ->required()
+        ->type_name("FILE.png");
+    render->add_option("--view", typed.views, "What to draw; both lie side by side")
+        ->type_name(alternatives(namesOf(kViewWords)))
+        ->check(oneOf(namesOf(kViewWords)))
+        ->capture_default_str();
+    addOverlay(*render, typed,
+               "What is painted on the cloth [what the project says, else checker]");
+    render->add_option("--size", typed.size, "Width and height in pixels [1600x800]")
+        ->type_name("WxH");
+    render
+        ->add_option("--look", typed.look,
+                     "From where the garment is seen, a side or degrees around and upwards")
+        ->type_name("front|back|left|right|top|bottom|YAW,PITCH");
+    render
+        ->add_option("--morph", arguments.picture.morph,
+                     "The garment on its way to the pattern: 0 as it is worn, 1 flat")
+        ->type_name("SHARE")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    render->add_flag("--wireframe", arguments.picture.wireframe, "Draw the mesh's edges");
+    render->add_flag("--xray", arguments.picture.xray, "Let cloth show what is behind it");
+    render->add_option("--seams-shown", typed.seamsShown, "Seam lines, each pair in one colour")
+        ->type_name("on|off")
+        ->check(oneOf({"on", "off"}))
+        ->capture_default_str();
+    render
+        ->add_option("--bar", typed.bar, "The colour bar below [on where the overlay is measured]")
+        ->type_name("on|off")
+        ->check(oneOf({"on", "off"}));
+    render->add_flag("--dark", arguments.picture.dark, "On a dark ground");
+    addMethod(*render, typed);
+    addMethodOptions(*render, typed, arguments.options);
+    addReading(*render, typed, arguments.load);
+    return render;
+}
+
+CLI::App* addCheck(CLI::App& app, Typed& typed, Arguments& arguments) {
+    CLI::App* check =
+        app.add_subcommand("check", "Flatten a garment and tell whether it is ready to cut");
+    addInputs(*check, typed);
+    std::vector<std::string> fabrics;
+    for (const Fabric& fabric : fabricPresets()) {
+        fabrics.push_back(fabric.id);
+    }
+    check
+        ->add_option("--fabric", typed.fabric,
+                     "What the garment is cut from: " + fabrics.front() +
+                         " where neither this nor a project says so")
+        ->type_name(alternatives(fabrics))
+        ->check(oneOf(fabrics));
+    addMethod(*check, typed);
+    addMethodOptions(*check, typed, arguments.options);
+    addReading(*check, typed, arguments.load);
+    check->add_flag("--json", arguments.json, "Print as JSON");
+    return check;
+}
+
 CLI::App* addInfo(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App* info = app.add_subcommand("info", "Tell what a garment file holds");
-    info->add_option("INPUT", typed.inputs, "Garment mesh: .obj, .off, .ply or .stl")
-        ->required()
-        ->type_name("FILE...");
+    addInputs(*info, typed);
     addReading(*info, typed, arguments.load);
     info->add_flag("--json", arguments.json, "Print as JSON");
     return info;
@@ -206,6 +284,30 @@ Arguments wrongUsage(const std::string& what) {
     return message("toile: " + what + "; see toile --help.\n", kExitUsage);
 }
 
+/// @return what is wrong, or nothing
+std::string readPicture(const Typed& typed, Arguments& arguments) {
+    PictureArguments& picture = arguments.picture;
+    picture.views = *parseWord(kViewWords, typed.views);
+    picture.seams = typed.seamsShown == "on";
+    if (!typed.bar.empty()) {
+        picture.bar = typed.bar == "on";
+    }
+    if (std::isnan(picture.morph)) {  // which is neither below nor above a limit
+        return "--morph must be a number from 0 to 1";
+    }
+    for (const std::string& wrong :
+         {readPictureSize(typed.size, picture), readPictureLook(typed.look, picture)}) {
+        if (!wrong.empty()) {
+            return wrong;
+        }
+    }
+    const std::filesystem::path& output = arguments.outputs.front();
+    if (output.extension() != ".png" && output.extension() != ".PNG") {
+        return "the picture's name must end in .png, not \"" + output.string() + "\"";
+    }
+    return {};
+}
+
 /// A mistyped output must not cost the user the garment.
 const std::filesystem::path* overwrittenInput(const Arguments& arguments) {
     std::vector<std::filesystem::path> inputs = arguments.inputs;
@@ -223,6 +325,20 @@ const std::filesystem::path* overwrittenInput(const Arguments& arguments) {
     return nullptr;
 }
 
+/// @param options  as parsed, those included that were not typed
+StatedOptions statedOptions(const CLI::App& command, const FlattenOptions& options) {
+    const auto ifTyped = [&command](const char* option, auto value) {
+        const CLI::Option* known = command.get_option_no_throw(option);
+        return known && known->count() > 0 ? std::optional(value) : std::nullopt;
+    };
+    return {ifTyped("--method", options.method),
+            ifTyped("--quality", options.quality),
+            ifTyped("--boundary-solver", options.boundarySolver),
+            ifTyped("--free-boundary", options.freeBoundary),
+            ifTyped("--stretch-outline", options.stretchOutline),
+            ifTyped("--authalic", options.authalic)};
+}
+
 /// CLI11's own wording for help, version and usage errors.
 Arguments fromParseError(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream out;
@@ -236,6 +352,16 @@ Arguments fromParseError(const CLI::App& app, const CLI::ParseError& error) {
 
 }  // namespace
 
+FlattenOptions StatedOptions::over(FlattenOptions options) const {
+    options.method = method.value_or(options.method);
+    options.quality = quality.value_or(options.quality);
+    options.boundarySolver = boundarySolver.value_or(options.boundarySolver);
+    options.freeBoundary = freeBoundary.value_or(options.freeBoundary);
+    options.stretchOutline = stretchOutline.value_or(options.stretchOutline);
+    options.authalic = authalic.value_or(options.authalic);
+    return options;
+}
+
 Arguments parseArguments(int argc, const char* const* argv) {
     CLI::App app{
         "Toile: sewing patterns from 3D garments.\n"
@@ -243,28 +369,29 @@ Arguments parseArguments(int argc, const char* const* argv) {
     app.name("toile");
     app.set_version_flag("--version", "toile " + std::string(version()));
     app.footer(
-        "\nExit status: 0 all pieces done, 1 some piece failed (the rest is written),\n"
-        "2 wrong usage, 3 a file cannot be read or written.");
+        "\nExit status: 0 all pieces done, 1 some piece failed (the rest is written)\n"
+        "or check found faults, 2 wrong usage, 3 a file cannot be read or written.");
     app.require_subcommand(0, 1);
 
     Typed typed;
     Arguments arguments;
     const CLI::App* flatten = addFlatten(app, typed, arguments);
     const CLI::App* compare = addCompare(app, typed, arguments);
+    const CLI::App* check = addCheck(app, typed, arguments);
     const CLI::App* info = addInfo(app, typed, arguments);
+    const CLI::App* render = addRender(app, typed, arguments);
     // A window's files stand where a command could: `toile dress.obj`.
-    app.add_option("FILE", typed.windowFiles, "Garment to open in the window")
+    app.add_option("FILE", typed.windowFiles, "Garment or project to open in the window")
         ->type_name("FILE...");
     app.add_option("--screenshot", typed.screenshot,
                    "Open the window, save a picture of it as PNG and end")
         ->type_name("FILE.png");
-    app.add_option("--overlay", typed.overlay, "What the window paints on the cloth at first")
-        ->type_name("none|checker|area|angle|strain")
-        ->check(oneOf(kOverlays))
-        ->capture_default_str();
+    addOverlay(
+        app, typed,
+        "What the window paints on the cloth at first [what the project says, else checker]");
     app.add_option("--panel", typed.panel, "The list that the window shows in front at first")
-        ->type_name("pieces|seams|messages")
-        ->check(oneOf(kPanels));
+        ->type_name(alternatives(namesOf(kPanelWords)))
+        ->check(oneOf(namesOf(kPanelWords)));
     addMethod(app, typed);
     addMethodOptions(app, typed, arguments.options);
     addReading(app, typed, arguments.load);
@@ -276,7 +403,9 @@ Arguments parseArguments(int argc, const char* const* argv) {
 
     arguments.command = flatten->parsed()   ? Arguments::Command::Flatten
                         : compare->parsed() ? Arguments::Command::Compare
+                        : check->parsed()   ? Arguments::Command::Check
                         : info->parsed()    ? Arguments::Command::Info
+                        : render->parsed()  ? Arguments::Command::Render
                                             : Arguments::Command::Window;
     if (arguments.command != Arguments::Command::Window && !typed.windowFiles.empty()) {
         return wrongUsage("\"" + typed.windowFiles.front() + "\" stands before the command");
@@ -285,10 +414,14 @@ Arguments parseArguments(int argc, const char* const* argv) {
         arguments.command == Arguments::Command::Window ? typed.windowFiles : typed.inputs;
     arguments.inputs.assign(inputs.begin(), inputs.end());
     arguments.outputs.assign(typed.outputs.begin(), typed.outputs.end());
+    if (arguments.command == Arguments::Command::Render) {
+        arguments.outputs.emplace_back(typed.picture);
+    }
     arguments.screenshot = typed.screenshot;
-    arguments.overlay = kOverlays.at(typed.overlay);
-    if (!typed.panel.empty()) {
-        arguments.panel = kPanels.at(typed.panel);
+    arguments.overlay = parseWord(kOverlayWords, typed.overlay);
+    arguments.panel = parseWord(kPanelWords, typed.panel);
+    if (const Fabric* fabric = fabricPreset(typed.fabric)) {
+        arguments.fabric = *fabric;
     }
     arguments.load.unit = parseLengthUnit(typed.unit);
     arguments.load.up = parseUpAxis(typed.up);
@@ -303,9 +436,11 @@ Arguments parseArguments(int argc, const char* const* argv) {
     if (std::isnan(arguments.options.authalic)) {  // which is neither below nor above a limit
         return wrongUsage("--authalic must be a number from 0 to 1");
     }
-    arguments.options.quality = kQualities.at(typed.quality);
-    arguments.options.freeBoundary = kFreeBoundaries.at(typed.freeBoundary);
-    arguments.options.stretchOutline = kStretchOutlines.at(typed.stretchOutline);
+    arguments.options.quality = *parseWord(kQualityWords, typed.quality);
+    arguments.options.freeBoundary = *parseWord(kFreeBoundaryWords, typed.freeBoundary);
+    arguments.options.stretchOutline = *parseWord(kStretchOutlineWords, typed.stretchOutline);
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    arguments.stated = statedOptions(chosen.empty() ? app : *chosen.front(), arguments.options);
     arguments.methods = methodsOf(typed);
     if (!typed.report.empty()) {
         if (!typed.report.ends_with(".json") && !typed.report.ends_with(".JSON")) {
@@ -313,8 +448,13 @@ Arguments parseArguments(int argc, const char* const* argv) {
         }
         arguments.outputs.emplace_back(typed.report);
     }
+    if (arguments.command == Arguments::Command::Render) {
+        if (const std::string wrong = readPicture(typed, arguments); !wrong.empty()) {
+            return wrongUsage(wrong);
+        }
+    }
     for (const auto& output : arguments.outputs) {
-        if (!canExport(output)) {
+        if (arguments.command != Arguments::Command::Render && !canExport(output)) {
             return wrongUsage("\"" + output.string() +
                               "\" has an ending that Toile does not write; use .svg, .dxf, .obj or "
                               ".json");

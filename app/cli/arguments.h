@@ -6,10 +6,28 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/picture_arguments.h"
 #include "app/document/view_state.h"
+#include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
+#include "core/project/project.h"
 
 namespace toile {
+
+/// What was typed of how pieces are flattened; nothing where it was not.
+struct StatedOptions {
+    std::optional<Method> method{};
+    std::optional<Quality> quality{};
+    std::optional<BoundarySolver> boundarySolver{};
+    std::optional<FreeBoundary> freeBoundary{};
+    std::optional<StretchOutline> stretchOutline{};
+    std::optional<double> authalic{};
+
+    /// These options where something was typed, the given ones else.
+    FlattenOptions over(FlattenOptions options) const;
+
+    bool operator==(const StatedOptions&) const = default;
+};
 
 /// What the user typed, parsed and checked.
 struct Arguments {
@@ -17,7 +35,9 @@ struct Arguments {
         Window,  ///< no command, perhaps files: open the window
         Flatten,
         Compare,
+        Check,
         Info,
+        Render,
         Message,  ///< help, version or a usage error: print `message` and end with `status`
     };
 
@@ -26,15 +46,19 @@ struct Arguments {
     std::vector<std::filesystem::path> outputs;
     LoadOptions load;  ///< but for the seams file, which the command reads
     std::filesystem::path seams;
-    bool json = false;      ///< info, compare: as JSON
-    bool markdown = false;  ///< compare: as Markdown
-    bool perPiece = false;  ///< compare: a table per piece too
-    bool ledger = false;    ///< flatten: print the seams
-    FlattenOptions options;
-    std::vector<Method> methods;         ///< compare: each once, in the order typed
-    std::filesystem::path screenshot;    ///< window: save a picture of itself and end
-    Overlay overlay = Overlay::Checker;  ///< window: what is painted on the cloth at first
-    std::optional<Panel> panel;          ///< window: the list in front
+    bool json = false;                 ///< info, compare, check: as JSON
+    bool markdown = false;             ///< compare: as Markdown
+    bool perPiece = false;             ///< compare: a table per piece too
+    bool ledger = false;               ///< flatten: print the seams
+    StatedOptions stated{};            ///< how pieces are flattened, as far as it was typed
+    FlattenOptions options;            ///< the same, with what holds where nothing was typed
+    std::vector<Method> methods;       ///< compare: each once, in the order typed
+    std::filesystem::path screenshot;  ///< window: save a picture of itself and end
+    std::optional<Overlay> overlay;    ///< window, render: what is painted on the cloth
+    std::optional<Panel> panel;        ///< window: the list in front
+    PictureArguments picture;          ///< render
+    std::optional<Fabric> fabric{};    ///< check: typed, or a project's
+    std::optional<Project> project{};  ///< that the inputs are of, once `withProject` has read it
 
     std::string message;
     int status = 0;

@@ -6,21 +6,28 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
+#include "app/cli/project_input.h"
 
 namespace toile {
 
-int runCommand(const Arguments& arguments) {
+int runCommand(const Arguments& typed) {
     try {
+        const Arguments arguments = withProject(typed, std::cerr);
         switch (arguments.command) {
             case Arguments::Command::Flatten:
                 return runFlatten(arguments, std::cout, std::cerr);
             case Arguments::Command::Compare:
                 return runCompare(arguments, std::cout, std::cerr);
+            case Arguments::Command::Check:
+                return runCheck(arguments, std::cout, std::cerr);
             case Arguments::Command::Info:
                 return runInfo(arguments, std::cout, std::cerr);
             case Arguments::Command::Message:
                 (arguments.status == kExitDone ? std::cout : std::cerr) << arguments.message;
                 return arguments.status;
+            case Arguments::Command::Render:
+                std::cerr << "toile: this build draws no pictures; see toile --help.\n";
+                return kExitUsage;
             case Arguments::Command::Window:
                 break;
         }

@@ -4,13 +4,13 @@
 namespace toile {
 
 /// The commands that need no display. Exit status: 0 all pieces done, 1 some piece failed (the rest
-/// is written), 2 wrong usage, 3 input unreadable or output unwritable.
+/// is written) or a check found faults, 2 wrong usage, 3 input unreadable or output unwritable.
 enum ExitStatus { kExitDone = 0, kExitSomeFailed = 1, kExitUsage = 2, kExitUnreadable = 3 };
 
 struct Arguments;
 
-/// Runs `toile flatten`, `toile compare`, `toile info`, `--help` or `--version` as parsed. Output
-/// goes to stdout, errors to stderr, one sentence each. Never throws.
-int runCommand(const Arguments& arguments);
+/// Runs `toile flatten`, `toile compare`, `toile check`, `toile info`, `--help` or `--version` as
+/// parsed. Output goes to stdout, errors to stderr, one sentence each. Never throws.
+int runCommand(const Arguments& typed);
 
 }  // namespace toile

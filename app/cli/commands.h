@@ -8,6 +8,7 @@ namespace toile {
 struct Arguments;
 
 /// One function per command; each returns the exit status.
+int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err);

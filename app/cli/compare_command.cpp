@@ -63,9 +63,8 @@ bool printFailures(const Garment& garment, const Comparison& comparison, std::os
 
 int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     Progress progress;
-    const auto garment = readInput(arguments, progress);
+    const auto garment = readInput(arguments, progress, err);
     if (!garment) {
-        err << "toile: " << sentence(garment.error()) << '\n';
         return kExitUnreadable;
     }
     const Comparison comparison =

@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/ledger.h"
+#include "app/cli/project_input.h"
 #include "app/cli/table.h"
 #include "core/base/text.h"
 #include "core/pipeline/pipeline.h"
@@ -59,9 +60,8 @@ void printTable(const PieceResults& results, std::ostream& out) {
 
 int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     Progress progress;
-    const auto garment = readInput(arguments, progress);
+    const auto garment = readInput(arguments, progress, err);
     if (!garment) {
-        err << "toile: " << sentence(garment.error()) << '\n';
         return kExitUnreadable;
     }
     const PieceResults results = flattenGarment(*garment, arguments.options, progress);
@@ -73,19 +73,12 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
         printLedger(*garment, results, out);
     }
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
-    for (const auto& result : results) {
-        if (result->error) {
-            err << "toile: " << sentence(*result->error) << '\n';
-            status = kExitSomeFailed;
-        }
-        if (result->flat) {
-            for (const Error& note : result->flat->notes) {
-                err << "toile: " << sentence(note) << '\n';
-            }
-        }
+    if (printFailures(results, err)) {
+        status = kExitSomeFailed;
     }
+    const auto places = placesOnSheet(arguments, *garment, results);
     for (const auto& output : arguments.outputs) {
-        const auto written = exportFile(output, *garment, results);
+        const auto written = exportFile(output, *garment, results, places);
         if (written) {
             out << "wrote " << output.string() << '\n';
         } else {

@@ -87,9 +87,8 @@ void printSeams(const Garment& garment, std::ostream& out) {
 
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     Progress progress;
-    const auto garment = readInput(arguments, progress);
+    const auto garment = readInput(arguments, progress, err);
     if (!garment) {
-        err << "toile: " << sentence(garment.error()) << '\n';
         return kExitUnreadable;
     }
     if (arguments.json) {
@@ -110,7 +109,8 @@ int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
             status = kExitSomeFailed;
         }
     }
-    return status;
+    out.flush();
+    return out ? status : kExitUnreadable;
 }
 
 }  // namespace toile

@@ -4,12 +4,15 @@
 #include <ostream>
 
 #include "app/cli/arguments.h"
+#include "app/cli/project_input.h"
 #include "app/cli/table.h"
 #include "core/base/text.h"
 
 namespace toile {
 
-Result<Garment> readInput(const Arguments& arguments, Progress& progress) {
+namespace {
+
+Result<Garment> read(const Arguments& arguments, Progress& progress) {
     LoadOptions options = arguments.load;
     if (!arguments.seams.empty()) {
         auto seams = readSeamsFile(arguments.seams);
@@ -19,6 +22,19 @@ Result<Garment> readInput(const Arguments& arguments, Progress& progress) {
         options.seams = std::move(*seams);
     }
     return loadGarment(arguments.inputs, options, progress);
+}
+
+}  // namespace
+
+std::optional<Garment> readInput(const Arguments& arguments, Progress& progress,
+                                 std::ostream& err) {
+    auto garment = read(arguments, progress);
+    if (!garment) {
+        err << "toile: " << sentence(garment.error()) << '\n';
+        return std::nullopt;
+    }
+    printDifferences(arguments, *garment, err);
+    return std::move(*garment);
 }
 
 void printCuts(const Garment& garment, std::ostream& out) {
@@ -44,6 +60,22 @@ bool printProblems(const Garment& garment, std::ostream& err) {
     for (const Error& problem : garment.problems) {
         err << "toile: " << sentence(problem) << '\n';
         failed = failed || !isNote(problem.code);
+    }
+    return failed;
+}
+
+bool printFailures(const PieceResults& results, std::ostream& err) {
+    bool failed = false;
+    for (const auto& result : results) {
+        if (result->error) {
+            err << "toile: " << sentence(*result->error) << '\n';
+            failed = true;
+        }
+        if (result->flat) {
+            for (const Error& note : result->flat->notes) {
+                err << "toile: " << sentence(note) << '\n';
+            }
+        }
     }
     return failed;
 }

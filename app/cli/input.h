@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 
 #include "core/pipeline/pipeline.h"
 
@@ -9,8 +10,9 @@ namespace toile {
 
 struct Arguments;
 
-/// Reads the seams file, if one was given, and the garment. Errors: those of both.
-Result<Garment> readInput(const Arguments& arguments, Progress& progress);
+/// Reads the seams file, if one was given, and the garment. Prints why one cannot be read, then
+/// there is no garment; and how the garment is not the one that a project was made with.
+std::optional<Garment> readInput(const Arguments& arguments, Progress& progress, std::ostream& err);
 
 /// Every cut that was made: its name, author, length and the piece it opened; nothing where there
 /// is none.
@@ -19,5 +21,10 @@ void printCuts(const Garment& garment, std::ostream& out);
 /// What there is to say about the files and the garment, a sentence a line.
 /// @return whether something asked for was not done, which is more than a note
 bool printProblems(const Garment& garment, std::ostream& err);
+
+/// Why pieces could not be flattened, and what there is to say of those that were, a sentence a
+/// line.
+/// @return whether any could not
+bool printFailures(const PieceResults& results, std::ostream& err);
 
 }  // namespace toile

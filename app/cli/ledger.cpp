@@ -33,7 +33,7 @@ std::vector<Row> measuredSeams(const Garment& garment, const PieceResults& resul
     }
     // Rounding is no order: equal errors stay in the order of the seams.
     const auto nanometres = [](const Row& row) {
-        return std::llround(std::abs(row.measure.errorMm) * 1e6);
+        return std::round(std::abs(row.measure.errorMm) * 1e6);
     };
     std::stable_sort(rows.begin(), rows.end(), [&nanometres](const Row& a, const Row& b) {
         return nanometres(a) > nanometres(b);

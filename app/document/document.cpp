@@ -5,10 +5,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/base/path_text.h"
+#include "app/document/disposal.h"
+#include "app/document/history.h"
 #include "core/pipeline/garment_flattener.h"
 
 namespace toile {
 namespace {
+
+/// Steps that can be undone. States share what they have in common, so most cost little.
+constexpr int kMostSteps = 500;
 
 bool isOfTheSameFiles(const Garment& a, const Garment& b) {
     return std::equal(
@@ -16,61 +22,191 @@ bool isOfTheSameFiles(const Garment& a, const Garment& b) {
         [](const auto& one, const auto& other) -> bool { return one->path == other->path; });
 }
 
+bool haveTheSamePieces(const Garment* a, const Garment* b) {
+    return a && b && a->pieces == b->pieces;
+}
+
+int indexOfPiece(const Garment& garment, const std::string& name) {
+    const auto found = std::ranges::find_if(
+        garment.pieces, [&](const auto& piece) -> bool { return piece->name == name; });
+    return found == garment.pieces.end() ? -1 : static_cast<int>(found - garment.pieces.begin());
+}
+
 }  // namespace
 
 Document::Document(QObject* parent)
-    : QObject(parent), flattener_(std::make_shared<GarmentFlattener>()) {}
+    : QObject(parent), flattener_(sharedForDisposal(std::make_unique<GarmentFlattener>())) {
+    history_.setUndoLimit(kMostSteps);
+}
 
-Document::~Document() = default;
+Document::~Document() {
+    history_.blockSignals(true);  // it clears itself, and who listened may be gone
+}
+
+const PieceResult* Document::result(int piece) const {
+    const auto at = static_cast<std::size_t>(piece);
+    return at < results().size() ? results()[at].get() : nullptr;
+}
 
 int Document::pieceCount() const {
-    return garment_ ? static_cast<int>(garment_->pieces.size()) : 0;
+    return garment() ? static_cast<int>(garment()->pieces.size()) : 0;
 }
 
 int Document::seamCount() const {
-    return garment_ ? static_cast<int>(garment_->seams.seams.size()) : 0;
+    return garment() ? static_cast<int>(garment()->seams.seams.size()) : 0;
 }
 
 QString Document::title() const {
-    if (!garment_ || garment_->files.empty()) {
+    if (!garment() || garment()->files.empty()) {
         return {};
     }
-    const QString first =
-        QString::fromStdU16String(garment_->files.front()->path.filename().u16string());
-    const auto others = static_cast<int>(garment_->files.size()) - 1;
+    const QString first = textOf(garment()->files.front()->path.filename());
+    const auto others = static_cast<int>(garment()->files.size()) - 1;
     return others == 0 ? first : tr("%1 and %n more", nullptr, others).arg(first);
+}
+
+void Document::open(DocumentState state) {
+    // What was open before must leave no trace in another garment's results.
+    if (!garment() || !state.garment || !isOfTheSameFiles(*garment(), *state.garment)) {
+        flattener_ = sharedForDisposal(std::make_unique<GarmentFlattener>());
+    }
+    state_ = std::move(state);
+    state_.settings.resize(static_cast<std::size_t>(pieceCount()));
+    history_.clear();
+    selection_.clear();
+    seam_.reset();
+    mark_.reset();
+    hover_.reset();
+    ++revision_;
+    emit changed(DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
+                 DocumentChange::Selection | DocumentChange::Mark | DocumentChange::Hover |
+                 DocumentChange::Seams | DocumentChange::SeamSelection | DocumentChange::Loading |
+                 DocumentChange::Options | DocumentChange::Fabric | DocumentChange::Settings);
 }
 
 void Document::setGarment(std::shared_ptr<const Garment> garment,
                           std::shared_ptr<const Scene> scene) {
-    // What was open before must leave no trace in another garment's results.
-    if (!garment_ || !garment || !isOfTheSameFiles(*garment_, *garment)) {
-        flattener_ = std::make_shared<GarmentFlattener>();
+    DocumentState next;
+    next.garment = std::move(garment);
+    next.loading = state_.loading;
+    next.options = state_.options;
+    next.fabric = state_.fabric;
+    next.scene = std::move(scene);
+    open(std::move(next));
+}
+
+void Document::edit(const QString& text, DocumentState next, int gesture) {
+    next.settings.resize(next.garment ? next.garment->pieces.size() : 0);
+    if (next == state_) {
+        return;
     }
-    garment_ = std::move(garment);
-    scene_ = std::move(scene);
-    results_.clear();
-    selection_.clear();
-    seam_.reset();
-    ++revision_;
-    emit changed(DocumentChange::Garment | DocumentChange::Results | DocumentChange::Selection |
-                 DocumentChange::Seams | DocumentChange::SeamSelection);
+    history_.push(new StateStep(*this, text, std::move(next), gesture));
+}
+
+void Document::exchange(DocumentState& other) {
+    std::swap(state_, other);
+    const DocumentState& before = other;
+    DocumentChanges what = differences(before);
+    if (what.testFlag(DocumentChange::Garment)) {
+        what |= keepSelection(before);
+    }
+    if (what & (DocumentChange::Garment | DocumentChange::Options)) {
+        ++revision_;
+    }
+    emit changed(what);
+}
+
+DocumentChanges Document::differences(const DocumentState& before) const {
+    DocumentChanges what;
+    what.setFlag(DocumentChange::Garment,
+                 !haveTheSamePieces(state_.garment.get(), before.garment.get()));
+    what.setFlag(DocumentChange::Seams, state_.garment != before.garment);
+    what.setFlag(DocumentChange::Results,
+                 state_.results != before.results || state_.scene != before.scene);
+    what.setFlag(DocumentChange::Loading, !(state_.loading == before.loading));
+    what.setFlag(DocumentChange::Options, !(state_.options == before.options));
+    what.setFlag(DocumentChange::Fabric, !(state_.fabric == before.fabric));
+    what.setFlag(DocumentChange::Settings, state_.settings != before.settings);
+    return what;
+}
+
+DocumentChanges Document::keepSelection(const DocumentState& before) {
+    Selection kept;
+    for (const int piece : selection_) {
+        const auto& old = before.garment->pieces[static_cast<std::size_t>(piece)];
+        if (const int now = garment() ? indexOfPiece(*garment(), old->name) : -1; now >= 0) {
+            kept.insert(now);
+        }
+    }
+    std::optional<int> seam;
+    if (seam_ && garment()) {
+        const std::string& name =
+            before.garment->seams.seams[static_cast<std::size_t>(*seam_)].name;
+        const auto& seams = garment()->seams.seams;
+        const auto found = std::ranges::find(seams, name, &Seam::name);
+        if (found != seams.end()) {
+            seam = static_cast<int>(found - seams.begin());
+        }
+    }
+    // The indices may mean others now even where they are the same numbers.
+    selection_ = std::move(kept);
+    seam_ = seam;
+    // Vertices and edges are others in a piece that was cut.
+    mark_.reset();
+    hover_.reset();
+    return DocumentChange::Selection | DocumentChange::SeamSelection | DocumentChange::Mark |
+           DocumentChange::Hover;
 }
 
 void Document::setResults(PieceResults results, std::shared_ptr<const Scene> scene) {
+    setResults(std::move(results), std::move(scene), settings());
+}
+
+void Document::setResults(PieceResults results, std::shared_ptr<const Scene> scene,
+                          std::vector<PieceSettings> settings) {
     Q_ASSERT(static_cast<int>(results.size()) == pieceCount());
-    results_ = std::move(results);
-    scene_ = std::move(scene);
+    Q_ASSERT(static_cast<int>(settings.size()) == pieceCount());
+    DocumentChanges what = DocumentChange::Results;
+    what.setFlag(DocumentChange::Settings, settings != state_.settings);
+    state_.results = std::move(results);
+    state_.scene = std::move(scene);
+    state_.settings = std::move(settings);
+    state_.letGo = false;
+    emit changed(what);
+}
+
+void Document::setScene(std::shared_ptr<const Scene> scene) {
+    state_.scene = std::move(scene);
     emit changed(DocumentChange::Results);
 }
 
+const DocumentState& Document::keptState(int step) const {
+    return static_cast<const StateStep*>(history_.command(step))->other();
+}
+
+void Document::letGo(int step, bool results) {
+    static_cast<const StateStep*>(history_.command(step))->letGo(results);
+}
+
 void Document::setOptions(const FlattenOptions& options) {
-    if (options == options_) {
+    if (options == state_.options) {
         return;
     }
-    options_ = options;
+    if (garment()) {
+        DocumentState next = state_;
+        next.options = options;
+        edit(tr("Change of method"), std::move(next));
+        return;
+    }
+    state_.options = options;
     ++revision_;
     emit changed(DocumentChange::Options);
+}
+
+void Document::setLoading(LoadOptions loading) {
+    Q_ASSERT(!garment());
+    state_.loading = std::move(loading);
+    emit changed(DocumentChange::Loading);
 }
 
 void Document::setSelection(Selection selection) {
@@ -101,17 +237,68 @@ void Document::setSeam(std::optional<int> seam) {
     emit changed(DocumentChange::SeamSelection);
 }
 
+bool Document::isInGarment(const Feature& feature) const {
+    if (feature.kind == Feature::Kind::Seam) {
+        return feature.seam >= 0 && feature.seam < seamCount();
+    }
+    if (feature.piece < 0 || feature.piece >= pieceCount()) {
+        return false;
+    }
+    const Piece& piece = *garment()->pieces[static_cast<std::size_t>(feature.piece)];
+    switch (feature.kind) {
+        case Feature::Kind::Run:
+            return feature.first >= 0 && feature.count > 0 &&
+                   feature.first < static_cast<int>(piece.boundary.size());
+        case Feature::Kind::Vertex:
+            return feature.vertex >= 0 && feature.vertex < piece.mesh.V.rows() &&
+                   feature.face >= 0 && feature.face < piece.mesh.F.rows();
+        default:
+            return true;
+    }
+}
+
+void Document::setMark(std::optional<Feature> mark) {
+    const bool fits = mark && isInGarment(*mark) &&
+                      (mark->kind == Feature::Kind::Run || mark->kind == Feature::Kind::Vertex);
+    if (!fits) {
+        mark.reset();
+    }
+    if (mark == mark_) {
+        return;
+    }
+    mark_ = mark;
+    emit changed(DocumentChange::Mark);
+}
+
+void Document::setHover(std::optional<Feature> hover) {
+    if (hover && !isInGarment(*hover)) {
+        hover.reset();
+    }
+    if (hover == hover_) {
+        return;
+    }
+    hover_ = hover;
+    emit changed(DocumentChange::Hover);
+}
+
 void Document::setSeamEase(int seam, std::optional<double> ease) {
     Q_ASSERT(seam >= 0 && seam < seamCount());
     const auto at = static_cast<std::size_t>(seam);
-    if (garment_->seams.seams[at].ease == ease) {
+    const Seam& before = garment()->seams.seams[at];
+    if (before.ease == ease) {
         return;
     }
     // Jobs and the views may hold the garment as it was, so it is not touched.
-    auto garment = std::make_shared<Garment>(*garment_);
-    garment->seams.seams[at].ease = ease;
-    garment_ = std::move(garment);
-    emit changed(DocumentChange::Seams);
+    auto eased = std::make_shared<Garment>(*garment());
+    eased->seams.seams[at].ease = ease;
+    DocumentState next = state_;
+    next.garment = std::move(eased);
+    if (ease) {
+        next.loading.seams.ease[before.name] = *ease;
+    } else {
+        next.loading.seams.ease.erase(before.name);
+    }
+    edit(tr("Ease of a seam"), std::move(next));
 }
 
 void Document::setOverlay(Overlay overlay) {
@@ -128,6 +315,42 @@ void Document::setWireframe(bool on) {
 
 void Document::setDesignerOutline(bool on) {
     changeView(&ViewState::designerOutline, on);
+}
+
+void Document::setValuesPerTriangle(bool on) {
+    changeView(&ViewState::valuesPerTriangle, on);
+}
+
+void Document::setWorstSpots(bool on) {
+    changeView(&ViewState::worstSpots, on);
+}
+
+void Document::setSeamsShown(bool on) {
+    changeView(&ViewState::seams, on);
+}
+
+void Document::setXray(bool on) {
+    changeView(&ViewState::xray, on);
+}
+
+void Document::setShaded(bool on) {
+    changeView(&ViewState::shaded, on);
+}
+
+void Document::setPieceColours(bool on) {
+    changeView(&ViewState::pieceColours, on);
+}
+
+void Document::setRulers(bool on) {
+    changeView(&ViewState::rulers, on);
+}
+
+void Document::setGrid(bool on) {
+    changeView(&ViewState::grid, on);
+}
+
+void Document::setSnapping(bool on) {
+    changeView(&ViewState::snapping, on);
 }
 
 void Document::changeView(bool ViewState::*field, bool on) {

@@ -2,23 +2,25 @@
 #pragma once
 
 #include <QObject>
+#include <QUndoStack>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
 
 #include "app/document/document_change.h"
+#include "app/document/document_state.h"
+#include "app/document/feature.h"
 #include "app/document/view_state.h"
-#include "core/pipeline/pipeline.h"
 
 namespace toile {
 
 class GarmentFlattener;
-struct Scene;
 
 /// The open garment: the one place that holds its state. Everything it hands out is a finished,
 /// immutable, shared value, so that a snapshot for a job costs nothing and old states can be kept.
-/// GUI thread only. Every setter that changes something emits `changed` once.
+/// A change of the state is a step of the history (`edit`); selection and view are not.
+/// GUI thread only. Everything that changes something emits `changed` once.
 class Document : public QObject {
     Q_OBJECT
 
@@ -28,60 +30,126 @@ public:
     explicit Document(QObject* parent = nullptr);
     ~Document() override;
 
+    const DocumentState& state() const { return state_; }
     /// Null where nothing is open.
-    const std::shared_ptr<const Garment>& garment() const { return garment_; }
-    /// One per piece, in the garment's order; empty until the first flattening is done.
-    const PieceResults& results() const { return results_; }
+    const std::shared_ptr<const Garment>& garment() const { return state_.garment; }
+    /// One per piece, in the garment's order, null where not flattened yet; empty until the first
+    /// flattening is done.
+    const PieceResults& results() const { return state_.results; }
     /// What the views draw, made of garment and results by the job that made them. May be null.
-    const std::shared_ptr<const Scene>& scene() const { return scene_; }
-    const FlattenOptions& options() const { return options_; }
+    const std::shared_ptr<const Scene>& scene() const { return state_.scene; }
+    const LoadOptions& loading() const { return state_.loading; }
+    const FlattenOptions& options() const { return state_.options; }
+    const Fabric& fabric() const { return state_.fabric; }
+    /// One per piece.
+    const std::vector<PieceSettings>& settings() const { return state_.settings; }
+
     /// What is kept of one flattening for the next, as long as the garment is of the same files;
     /// thread-safe, for the jobs.
     const std::shared_ptr<GarmentFlattener>& flattener() const { return flattener_; }
     const Selection& selection() const { return selection_; }
     /// The selected seam: an index into Garment::seams; none where no seam is selected.
     std::optional<int> seam() const { return seam_; }
+    /// The selected stretch of outline or vertex.
+    const std::optional<Feature>& mark() const { return mark_; }
+    /// What the pointer is on in one of the views.
+    const std::optional<Feature>& hover() const { return hover_; }
     const ViewState& view() const { return view_; }
-    /// Goes up when the garment or the options change: results begun before are stale then.
+    /// Another number whenever the garment or the options are others: results begun before are
+    /// stale then.
     std::uint64_t revision() const { return revision_; }
 
+    /// Null where the piece is not flattened yet.
+    const PieceResult* result(int piece) const;
     int pieceCount() const;
     int seamCount() const;
     bool isSelected(int piece) const { return selection_.count(piece) != 0; }
     /// Short name for titles: the file's name, or the first and how many more.
     QString title() const;
 
-    /// Opens a garment: results and selections are cleared.
+    /// The steps done and undone. Do not push: see `edit`.
+    QUndoStack& history() { return history_; }
+    const QUndoStack& history() const { return history_; }
+
+    /// Opens another document: history and selections are cleared.
+    void open(DocumentState state);
+    /// The same for a garment alone: what else there is to say of it is as before.
     void setGarment(std::shared_ptr<const Garment> garment, std::shared_ptr<const Scene> scene);
+    /// One step of the history; nothing where the state is the same already. `settings` are brought
+    /// to the number of pieces.
+    /// @param text     what was done, for the undo menu: "Move piece"
+    /// @param gesture  edits with the same number, see `newGesture`, become one step; -1: alone
+    void edit(const QString& text, DocumentState next, int gesture = -1);
+    /// For the edits of a drag to come.
+    int newGesture() { return ++gestures_; }
+
+    /// The state that step `step` of the history would bring back, undone or done again.
+    const DocumentState& keptState(int step) const;
+    /// Lets go of what can be worked out again of that state: its scene and, where that is said and
+    /// all of them are there, its results. Whoever brings it back has to do that.
+    void letGo(int step, bool results);
+
+    /// Adds what was worked out for the present state; no step of the history.
     /// @param results one per piece of the present garment
     void setResults(PieceResults results, std::shared_ptr<const Scene> scene);
+    /// The same, with places for pieces that had none.
+    void setResults(PieceResults results, std::shared_ptr<const Scene> scene,
+                    std::vector<PieceSettings> settings);
+    /// The same of the scene alone.
+    void setScene(std::shared_ptr<const Scene> scene);
+
+    /// How pieces are to be flattened: a step of the history where a garment is open.
     void setOptions(const FlattenOptions& options);
+    /// Says how the next files are read; where a garment is open that is a matter of `edit`.
+    void setLoading(LoadOptions loading);
     /// Indices outside the garment are left out.
     void setSelection(Selection selection);
     void toggleSelected(int piece);
     /// An index outside the garment selects no seam.
     void setSeam(std::optional<int> seam);
+    /// Selects a stretch of outline or a vertex; one outside the garment, or of another kind,
+    /// selects none.
+    void setMark(std::optional<Feature> mark);
+    /// Says what the pointer is on; what is outside the garment is nothing.
+    void setHover(std::optional<Feature> hover);
     /// Says how much longer a seam's left side is meant to be, as a part of the right; none: as
-    /// the 3D lengths have it. Pieces, results, scene and selection stay as they are.
+    /// the 3D lengths have it. Pieces, results, scene and selection stay as they are. A step of the
+    /// history.
     /// @param seam an index into Garment::seams; not of a free edge
     void setSeamEase(int seam, std::optional<double> ease);
     void setOverlay(Overlay overlay);
     void setWireframe(bool on);
     void setDesignerOutline(bool on);
+    void setValuesPerTriangle(bool on);
+    void setWorstSpots(bool on);
+    void setSeamsShown(bool on);
+    void setXray(bool on);
+    void setShaded(bool on);
+    void setPieceColours(bool on);
+    void setRulers(bool on);
+    void setGrid(bool on);
+    void setSnapping(bool on);
 
 signals:
     void changed(toile::DocumentChanges what);
 
 private:
+    friend class StateStep;
+
+    /// The state becomes `other` and the other way round.
+    void exchange(DocumentState& other);
+    DocumentChanges differences(const DocumentState& before) const;
+    DocumentChanges keepSelection(const DocumentState& before);
+    bool isInGarment(const Feature& feature) const;
     void changeView(bool ViewState::*field, bool on);
 
-    std::shared_ptr<const Garment> garment_;
-    PieceResults results_;
-    std::shared_ptr<const Scene> scene_;
-    FlattenOptions options_;
+    DocumentState state_;
+    QUndoStack history_;
+    int gestures_ = 0;
     std::shared_ptr<GarmentFlattener> flattener_;
     Selection selection_;
     std::optional<int> seam_;
+    std::optional<Feature> mark_, hover_;
     ViewState view_;
     std::uint64_t revision_ = 0;
 };

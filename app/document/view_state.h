@@ -3,30 +3,58 @@
 
 namespace toile {
 
-/// What is painted on the cloth, in both views alike.
+/// What is painted on the cloth, in both views alike. The shaders know them by number: see
+/// resources/shaders/surface.glsl.
 enum class Overlay {
-    None,     ///< the piece's colour alone
-    Checker,  ///< true-scale 1 cm squares
-    Area,     ///< A2D / A3D - 1
-    Angle,    ///< largest change of a corner angle
-    Strain,   ///< L3D / L2D - 1: what the cloth must do
+    None,       ///< the piece's colour alone
+    Checker,    ///< true-scale 1 cm squares
+    Area,       ///< A3D / A2D - 1
+    Angle,      ///< largest change of a corner angle
+    Strain,     ///< L3D / L2D - 1 of the edges: what the cloth must do
+    Warp,       ///< strain along the grain
+    Weft,       ///< strain across it
+    Bias,       ///< strain at 45 degrees to it, the worse of both diagonals
+    Principal,  ///< largest and least strain and their directions, as crosses
+    Dirichlet,  ///< symmetric Dirichlet energy, above that of cloth that keeps its shape
 };
 
-inline constexpr int kOverlayCount = 5;
+inline constexpr int kOverlayCount = 10;
 
 /// True where the overlay shows a number and so needs a colour bar.
 constexpr bool isMeasured(Overlay overlay) {
-    return overlay == Overlay::Area || overlay == Overlay::Angle || overlay == Overlay::Strain;
+    return overlay != Overlay::None && overlay != Overlay::Checker;
+}
+
+/// True where the number depends on how the grain runs.
+constexpr bool followsGrain(Overlay overlay) {
+    return overlay == Overlay::Warp || overlay == Overlay::Weft || overlay == Overlay::Bias;
+}
+
+/// True where the number is of either sign, with 0 in the middle of the colours.
+constexpr bool isSigned(Overlay overlay) {
+    return overlay != Overlay::Angle && overlay != Overlay::Dirichlet;
 }
 
 /// The lists below the views.
-enum class Panel { Pieces, Seams, Messages };
+enum class Panel { Pieces, Seams, ProblemList, History };
+
+/// Of the two views: in pictures of them.
+enum class ViewsShown { Garment, Pattern, Both };
 
 /// How the garment is shown; not part of what is saved with a garment.
 struct ViewState {
     Overlay overlay = Overlay::Checker;
     bool wireframe = false;
-    bool designerOutline = false;  ///< the designer's own panels over the pattern
+    bool designerOutline = false;    ///< the designer's own panels over the pattern
+    bool valuesPerTriangle = false;  ///< a measured overlay is not smoothed over the vertices
+    bool worstSpots = true;          ///< the worst places of a measured overlay carry a number
+    bool seams = true;               ///< seam lines, each pair in its colour
+    bool xray = false;               ///< the garment's cloth lets what is behind it be seen
+    bool shaded = true;              ///< light falls on the garment
+    bool pieceColours = true;        ///< else all cloth is of one plain colour
+    bool rulers = true;              ///< along the edges of the pattern view
+    bool grid = true;                ///< on the sheet
+    bool snapping = true;            ///< whether pieces catch at the grid and at each other
 
     bool operator==(const ViewState&) const = default;
 };

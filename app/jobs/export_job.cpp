@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <utility>
 
+#include "app/base/path_text.h"
 #include "app/document/document.h"
 
 namespace toile {
@@ -12,15 +13,18 @@ ExportJob::ExportJob(const Document& document, std::filesystem::path path, Done 
     : garment_(document.garment()),
       results_(document.results()),
       path_(std::move(path)),
-      done_(std::move(done)) {}
-
-QString ExportJob::title() const {
-    return QCoreApplication::translate("ExportJob", "Writing %1")
-        .arg(QString::fromStdU16String(path_.filename().u16string()));
+      done_(std::move(done)) {
+    for (const PieceSettings& piece : document.settings()) {
+        places_.push_back(onSheet(piece));
+    }
 }
 
-Result<void> ExportJob::process(Progress&) {
-    return exportFile(path_, *garment_, results_);
+QString ExportJob::title() const {
+    return QCoreApplication::translate("ExportJob", "Writing %1").arg(textOf(path_.filename()));
+}
+
+Result<void> ExportJob::process(Progress& progress) {
+    return exportFile(path_, *garment_, results_, places_, progress);
 }
 
 void ExportJob::finalize() {

@@ -12,7 +12,8 @@ namespace toile {
 
 class Document;
 
-/// Writes the flat pieces to one file; its ending chooses the format.
+/// Writes the flat pieces to one file; its ending chooses the format. What it takes is a snapshot:
+/// edits may go on. Cancelled, it leaves the file as it was.
 class ExportJob : public Job {
 public:
     using Done = std::function<void(const std::filesystem::path&)>;
@@ -21,13 +22,13 @@ public:
     ExportJob(const Document& document, std::filesystem::path path, Done done);
 
     QString title() const override;
-    bool isCancellable() const override { return false; }
     Result<void> process(Progress& progress) override;
     void finalize() override;
 
 private:
     std::shared_ptr<const Garment> garment_;
     PieceResults results_;
+    std::vector<PieceOnSheet> places_;
     std::filesystem::path path_;
     Done done_;
 };

@@ -23,7 +23,9 @@ FlattenJob::FlattenJob(Document& document)
       revision_(document.revision()),
       garment_(document.garment()),
       options_(document.options()),
-      flattener_(document.flattener()) {
+      flattener_(document.state().letGo ? std::make_shared<GarmentFlattener>()
+                                        : document.flattener()),
+      before_(document.results()) {
     Q_ASSERT(garment_);
 }
 
@@ -34,10 +36,12 @@ QString FlattenJob::title() const {
 Result<void> FlattenJob::process(Progress& progress) {
     progress.setShare(0, kFlatteningShare);
     results_ = flattener_->flatten(*garment_, options_, progress);
+    keepWhatFits();
     if (!progress.isCancelled()) {
         progress.setShare(kFlatteningShare, 1);
-        const LaidOutPattern pattern = layOut(*garment_, results_);
-        scene_ = buildScene(*garment_, results_, pattern.offsets, progress);
+        motions_ = flatMotions(before_, results_);
+        proposed_ = layOut(*garment_, results_).offsets;
+        scene_ = buildScene(*garment_, results_, progress);
     }
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, {}, {}};
@@ -45,8 +49,23 @@ Result<void> FlattenJob::process(Progress& progress) {
     return {};
 }
 
+void FlattenJob::keepWhatFits() {
+    // After steps back and forth the flattener comes from another version of the garment: what it
+    // finds is as good, but not the same to the last bit.
+    for (std::size_t i = 0; i < results_.size() && i < before_.size(); ++i) {
+        const PieceResult* known = before_[i].get();
+        if (known && known->flat && known->piece == garment_->pieces[i] &&
+            known->options == options_) {
+            results_[i] = before_[i];
+        }
+    }
+}
+
 void FlattenJob::finalize() {
-    document_.setResults(std::move(results_), std::move(scene_));
+    // Places that were given meanwhile are kept.
+    std::vector<PieceSettings> settings =
+        placedSettings(document_.settings(), results_, motions_, proposed_);
+    document_.setResults(std::move(results_), std::move(scene_), std::move(settings));
 }
 
 }  // namespace toile

@@ -4,7 +4,8 @@
 #include <QCoreApplication>
 #include <utility>
 
-#include "app/document/document.h"
+#include "app/base/path_text.h"
+#include "app/document/disposal.h"
 #include "app/render/scene_builder.h"
 
 namespace toile {
@@ -16,14 +17,15 @@ constexpr double kReadingShare = 0.97;
 
 }  // namespace
 
-ImportJob::ImportJob(Document& document, std::vector<std::filesystem::path> files,
-                     LoadOptions options)
-    : document_(document), files_(std::move(files)), options_(std::move(options)) {}
+ImportJob::ImportJob(std::vector<std::filesystem::path> files, LoadOptions options,
+                     std::optional<DocumentState> before, Done done)
+    : files_(std::move(files)),
+      options_(std::move(options)),
+      before_(std::move(before)),
+      done_(std::move(done)) {}
 
 QString ImportJob::title() const {
-    const QString name = files_.empty()
-                             ? QString()
-                             : QString::fromStdU16String(files_.front().filename().u16string());
+    const QString name = files_.empty() ? QString() : textOf(files_.front().filename());
     return QCoreApplication::translate("ImportJob", "Reading %1").arg(name);
 }
 
@@ -33,9 +35,12 @@ Result<void> ImportJob::process(Progress& progress) {
     if (!garment) {
         return garment.error();
     }
-    garment_ = std::make_shared<const Garment>(std::move(garment).value());
+    garment_ = sharedForDisposal(std::make_unique<const Garment>(std::move(garment).value()));
+    if (before_) {
+        carried_ = carriedFrom(*before_->garment, before_->settings, before_->results, *garment_);
+    }
     progress.setShare(kReadingShare, 1);
-    scene_ = buildScene(*garment_, {}, {}, progress);
+    scene_ = buildScene(*garment_, {}, progress);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, {}, {}};
     }
@@ -43,7 +48,7 @@ Result<void> ImportJob::process(Progress& progress) {
 }
 
 void ImportJob::finalize() {
-    document_.setGarment(std::move(garment_), std::move(scene_));
+    done_(std::move(garment_), std::move(scene_), carried_);
 }
 
 }  // namespace toile

@@ -2,11 +2,13 @@
 #include "app/jobs/job_runner.h"
 
 #include <QtConcurrentRun>
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <utility>
 
 #include "app/document/document.h"
+#include "app/text/error_text.h"
 
 namespace toile {
 
@@ -20,6 +22,8 @@ constexpr int kPollMilliseconds = 33;
 /// worker and read after the future has finished, which orders the two.
 struct JobRunner::Running {
     std::unique_ptr<Job> job;
+    Ticket ticket = 0;
+    bool replaced = false;
     Progress progress;
     Result<void> outcome;
     std::string crash;
@@ -31,7 +35,7 @@ JobRunner::JobRunner(const Document& document, QObject* parent)
     poll_.setInterval(kPollMilliseconds);
     connect(&poll_, &QTimer::timeout, this, [this] {
         if (current_) {
-            emit progressed(current_->progress.fraction());
+            emit progressed(fraction());
         }
     });
     connect(&watcher_, &QFutureWatcher<void>::finished, this, &JobRunner::onFinished);
@@ -41,30 +45,93 @@ JobRunner::~JobRunner() {
     shutdown();
 }
 
-void JobRunner::start(std::unique_ptr<Job> job) {
-    waiting_.push_back(std::move(job));
-    startNext();
+bool JobRunner::isUnderWay(Ticket job) const {
+    return (current_ && current_->ticket == job && !current_->progress.isCancelled()) ||
+           std::ranges::find(waiting_, job, &Waiting::ticket) != waiting_.end();
 }
 
-void JobRunner::replace(std::unique_ptr<Job> job) {
-    cancel();
-    start(std::move(job));
+QString JobRunner::title() const {
+    return current_ ? current_->job->title() : QString();
+}
+
+double JobRunner::fraction() const {
+    return current_ ? current_->progress.fraction() : 0;
+}
+
+JobRunner::Ticket JobRunner::start(std::unique_ptr<Job> job) {
+    const Ticket ticket = ++last_;
+    waiting_.push_back({std::move(job), ticket});
+    startNext();
+    return ticket;
+}
+
+JobRunner::Ticket JobRunner::replace(std::unique_ptr<Job> job) {
+    cancelAll(true);
+    return start(std::move(job));
+}
+
+void JobRunner::drop(Ticket job) {
+    if (current_ && current_->ticket == job) {
+        current_->replaced = true;
+        if (current_->job->isCancellable()) {
+            current_->progress.cancel();
+        }
+        return;
+    }
+    const auto found = std::ranges::find(waiting_, job, &Waiting::ticket);
+    if (found != waiting_.end()) {
+        const std::unique_ptr<Job> dropped = std::move(found->job);
+        waiting_.erase(found);
+        emit cancelled(dropped->title(), true);
+    }
 }
 
 void JobRunner::cancel() {
-    std::erase_if(waiting_, [](const auto& job) { return job->isCancellable(); });
-    if (current_ && current_->job->isCancellable()) {
-        current_->progress.cancel();
+    cancelAll(false);
+}
+
+void JobRunner::cancelAll(bool replaced) {
+    if (current_) {
+        current_->replaced = current_->replaced || replaced;
+        if (current_->job->isCancellable()) {
+            current_->progress.cancel();
+        }
+    }
+    std::deque<Waiting> dropped;
+    for (Waiting& waiting : std::exchange(waiting_, {})) {
+        waiting.replaced = waiting.replaced || replaced;
+        (waiting.job->isCancellable() ? dropped : waiting_).push_back(std::move(waiting));
+    }
+    for (const Waiting& waiting : dropped) {  // the running job says so when it has stopped
+        emit cancelled(waiting.job->title(), waiting.replaced);
     }
 }
 
 void JobRunner::shutdown() {
+    const bool wasBlocked = blockSignals(true);
     cancel();
-    waiting_.clear();
+    doTheRest();
+    blockSignals(wasBlocked);
+}
+
+void JobRunner::finish() {
+    const bool wasBlocked = blockSignals(true);
+    doTheRest();
+    blockSignals(wasBlocked);
+}
+
+void JobRunner::doTheRest() {
     watcher_.disconnect(this);
     poll_.stop();
     watcher_.waitForFinished();
     current_.reset();
+    for (const Waiting& waiting : std::exchange(waiting_, {})) {
+        Progress progress;
+        try {
+            (void)waiting.job->process(progress);
+        } catch (const std::exception&) {  // there is nobody left to tell
+        }
+    }
 }
 
 void JobRunner::startNext() {
@@ -72,7 +139,9 @@ void JobRunner::startNext() {
         return;
     }
     current_ = std::make_unique<Running>();
-    current_->job = std::move(waiting_.front());
+    current_->job = std::move(waiting_.front().job);
+    current_->ticket = waiting_.front().ticket;
+    current_->replaced = waiting_.front().replaced;
     waiting_.pop_front();
     poll_.start();
     emit started(current_->job->title());
@@ -91,11 +160,13 @@ void JobRunner::onFinished() {
     poll_.stop();
     const std::unique_ptr<Running> done = std::move(current_);
     if (!done->crash.empty()) {
-        emit failed(done->job->title(), tr("The program met an unexpected fault (%1). Please "
-                                           "report it with the garment file.")
-                                            .arg(QString::fromStdString(done->crash)));
+        emit failed(done->job->title(),
+                    tr("The program met an unexpected fault (%1). Please "
+                       "report it with the garment file.")
+                        .arg(QString::fromStdString(done->crash)),
+                    done->replaced);
     } else {
-        settle(*done->job, done->progress, done->outcome);
+        settle(*done);
     }
     // A slot may have started another job meanwhile.
     startNext();
@@ -104,13 +175,15 @@ void JobRunner::onFinished() {
     }
 }
 
-void JobRunner::settle(Job& job, const Progress& progress, const Result<void>& outcome) {
-    if (progress.isCancelled() || (!outcome && outcome.error().code == ErrorCode::Cancelled)) {
-        emit cancelled(job.title());
+void JobRunner::settle(const Running& done) {
+    Job& job = *done.job;
+    const Result<void>& outcome = done.outcome;
+    if (done.progress.isCancelled() || (!outcome && outcome.error().code == ErrorCode::Cancelled)) {
+        emit cancelled(job.title(), done.replaced);
         return;
     }
     if (!outcome) {
-        emit failed(job.title(), QString::fromStdString(sentence(outcome.error())));
+        emit failed(job.title(), errorText(outcome.error()), done.replaced);
         return;
     }
     const bool stale = job.revision() && *job.revision() != document_.revision();

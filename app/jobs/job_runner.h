@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QThreadPool>
 #include <QTimer>
+#include <cstdint>
 #include <deque>
 #include <memory>
 
@@ -24,40 +25,64 @@ public:
     /// Cancels and waits.
     ~JobRunner() override;
 
+    /// Which job; none has 0.
+    using Ticket = std::uint64_t;
+
     bool isBusy() const { return current_ != nullptr; }
-    /// True where another job follows the one that runs, or the one just reported.
     bool hasWaiting() const { return !waiting_.empty(); }
+    /// Whether that job runs or waits, and is not cancelled.
+    bool isUnderWay(Ticket job) const;
+    /// Of the running job; empty where none runs.
+    QString title() const;
+    /// Of the running job, in [0, 1].
+    double fraction() const;
     /// Runs the job when all earlier ones are done.
-    void start(std::unique_ptr<Job> job);
+    Ticket start(std::unique_ptr<Job> job);
     /// Cancels everything else and runs this job instead.
-    void replace(std::unique_ptr<Job> job);
-    /// Cancels the running job and forgets the waiting ones. Returns at once.
+    Ticket replace(std::unique_ptr<Job> job);
+    /// Cancels the running job and the waiting ones. Returns at once.
     void cancel();
-    /// Cancels and waits for the worker: for closing the window. Nothing is finalized any more.
+    /// Cancels that job alone, because what it was to find is not wanted any more; nothing where it
+    /// is over. Returns at once.
+    void drop(Ticket job);
+    /// Cancels and waits for the worker: for closing the window. Jobs that cannot be cancelled are
+    /// done, the waiting ones too, here; nothing is finalized any more.
     void shutdown();
+    /// The same without cancelling: all jobs are done, here.
+    void finish();
 
 signals:
     void started(const QString& title);
     /// About 30 times a second while busy; fraction in [0, 1].
     void progressed(double fraction);
-    void failed(const QString& title, const QString& sentence);
-    void cancelled(const QString& title);
+    /// @param replaced  another job has been asked for in its place, or in that of those around it,
+    ///                  or it was dropped
+    void failed(const QString& title, const QString& sentence, bool replaced);
+    void cancelled(const QString& title, bool replaced);
     /// The last job is over, whatever came of it.
     void idle();
 
 private:
     struct Running;
+    struct Waiting {
+        std::unique_ptr<Job> job;
+        Ticket ticket = 0;
+        bool replaced = false;
+    };
 
     void startNext();
+    void doTheRest();
+    void cancelAll(bool replaced);
     void onFinished();
-    void settle(Job& job, const Progress& progress, const Result<void>& outcome);
+    void settle(const Running& done);
 
     const Document& document_;
     QThreadPool pool_;  ///< of one thread: jobs never overlap
     QTimer poll_;
     QFutureWatcher<void> watcher_;
     std::unique_ptr<Running> current_;
-    std::deque<std::unique_ptr<Job>> waiting_;
+    std::deque<Waiting> waiting_;
+    Ticket last_ = 0;
 };
 
 }  // namespace toile

@@ -8,13 +8,17 @@
 #include <QVBoxLayout>
 
 #include "app/document/document.h"
-#include "app/panels/figures.h"
+#include "app/settings/length_display.h"
+#include "app/text/figures.h"
 
 namespace toile {
 
 namespace {
 
 enum Column { Name, Author, PieceName, Length, ColumnCount };
+
+/// Data of a row.
+constexpr int kIsOwn = Qt::UserRole, kIsJoin = Qt::UserRole + 1;
 
 }  // namespace
 
@@ -34,7 +38,7 @@ CutsPanel::CutsPanel(const Document& document, QWidget* parent)
     table_->setAlternatingRowColors(true);
     table_->setAllColumnsShowFocus(true);
     table_->setFrameShape(QFrame::NoFrame);
-    table_->setHeaderLabels({tr("Cut"), tr("Made by"), tr("Piece"), tr("Length mm")});
+    table_->setHeaderLabels({tr("Cut"), tr("Made by"), tr("Piece"), tr("Length")});
     table_->headerItem()->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);
     table_->header()->setStretchLastSection(false);
     table_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
@@ -45,6 +49,7 @@ CutsPanel::CutsPanel(const Document& document, QWidget* parent)
     layout->addWidget(table_, 1);
     table_->installEventFilter(this);
     connect(&document_, &Document::changed, this, &CutsPanel::onChanged);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &CutsPanel::rebuild);
     hide();
 }
 
@@ -63,19 +68,41 @@ void CutsPanel::rebuild() {
             const bool own = cut.author == CutAuthor::User;
             row->setToolTip(
                 Name, own ? tr("%1: Delete takes it back").arg(row->text(Name)) : row->text(Name));
-            row->setData(Name, Qt::UserRole, own);
+            row->setData(Name, kIsOwn, own);
             row->setText(Author, own ? tr("you") : tr("Toile"));
             row->setText(PieceName, QString::fromStdString(cut.piece));
-            row->setText(Length, millimetres(cut.length));
+            row->setText(Length, lengthWithUnit(cut.length));
+            row->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);
+        }
+        for (const MadeJoin& join : document_.garment()->joins) {
+            auto* row = new QTreeWidgetItem(table_);
+            row->setText(Name, QString::fromStdString(join.name));
+            row->setToolTip(Name,
+                            tr("%1 was joined: Delete brings the seam back").arg(row->text(Name)));
+            row->setData(Name, kIsOwn, true);
+            row->setData(Name, kIsJoin, true);
+            row->setText(Author, tr("you, joined"));
+            row->setText(PieceName, QString::fromStdString(join.piece));
+            row->setText(Length, lengthWithUnit(join.length));
             row->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);
         }
     }
     for (int column = Author; column < ColumnCount; ++column) {
         table_->resizeColumnToContents(column);
     }
-    const int count = table_->topLevelItemCount();
-    count_->setText(count == 1 ? tr("1 cut") : tr("%1 cuts").arg(count));
-    setVisible(count > 0);
+    const int all = table_->topLevelItemCount();
+    const auto joins =
+        document_.garment() ? static_cast<int>(document_.garment()->joins.size()) : 0;
+    const int count = all - joins;
+    QStringList counts;
+    if (count > 0) {
+        counts << (count == 1 ? tr("1 cut") : tr("%1 cuts").arg(count));
+    }
+    if (joins > 0) {
+        counts << (joins == 1 ? tr("1 join") : tr("%1 joins").arg(joins));
+    }
+    count_->setText(counts.join(", "));
+    setVisible(all > 0);
 }
 
 bool CutsPanel::eventFilter(QObject* watched, QEvent* event) {
@@ -94,7 +121,12 @@ bool CutsPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void CutsPanel::removeCurrent() {
     const QTreeWidgetItem* row = table_->currentItem();
-    if (row != nullptr && row->data(Name, Qt::UserRole).toBool()) {
+    if (row == nullptr || !row->data(Name, kIsOwn).toBool()) {
+        return;
+    }
+    if (row->data(Name, kIsJoin).toBool()) {
+        emit joinRemovalWanted(row->text(Name).toStdString());
+    } else {
         emit removeWanted(row->text(Name).toStdString());
     }
 }

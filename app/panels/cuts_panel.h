@@ -13,8 +13,8 @@ namespace toile {
 
 class Document;
 
-/// The cuts that were made before flattening: what was cut, by whom, how long. Delete takes back a
-/// cut of the user's. Hides itself where there are none.
+/// The cuts and joins that were made before flattening: what, by whom, how long. Delete takes back
+/// one of the user's. Hides itself where there are none.
 class CutsPanel : public QWidget {
     Q_OBJECT
 
@@ -24,6 +24,8 @@ public:
 signals:
     /// A cut of the user's is to be taken back.
     void removeWanted(const std::string& name);
+    /// A seam that was joined is to be there again.
+    void joinRemovalWanted(const std::string& name);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

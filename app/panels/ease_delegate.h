@@ -21,6 +21,14 @@ public:
         editor->setPlaceholderText(index.data(Qt::DisplayRole).toString());
         return editor;
     }
+
+    /// What is being typed stays, whatever becomes of the figures meanwhile.
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+        const auto* line = qobject_cast<const QLineEdit*>(editor);
+        if (!line || !line->isModified()) {
+            QStyledItemDelegate::setEditorData(editor, index);
+        }
+    }
 };
 
 }  // namespace toile

@@ -6,8 +6,10 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "app/base/path_text.h"
 #include "app/document/document.h"
 #include "app/render/scene.h"
+#include "app/text/figures.h"
 
 namespace toile {
 
@@ -19,7 +21,7 @@ constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre,
 constexpr double kMetresFrom = 10000;
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("GarmentSummary", text);
+    return QCoreApplication::translate("toile", text);
 }
 
 QString symbolOf(LengthUnit unit) {
@@ -60,13 +62,16 @@ QString divisionWord(SplitMode mode) {
     return {};
 }
 
-/// "15 mm", "1225 mm", "14.8 m".
+/// "15 mm", "1225 mm", "48 1/4 in"; "14.8 m" whatever the unit, since no garment is meant then.
 QString heightText(double millimetres) {
     const QLocale locale;
-    return millimetres < kMetresFrom
-               ? tr("%1 mm").arg(locale.toString(millimetres, 'f', millimetres < 10 ? 1 : 0)
-                                     .remove(locale.groupSeparator()))
-               : tr("%1 m").arg(locale.toString(millimetres / 1000, 'f', 1));
+    if (millimetres >= kMetresFrom) {
+        return tr("%1 m").arg(locale.toString(millimetres / 1000, 'f', 1));
+    }
+    if (lengthUnit() == "mm" && millimetres >= 10) {  // a tenth is beyond what a height is told for
+        return QString("%1 mm").arg(qRound(millimetres));
+    }
+    return lengthWithUnit(millimetres);
 }
 
 /// Box of the pieces of one file, mm.
@@ -85,8 +90,8 @@ Eigen::Vector3d extentsOf(const Document& document, int file) {
 void askUnit(const SourceFile& file, const Eigen::Vector3d& extents, GarmentQuestions& questions) {
     const double perUnit = millimetresPer(file.unit);
     questions.unitSentence =
-        tr("The garment measures %1 mm in height, read as %2 (largest extent %3). Is that right?")
-            .arg(QLocale().toString(extents.y(), 'f', 1), wordOf(file.unit),
+        tr("The garment measures %1 in height, read as %2 (largest extent %3). Is that right?")
+            .arg(lengthWithUnit(extents.y()), wordOf(file.unit),
                  QLocale().toString(extents.maxCoeff() / perUnit, 'g', 4));
     for (const LengthUnit unit : kUnits) {
         questions.units.push_back(
@@ -136,7 +141,7 @@ QString garmentReasons(const Document& document) {
     const auto& files = document.garment()->files;
     for (const auto& file : files) {
         if (files.size() > 1) {
-            lines << QString::fromStdU16String(file->path.filename().u16string());
+            lines << textOf(file->path.filename());
         }
         const auto add = [&lines](const QString& what, const std::string& reason,
                                   const QString& stated) {

@@ -3,15 +3,19 @@
 
 #include <QBrush>
 #include <QFont>
+#include <QGuiApplication>
 #include <QIcon>
 #include <QLocale>
 #include <QPainter>
+#include <QPalette>
 #include <QPixmap>
 #include <algorithm>
 
 #include "app/document/document.h"
-#include "app/panels/figures.h"
 #include "app/render/colour_map.h"
+#include "app/settings/length_display.h"
+#include "app/text/error_text.h"
+#include "app/text/figures.h"
 
 namespace toile {
 
@@ -39,14 +43,35 @@ const QColor kTrouble(214, 72, 40);
 PiecesModel::PiecesModel(const Document& document, QObject* parent)
     : QAbstractTableModel(parent), document_(document) {
     connect(&document_, &Document::changed, this, &PiecesModel::onChanged);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &PiecesModel::showAgain);
 }
 
 void PiecesModel::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Garment)) {
         beginResetModel();
         endResetModel();
-    } else if (what.testFlag(DocumentChange::Results) && rowCount() > 0) {
-        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        return;
+    }
+    if (what.testFlag(DocumentChange::Results)) {
+        showColumns(0, ColumnCount - 1);
+        return;
+    }
+    if (what.testFlag(DocumentChange::Settings)) {
+        showColumns(Quantity, Pair);
+    }
+    if (what.testFlag(DocumentChange::Options)) {
+        showColumns(Method, Method);
+    }
+}
+
+void PiecesModel::showAgain() {
+    emit headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
+    showColumns(0, ColumnCount - 1);
+}
+
+void PiecesModel::showColumns(int first, int last) {
+    if (rowCount() > 0) {
+        emit dataChanged(index(0, first), index(rowCount() - 1, last));
     }
 }
 
@@ -58,11 +83,6 @@ int PiecesModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : ColumnCount;
 }
 
-const PieceResult* PiecesModel::result(int row) const {
-    const auto at = static_cast<std::size_t>(row);
-    return at < document_.results().size() ? document_.results()[at].get() : nullptr;
-}
-
 QVariant PiecesModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) {
         return {};
@@ -71,17 +91,21 @@ QVariant PiecesModel::data(const QModelIndex& index, int role) const {
     switch (role) {
         case Qt::DisplayRole:
             return text(row, column);
+        case Qt::EditRole:
+            return column == Quantity ? QVariant(settings(row).quantity) : QVariant();
+        case Qt::CheckStateRole:
+            return column == Pair
+                       ? QVariant(settings(row).mirroredPair ? Qt::Checked : Qt::Unchecked)
+                       : QVariant();
         case Qt::ToolTipRole:
-            return column == Status && result(row) && result(row)->error
-                       ? QString::fromStdString(sentence(*result(row)->error))
-                       : text(row, column);
+            return toolTip(row, column);
         case Qt::DecorationRole:
             return column == Name ? decoration(row) : QVariant();
         case Qt::TextAlignmentRole:
-            return column <= Status ? int(Qt::AlignLeft | Qt::AlignVCenter)
-                                    : int(Qt::AlignRight | Qt::AlignVCenter);
+            return isWords(column) ? int(Qt::AlignLeft | Qt::AlignVCenter)
+                                   : int(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::ForegroundRole:
-            return isTrouble(row, column) ? QVariant(QBrush(kTrouble)) : QVariant();
+            return foreground(row, column);
         case SortRole:
             return sortValue(row, column);
         default:
@@ -89,26 +113,66 @@ QVariant PiecesModel::data(const QModelIndex& index, int role) const {
     }
 }
 
+const PieceSettings& PiecesModel::settings(int row) const {
+    return document_.settings()[static_cast<std::size_t>(row)];
+}
+
+Qt::ItemFlags PiecesModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
+    if (!index.isValid()) {
+        return usual;
+    }
+    switch (index.column()) {
+        case Quantity:
+            return usual | Qt::ItemIsEditable;
+        case Pair:
+            return usual | Qt::ItemIsUserCheckable;
+        default:
+            return usual;
+    }
+}
+
+bool PiecesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (!index.isValid()) {
+        return false;
+    }
+    if (index.column() == Quantity && role == Qt::EditRole) {
+        emit quantityWanted(index.row(), value.toInt());
+        return true;
+    }
+    if (index.column() == Pair && role == Qt::CheckStateRole) {
+        emit pairWanted(index.row(), value.toInt() == Qt::Checked);
+        return true;
+    }
+    return false;
+}
+
 bool PiecesModel::hasDesigner() const {
     const auto& results = document_.results();
     return std::any_of(results.begin(), results.end(), [](const auto& result) {
-        return result->quality && result->quality->reference;
+        return result && result->quality && result->quality->reference;
     });
 }
 
 QVariant PiecesModel::decoration(int row) const {
-    const PieceResult* known = result(row);
+    const PieceResult* known = document_.result(row);
     return swatch(known && known->flat ? pieceColour(row) : neutralColour());
 }
 
 QString PiecesModel::text(int row, int column) const {
     const Piece& piece = *document_.garment()->pieces[static_cast<std::size_t>(row)];
-    const PieceResult* known = result(row);
+    const PieceResult* known = document_.result(row);
     switch (column) {
         case Name:
             return QString::fromStdString(piece.name);
         case Triangles:
             return QLocale().toString(static_cast<qlonglong>(piece.mesh.F.rows()));
+        case Quantity:
+            return QLocale().toString(settings(row).quantity);
+        case Pair:
+            return {};  // a box to check
+        case Method:
+            return known ? methodName(known->options.method) : QString(QChar(0x2013));
         case Status:
             if (known && known->error) {
                 // Short enough for a table; the whole sentence is in the tool tip and the details.
@@ -123,13 +187,56 @@ QString PiecesModel::text(int row, int column) const {
     }
 }
 
+QString PiecesModel::toolTip(int row, int column) const {
+    const PieceResult* known = document_.result(row);
+    switch (column) {
+        case Status:
+            return known && known->error ? errorText(*known->error) : text(row, column);
+        case Quantity:
+            return tr(
+                "How many are cut. Double-click or F2 to change it, of all selected pieces "
+                "at once");
+        case Pair:
+            return settings(row).mirroredPair
+                       ? tr("Each is also cut mirrored: left and right. Click or press Space to "
+                            "change it")
+                       : tr("Not cut mirrored. Click or press Space where left and right are cut "
+                            "from this piece");
+        case Method:
+            if (!known) {
+                return tr("Not flattened yet");
+            }
+            return isStale(row) ? tr("%1 – of an earlier shape or method; to be flattened anew")
+                                      .arg(methodName(known->options.method))
+                                : methodName(known->options.method);
+        default:
+            return text(row, column);
+    }
+}
+
+QVariant PiecesModel::foreground(int row, int column) const {
+    if (isTrouble(row, column)) {
+        return QBrush(kTrouble);
+    }
+    if (column == Method && isStale(row)) {
+        return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
+    }
+    return {};
+}
+
+bool PiecesModel::isStale(int row) const {
+    const PieceResult* known = document_.result(row);
+    return known && (known->piece != document_.garment()->pieces[static_cast<std::size_t>(row)] ||
+                     !(known->options == document_.options()));
+}
+
 QString PiecesModel::measuredText(const PieceResult& known, int column) const {
     const PieceQuality& quality = *known.quality;
     switch (column) {
         case Area:
-            return squareCentimetres(quality.area2d);
+            return areaNumber(quality.area2d);
         case Outline:
-            return centimetres(quality.perimeter2d);
+            return lengthNumber(quality.perimeter2d);
         case OutlineError:
             return boundaryError(quality.maxBoundaryLengthError);
         case StrainMean:
@@ -142,11 +249,9 @@ QString PiecesModel::measuredText(const PieceResult& known, int column) const {
             return QLocale().toString(quality.outlineCrossings);
         case DesignerRms:
         case DesignerMax:
-            return quality.reference
-                       ? QLocale().toString(column == DesignerRms ? quality.reference->rms
-                                                                  : quality.reference->max,
-                                            'f', 2)
-                       : QString(QChar(0x2013));
+            return quality.reference ? fineLength(column == DesignerRms ? quality.reference->rms
+                                                                        : quality.reference->max)
+                                     : QString(QChar(0x2013));
         default:
             return {};
     }
@@ -154,8 +259,14 @@ QString PiecesModel::measuredText(const PieceResult& known, int column) const {
 
 QVariant PiecesModel::sortValue(int row, int column) const {
     const Piece& piece = *document_.garment()->pieces[static_cast<std::size_t>(row)];
-    const PieceResult* known = result(row);
-    if (column == Name || column == Status) {
+    const PieceResult* known = document_.result(row);
+    if (column == Quantity) {
+        return settings(row).quantity;
+    }
+    if (column == Pair) {
+        return settings(row).mirroredPair ? 1 : 0;
+    }
+    if (isWords(column)) {
         return text(row, column);
     }
     if (column == Triangles) {
@@ -190,7 +301,7 @@ QVariant PiecesModel::sortValue(int row, int column) const {
 }
 
 bool PiecesModel::isTrouble(int row, int column) const {
-    const PieceResult* known = result(row);
+    const PieceResult* known = document_.result(row);
     if (!known) {
         return false;
     }
@@ -214,18 +325,23 @@ QVariant PiecesModel::headerData(int section, Qt::Orientation orientation, int r
     const Header headers[ColumnCount] = {
         {tr("Piece"), tr("Name of the piece and its colour in the views")},
         {tr("Status"), tr("Flat, or why not")},
+        {tr("Quantity"), tr("How many of the piece are cut")},
+        {tr("Pair"), tr("Each is also cut mirrored: left and right")},
+        {tr("Method"), tr("How the piece was flattened; grey until it is flattened anew")},
         {tr("Triangles"), tr("Triangles of the mesh")},
-        {tr("Area cm²"), tr("Area of the flat piece")},
-        {tr("Outline cm"), tr("Length of the flat piece's seam line all around")},
+        {tr("Area %1").arg(areaUnit()), tr("Area of the flat piece")},
+        {tr("Outline %1").arg(lengthUnit()), tr("Length of the flat piece's seam line all around")},
         {tr("Outline error %"),
          tr("Largest difference of an outline edge between the flat piece and the garment")},
         {tr("Mean strain %"), tr("Mean size of what the cloth must stretch or gather")},
         {tr("Strain range %"), tr("From most surplus to most stretch; + is stretch")},
         {tr("Flips"), tr("Triangles that lie upside down in the pattern: must be 0")},
         {tr("Crossings"), tr("Places where the outline crosses itself: must be 0")},
-        {tr("To designer rms mm"), tr("Distance from the designer's own panel, laid on as well as "
-                                      "it goes: root mean square")},
-        {tr("To designer max mm"), tr("Distance from the designer's own panel: the largest")},
+        {tr("To designer rms %1").arg(lengthUnit()),
+         tr("Distance from the designer's own panel, laid on as well as "
+            "it goes: root mean square")},
+        {tr("To designer max %1").arg(lengthUnit()),
+         tr("Distance from the designer's own panel: the largest")},
     };
     if (role == Qt::DisplayRole) {
         return headers[section].title;
@@ -234,8 +350,8 @@ QVariant PiecesModel::headerData(int section, Qt::Orientation orientation, int r
         return headers[section].tip;
     }
     if (role == Qt::TextAlignmentRole) {
-        return section <= Status ? int(Qt::AlignLeft | Qt::AlignVCenter)
-                                 : int(Qt::AlignRight | Qt::AlignVCenter);
+        return isWords(section) ? int(Qt::AlignLeft | Qt::AlignVCenter)
+                                : int(Qt::AlignRight | Qt::AlignVCenter);
     }
     return {};
 }

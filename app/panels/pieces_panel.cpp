@@ -12,10 +12,17 @@
 #include <QSortFilterProxyModel>
 #include <QTreeView>
 #include <algorithm>
+#include <numeric>
 
 #include "app/document/document.h"
-#include "app/panels/figures.h"
+#include "app/document/piece_edits.h"
+#include "app/panels/piece_table.h"
 #include "app/panels/pieces_model.h"
+#include "app/settings/length_display.h"
+#include "app/text/error_text.h"
+#include "app/text/figures.h"
+#include "app/widgets/close_editors.h"
+#include "app/widgets/column_chooser.h"
 
 namespace toile {
 
@@ -35,7 +42,12 @@ PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
       document_(document),
       model_(new PiecesModel(document, this)),
       sorted_(new QSortFilterProxyModel(this)),
-      table_(new QTreeView(this)),
+      table_(new PieceTable(this)),
+      columns_(new ColumnChooser(*table_->header(),
+                                 {"name", "status", "quantity", "pair", "method", "triangles",
+                                  "area", "outline", "outlineError", "strainMean", "strainRange",
+                                  "flips", "crossings", "designerRms", "designerMax"},
+                                 this)),
       details_(new QLabel(this)) {
     makeTable();
     details_->setObjectName("pieceDetails");
@@ -58,6 +70,12 @@ PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
     layout->addWidget(scroll, 1);
     // After the model's own connection: its rows are the new ones by then.
     connect(&document_, &Document::changed, this, &PiecesPanel::onChanged);
+    connect(columns_, &ColumnChooser::changed, this, &PiecesPanel::fitColumns);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
+        fitColumns();
+        updateDetails();
+    });
+    columns_->setHidden(hiddenAtFirst());
     updateDetails();
 }
 
@@ -66,6 +84,7 @@ void PiecesPanel::makeTable() {
     sorted_->setSortRole(PiecesModel::SortRole);
     table_->setObjectName("pieceTable");
     table_->setModel(sorted_);
+    closeEditorsBeforeReset(*table_);
     table_->setRootIsDecorated(false);
     table_->setUniformRowHeights(true);
     table_->setAlternatingRowColors(true);
@@ -75,10 +94,20 @@ void PiecesPanel::makeTable() {
     table_->setSortingEnabled(true);
     table_->sortByColumn(-1, Qt::AscendingOrder);  // the garment's order until asked otherwise
     table_->header()->setStretchLastSection(false);
-    table_->header()->setMinimumSectionSize(70);
+    table_->header()->setMinimumSectionSize(46);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &PiecesPanel::selectInDocument);
-    connect(table_, &QTreeView::doubleClicked, this, &PiecesPanel::activated);
+    connect(table_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
+        if (!(index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable))) {
+            emit activated();
+        }
+    });
+    connect(model_, &PiecesModel::quantityWanted, this, [this](int piece, int quantity) {
+        setQuantity(document_, meantWith(piece), quantity);
+    });
+    connect(model_, &PiecesModel::pairWanted, this, [this](int piece, bool isPair) {
+        setMirroredPair(document_, meantWith(piece), isPair);
+    });
     for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
         connect(new QShortcut(key, table_, {}, {}, Qt::WidgetShortcut), &QShortcut::activated, this,
                 &PiecesPanel::activated);
@@ -92,30 +121,62 @@ void PiecesPanel::onChanged(DocumentChanges what) {
     if (what & (DocumentChange::Garment | DocumentChange::Selection)) {
         selectInTable();
     }
-    if (what & (DocumentChange::Garment | DocumentChange::Selection | DocumentChange::Results)) {
+    if (what & (DocumentChange::Garment | DocumentChange::Selection | DocumentChange::Results |
+                DocumentChange::Settings)) {
         updateDetails();
     }
+}
+
+std::vector<int> PiecesPanel::meantWith(int piece) const {
+    const auto& selection = document_.selection();
+    return document_.isSelected(piece) ? std::vector<int>(selection.begin(), selection.end())
+                                       : std::vector<int>{piece};
+}
+
+QStringList PiecesPanel::hiddenAtFirst() {
+    return {"triangles", "outlineError"};
 }
 
 void PiecesPanel::fitColumns() {
     constexpr int kAir = 6;
     const bool hasDesigner = model_->hasDesigner();
+    wanted_.assign(PiecesModel::ColumnCount, 0);
     for (int column = 0; column < PiecesModel::ColumnCount; ++column) {
-        table_->setColumnHidden(column, PiecesModel::isAboutDesigner(column) && !hasDesigner);
+        table_->setColumnHidden(column, columns_->isHidden(column) ||
+                                            (PiecesModel::isAboutDesigner(column) && !hasDesigner));
         if (table_->isColumnHidden(column)) {
             continue;
         }
         table_->resizeColumnToContents(column);
-        table_->setColumnWidth(column, table_->columnWidth(column) + kAir);
+        wanted_[static_cast<std::size_t>(column)] = table_->columnWidth(column) + kAir;
     }
-    statusWidth_ = table_->columnWidth(PiecesModel::Status);
     fillWidth();
 }
 
 void PiecesPanel::fillWidth() {
-    const int others = table_->header()->length() - table_->columnWidth(PiecesModel::Status);
-    table_->setColumnWidth(PiecesModel::Status,
-                           std::max(statusWidth_, table_->viewport()->width() - others));
+    std::vector<int> widths = wanted_;
+    if (widths.empty()) {
+        return;
+    }
+    int spare = table_->viewport()->width() - std::accumulate(widths.begin(), widths.end(), 0);
+    const int least = table_->header()->minimumSectionSize();
+    while (spare < 0) {  // text is shortened in the widest columns, where least of it is lost
+        const auto widest = std::max_element(widths.begin(), widths.end());
+        if (*widest <= least) {
+            break;
+        }
+        const int cut = std::min({-spare, *widest - least, 8});
+        *widest -= cut;
+        spare += cut;
+    }
+    if (spare > 0 && widths[PiecesModel::Status] > 0) {
+        widths[PiecesModel::Status] += spare;
+    }
+    for (int column = 0; column < PiecesModel::ColumnCount; ++column) {
+        if (widths[static_cast<std::size_t>(column)] > 0) {
+            table_->setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
+        }
+    }
 }
 
 void PiecesPanel::resizeEvent(QResizeEvent* event) {
@@ -164,21 +225,20 @@ QString PiecesPanel::details(int piece) const {
     const Piece& source = *document_.garment()->pieces[at];
     QString text =
         QString("<p><b>%1</b></p>").arg(QString::fromStdString(source.name).toHtmlEscaped());
-    if (at >= document_.results().size()) {
+    if (!document_.result(piece)) {
         return text + "<p>" + tr("Not flattened yet.").toHtmlEscaped() + "</p>";
     }
-    const PieceResult& result = *document_.results()[at];
+    const PieceResult& result = *document_.result(piece);
     if (result.error) {
-        return text + "<p>" + QString::fromStdString(sentence(*result.error)).toHtmlEscaped() +
-               "</p>";
+        return text + "<p>" + errorText(*result.error).toHtmlEscaped() + "</p>";
     }
     const PieceQuality& quality = *result.quality;
     const QLocale locale;
     text += "<p>" + methodName(result.options.method).toHtmlEscaped() + "</p><table>";
-    text += row(tr("Area, garment"), tr("%1 cm²").arg(squareCentimetres(quality.area3d)));
-    text += row(tr("Area, flat"), tr("%1 cm²").arg(squareCentimetres(quality.area2d)));
-    text += row(tr("Outline, garment"), tr("%1 cm").arg(centimetres(quality.perimeter3d)));
-    text += row(tr("Outline, flat"), tr("%1 cm").arg(centimetres(quality.perimeter2d)));
+    text += row(tr("Area, garment"), areaWithUnit(quality.area3d));
+    text += row(tr("Area, flat"), areaWithUnit(quality.area2d));
+    text += row(tr("Outline, garment"), lengthWithUnit(quality.perimeter3d));
+    text += row(tr("Outline, flat"), lengthWithUnit(quality.perimeter2d));
     const QString error = boundaryError(quality.maxBoundaryLengthError);
     text += row(tr("Outline error"), error.at(0).isDigit() ? tr("%1 %").arg(error) : error);
     if (quality.strainMeanAbs) {
@@ -187,9 +247,9 @@ QString PiecesPanel::details(int piece) const {
     text += row(tr("Strain, range"), tr("%1 %").arg(strainRange(quality)));
     if (quality.reference) {
         text += row(tr("To designer, rms / max"),
-                    tr("%1 / %2 mm")
-                        .arg(locale.toString(quality.reference->rms, 'f', 2),
-                             locale.toString(quality.reference->max, 'f', 2)));
+                    QString("%1 / %2 %3")
+                        .arg(fineLength(quality.reference->rms), fineLength(quality.reference->max),
+                             lengthUnit()));
     }
     if (quality.quasiConformalMean) {
         text += row(tr("Uneven stretch (1 = even)"),
@@ -207,16 +267,17 @@ QString PiecesPanel::detailsOfMany() const {
     }
     const auto& selection = document_.selection();
     double area = 0;
-    int flat = 0, counted = 0;
+    int flat = 0, counted = 0, cut = 0;
     for (int i = 0; i < count; ++i) {
         if (!selection.empty() && selection.count(i) == 0) {
             continue;
         }
         ++counted;
-        const auto at = static_cast<std::size_t>(i);
-        if (at < document_.results().size() && document_.results()[at]->quality) {
+        cut += copiesOf(document_, i);
+        const PieceResult* result = document_.result(i);
+        if (result && result->quality) {
             ++flat;
-            area += document_.results()[at]->quality->area2d;
+            area += copiesOf(document_, i) * result->quality->area2d;
         }
     }
     const QString title = selection.empty() ? tr("The whole garment") : tr("Selected pieces");
@@ -227,9 +288,11 @@ QString PiecesPanel::detailsOfMany() const {
                                        .toHtmlEscaped() +
                                    "</p>"
                              : QString();
-    return QString("<p><b>%1</b></p><table>%2%3</table>%4")
+    const QString toCut =
+        cut == counted ? QString() : row(tr("Pieces to cut"), QLocale().toString(cut));
+    return QString("<p><b>%1</b></p><table>%2%3%4</table>%5")
         .arg(title.toHtmlEscaped(), row(tr("Pieces, flat"), tr("%1 of %2").arg(flat).arg(counted)),
-             row(tr("Cloth needed at least"), tr("%1 cm²").arg(squareCentimetres(area))), hint);
+             toCut, row(tr("Cloth needed at least"), areaWithUnit(area)), hint);
 }
 
 }  // namespace toile

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "app/document/document_change.h"
 
@@ -11,6 +12,7 @@ class QTreeView;
 
 namespace toile {
 
+class ColumnChooser;
 class Document;
 class PiecesModel;
 
@@ -23,6 +25,10 @@ public:
     explicit PiecesPanel(Document& document, QWidget* parent = nullptr);
 
     QTreeView& table() { return *table_; }
+    /// Which columns there are to be.
+    ColumnChooser& columns() { return *columns_; }
+    /// Columns that a person has to ask for.
+    static QStringList hiddenAtFirst();
 
 signals:
     /// A piece was double-clicked or Enter pressed on it: it is to be shown.
@@ -33,13 +39,16 @@ protected:
 
 private:
     void makeTable();
-    /// Every column as wide as its contents; what is left goes to the status.
+    /// Every column as wide as its contents; what is left goes to the status, and what is wanting
+    /// is taken from the widest.
     void fitColumns();
     void fillWidth();
     void onChanged(DocumentChanges what);
     void selectInTable();
     void selectInDocument();
     void updateDetails();
+    /// All that an edit of this piece's row is meant for.
+    std::vector<int> meantWith(int piece) const;
     QString details(int piece) const;
     QString detailsOfMany() const;
 
@@ -47,8 +56,9 @@ private:
     PiecesModel* model_;
     QSortFilterProxyModel* sorted_;
     QTreeView* table_;
+    ColumnChooser* columns_;
     QLabel* details_;
-    int statusWidth_ = 0;         ///< what its contents need, pixels
+    std::vector<int> wanted_;     ///< widths that the contents need, pixels; 0: hidden
     bool synchronizing_ = false;  ///< keeps the two selections from answering each other
 };
 

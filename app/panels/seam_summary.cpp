@@ -6,15 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/figures.h"
-#include "app/panels/seam_fit.h"
+#include "app/text/figures.h"
+#include "app/text/seam_fit.h"
 
 namespace toile {
 
 namespace {
 
 QString tr(const char* text) {
-    return QCoreApplication::translate("SeamSummary", text);
+    return QCoreApplication::translate("toile", text);
 }
 
 struct Tally {
@@ -61,7 +61,7 @@ QString seamSummary(const SeamGraph& graph,
         parts << (tally.nearly == 1 ? tr("1 nearly matches")
                                     : tr("%1 nearly match").arg(tally.nearly));
     }
-    parts << tr("worst %1 mm").arg(signedNumber(tally.worst, 2).remove('+'));
+    parts << tr("worst %1 %2").arg(fineLength(tally.worst), lengthUnit());
     if (tally.measured < tally.seams) {
         parts << tr("%1 not measured: a piece is not flat").arg(tally.seams - tally.measured);
     }

@@ -8,9 +8,10 @@
 #include <cmath>
 
 #include "app/document/document.h"
-#include "app/panels/figures.h"
-#include "app/panels/seam_fit.h"
 #include "app/panels/seam_summary.h"
+#include "app/settings/length_display.h"
+#include "app/text/figures.h"
+#include "app/text/seam_fit.h"
 
 namespace toile {
 
@@ -44,24 +45,50 @@ QString kindWord(SeamKind kind) {
 SeamsModel::SeamsModel(const Document& document, QObject* parent)
     : QAbstractTableModel(parent), document_(document) {
     connect(&document_, &Document::changed, this, &SeamsModel::onChanged);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &SeamsModel::showAgain);
 }
 
 void SeamsModel::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Garment)) {
+    const bool another = what.testFlag(DocumentChange::Opened) ||
+                         (what.testFlag(DocumentChange::Garment) && !hasTheSameRows());
+    if (another) {
         beginResetModel();
         measureAll();
         endResetModel();
-    } else if ((what & (DocumentChange::Results | DocumentChange::Seams)) && rowCount() > 0) {
+    } else if ((what &
+                (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Seams)) &&
+               rowCount() > 0) {
         measureAll();
+        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    }
+}
+
+void SeamsModel::showAgain() {
+    emit headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
+    if (rowCount() > 0) {
         emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
     }
 }
 
 void SeamsModel::measureAll() {
     measures_.clear();
+    names_.clear();
     for (int i = 0; i < document_.seamCount(); ++i) {
         measures_.push_back(measured(*document_.garment(), document_.results(), i));
+        names_.push_back(seam(i).name);
     }
+}
+
+bool SeamsModel::hasTheSameRows() const {
+    if (document_.seamCount() != rowCount()) {
+        return false;
+    }
+    for (int i = 0; i < rowCount(); ++i) {
+        if (seam(i).name != names_[static_cast<std::size_t>(i)]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 int SeamsModel::rowCount(const QModelIndex& parent) const {
@@ -154,8 +181,8 @@ QString SeamsModel::text(int row, int column) const {
         case Kind:
             return kindWord(asked.kind);
         case Length3d: {
-            const QString left = millimetres(asked.length3d[0]);
-            const QString right = millimetres(asked.length3d[1]);
+            const QString left = lengthNumber(asked.length3d[0]);
+            const QString right = lengthNumber(asked.length3d[1]);
             return asked.kind == SeamKind::Free || left == right ? left
                                                                  : tr("%1 / %2").arg(left, right);
         }
@@ -176,13 +203,13 @@ QString SeamsModel::measuredText(int row, int column) const {
     }
     switch (column) {
         case FlatLeft:
-            return millimetres(measure->length2dLeft);
+            return lengthNumber(measure->length2dLeft);
         case FlatRight:
-            return millimetres(measure->length2dRight);
+            return lengthNumber(measure->length2dRight);
         case Difference:
-            return signedNumber(measure->deltaMm, 2);
+            return signedFineLength(measure->deltaMm);
         case Error:
-            return signedNumber(measure->errorMm, 2);
+            return signedFineLength(measure->errorMm);
         case Fit:
             return fitWord(seamFit(asked, measure));
         default:
@@ -244,15 +271,22 @@ QVariant SeamsModel::headerData(int section, Qt::Orientation orientation, int ro
         {tr("No."), tr("Number of the seam in the garment")},
         {tr("Seam"), tr("The pieces sewn together; the left one is named first")},
         {tr("Kind"), tr("Seam, dart, pleat, or a free edge that is sewn to nothing")},
-        {tr("3D mm"), tr("Length on the garment; left / right where they differ")},
-        {tr("Flat left mm"), tr("Length of the left piece's edge in the pattern")},
-        {tr("Flat right mm"), tr("Length of the right piece's edge in the pattern")},
-        {tr("Difference mm"), tr("Flat left less flat right: what must be eased in when sewing")},
+        {tr("3D %1").arg(lengthUnit()),
+         tr("Length on the garment; left / right where they differ")},
+        {tr("Flat left %1").arg(lengthUnit()),
+         tr("Length of the left piece's edge in the pattern")},
+        {tr("Flat right %1").arg(lengthUnit()),
+         tr("Length of the right piece's edge in the pattern")},
+        {tr("Difference %1").arg(lengthUnit()),
+         tr("Flat left less flat right: what must be eased in when sewing")},
         {tr("Ease %"), tr("How much longer the left edge is meant to be. Grey: as on the garment; "
                           "bold: stated by you. Double click or F2 to state it, Delete to take it "
                           "from the garment")},
-        {tr("Error mm"), tr("What is left of the difference when the ease is taken out")},
-        {tr("Fit"), tr("Matches: up to 0.5 mm; nearly: up to 1.6 mm; does not match: more")},
+        {tr("Error %1").arg(lengthUnit()),
+         tr("What is left of the difference when the ease is taken out")},
+        {tr("Fit"), tr("Matches: up to %1; nearly: up to %2; does not match: more")
+                        .arg(fineLength(kMatchesMm) + ' ' + lengthUnit(),
+                             fineLength(kNearlyMm) + ' ' + lengthUnit())},
     };
     switch (role) {
         case Qt::DisplayRole:

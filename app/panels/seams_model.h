@@ -3,6 +3,7 @@
 
 #include <QAbstractTableModel>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/document/document_change.h"
@@ -53,7 +54,10 @@ signals:
 
 private:
     void onChanged(DocumentChanges what);
+    void showAgain();
     void measureAll();
+    /// Whether the rows are still of the same seams, in the same order.
+    bool hasTheSameRows() const;
     const Seam& seam(int row) const;
     QString text(int row, int column) const;
     QString measuredText(int row, int column) const;
@@ -63,6 +67,7 @@ private:
 
     const Document& document_;
     std::vector<std::optional<SeamMeasure>> measures_;  ///< one per seam
+    std::vector<std::string> names_;                    ///< likewise
 };
 
 }  // namespace toile

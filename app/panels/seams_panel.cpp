@@ -16,6 +16,8 @@
 #include "app/panels/cuts_panel.h"
 #include "app/panels/ease_delegate.h"
 #include "app/panels/seams_model.h"
+#include "app/settings/length_display.h"
+#include "app/widgets/close_editors.h"
 
 namespace toile {
 
@@ -71,9 +73,14 @@ SeamsPanel::SeamsPanel(Document& document, QWidget* parent)
     layout->addWidget(cuts, 1);
 
     connect(cuts, &CutsPanel::removeWanted, this, &SeamsPanel::cutRemovalWanted);
+    connect(cuts, &CutsPanel::joinRemovalWanted, this, &SeamsPanel::joinRemovalWanted);
     connect(model_, &SeamsModel::easeWanted, this, &SeamsPanel::easeWanted);
     // After the model's own connection: its rows are the new ones by then.
     connect(&document_, &Document::changed, this, &SeamsPanel::onChanged);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
+        updateHead();
+        fitColumns();
+    });
     updateHead();
 }
 
@@ -99,6 +106,7 @@ void SeamsPanel::makeTable() {
     table_->setObjectName("seamTable");
     table_->setAccessibleName(tr("Seams"));
     table_->setModel(sorted_);
+    closeEditorsBeforeReset(*table_);
     table_->setRootIsDecorated(false);
     table_->setUniformRowHeights(true);
     table_->setAlternatingRowColors(true);
@@ -172,8 +180,12 @@ void SeamsPanel::selectInTable() {
         table_->selectionModel()->clearSelection();
         return;
     }
-    table_->selectionModel()->setCurrentIndex(
-        index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    QItemSelectionModel& selection = *table_->selectionModel();
+    if (table_->currentIndex().row() == index.row() && selection.isRowSelected(index.row())) {
+        return;  // as it is: another current cell would close the editor of this one
+    }
+    selection.setCurrentIndex(index,
+                              QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
     table_->scrollTo(index);
 }
 

@@ -37,6 +37,7 @@ signals:
     void easeWanted(int seam, std::optional<double> ease);
     /// A cut of the user's is to be taken back.
     void cutRemovalWanted(const std::string& name);
+    void joinRemovalWanted(const std::string& name);
 
 private:
     QWidget* makeHead();

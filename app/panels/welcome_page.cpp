@@ -5,17 +5,26 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QIcon>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
+#include "app/panels/recent_file_button.h"
+#include "app/settings/preferences.h"
 #include "app/widgets/icon.h"
 
 namespace toile {
 
 namespace {
 
-constexpr int kColumnWidth = 520;
+constexpr int kColumnWidth = 620;
+constexpr int kRecentShown = 6;
+constexpr QSize kSamplePicture(96, 96);
+constexpr const char* kFaint = "faintText";
 
 QLabel* makeText(const QString& text, double scale, bool bold, bool faint) {
     auto* label = new QLabel(text);
@@ -28,20 +37,25 @@ QLabel* makeText(const QString& text, double scale, bool bold, bool faint) {
     }
     label->setFont(font);
     if (faint) {
-        QPalette palette = label->palette();
-        QColor colour = palette.color(QPalette::WindowText);
-        colour.setAlphaF(0.70F);
-        palette.setColor(QPalette::WindowText, colour);
-        label->setPalette(palette);
+        label->setObjectName(kFaint);
     }
     return label;
 }
 
-/// "tshirt" is "T-shirt" to a person; other file names only get a capital.
+/// What a person calls a sample; one that nobody has named yet gets its file's name.
 QString sampleTitle(const QString& path) {
+    constexpr std::pair<const char*, const char*> kTitles[] = {
+        {"bodice", QT_TRANSLATE_NOOP("WelcomePage", "Bodice")},
+        {"cap", QT_TRANSLATE_NOOP("WelcomePage", "Cap")},
+        {"skirt", QT_TRANSLATE_NOOP("WelcomePage", "Skirt")},
+        {"trousers", QT_TRANSLATE_NOOP("WelcomePage", "Trousers")},
+        {"tshirt", QT_TRANSLATE_NOOP("WelcomePage", "T-shirt")},
+    };
     const QString base = QFileInfo(path).completeBaseName();
-    if (base == "tshirt") {
-        return QCoreApplication::translate("WelcomePage", "T-shirt");
+    for (const auto& [name, title] : kTitles) {
+        if (base == QLatin1String(name)) {
+            return QCoreApplication::translate("WelcomePage", title);
+        }
     }
     QString title = base;
     title.replace('_', ' ').replace('-', ' ');
@@ -70,18 +84,19 @@ QStringList samplePaths() {
     return {};
 }
 
-WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
+WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
+    : QWidget(parent), preferences_(preferences) {
     setObjectName("welcome");
     auto* mark = new QLabel;
     mark->setPixmap(QIcon(":/icons/toile.svg").pixmap(QSize(76, 76), devicePixelRatioF()));
     mark->setAlignment(Qt::AlignHCenter);
     mark->setMinimumHeight(76);
-    auto* open = new QPushButton(themedIcon("open"), tr("Open a garment…"));
-    open->setObjectName("welcomeOpen");
-    open->setDefault(true);
-    open->setMinimumHeight(38);
-    open->setIconSize({20, 20});
-    connect(open, &QPushButton::clicked, this, &WelcomePage::openWanted);
+    open_ = new QPushButton(themedIcon("open"), tr("Open a garment…"), this);
+    open_->setObjectName("welcomeOpen");
+    open_->setDefault(true);
+    open_->setMinimumHeight(38);
+    open_->setIconSize({20, 20});
+    connect(open_, &QPushButton::clicked, this, &WelcomePage::openWanted);
 
     auto* column = new QWidget;
     column->setFixedWidth(kColumnWidth);
@@ -94,12 +109,13 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
                                  "keep their length, and shows what the cloth has to do."),
                               1.05, false, true));
     lines->addSpacing(16);
-    lines->addWidget(open, 0, Qt::AlignHCenter);
-    lines->addWidget(makeText(tr("or drop OBJ, PLY, OFF or STL files here; several files are "
-                                 "taken as one garment"),
+    lines->addWidget(open_, 0, Qt::AlignHCenter);
+    lines->addWidget(makeText(tr("or drop OBJ, PLY, OFF, STL or .toile files here; several "
+                                 "meshes are taken as one garment"),
                               0.95, false, true));
+    lines->addWidget(makeRecent());
     if (QWidget* samples = makeSamples()) {
-        lines->addSpacing(26);
+        lines->addSpacing(22);
         lines->addWidget(makeText(tr("Or begin with a sample"), 1.0, true, false));
         lines->addWidget(samples, 0, Qt::AlignHCenter);
     }
@@ -107,6 +123,17 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     layout->addStretch(2);
     layout->addWidget(column, 0, Qt::AlignHCenter);
     layout->addStretch(3);
+    tintFaintTexts();
+}
+
+void WelcomePage::tintFaintTexts() {
+    QColor colour = palette().color(QPalette::WindowText);
+    colour.setAlphaF(0.70F);
+    for (QLabel* label : findChildren<QLabel*>(kFaint)) {
+        QPalette tinted;
+        tinted.setColor(QPalette::WindowText, colour);
+        label->setPalette(tinted);
+    }
 }
 
 QWidget* WelcomePage::makeSamples() {
@@ -119,14 +146,88 @@ QWidget* WelcomePage::makeSamples() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     for (const QString& path : paths) {
-        auto* button = new QPushButton(sampleTitle(path));
-        button->setObjectName("sample-" + QFileInfo(path).completeBaseName());
+        const QFileInfo file(path);
+        auto* button = new QToolButton;
+        button->setText(sampleTitle(path));
+        button->setObjectName("sample-" + file.completeBaseName());
         button->setToolTip(QDir::toNativeSeparators(path));
-        button->setMinimumWidth(84);
-        connect(button, &QPushButton::clicked, this, [this, path] { emit sampleWanted(path); });
+        button->setMinimumWidth(92);
+        button->setMinimumHeight(32);
+        const QPixmap picture(file.dir().filePath(file.completeBaseName() + ".png"));
+        if (!picture.isNull()) {
+            button->setIcon(QIcon(picture));
+            button->setIconSize(kSamplePicture);
+            button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        }
+        connect(button, &QToolButton::clicked, this, [this, path] { emit filesWanted({path}); });
         row->addWidget(button);
     }
     return box;
+}
+
+QWidget* WelcomePage::makeRecent() {
+    recent_ = new QWidget;
+    recent_->setObjectName("recentFiles");
+    recentRows_ = new QVBoxLayout(recent_);
+    recentRows_->setContentsMargins(0, 20, 0, 0);
+    recentRows_->setSpacing(2);
+    connect(&preferences_, &Preferences::recentFilesChanged, this, &WelcomePage::updateRecent);
+    updateRecent();
+    return recent_;
+}
+
+void WelcomePage::updateRecent() {
+    while (QLayoutItem* row = recentRows_->takeAt(0)) {
+        if (QWidget* widget = row->widget()) {
+            widget->hide();
+            widget->deleteLater();  // it may be what was clicked
+        }
+        delete row;
+    }
+    int shown = 0;
+    const QList<QStringList> recent = preferences_.recentFiles();
+    QWidget* before = open_;  // the keyboard goes down the page
+    for (const QStringList& files : recent) {
+        const bool there = std::all_of(files.begin(), files.end(),
+                                       [](const QString& path) { return QFileInfo::exists(path); });
+        if (shown == kRecentShown || !there) {
+            continue;
+        }
+        if (shown == 0) {
+            recentRows_->addWidget(makeText(tr("Opened before"), 1.0, true, false));
+            recentRows_->addSpacing(4);
+        }
+        auto* button = new RecentFileButton(files.front());
+        button->setObjectName(QString("recent-%1").arg(++shown));
+        connect(button, &QPushButton::clicked, this, [this, files] { emit filesWanted(files); });
+        recentRows_->addWidget(button);
+        if (window() == button->window()) {  // else the page is still being made
+            setTabOrder(before, button);
+            before = button;
+        }
+    }
+    recent_->setVisible(shown > 0);
+}
+
+void WelcomePage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        tintFaintTexts();
+    }
+}
+
+void WelcomePage::keyPressEvent(QKeyEvent* event) {
+    auto* button = qobject_cast<QAbstractButton*>(focusWidget());
+    if (button && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
+        button->click();
+        return;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+void WelcomePage::showEvent(QShowEvent* event) {
+    updateRecent();  // files come and go
+    QWidget::showEvent(event);
 }
 
 }  // namespace toile

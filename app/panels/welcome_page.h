@@ -4,21 +4,43 @@
 #include <QStringList>
 #include <QWidget>
 
+class QPushButton;
+class QVBoxLayout;
+
 namespace toile {
 
-/// What the window shows before a garment is open: a friendly word, how to open one, the samples.
+class Preferences;
+
+/// What the window shows before a garment is open: a friendly word, how to open one, what was
+/// opened last, the samples.
 class WelcomePage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit WelcomePage(QWidget* parent = nullptr);
+    /// `preferences` must outlive the page.
+    explicit WelcomePage(Preferences& preferences, QWidget* parent = nullptr);
 
 signals:
     void openWanted();
-    void sampleWanted(const QString& path);
+    /// One that was opened before, or a sample.
+    void filesWanted(const QStringList& files);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     QWidget* makeSamples();
+    QWidget* makeRecent();
+    void updateRecent();
+    /// In the colour of the theme, which may change.
+    void tintFaintTexts();
+
+    Preferences& preferences_;
+    QPushButton* open_ = nullptr;
+    QWidget* recent_ = nullptr;  ///< heading and list; hidden where nothing was opened yet
+    QVBoxLayout* recentRows_ = nullptr;
 };
 
 /// The sample garments that came with the program, or lie in its source tree; may be empty.

@@ -8,8 +8,6 @@
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "app/render/glm_eigen.h"
 
@@ -19,8 +17,14 @@ namespace {
 
 /// Vertical opening: narrow enough that a sleeve near the eye does not swell.
 constexpr double kFieldOfView = 30.0 * std::numbers::pi / 180.0;
-/// Just short of straight down, where the turntable has no up direction.
-constexpr double kSteepest = 89.0 * std::numbers::pi / 180.0;
+/// Straight down or up; beyond, the garment would hang upside down.
+constexpr double kSteepest = std::numbers::pi / 2;
+/// From where rays start that have no eye to start from, mm before the target: before all cloth.
+constexpr double kFarBefore = 2e4;
+/// In a wrongly read unit a garment is larger than that: then so many times the eye's distance.
+constexpr double kFarBeforeOfDistance = 100;
+/// How near to the target the eye may come by zooming, and how far from it, mm.
+constexpr double kNearest = 1e-3, kFarthest = 1e7;
 /// Room left around a framed box.
 constexpr double kFrameMargin = 1.08;
 
@@ -41,16 +45,21 @@ void Camera3D::setDirection(double yaw, double pitch) {
     pitch_ = std::clamp(pitch, -kSteepest, kSteepest);
 }
 
+void Camera3D::moveTowards(const Camera3D& other, double share) {
+    target_ = (1 - share) * target_ + share * other.target_;  // exactly the other at 1
+    distance_ = std::exp(std::lerp(std::log(distance_), std::log(other.distance_), share));
+}
+
 void Camera3D::pan(double dx, double dy) {
     const double unitsPerPixel = distance_ / pixelsPerUnitAtDepthOne();
-    const glm::dmat3 basis = axes();
-    target_ += (-dx * basis[0] + dy * basis[1]) * unitsPerPixel;
+    const Eigen::Matrix3d basis = axes();
+    target_ += (-dx * basis.col(0) + dy * basis.col(1)) * unitsPerPixel;
 }
 
 void Camera3D::zoomAt(const Eigen::Vector3d& anchor, double factor) {
-    const glm::dvec3 fixed = toGlm(anchor);
+    factor = distance_ / std::clamp(distance_ / factor, kNearest, kFarthest);
     // Eye and target shrink towards the anchor alike, so every direction from the eye is kept.
-    target_ = fixed + (target_ - fixed) / factor;
+    target_ = anchor + (target_ - anchor) / factor;
     distance_ /= factor;
 }
 
@@ -62,7 +71,7 @@ void Camera3D::frame(std::span<const Eigen::AlignedBox3d> boxes) {
     if (all.isEmpty()) {
         return;
     }
-    target_ = toGlm(Eigen::Vector3d(all.center()));
+    target_ = all.center();
     double needed = std::numeric_limits<double>::min();
     for (const Eigen::AlignedBox3d& box : boxes) {
         if (!box.isEmpty()) {
@@ -73,67 +82,107 @@ void Camera3D::frame(std::span<const Eigen::AlignedBox3d> boxes) {
 }
 
 double Camera3D::distanceToFit(const Eigen::AlignedBox3d& box) const {
-    const glm::dmat3 basis = axes();
+    const Eigen::Matrix3d basis = axes();
     const double tanY = std::tan(kFieldOfView / 2) / kFrameMargin;
     const double tanX = tanY * width_ / height_;
     double needed = 0;
     for (int corner = 0; corner < 8; ++corner) {
         const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
-        const glm::dvec3 offset = toGlm(Eigen::Vector3d(box.corner(type))) - target_;
-        const double depth = glm::dot(offset, basis[2]);
-        needed = std::max({needed, depth + std::abs(glm::dot(offset, basis[0])) / tanX,
-                           depth + std::abs(glm::dot(offset, basis[1])) / tanY});
+        const Eigen::Vector3d offset = basis.transpose() * (box.corner(type) - target_);
+        const double depth = orthographic_ ? 0.0 : offset.z();
+        needed = std::max(
+            {needed, depth + std::abs(offset.x()) / tanX, depth + std::abs(offset.y()) / tanY});
     }
     return needed;
 }
 
+double Camera3D::farBefore() const {
+    return std::max(kFarBefore, kFarBeforeOfDistance * distance_);
+}
+
 Ray Camera3D::ray(double x, double y) const {
-    const glm::dmat3 basis = axes();
+    const Eigen::Matrix3d basis = axes();
     const double scale = 1.0 / pixelsPerUnitAtDepthOne();
-    const glm::dvec3 direction =
-        (x - width_ / 2) * scale * basis[0] + (height_ / 2 - y) * scale * basis[1] - basis[2];
-    return {toEigen(eye()), toEigen(glm::normalize(direction))};
+    const Eigen::Vector2d offMiddle(x - width_ / 2, height_ / 2 - y);
+    const Eigen::Vector3d beside = scale * (basis.leftCols<2>() * offMiddle);
+    if (orthographic_) {
+        return {target_ + distance_ * beside + farBefore() * basis.col(2), -basis.col(2)};
+    }
+    return {eye(), (beside - basis.col(2)).normalized()};
 }
 
 Eigen::Vector3d Camera3D::pointAtTargetDepth(double x, double y) const {
     const Ray through = ray(x, y);
-    const double cosine = -through.direction.dot(toEigen(axes()[2]));
+    if (orthographic_) {
+        return through.origin + through.direction * farBefore();
+    }
+    const double cosine = -through.direction.dot(axes().col(2));
     return through.origin + through.direction * (distance_ / cosine);
 }
 
 Eigen::Vector2d Camera3D::project(const Eigen::Vector3d& point) const {
-    const glm::dmat3 basis = axes();
-    const glm::dvec3 offset = toGlm(point) - eye();
-    const double scale = pixelsPerUnitAtDepthOne() / -glm::dot(offset, basis[2]);
-    return {width_ / 2 + glm::dot(offset, basis[0]) * scale,
-            height_ / 2 - glm::dot(offset, basis[1]) * scale};
+    const Eigen::Vector3d offset = axes().transpose() * (point - eye());
+    const double depth = orthographic_ ? distance_ : -offset.z();
+    const double scale = pixelsPerUnitAtDepthOne() / depth;
+    return {width_ / 2 + offset.x() * scale, height_ / 2 - offset.y() * scale};
+}
+
+bool Camera3D::isBefore(const Eigen::Vector3d& point) const {
+    return orthographic_ || (point - eye()).dot(axes().col(2)) < 0;
 }
 
 glm::dmat4 Camera3D::view() const {
-    return glm::lookAt(eye(), target_, axes()[1]);
+    return glm::lookAt(toGlm(eye()), toGlm(target_), toGlm(Eigen::Vector3d(axes().col(1))));
+}
+
+Camera3D::DepthRange Camera3D::depthRange(const Eigen::AlignedBox3d& box) const {
+    if (box.isEmpty()) {
+        return {distance_ * 0.5, distance_ * 2};
+    }
+    const double depth = (eye() - box.center()).dot(axes().col(2));
+    const double radius = box.diagonal().norm() / 2;
+    if (orthographic_) {
+        return {depth - 1.01 * radius, depth + 1.01 * radius};
+    }
+    const double farthest = std::max(depth + radius, distance_) * 1.01;
+    // Never closer than a thousandth of the far plane: depth would run out of digits.
+    return {std::max(depth - radius * 1.01, farthest * 1e-3), farthest};
 }
 
 glm::dmat4 Camera3D::projection(const Eigen::AlignedBox3d& box) const {
-    double nearest = distance_ * 0.5, farthest = distance_ * 2;
-    if (!box.isEmpty()) {
-        const double depth = glm::dot(eye() - toGlm(Eigen::Vector3d(box.center())), axes()[2]);
-        const double radius = box.diagonal().norm() / 2;
-        farthest = std::max(depth + radius, distance_) * 1.01;
-        // Never closer than a thousandth of the far plane: depth would run out of digits.
-        nearest = std::max(depth - radius * 1.01, farthest * 1e-3);
+    const DepthRange range = depthRange(box);
+    if (orthographic_ && !box.isEmpty()) {
+        const double halfHeight = distance_ * std::tan(kFieldOfView / 2);
+        const double halfWidth = halfHeight * width_ / height_;
+        return glm::ortho(-halfWidth, halfWidth, -halfHeight, halfHeight, range.nearest,
+                          range.farthest);
     }
-    return glm::perspective(kFieldOfView, width_ / height_, nearest, farthest);
+    return glm::perspective(kFieldOfView, width_ / height_, range.nearest, range.farthest);
 }
 
-glm::dvec3 Camera3D::eye() const {
-    return target_ + axes()[2] * distance_;
+double Camera3D::depthShift(const Eigen::AlignedBox3d& box, double share) const {
+    const DepthRange range = depthRange(box);
+    const double extent = range.farthest - range.nearest;
+    if (!(extent > 0)) {
+        return 0;
+    }
+    // With perspective depth falls as the inverse of the distance w, and clip space multiplies by
+    // w: a share of the distance is the same number near and far.
+    return orthographic_ && !box.isEmpty() ? 2 * share * distance_ / extent
+                                           : 2 * share * range.nearest * range.farthest / extent;
 }
 
-glm::dmat3 Camera3D::axes() const {
-    const glm::dvec3 back(std::cos(pitch_) * std::sin(yaw_), std::sin(pitch_),
-                          std::cos(pitch_) * std::cos(yaw_));
-    const glm::dvec3 right(std::cos(yaw_), 0.0, -std::sin(yaw_));
-    return {right, glm::cross(back, right), back};
+Eigen::Vector3d Camera3D::eye() const {
+    return target_ + axes().col(2) * distance_;
+}
+
+Eigen::Matrix3d Camera3D::axes() const {
+    const Eigen::Vector3d back(std::cos(pitch_) * std::sin(yaw_), std::sin(pitch_),
+                               std::cos(pitch_) * std::cos(yaw_));
+    const Eigen::Vector3d right(std::cos(yaw_), 0.0, -std::sin(yaw_));
+    Eigen::Matrix3d basis;
+    basis << right, back.cross(right), back;
+    return basis;
 }
 
 double Camera3D::pixelsPerUnitAtDepthOne() const {

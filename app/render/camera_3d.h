@@ -5,9 +5,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
-#include <glm/vec3.hpp>
 
 namespace toile {
 
@@ -34,29 +32,54 @@ public:
     void frame(std::span<const Eigen::AlignedBox3d> boxes);
     /// Direction of view in radians: yaw around y from the front, pitch upwards.
     void setDirection(double yaw, double pitch);
+    double yaw() const { return yaw_; }
+    double pitch() const { return pitch_; }
+    /// Without perspective: what is parallel stays so; sizes are those at the target's depth.
+    void setOrthographic(bool on) { orthographic_ = on; }
+    bool isOrthographic() const { return orthographic_; }
+    /// Comes nearer to another camera's target and distance, keeping its own direction; share 0 to
+    /// 1.
+    void moveTowards(const Camera3D& other, double share);
 
+    /// Starts before all cloth, at the eye where there is perspective.
     Ray ray(double x, double y) const;
     /// Point on the ray through a pixel at the target's depth.
     Eigen::Vector3d pointAtTargetDepth(double x, double y) const;
     /// Screen place of a point, in pixels; meaningless behind the eye.
     Eigen::Vector2d project(const Eigen::Vector3d& point) const;
 
+    /// True where the point lies before the eye.
+    bool isBefore(const Eigen::Vector3d& point) const;
+    /// Of what lies at the target's depth.
+    double pixelsPerMillimetre() const { return pixelsPerUnitAtDepthOne() / distance_; }
+
     glm::dmat4 view() const;
     /// @param box what is to be seen: near and far are set around it
     glm::dmat4 projection(const Eigen::AlignedBox3d& box) const;
-    glm::dvec3 eye() const;
+    /// What has to be taken from z in the clip space of that projection to come nearer to the eye
+    /// by a share of the distance to it, wherever that is; without perspective by that share of
+    /// the distance to the target.
+    double depthShift(const Eigen::AlignedBox3d& box, double share) const;
+    Eigen::Vector3d eye() const;
     double distance() const { return distance_; }
+    Eigen::Matrix3d axes() const;  ///< columns: right, up, towards the eye
 
 private:
+    struct DepthRange {
+        double nearest, farthest;
+    };
+    DepthRange depthRange(const Eigen::AlignedBox3d& box) const;
+    /// From where rays start that have no eye to start from, before the target.
+    double farBefore() const;
     /// Distance from the target at which the box fits, as seen from the present direction.
     double distanceToFit(const Eigen::AlignedBox3d& box) const;
-    glm::dmat3 axes() const;  ///< columns: right, up, towards the eye
     double pixelsPerUnitAtDepthOne() const;
 
-    glm::dvec3 target_{0.0};
+    Eigen::Vector3d target_ = Eigen::Vector3d::Zero();
     double distance_ = 1000;
     double yaw_ = 0.45, pitch_ = 0.12;
     double width_ = 1, height_ = 1;
+    bool orthographic_ = false;
 };
 
 }  // namespace toile

@@ -59,7 +59,7 @@ const ColourMap& sequentialMap() {
 }
 
 const ColourMap& colourMap(Overlay overlay) {
-    return overlay == Overlay::Angle ? sequentialMap() : divergingMap();
+    return isSigned(overlay) ? divergingMap() : sequentialMap();
 }
 
 Rgb pieceColour(int piece) {

@@ -1,34 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render/garment_renderer.h"
 
-#include <QOpenGLShaderProgram>
+#include <algorithm>
 #include <cstddef>
 
 #include "app/render/gl_uniforms.h"
+#include "app/render/piece_table.h"
 
 namespace toile {
 
 namespace {
 
-/// Lifts lines off the cloth, in normalized depth: about a thousandth of the garment's depth.
-constexpr float kLineDepthShift = 6e-4F;
+/// Lifts lines off the cloth, as a part of their distance from the eye: half a pixel or so.
+constexpr double kLineDepthShift = 3e-4;
 
 constexpr VertexAttribute kAttributes[] = {
     {0, 3, offsetof(GarmentVertex, position)}, {1, 3, offsetof(GarmentVertex, normal)},
-    {2, 2, offsetof(GarmentVertex, flat)},     {3, 3, offsetof(GarmentVertex, values)},
-    {4, 1, offsetof(GarmentVertex, piece)},
+    {2, 2, offsetof(GarmentVertex, flat)},     {3, 4, offsetof(GarmentVertex, values)},
+    {4, 1, offsetof(GarmentVertex, piece)},    {5, 3, offsetof(GarmentVertex, metric)},
 };
 
 constexpr VertexAttribute kLineAttributes[] = {
     {0, 3, offsetof(GarmentLineVertex, position)},
+    {2, 2, offsetof(GarmentLineVertex, flat)},
     {4, 1, offsetof(GarmentLineVertex, piece)},
+    {7, 1, offsetof(GarmentLineVertex, tint)},
 };
+
+constexpr int kMorphTableUnit = 3;
+/// How much is seen of a sheet of cloth where it lets what is behind it be seen: of the nearest, so
+/// that its colours can be read, and of those behind.
+constexpr float kXrayNearest = 0.58F, kXrayBehind = 0.34F;
+
+/// The camera turns the sheet only once pieces are on their way to it.
+bool needNewTable(const Morph& now, const Morph& before) {
+    return now.flight() != before.flight() ||
+           (now.flight() > 0 &&
+            (now.sheetAxes != before.sheetAxes || now.sheetCentre != before.sheetCentre));
+}
 
 }  // namespace
 
 SceneRenderer::ProgramFiles GarmentRenderer::programFiles() const {
-    return {{"piece_table.glsl", "garment.vert", "surface.glsl", "garment.frag"},
-            {"piece_table.glsl", "garment_line.vert", "line.geom", "line.frag"}};
+    return {{"piece_table.glsl", "morph.glsl", "garment.vert", "surface.glsl", "garment.frag"},
+            {"piece_table.glsl", "morph.glsl", "garment_line.vert", "line.geom", "line.frag"},
+            {"cross.glsl", "garment_cross.vert", "cross.geom", "cross.glsl", "cross.frag"}};
 }
 
 void GarmentRenderer::upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
@@ -37,7 +53,7 @@ void GarmentRenderer::upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines
 }
 
 void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style,
-                            int width, int height, double pixelRatio) {
+                            int width, int height, double pixelRatio, const Morph& morph) {
     if (!gl_) {
         return;
     }
@@ -45,24 +61,114 @@ void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const
     gl_->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     Frame frame{glm::mat4(1.0F), view, style, width, height, static_cast<float>(pixelRatio)};
     paintBackdrop(frame);
-    if (!synchronize()) {
+    if (!synchronize(view)) {
         return;
     }
+    synchronizeMorph(morph);
+    xray_ = view.xray;
     const glm::dmat4 eye = camera.view();
-    frame.viewProjection = glm::mat4(camera.projection(scene_->box) * eye);
+    Eigen::AlignedBox3d box = scene_->box;
+    if (morph.way > 0) {
+        for (const Eigen::AlignedBox3d& piece : morphBoxes(*scene_, places(), morph)) {
+            box.extend(piece);
+        }
+    }
+    frame.viewProjection = glm::mat4(camera.projection(box) * eye);
+    const auto depthShift = static_cast<float>(camera.depthShift(box, kLineDepthShift));
 
     gl_->glEnable(GL_DEPTH_TEST);
     gl_->glDepthFunc(GL_LEQUAL);
+    paintCloth(frame, camera);
+
+    if (morph.way == 0) {  // strokes on the garment, which do not come along to the sheet
+        // Apart as they are where the camera looks; nearer and farther ones come along with the
+        // cloth.
+        const Eigen::Vector3d here = camera.pointAtTargetDepth(0, 0);
+        constexpr double kPixels = 100;
+        paintCrosses(frame, depthShift,
+                     (camera.pointAtTargetDepth(kPixels, 0) - here).norm() / kPixels);
+    }
+    paintLines(frame, depthShift);
+    gl_->glDisable(GL_DEPTH_TEST);
+}
+
+void GarmentRenderer::paintCloth(const Frame& frame, const Camera3D& camera) {
     gl_->glEnable(GL_POLYGON_OFFSET_FILL);
     gl_->glPolygonOffset(1.0F, 1.0F);
-    QOpenGLShaderProgram& cloth = beginCloth(frame);
-    setUniform(*gl_, cloth, "normalToView", glm::mat3(glm::dmat3(eye)));
-    mesh_.drawTriangles(*gl_);
+    ShaderProgram& cloth = beginCloth(frame);
+    setUniform(*gl_, cloth, "normalToView", glm::mat3(glm::dmat3(camera.view())));
+    cloth.setUniformValue("clothAlpha", 1.0F);
+    cloth.setUniformValue("shaded", frame.view.shaded);
+    if (xray_) {
+        paintSheets(cloth);
+    } else {
+        mesh_.drawTriangles(*gl_);
+    }
     cloth.release();
     gl_->glDisable(GL_POLYGON_OFFSET_FILL);
+}
 
-    paintLines(frame, kLineDepthShift);
-    gl_->glDisable(GL_DEPTH_TEST);
+void GarmentRenderer::paintSheets(ShaderProgram& cloth) {
+    beginBlending(*gl_);
+    // Where the nearest sheet is: nothing of it is seen yet.
+    cloth.setUniformValue("clothAlpha", 0.0F);
+    mesh_.drawTriangles(*gl_);
+    gl_->glDepthMask(GL_FALSE);
+    // What lies behind it; what faces away first, for most of that is farther back.
+    gl_->glDepthFunc(GL_GREATER);
+    cloth.setUniformValue("clothAlpha", kXrayBehind);
+    gl_->glEnable(GL_CULL_FACE);
+    for (const GLenum culled : {GL_FRONT, GL_BACK}) {
+        gl_->glCullFace(culled);
+        mesh_.drawTriangles(*gl_);
+    }
+    gl_->glDisable(GL_CULL_FACE);
+    gl_->glDepthFunc(GL_LEQUAL);
+    cloth.setUniformValue("clothAlpha", kXrayNearest);
+    mesh_.drawTriangles(*gl_);
+    gl_->glDepthMask(GL_TRUE);
+    gl_->glDisable(GL_BLEND);
+    gl_->glClear(GL_DEPTH_BUFFER_BIT);  // lines are seen through all sheets
+}
+
+void GarmentRenderer::synchronizeMorph(const Morph& morph) {
+    bend_ = static_cast<float>(morph.bend());
+    if (bend_ == 0 || (tableContent_ == contentNumber() && !needNewTable(morph, tableMorph_))) {
+        return;
+    }
+    if (morphTable_ == 0) {
+        morphTable_ = makeTableTexture();
+    }
+    const std::vector<SpaceMotion> motions = morphMotions(*scene_, places(), morph);
+    const int count = static_cast<int>(motions.size());
+    const int height = std::max(1, (3 * count + kPieceTableWidth - 1) / kPieceTableWidth);
+    std::vector<float> texels(static_cast<std::size_t>(4) * kPieceTableWidth *
+                              static_cast<std::size_t>(height));
+    std::size_t at = 0;
+    for (const SpaceMotion& motion : motions) {
+        for (int k = 0; k < 3; ++k) {
+            for (int row = 0; row < 3; ++row) {
+                texels[at++] = static_cast<float>(motion.turn(row, k));
+            }
+            texels[at++] = static_cast<float>(motion.offset[k]);
+        }
+    }
+    uploadTable(morphTable_, height, texels);
+    tableMorph_ = morph;
+    tableContent_ = contentNumber();
+}
+
+void GarmentRenderer::setOwnUniforms(ShaderProgram& program) {
+    program.setUniformValue("bend", bend_);
+    program.setUniformValue("morphTable", kMorphTableUnit);
+    gl_->glActiveTexture(GL_TEXTURE0 + kMorphTableUnit);
+    gl_->glBindTexture(GL_TEXTURE_2D, morphTable_);
+}
+
+void GarmentRenderer::releaseOwn() {
+    gl_->glDeleteTextures(1, &morphTable_);
+    morphTable_ = 0;
+    tableContent_ = -1;
 }
 
 }  // namespace toile

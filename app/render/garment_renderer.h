@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "app/render/camera_3d.h"
+#include "app/render/morph.h"
 #include "app/render/scene_renderer.h"
 
 namespace toile {
@@ -11,13 +14,33 @@ namespace toile {
 class GarmentRenderer : public SceneRenderer {
 public:
     /// Into the bound framebuffer. @param width, height device pixels
+    /// @param morph  how far the garment is on its way to the pattern
     void paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style, int width,
-               int height, double pixelRatio);
+               int height, double pixelRatio, const Morph& morph = {});
 
 protected:
     ProgramFiles programFiles() const override;
     void upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) override;
-    const LineRuns& lineRuns(const Scene& scene) const override { return scene.garmentLines.runs; }
+    std::vector<FaceValues> faceValues(const Scene& scene) const override {
+        return garmentFaces(scene);
+    }
+    void setOwnUniforms(ShaderProgram& program) override;
+    bool isInDepth() const override { return !xray_; }
+    void releaseOwn() override;
+
+private:
+    void synchronizeMorph(const Morph& morph);
+    void paintCloth(const Frame& frame, const Camera3D& camera);
+    /// Cloth that is seen through, with the program bound.
+    void paintSheets(ShaderProgram& cloth);
+
+    /// Motions of the pieces on their way to the sheet: three texels each.
+    GLuint morphTable_ = 0;
+    float bend_ = 0;
+    bool xray_ = false;
+    /// What the table was made for.
+    Morph tableMorph_;
+    int tableContent_ = -1;
 };
 
 }  // namespace toile

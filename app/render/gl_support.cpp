@@ -2,24 +2,12 @@
 #include "app/render/gl_support.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLShaderProgram>
-#include <QOpenGLVersionFunctionsFactory>
+
+#include "app/render/egl_context.h"
 
 namespace toile {
-
-namespace {
-
-QOpenGLShader::ShaderType stageOf(std::string_view file) {
-    if (file.ends_with(".vert")) {
-        return QOpenGLShader::Vertex;
-    }
-    return file.ends_with(".geom") ? QOpenGLShader::Geometry : QOpenGLShader::Fragment;
-}
-
-}  // namespace
 
 QSurfaceFormat sceneSurfaceFormat() {
     QSurfaceFormat format;
@@ -28,7 +16,7 @@ QSurfaceFormat sceneSurfaceFormat() {
     format.setVersion(3, 3);
     format.setDepthBufferSize(24);
     format.setStencilBufferSize(8);  // for QPainter over the scene
-    format.setSamples(4);
+    format.setSamples(kSamples);
     return format;
 }
 
@@ -57,37 +45,18 @@ QString glProblem() {
     return {};
 }
 
-Gl* currentGl() {
-    QOpenGLContext* context = QOpenGLContext::currentContext();
-    return context ? QOpenGLVersionFunctionsFactory::get<Gl>(context) : nullptr;
+std::unique_ptr<Gl> currentGl() {
+    if (const QOpenGLContext* context = QOpenGLContext::currentContext()) {
+        return loadGl([context](const char* name) { return context->getProcAddress(name); });
+    }
+    const GlLookup lookup = currentEglLookup();
+    return lookup ? loadGl(lookup) : nullptr;
 }
 
-std::unique_ptr<QOpenGLShaderProgram> loadProgram(const std::vector<std::string_view>& files,
-                                                  QString& problem) {
-    auto program = std::make_unique<QOpenGLShaderProgram>();
-    const QByteArray version = "#version 330 core\n";
-    QByteArray source = version;
-    for (const std::string_view name : files) {
-        QFile file(":/shaders/" + QString::fromUtf8(name.data(), qsizetype(name.size())));
-        if (!file.open(QIODevice::ReadOnly)) {
-            problem = file.fileName();
-            return nullptr;
-        }
-        source += file.readAll();
-        if (name.ends_with(".glsl")) {
-            continue;
-        }
-        if (!program->addShaderFromSourceCode(stageOf(name), source)) {
-            problem = file.fileName() + ": " + program->log();
-            return nullptr;
-        }
-        source = version;
-    }
-    if (!program->link()) {
-        problem = program->log();
-        return nullptr;
-    }
-    return program;
+void beginBlending(Gl& gl) {
+    gl.glEnable(GL_BLEND);
+    // Alpha of the framebuffer stays 1: the window is not to shine through.
+    gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 }  // namespace toile

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QOpenGLFunctions_3_3_Core>
 #include <QString>
 #include <QSurfaceFormat>
 #include <memory>
-#include <string_view>
-#include <vector>
 
-class QOpenGLShaderProgram;
+#include "app/render/gl.h"
 
 namespace toile {
 
-using Gl = QOpenGLFunctions_3_3_Core;
+/// Samples per pixel, in windows and pictures alike.
+inline constexpr int kSamples = 4;
 
 /// OpenGL 3.3 core with depth and four samples per pixel: what every view asks for.
 QSurfaceFormat sceneSurfaceFormat();
@@ -21,13 +19,11 @@ QSurfaceFormat sceneSurfaceFormat();
 /// well. GUI thread.
 QString glProblem();
 
-/// The functions of the current context; null where it is older than 3.3 core.
-Gl* currentGl();
+/// The functions of the current context, be it Qt's or one of offscreen_context.h; null where there
+/// is none, or one older than 3.3 core.
+std::unique_ptr<Gl> currentGl();
 
-/// Links a program from resources/shaders; files of one stage are joined in the order given, the
-/// `#version` line is put in front. Stage by ending: .vert, .geom, .frag; .glsl joins the next.
-/// @param problem receives the driver's words where null is returned
-std::unique_ptr<QOpenGLShaderProgram> loadProgram(const std::vector<std::string_view>& files,
-                                                  QString& problem);
+/// What is drawn next covers by its alpha.
+void beginBlending(Gl& gl);
 
 }  // namespace toile

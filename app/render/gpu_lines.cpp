@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render/gpu_lines.h"
 
+#include <algorithm>
+
 namespace toile {
 
 void GpuLines::uploadVertices(Gl& gl, const void* data, std::size_t count, std::size_t stride,
@@ -8,21 +10,85 @@ void GpuLines::uploadVertices(Gl& gl, const void* data, std::size_t count, std::
     release(gl);
     vertices_ = makeVertexBuffer(gl, data, count * stride);
     array_ = makeVertexArray(gl, vertices_, stride, attributes);
+    counts_.uploadedBytes += count * stride;
 }
 
-void GpuLines::draw(Gl& gl, const VertexRun& run) const {
-    if (array_ == 0 || run.count < 2) {
+void GpuLines::uploadSegments(Gl& gl, const LineRuns& runs) {
+    std::vector<std::uint32_t> indices;
+    const auto add = [&indices](const VertexRun& run) {
+        for (std::uint32_t i = 1; i < run.count; ++i) {
+            indices.push_back(run.first + i - 1);
+            indices.push_back(run.first + i);
+        }
+    };
+    const auto rangeSince = [&indices](std::size_t first) -> Range {
+        return {first, indices.size() / 2 - first};
+    };
+    for (const auto& sides : runs.seams) {
+        const std::size_t first = indices.size() / 2;
+        add(sides[0]);
+        add(sides[1]);
+        seam_.push_back(rangeSince(first));
+    }
+    seams_ = rangeSince(0);
+    const std::size_t designerFirst = indices.size() / 2;
+    for (const VertexRun& run : runs.designer) {
+        add(run);
+    }
+    designer_ = rangeSince(designerFirst);
+    for (const VertexRun& run : runs.outlines) {
+        const std::size_t first = indices.size() / 2;
+        add(run);
+        outline_.push_back(rangeSince(first));
+    }
+    const std::size_t bytes = indices.size() * sizeof(std::uint32_t);
+    gl.glGenBuffers(1, &indices_);
+    gl.glBindVertexArray(array_);
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);  // stays with the vertex array
+    gl.glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), indices.data(),
+                    GL_STATIC_DRAW);
+    gl.glBindVertexArray(0);
+    counts_.uploadedBytes += bytes;
+}
+
+void GpuLines::drawSeam(Gl& gl, int seam) const {
+    if (seam >= 0 && seam < static_cast<int>(seam_.size())) {
+        draw(gl, seam_[static_cast<std::size_t>(seam)]);
+    }
+}
+
+void GpuLines::drawOutline(Gl& gl, int piece, int first, int count) const {
+    if (piece < 0 || piece >= static_cast<int>(outline_.size())) {
+        return;
+    }
+    const Range& whole = outline_[static_cast<std::size_t>(piece)];
+    const int size = static_cast<int>(whole.count);
+    first = std::clamp(first, 0, size);
+    count = std::clamp(count, 0, size);
+    const int before = std::min(count, size - first);
+    draw(gl, {whole.first + static_cast<std::size_t>(first), static_cast<std::size_t>(before)});
+    draw(gl, {whole.first, static_cast<std::size_t>(count - before)});
+}
+
+void GpuLines::draw(Gl& gl, const Range& range) const {
+    if (array_ == 0 || range.count == 0) {
         return;
     }
     gl.glBindVertexArray(array_);
-    gl.glDrawArrays(GL_LINE_STRIP, static_cast<GLint>(run.first), static_cast<GLsizei>(run.count));
+    gl.glDrawElements(GL_LINES, static_cast<GLsizei>(2 * range.count), GL_UNSIGNED_INT,
+                      reinterpret_cast<const void*>(2 * range.first * sizeof(std::uint32_t)));
     gl.glBindVertexArray(0);
+    ++counts_.drawCalls;
 }
 
 void GpuLines::release(Gl& gl) {
     gl.glDeleteVertexArrays(1, &array_);
     gl.glDeleteBuffers(1, &vertices_);
-    array_ = vertices_ = 0;
+    gl.glDeleteBuffers(1, &indices_);
+    array_ = vertices_ = indices_ = 0;
+    seams_ = designer_ = {};
+    seam_.clear();
+    outline_.clear();
 }
 
 }  // namespace toile

@@ -35,6 +35,7 @@ void GpuMesh::uploadVertices(Gl& gl, const void* data, std::size_t count, std::s
     ++uploads_;
     vertices_ = makeVertexBuffer(gl, data, count * stride);
     array_ = makeVertexArray(gl, vertices_, stride, attributes);
+    counts_.uploadedBytes += count * stride;
 }
 
 void GpuMesh::uploadIndices(Gl& gl, const IndexLists& lists) {
@@ -53,6 +54,7 @@ void GpuMesh::uploadIndices(Gl& gl, const IndexLists& lists) {
                            static_cast<GLsizeiptr>(lists[i].size_bytes()), lists[i].data());
     }
     gl.glBindVertexArray(0);
+    counts_.uploadedBytes += total;
 }
 
 void GpuMesh::draw(Gl& gl, GLenum mode, std::size_t list) const {
@@ -63,6 +65,7 @@ void GpuMesh::draw(Gl& gl, GLenum mode, std::size_t list) const {
     gl.glDrawElements(mode, runs_[list].count, GL_UNSIGNED_INT,
                       reinterpret_cast<const void*>(runs_[list].offset));
     gl.glBindVertexArray(0);
+    ++counts_.drawCalls;
 }
 
 void GpuMesh::release(Gl& gl) {

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "app/render/frame_counts.h"
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
 
@@ -24,6 +25,9 @@ GLuint makeVertexArray(Gl& gl, GLuint buffer, std::size_t stride,
 /// called before that context goes.
 class GpuMesh {
 public:
+    /// Draw calls and uploads are counted there; must outlive this object.
+    explicit GpuMesh(FrameCounts& counts) : counts_(counts) {}
+
     /// Replaces what was there.
     template <class Vertex>
     void upload(Gl& gl, const MeshBuffers<Vertex>& buffers,
@@ -54,6 +58,7 @@ private:
     void uploadIndices(Gl& gl, const IndexLists& lists);
     void draw(Gl& gl, GLenum mode, std::size_t list) const;
 
+    FrameCounts& counts_;
     GLuint array_ = 0, vertices_ = 0, indices_ = 0;
     std::array<Run, 3> runs_{};
     int uploads_ = 0;

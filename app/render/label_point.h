@@ -12,4 +12,9 @@ namespace toile {
 /// Cost: at most some hundred candidates times the outline.
 Eigen::Vector2d labelPoint(const Points2& Q, const Triangles& F, const std::vector<int>& boundary);
 
+/// Where the piece's grain arrow goes: where the name is; in a narrow piece, whose name would cover
+/// the arrow, at the widest place near by. It lies in a triangle. Cost: as `labelPoint`.
+Eigen::Vector2d arrowPoint(const Points2& Q, const Triangles& F, const std::vector<int>& boundary,
+                           const Eigen::Vector2d& label);
+
 }  // namespace toile

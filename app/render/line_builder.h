@@ -12,6 +12,9 @@ namespace toile {
 /// @param results one per piece, or empty. Cost: linear in the outlines, for every seam.
 void addSeamLines(const Garment& garment, const PieceResults& results, Scene& scene);
 
+/// The outline of every piece that is a disk.
+void addOutlines(const Garment& garment, const PieceResults& results, Scene& scene);
+
 /// Outline and holes of the designer's panels, laid on the flat pieces that carry one.
 void addDesignerLines(const Garment& garment, const PieceResults& results, Scene& scene);
 

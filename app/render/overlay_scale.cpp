@@ -33,6 +33,20 @@ double OverlayScale::position(double value) const {
     return high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.5;
 }
 
+double OverlayScale::shade(double value) const {
+    if (!(low < 0 && high > 0)) {
+        return position(value);
+    }
+    return std::clamp(0.5 + 0.5 * value / (value < 0 ? -low : high), 0.0, 1.0);
+}
+
+double OverlayScale::severity(double value) const {
+    if (!(low < 0 && high > 0)) {
+        return high > low ? (value - low) / (high - low) : 0.0;
+    }
+    return value < 0 ? value / low : value / high;
+}
+
 double roundedUp(double value) {
     return roundedUpAmong({1, 2, 5}, value);
 }
@@ -42,7 +56,9 @@ double roundedUpClosely(double value) {
 }
 
 OverlayScale robustScale(std::vector<float> values, bool signedValues, double finest) {
-    OverlayScale scale{signedValues ? -finest : 0.0, finest, false, false};
+    OverlayScale scale;
+    scale.low = signedValues ? -finest : 0.0;
+    scale.high = finest;
     std::erase_if(values, [](float value) { return !std::isfinite(value); });
     if (values.empty()) {
         return scale;

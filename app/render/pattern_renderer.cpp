@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render/pattern_renderer.h"
 
-#include <QOpenGLShaderProgram>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,28 +17,40 @@ constexpr double kMinorFrom = 6.0, kMinorFull = 24.0;
 
 constexpr VertexAttribute kAttributes[] = {
     {0, 2, offsetof(PatternVertex, flat)},
-    {1, 3, offsetof(PatternVertex, values)},
+    {1, 4, offsetof(PatternVertex, values)},
     {2, 1, offsetof(PatternVertex, piece)},
+    {3, 3, offsetof(PatternVertex, metric)},
 };
 
 constexpr VertexAttribute kLineAttributes[] = {
     {0, 2, offsetof(PatternLineVertex, flat)},
     {2, 1, offsetof(PatternLineVertex, piece)},
     {3, 1, offsetof(PatternLineVertex, along)},
+    {7, 1, offsetof(PatternLineVertex, tint)},
 };
 
 }  // namespace
 
-GridSteps gridSteps(double pixelsPerMillimetre) {
-    const double major = std::pow(10.0, std::ceil(std::log10(kMajorPixels / pixelsPerMillimetre)));
-    const double minorPixels = major / 10 * pixelsPerMillimetre;
-    return {major,
+GridSteps gridSteps(double pixelsPerMillimetre, LengthUnit unit) {
+    // Powers of ten of the unit; parts of an inch are halved and halved again.
+    const bool isInch = unit == LengthUnit::Inch;
+    const double one = isInch ? millimetresPer(unit) : 1;
+    const double least = kMajorPixels / pixelsPerMillimetre / one;
+    const bool isPartOfInch = isInch && least <= 1;
+    const double base = isPartOfInch ? 8 : 10;
+    const double power = std::ceil(std::log(least) / std::log(base) - 1e-9);
+    const double major = one * std::pow(base, power);
+    const int parts = isInch && power <= 0 ? 8 : 10;
+    const double minorPixels = major / parts * pixelsPerMillimetre;
+    return {major, parts,
             0.5 * std::clamp((minorPixels - kMinorFrom) / (kMinorFull - kMinorFrom), 0.0, 1.0)};
 }
 
 SceneRenderer::ProgramFiles PatternRenderer::programFiles() const {
     return {{"piece_table.glsl", "pattern.vert", "surface.glsl", "pattern.frag"},
-            {"piece_table.glsl", "pattern_line.vert", "line.geom", "line.frag"}};
+            {"piece_table.glsl", "pattern_line.vert", "line.geom", "line.frag"},
+            {"piece_table.glsl", "cross.glsl", "pattern_cross.vert", "cross.geom", "cross.glsl",
+             "cross.frag"}};
 }
 
 void PatternRenderer::upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
@@ -47,12 +58,17 @@ void PatternRenderer::upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines
     lines.upload(gl, scene.patternLines, kLineAttributes);
 }
 
-void PatternRenderer::setGrid(const Camera2D& camera, double pixelRatio) {
-    const GridSteps steps = gridSteps(camera.pixelsPerMillimetre());
+void PatternRenderer::setGrid(const Camera2D& camera, bool shown, double pixelRatio) {
+    const GridSteps steps = gridSteps(camera.pixelsPerMillimetre(), gridUnit_);
     const Eigen::Vector2d corner = camera.visible().min();
-    QOpenGLShaderProgram& program = backdropProgram();
+    ShaderProgram& program = backdropProgram();
     program.bind();
-    program.setUniformValue("gridStrength", 0.75F);
+    program.setUniformValue("gridStrength", shown ? 0.75F : 0.0F);
+    // From the lower left corner, device pixels.
+    const Eigen::Vector2d origin = -corner * camera.pixelsPerMillimetre() * pixelRatio;
+    program.setUniformValue("sheetOrigin", static_cast<float>(origin.x()),
+                            static_cast<float>(origin.y()));
+    program.setUniformValue("axisWidth", static_cast<float>(pixelRatio));
     // Whole steps are taken off in double precision: only the remainder fits a float's digits.
     program.setUniformValue(
         "gridOrigin",
@@ -61,6 +77,7 @@ void PatternRenderer::setGrid(const Camera2D& camera, double pixelRatio) {
     program.setUniformValue("unitsPerPixel",
                             static_cast<float>(1.0 / (camera.pixelsPerMillimetre() * pixelRatio)));
     program.setUniformValue("majorStep", static_cast<float>(steps.major));
+    program.setUniformValue("minorStep", static_cast<float>(steps.minor()));
     program.setUniformValue("minorStrength", static_cast<float>(steps.minorStrength));
 }
 
@@ -78,14 +95,15 @@ void PatternRenderer::paint(const Camera2D& camera, const ViewState& view, const
                       height,
                       static_cast<float>(pixelRatio),
                       static_cast<float>(1 / (camera.pixelsPerMillimetre() * pixelRatio))};
-    setGrid(camera, pixelRatio);
+    setGrid(camera, view.grid, pixelRatio);
     paintBackdrop(frame);
-    if (!synchronize()) {
+    if (!synchronize(view)) {
         return;
     }
-    QOpenGLShaderProgram& cloth = beginCloth(frame);
+    ShaderProgram& cloth = beginCloth(frame);
     mesh_.drawTriangles(*gl_);
     cloth.release();
+    paintCrosses(frame, 0.0F, 1 / camera.pixelsPerMillimetre());
     paintLines(frame, 0.0F);
 }
 

@@ -3,17 +3,22 @@
 
 #include "app/render/camera_2d.h"
 #include "app/render/scene_renderer.h"
+#include "core/base/length_unit.h"
 
 namespace toile {
 
-/// Distance between the grid's strong lines (mm) at a scale, and how visible the fine lines at a
-/// tenth of it are, 0 to 1. At the usual scales 100 mm.
+/// Distance between the grid's strong lines (mm) at a scale, into how many parts the fine lines
+/// divide it, and how visible these are, 0 to 1. At the usual scales 100 mm in tenths; where
+/// lengths are in inches 10 in in tenths, or an inch in eighths.
 struct GridSteps {
     double major;
+    int parts;
     double minorStrength;
+
+    double minor() const { return major / parts; }
 };
 
-GridSteps gridSteps(double pixelsPerMillimetre);
+GridSteps gridSteps(double pixelsPerMillimetre, LengthUnit unit = LengthUnit::Millimetre);
 
 /// Draws the flat pieces at their places on the sheet, over a grid.
 class PatternRenderer : public SceneRenderer {
@@ -21,14 +26,18 @@ public:
     /// Into the bound framebuffer. @param width, height device pixels
     void paint(const Camera2D& camera, const ViewState& view, const RenderStyle& style, int width,
                int height, double pixelRatio);
+    /// What the grid counts in from the next painting on; millimetres at first.
+    void setGridUnit(LengthUnit unit) { gridUnit_ = unit; }
 
 protected:
     ProgramFiles programFiles() const override;
     void upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) override;
-    const LineRuns& lineRuns(const Scene& scene) const override { return scene.patternLines.runs; }
+    std::vector<FaceValues> faceValues(const Scene& scene) const override { return scene.faces; }
 
 private:
-    void setGrid(const Camera2D& camera, double pixelRatio);
+    void setGrid(const Camera2D& camera, bool shown, double pixelRatio);
+
+    LengthUnit gridUnit_ = LengthUnit::Millimetre;
 };
 
 }  // namespace toile

@@ -9,36 +9,43 @@ namespace toile {
 
 namespace {
 
-Eigen::Vector3d position(const Scene& scene, std::uint32_t index) {
-    return Eigen::Map<const Eigen::Vector3f>(scene.garment.vertices[index].position).cast<double>();
-}
-
-Eigen::Vector2d flatPoint(const Scene& scene, std::uint32_t index) {
-    return Eigen::Map<const Eigen::Vector2f>(scene.pattern.vertices[index].flat).cast<double>();
-}
-
-/// Slab test: does the half-line meet the box?
-bool meets(const Ray& ray, const Eigen::AlignedBox3d& box) {
-    double from = 0, to = std::numeric_limits<double>::max();
+/// Slab test: how far along the half-line the box begins, a little less rather than more (a flat
+/// piece of cloth has a box without any depth); infinite where it is missed or beyond `farthest`.
+double distanceTo(const Ray& ray, const TriangleTree<3>::Box& box, double farthest) {
+    constexpr double kSlack = 1e-9;
+    double from = 0, to = farthest;
     for (int k = 0; k < 3; ++k) {
         const double inverse = 1.0 / ray.direction[k];  // infinite where parallel: still right
-        double a = (box.min()[k] - ray.origin[k]) * inverse;
-        double b = (box.max()[k] - ray.origin[k]) * inverse;
+        const auto at = static_cast<std::size_t>(k);
+        double a = (double{box.low[at]} - ray.origin[k]) * inverse;
+        double b = (double{box.high[at]} - ray.origin[k]) * inverse;
         if (std::isnan(a) || std::isnan(b)) {
             continue;  // parallel and within the slab's plane
         }
         if (a > b) {
             std::swap(a, b);
         }
-        from = std::max(from, a);
-        to = std::min(to, b);
+        from = std::max(from, a - kSlack * std::abs(a));
+        to = std::min(to, b + kSlack * std::abs(b));
     }
-    return from <= to;
+    return from <= to ? from : std::numeric_limits<double>::infinity();
 }
 
-/// Distance to a triangle, by the three volumes the ray spans with its edges.
-std::optional<double> distanceTo(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                                 const Eigen::Vector3d& c) {
+/// The face of lowest number among those found, as a search one by one would find it.
+bool isBetter(const std::optional<SurfaceHit>& best, int piece, int face, double distance) {
+    return !best || distance < best->distance ||
+           (distance == best->distance && best->piece == piece && face < best->face);
+}
+
+/// Weights of a triangle's corners, and the distance to it along a ray.
+struct Meeting {
+    Eigen::Vector3d barycentric;
+    double distance;
+};
+
+/// By the three volumes the ray spans with the triangle's edges.
+std::optional<Meeting> meet(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                            const Eigen::Vector3d& c) {
     const Eigen::Vector3d pa = a - ray.origin, pb = b - ray.origin, pc = c - ray.origin;
     const double u = ray.direction.dot(pc.cross(pb));
     const double v = ray.direction.dot(pa.cross(pc));
@@ -48,60 +55,110 @@ std::optional<double> distanceTo(const Ray& ray, const Eigen::Vector3d& a, const
     if (!(allLeft || allRight) || sum == 0) {
         return std::nullopt;
     }
-    const double distance = ((u * pa + v * pb + w * pc) / sum).dot(ray.direction);
-    return distance > 0 ? std::optional(distance) : std::nullopt;
+    const Eigen::Vector3d weights = Eigen::Vector3d(u, v, w) / sum;
+    const double distance =
+        (weights[0] * pa + weights[1] * pb + weights[2] * pc).dot(ray.direction);
+    return distance > 0 ? std::optional(Meeting{weights, distance}) : std::nullopt;
 }
 
-bool covers(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-            const Eigen::Vector2d& c) {
+/// Weights of a triangle's corners at a point in it, whichever way the triangle is turned.
+std::optional<Eigen::Vector3d> weightsAt(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                                         const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     const auto side = [&p](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
         return (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
     };
-    const double u = side(a, b), v = side(b, c), w = side(c, a);
-    return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+    const double u = side(b, c), v = side(c, a), w = side(a, b);
+    const bool covered = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+    const double sum = u + v + w;
+    return covered && sum != 0 ? std::optional<Eigen::Vector3d>(Eigen::Vector3d(u, v, w) / sum)
+                               : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<GarmentHit> pickGarment(const Scene& scene, const Ray& ray) {
-    std::optional<GarmentHit> nearest;
+std::optional<SurfaceHit> pickGarment(const Scene& scene, const Ray& ray) {
+    std::optional<SurfaceHit> nearest;
+    const auto farthest = [&nearest] {
+        return nearest ? nearest->distance : std::numeric_limits<double>::max();
+    };
     const auto& triangles = scene.garment.triangles;
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         const PieceScene& piece = scene.pieces[i];
-        if (piece.box.isEmpty() || !meets(ray, piece.box)) {
+        if (piece.box.isEmpty()) {
             continue;
         }
-        const std::size_t end = piece.garmentRun.first + piece.garmentRun.count;
-        for (std::size_t t = piece.garmentRun.first; t < end; ++t) {
-            const auto distance = distanceTo(ray, position(scene, triangles[3 * t]),
-                                             position(scene, triangles[3 * t + 1]),
-                                             position(scene, triangles[3 * t + 2]));
-            if (distance && (!nearest || *distance < nearest->distance)) {
-                nearest = GarmentHit{static_cast<int>(i), *distance};
+        const auto tryFace = [&](std::uint32_t face) {
+            const std::size_t t = piece.garmentRun.first + std::size_t{face};
+            const auto meeting = meet(ray, wornPoint(scene.garment.vertices[triangles[3 * t]]),
+                                      wornPoint(scene.garment.vertices[triangles[3 * t + 1]]),
+                                      wornPoint(scene.garment.vertices[triangles[3 * t + 2]]));
+            if (meeting &&
+                isBetter(nearest, static_cast<int>(i), static_cast<int>(face), meeting->distance)) {
+                nearest = {static_cast<int>(i), static_cast<int>(face), meeting->barycentric,
+                           meeting->distance};
             }
-        }
+        };
+        piece.garmentTree.search([&](const auto& box) { return distanceTo(ray, box, farthest()); },
+                                 tryFace);
     }
     return nearest;
 }
 
-std::optional<int> pickPattern(const Scene& scene, const Eigen::Vector2d& point) {
+std::optional<SurfaceHit> pickPiece(const Scene& scene, int index, const Eigen::Vector2d& point) {
+    const PieceScene& piece = scene.pieces[static_cast<std::size_t>(index)];
+    if (!piece.flat || !piece.flatBox.contains(point)) {
+        return std::nullopt;
+    }
     const auto& triangles = scene.pattern.triangles;
-    for (std::size_t i = scene.pieces.size(); i-- > 0;) {
-        const PieceScene& piece = scene.pieces[i];
-        if (!piece.flat || !piece.placedBox().contains(point)) {
-            continue;
-        }
-        const Eigen::Vector2d local = point - piece.offset;
-        const std::size_t end = piece.patternRun.first + piece.patternRun.count;
-        for (std::size_t t = piece.patternRun.first; t < end; ++t) {
-            if (covers(local, flatPoint(scene, triangles[3 * t]),
-                       flatPoint(scene, triangles[3 * t + 1]),
-                       flatPoint(scene, triangles[3 * t + 2]))) {
-                return static_cast<int>(i);
+    std::optional<SurfaceHit> first;
+    piece.patternTree.search(
+        [&point](const auto& box) {
+            const bool within = point.x() >= double{box.low[0]} &&
+                                point.x() <= double{box.high[0]} &&
+                                point.y() >= double{box.low[1]} && point.y() <= double{box.high[1]};
+            return within ? 0.0 : std::numeric_limits<double>::infinity();
+        },
+        [&](std::uint32_t face) {
+            const std::size_t t = 3 * (piece.patternRun.first + std::size_t{face});
+            const auto corner = [&](std::size_t k) -> Eigen::Vector2d {
+                return flatPoint(scene.pattern.vertices[triangles[t + k]]);
+            };
+            const auto weights = weightsAt(point, corner(0), corner(1), corner(2));
+            if (weights && isBetter(first, index, static_cast<int>(face), 0)) {
+                first = {index, static_cast<int>(face), *weights, 0};
             }
+        });
+    return first;
+}
+
+std::optional<SurfaceHit> pickPattern(const Scene& scene, const SheetPlaces& places,
+                                      const Eigen::Vector2d& point) {
+    for (int i = static_cast<int>(scene.pieces.size()); i-- > 0;) {
+        if (const auto hit = pickPiece(scene, i, placeOf(places, i).placement.undone(point))) {
+            return hit;
         }
     }
     return std::nullopt;
+}
+
+Eigen::Vector3d garmentPoint(const Scene& scene, int piece, int face,
+                             const Eigen::Vector3d& barycentric) {
+    const std::size_t first = scene.pieces[static_cast<std::size_t>(piece)].garmentRun.first;
+    const std::uint32_t* corner =
+        &scene.garment.triangles[3 * (first + static_cast<std::size_t>(face))];
+    return barycentric[0] * wornPoint(scene.garment.vertices[corner[0]]) +
+           barycentric[1] * wornPoint(scene.garment.vertices[corner[1]]) +
+           barycentric[2] * wornPoint(scene.garment.vertices[corner[2]]);
+}
+
+Eigen::Vector2d patternPoint(const Scene& scene, int piece, int face,
+                             const Eigen::Vector3d& barycentric) {
+    const std::size_t first = scene.pieces[static_cast<std::size_t>(piece)].patternRun.first;
+    const std::uint32_t* corner =
+        &scene.pattern.triangles[3 * (first + static_cast<std::size_t>(face))];
+    return barycentric[0] * flatPoint(scene.pattern.vertices[corner[0]]) +
+           barycentric[1] * flatPoint(scene.pattern.vertices[corner[1]]) +
+           barycentric[2] * flatPoint(scene.pattern.vertices[corner[2]]);
 }
 
 }  // namespace toile

@@ -10,26 +10,49 @@
 
 #include "app/document/view_state.h"
 #include "app/render/overlay_scale.h"
+#include "app/render/stretch_crosses.h"
+#include "app/render/triangle_tree.h"
 
 namespace toile {
 
 /// What the views draw, as plain buffers ready for upload: made once per flattening, off the GUI
 /// thread, then shared and never changed. Overlay, selection, colours and the pieces' places on
-/// the sheet are not in the vertices, so that changing them uploads no mesh.
+/// the sheet (sheet_places.h) are not in it, so that changing them uploads no mesh.
 
 /// Millimetres; positions are relative to Scene::origin.
 struct GarmentVertex {
     float position[3];
     float normal[3];  ///< unit, towards the fabric's right side
     float flat[2];    ///< the piece's own flat coordinates: the checkerboard's coordinates
-    float values[3];  ///< area change %, angle change degrees, strain %
+    float values[4];  ///< area change %, angle change degrees, largest and least edge strain %
+    float metric[3];  ///< E, F, G of the map from flat to worn (core/quality/metric_tensor.h)
     float piece;      ///< index into the garment's pieces
 };
 
 struct PatternVertex {
-    float flat[2];  ///< mm, before the sheet's offset
-    float values[3];
+    float flat[2];  ///< mm, the piece's own coordinates
+    float values[4];
+    float metric[3];
     float piece;
+};
+
+/// Where a vertex of any of these kinds that has one lies flat, mm, the piece's own coordinates,
+/// and where it is worn, relative to Scene::origin.
+template <class Vertex>
+Eigen::Vector2d flatPoint(const Vertex& vertex) {
+    return Eigen::Map<const Eigen::Vector2f>(vertex.flat).template cast<double>();
+}
+
+template <class Vertex>
+Eigen::Vector3d wornPoint(const Vertex& vertex) {
+    return Eigen::Map<const Eigen::Vector3f>(vertex.position).template cast<double>();
+}
+
+/// The same of a triangle alone, as two RGBA texels.
+struct FaceValues {
+    float values[4];
+    float metric[3];
+    float flatArea;  ///< mm2, positive
 };
 
 /// A run of triangles in MeshBuffers::triangles, counted in triangles.
@@ -46,15 +69,22 @@ struct MeshBuffers {
     std::vector<std::uint32_t> outline;    ///< 2 per boundary edge
 };
 
+/// What a line says of itself by its colour: an index into the seam palette (seam_palette.h), or
+/// one of these.
+inline constexpr float kFreeEdgeTint = -1, kNoTint = -2;
+
 struct GarmentLineVertex {
     float position[3];
+    float flat[2];  ///< where the piece lies flat, its own coordinates; else 0
     float piece;
+    float tint;
 };
 
 struct PatternLineVertex {
-    float flat[2];  ///< mm, before the sheet's offset
+    float flat[2];  ///< mm, the piece's own coordinates
     float piece;
     float along;  ///< mm from the line's beginning, for dashes
+    float tint;
 };
 
 /// A polyline: a run of vertices in LineBuffers::vertices.
@@ -68,6 +98,9 @@ struct LineRuns {
     /// side of a free edge, and in the pattern a side whose piece is not flat.
     std::vector<std::array<VertexRun, 2>> seams;
     std::vector<VertexRun> designer;  ///< loops of the designer's panels; in the pattern only
+    /// Per piece its outline, the first vertex once more at the end; empty of a piece that is no
+    /// disk, and in the pattern of one that is not flat. Vertex k is vertex k of Piece::boundary.
+    std::vector<VertexRun> outlines;
 };
 
 template <class Vertex>
@@ -78,23 +111,38 @@ struct LineBuffers {
 
 /// Per seam: where it is, for framing. Empty where nothing of it is drawn.
 struct SeamScene {
-    Eigen::AlignedBox3d box;      ///< both sides, relative to Scene::origin
-    Eigen::AlignedBox2d flatBox;  ///< both sides, at their places on the sheet
+    Eigen::AlignedBox3d box;  ///< both sides, relative to Scene::origin
+    /// Left and right side in the flat coordinates of their pieces; empty where not flat.
+    struct Side {
+        int piece = -1;
+        Eigen::AlignedBox2d flatBox{};
+    };
+    std::array<Side, 2> sides;
+};
+
+/// A motion without stretching: from a flat piece's own coordinates (x, y, 0) into the scene's.
+struct SpaceMotion {
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< proper: the third column is the normal
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+
+    Eigen::Vector3d applied(const Eigen::Vector2d& point) const {
+        return offset + turn.leftCols<2>() * point;
+    }
 };
 
 /// Per piece: where it is, for framing, picking and labels.
 struct PieceScene {
     bool flat = false;
-    Eigen::AlignedBox3d box;                           ///< 3D, relative to Scene::origin
-    Eigen::AlignedBox2d flatBox;                       ///< without offset; empty where not flat
-    Eigen::Vector2d offset = Eigen::Vector2d::Zero();  ///< place on the sheet
-    Eigen::Vector2d label = Eigen::Vector2d::Zero();   ///< a point well inside, without offset
+    Eigen::AlignedBox3d box;      ///< 3D, relative to Scene::origin
+    Eigen::AlignedBox2d flatBox;  ///< in the piece's own coordinates; empty where not flat
+    Eigen::Vector2d label = Eigen::Vector2d::Zero();  ///< a point well inside, likewise
+    Eigen::Vector2d arrow = Eigen::Vector2d::Zero();  ///< about it the grain arrow turns, likewise
     TriangleRun garmentRun, patternRun;
-
-    Eigen::AlignedBox2d placedBox() const {
-        return flat ? Eigen::AlignedBox2d(flatBox.min() + offset, flatBox.max() + offset)
-                    : Eigen::AlignedBox2d();
-    }
+    TriangleTree<3> garmentTree;  ///< of garmentRun, counted from its first
+    TriangleTree<2> patternTree;
+    /// Vertices of the outline where it turns sharply: places in Piece::boundary, ascending.
+    std::vector<int> corners;
+    SpaceMotion rest;  ///< lays the flat piece where the worn one is, as near as it can be
 };
 
 struct Scene {
@@ -105,15 +153,20 @@ struct Scene {
     MeshBuffers<PatternVertex> pattern;  ///< pieces that are flat only
     LineBuffers<GarmentLineVertex> garmentLines;
     LineBuffers<PatternLineVertex> patternLines;
+    std::vector<FaceValues> faces;  ///< one per triangle of `pattern`
+    StretchCrosses crosses;
     std::vector<PieceScene> pieces;
-    std::vector<SeamScene> seams;                    ///< one per seam of the garment
-    std::array<OverlayScale, kOverlayCount> scales;  ///< by Overlay
-    Eigen::AlignedBox3d box;                         ///< relative to origin
-    Eigen::AlignedBox2d sheetBox;
+    std::vector<SeamScene> seams;  ///< one per seam of the garment
+    /// By Overlay: the span of the garment's values; of those only that no fabric limits.
+    std::array<OverlayScale, kOverlayCount> scales;
+    Eigen::AlignedBox3d box;  ///< relative to origin
 
     const OverlayScale& scale(Overlay overlay) const {
         return scales[static_cast<std::size_t>(overlay)];
     }
 };
+
+/// About what it takes in memory. Cost: none to speak of.
+std::size_t bytesOf(const Scene& scene);
 
 }  // namespace toile

@@ -3,9 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
+#include "app/document/disposal.h"
 #include "app/render/label_point.h"
 #include "app/render/line_builder.h"
+#include "app/render/morph.h"
+#include "app/render/outline_corners.h"
+#include "app/render/overlay_values.h"
 #include "app/render/vertex_values.h"
 
 namespace toile {
@@ -15,6 +21,7 @@ namespace {
 /// Finest ends of the colour bars: differences below these mean nothing to cloth.
 constexpr double kFinestPercent = 0.1;
 constexpr double kFinestDegrees = 0.1;
+constexpr double kFinestEnergy = 0.01;  // percent
 
 Eigen::AlignedBox3d boundsOf(const Points3& V) {
     Eigen::AlignedBox3d box;
@@ -73,20 +80,22 @@ class Builder {
 public:
     explicit Builder(Scene& scene) : scene_(scene) {}
 
-    void addPiece(const Piece& piece, const FlatPiece* flat, const Eigen::Vector2d& offset) {
+    void addPiece(const Piece& piece, const FlatPiece* flat) {
         index_ = static_cast<float>(scene_.pieces.size());
         PieceScene& entry = scene_.pieces.emplace_back();
         entry.flat = flat != nullptr;
-        const VertexValues values = flat ? vertexValues(piece, flat->Q) : VertexValues{};
-        addGarmentPart(piece, flat, values, entry);
+        const PieceValues values = flat ? pieceValues(piece, flat->Q) : PieceValues{};
+        addGarmentPart(piece, flat, values.vertices, entry);
         if (flat) {
-            entry.offset = offset;
-            addPatternPart(piece, *flat, values, entry);
+            addPatternPart(piece, *flat, values.vertices, entry);
+            addFaces(values);
+            entry.rest = bestRest(flat->Q, piece.mesh.V, scene_.origin);
         }
+        entry.corners = outlineCorners(piece);
     }
 
 private:
-    void addGarmentPart(const Piece& piece, const FlatPiece* flat, const VertexValues& values,
+    void addGarmentPart(const Piece& piece, const FlatPiece* flat, const OverlayFields& values,
                         PieceScene& entry) {
         auto& buffers = scene_.garment;
         const auto base = static_cast<std::uint32_t>(buffers.vertices.size());
@@ -98,7 +107,7 @@ private:
             put(vertex.position, position);
             put(vertex.normal, Eigen::Vector3d(normals.row(i).transpose()));
             put(vertex.flat, flat ? Eigen::Vector2d(flat->Q.row(i)) : Eigen::Vector2d::Zero());
-            copyValues(values, i, vertex.values);
+            copyValues(values, i, vertex.values, vertex.metric);
             vertex.piece = index_;
             if (position.allFinite()) {
                 entry.box.extend(position);
@@ -106,9 +115,12 @@ private:
         }
         appendIndices(buffers, piece, base);
         entry.garmentRun = runSince(indicesBefore, buffers.triangles.size());
+        entry.garmentTree = TriangleTree<3>(buffers.vertices.front().position,
+                                            sizeof(GarmentVertex) / sizeof(float),
+                                            std::span(buffers.triangles).subspan(indicesBefore));
     }
 
-    void addPatternPart(const Piece& piece, const FlatPiece& flat, const VertexValues& values,
+    void addPatternPart(const Piece& piece, const FlatPiece& flat, const OverlayFields& values,
                         PieceScene& entry) {
         auto& buffers = scene_.pattern;
         const auto base = static_cast<std::uint32_t>(buffers.vertices.size());
@@ -117,34 +129,54 @@ private:
             PatternVertex& vertex = buffers.vertices.emplace_back();
             const Eigen::Vector2d point = flat.Q.row(i).transpose();
             put(vertex.flat, point);
-            copyValues(values, i, vertex.values);
+            copyValues(values, i, vertex.values, vertex.metric);
             vertex.piece = index_;
             entry.flatBox.extend(point);
         }
         appendIndices(buffers, piece, base);
         entry.patternRun = runSince(indicesBefore, buffers.triangles.size());
+        entry.patternTree =
+            TriangleTree<2>(buffers.vertices.front().flat, sizeof(PatternVertex) / sizeof(float),
+                            std::span(buffers.triangles).subspan(indicesBefore));
         entry.label = labelPoint(flat.Q, piece.mesh.F, piece.boundary);
-        scene_.sheetBox.extend(entry.placedBox());
+        entry.arrow = arrowPoint(flat.Q, piece.mesh.F, piece.boundary, entry.label);
     }
 
-    static void copyValues(const VertexValues& values, Eigen::Index vertex, float* out) {
-        const bool known = values.area.size() > 0;
-        out[0] = known ? values.area[vertex] : 0.0F;
-        out[1] = known ? values.angle[vertex] : 0.0F;
-        out[2] = known ? values.strain[vertex] : 0.0F;
+    void addFaces(const PieceValues& values) {
+        for (Eigen::Index f = 0; f < values.flatAreas.size(); ++f) {
+            FaceValues& face = scene_.faces.emplace_back();
+            copyValues(values.faces, f, face.values, face.metric);
+            face.flatArea = values.flatAreas[f];
+        }
+    }
+
+    static void copyValues(const OverlayFields& fields, Eigen::Index at, float* values,
+                           float* metric) {
+        const bool known = fields.area.size() > 0;
+        values[0] = known ? fields.area[at] : 0.0F;
+        values[1] = known ? fields.angle[at] : 0.0F;
+        values[2] = known ? fields.mostStrain[at] : 0.0F;
+        values[3] = known ? fields.leastStrain[at] : 0.0F;
+        const MetricTensor tensor =
+            known ? fields.metric[static_cast<std::size_t>(at)] : MetricTensor{};
+        metric[0] = static_cast<float>(tensor.E);
+        metric[1] = static_cast<float>(tensor.F);
+        metric[2] = static_cast<float>(tensor.G);
     }
 
     Scene& scene_;
     float index_ = 0;
 };
 
-OverlayScale scaleOf(const Scene& scene, int value, bool signedValues, double finest) {
+/// Of overlays that no fabric limits: the others take their scale from the fabric.
+OverlayScale scaleOf(const Scene& scene, Overlay overlay, double finest) {
     std::vector<float> values;
     values.reserve(scene.pattern.vertices.size());
     for (const PatternVertex& vertex : scene.pattern.vertices) {
-        values.push_back(vertex.values[value]);
+        values.push_back(static_cast<float>(
+            overlayValue(overlay, sampleOf(vertex), Eigen::Vector2d::UnitY(), OverlayScale{})));
     }
-    return robustScale(std::move(values), signedValues, finest);
+    return robustScale(std::move(values), isSigned(overlay), finest);
 }
 
 void reserve(const Garment& garment, Scene& scene) {
@@ -162,10 +194,15 @@ void reserve(const Garment& garment, Scene& scene) {
 
 }  // namespace
 
+const FlatPiece* flatPieceOf(const Garment& garment, const PieceResults& results, int piece) {
+    const auto at = static_cast<std::size_t>(piece);
+    const PieceResult* result = at < results.size() ? results[at].get() : nullptr;
+    return result && result->piece == garment.pieces[at] && result->flat ? &*result->flat : nullptr;
+}
+
 std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResults& results,
-                                        const std::vector<Eigen::Vector2d>& offsets,
                                         Progress& progress) {
-    auto scene = std::make_shared<Scene>();
+    auto scene = sharedForDisposal(std::make_unique<Scene>());
     for (const auto& piece : garment.pieces) {
         scene->box.extend(boundsOf(piece->mesh.V));
     }
@@ -178,24 +215,23 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
     progress.start(static_cast<double>(garment.pieces.size()));
     Builder builder(*scene);
     for (std::size_t i = 0; i < garment.pieces.size() && !progress.isCancelled(); ++i) {
-        const PieceResult* result = i < results.size() ? results[i].get() : nullptr;
-        const FlatPiece* flat = result && result->flat ? &*result->flat : nullptr;
-        builder.addPiece(*garment.pieces[i], flat,
-                         i < offsets.size() ? offsets[i] : Eigen::Vector2d::Zero());
+        const FlatPiece* flat = flatPieceOf(garment, results, static_cast<int>(i));
+        builder.addPiece(*garment.pieces[i], flat);
         progress.advance(1);
     }
     if (progress.isCancelled()) {
         return scene;
     }
     addSeamLines(garment, results, *scene);
+    addOutlines(garment, results, *scene);
     addDesignerLines(garment, results, *scene);
 
-    const auto at = [&scene](Overlay overlay) -> OverlayScale& {
-        return scene->scales[static_cast<std::size_t>(overlay)];
-    };
-    at(Overlay::Area) = scaleOf(*scene, 0, true, kFinestPercent);
-    at(Overlay::Angle) = scaleOf(*scene, 1, false, kFinestDegrees);
-    at(Overlay::Strain) = scaleOf(*scene, 2, true, kFinestPercent);
+    scene->crosses = makeStretchCrosses(*scene);
+    for (const auto& [overlay, finest] :
+         {std::pair(Overlay::Area, kFinestPercent), std::pair(Overlay::Angle, kFinestDegrees),
+          std::pair(Overlay::Dirichlet, kFinestEnergy)}) {
+        scene->scales[static_cast<std::size_t>(overlay)] = scaleOf(*scene, overlay, finest);
+    }
     return scene;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "app/render/scene.h"
 #include "core/pipeline/pipeline.h"
@@ -10,14 +9,16 @@
 namespace toile {
 
 /// Makes the buffers of both views. Pure; meant for a worker thread.
-/// @param results  one per piece, or empty before the first flattening: 3D only then
-/// @param offsets  mm, one per piece; ignored where `results` is empty
+/// @param results  one per piece, or empty before the first flattening. Pieces without a flat
+///                 result of their own are in 3D only
 /// @param progress  started here and advanced piece by piece
 /// Values of faces and edges are averaged at the vertices, weighted by area and length: at the
 /// density of garment meshes this reads as a smooth map instead of noise.
 /// After a cancel the scene is incomplete. Cost: linear.
 std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResults& results,
-                                        const std::vector<Eigen::Vector2d>& offsets,
                                         Progress& progress);
+
+/// The flat piece in the results, where it is of that very piece; else null.
+const FlatPiece* flatPieceOf(const Garment& garment, const PieceResults& results, int piece);
 
 }  // namespace toile

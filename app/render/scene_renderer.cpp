@@ -2,24 +2,36 @@
 #include "app/render/scene_renderer.h"
 
 #include <QCoreApplication>
-#include <QOpenGLShaderProgram>
+#include <QVector3D>
+#include <array>
+#include <limits>
 #include <utility>
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include "app/render/colour_map.h"
 #include "app/render/gl_uniforms.h"
+#include "app/render/overlay_values.h"
 #include "app/render/piece_table.h"
+#include "app/render/seam_palette.h"
 
 namespace toile {
 
 namespace {
 
-constexpr int kPieceTableUnit = 0, kColourMapUnit = 1;
+constexpr int kPieceTableUnit = 0, kColourMapUnit = 1, kFaceTableUnit = 2;
 
 /// Widths in logical pixels.
 constexpr float kOutlineWidth = 1.25F, kSelectedWidth = 3.0F, kWireWidth = 0.7F;
+/// Under seam lines, which keep their colours on it.
+constexpr float kSelectedHaloWidth = 8.0F, kHoveredHaloWidth = 6.0F;
+/// Edges of the mesh shorter than this on the screen are not drawn, and fully from the other on:
+/// where they lie closer they would cover the cloth.
+constexpr float kWireFadesOut = 4.0F, kWireFadesIn = 12.0F;
 constexpr float kSeamWidth = 4.0F, kSeamHaloWidth = 8.0F, kDesignerWidth = 1.5F;
+constexpr float kPlainSeamWidth = 2.6F;  ///< free edges half of it
+constexpr float kHoveredShare = 0.7F;    ///< what the pointer is on is lit up by narrower lines
+constexpr float kHoveredPieceWidth = 2.4F;
 constexpr float kDashPixels = 11.0F;
 /// How much of a seam shows through the cloth that hides it.
 constexpr int kHiddenSeamAlpha = 75;
@@ -44,12 +56,6 @@ GLuint makeColourMapTexture(Gl& gl, const ColourMap& map) {
     return texture;
 }
 
-void beginBlending(Gl& gl) {
-    gl.glEnable(GL_BLEND);
-    // Alpha of the framebuffer stays 1: the window is not to shine through.
-    gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-}
-
 }  // namespace
 
 SceneRenderer::SceneRenderer() = default;
@@ -65,14 +71,14 @@ QString SceneRenderer::initialize() {
     }
     const ProgramFiles files = programFiles();
     QString problem;
-    cloth_ = loadProgram(files.cloth, problem);
+    cloth_ = loadProgram(*gl_, files.cloth, problem);
     if (cloth_) {
-        lines_ = loadProgram(files.lines, problem);
+        lines_ = loadProgram(*gl_, files.lines, problem);
     }
     if (lines_) {
-        backdrop_ = loadProgram({"backdrop.vert", "backdrop.frag"}, problem);
+        backdrop_ = loadProgram(*gl_, {"backdrop.vert", "backdrop.frag"}, problem);
     }
-    if (!cloth_ || !lines_ || !backdrop_) {
+    if (!cloth_ || !lines_ || !backdrop_ || !crosses_.initialize(*gl_, files.crosses, problem)) {
         return QCoreApplication::translate("SceneRenderer",
                                            "The graphics driver refused to draw this view (%1).")
             .arg(problem);
@@ -90,16 +96,20 @@ void SceneRenderer::release() {
     }
     mesh_.release(*gl_);
     overLines_.release(*gl_);
+    faces_.release(*gl_);
+    crosses_.release(*gl_);
+    facesOf_ = crossesOf_ = -1;
     gl_->glDeleteVertexArrays(1, &emptyArray_);
     for (GLuint* texture : {&pieceTable_, &divergingMap_, &sequentialMap_}) {
         gl_->glDeleteTextures(1, texture);
         *texture = 0;
     }
     emptyArray_ = 0;
+    releaseOwn();
     cloth_.reset();
     lines_.reset();
     backdrop_.reset();
-    gl_ = nullptr;
+    gl_.reset();
 }
 
 void SceneRenderer::setScene(std::shared_ptr<const Scene> scene) {
@@ -107,7 +117,9 @@ void SceneRenderer::setScene(std::shared_ptr<const Scene> scene) {
         return;
     }
     scene_ = std::move(scene);
+    ++sceneNumber_;
     sceneChanged_ = tableChanged_ = true;
+    ++contentNumber_;
 }
 
 void SceneRenderer::setSelection(std::set<int> selection) {
@@ -115,12 +127,24 @@ void SceneRenderer::setSelection(std::set<int> selection) {
     tableChanged_ = true;
 }
 
-bool SceneRenderer::synchronize() {
+void SceneRenderer::setPlaces(SheetPlaces places) {
+    if (places == places_) {
+        return;
+    }
+    places_ = std::move(places);
+    tableChanged_ = true;
+    ++contentNumber_;
+}
+
+bool SceneRenderer::synchronize(const ViewState& view) {
     if (!scene_ || !cloth_) {
         return false;
     }
     if (std::exchange(sceneChanged_, false)) {
         upload(*gl_, *scene_, mesh_, overLines_);
+    }
+    if (std::exchange(pieceColours_, view.pieceColours) != view.pieceColours) {
+        tableChanged_ = true;
     }
     if (std::exchange(tableChanged_, false)) {
         uploadPieceTable();
@@ -128,11 +152,24 @@ bool SceneRenderer::synchronize() {
     return true;
 }
 
+OverlayScale SceneRenderer::scaleOf(Overlay overlay) const {
+    return scale_ ? *scale_ : overlayScale(*scene_, overlay, fabric_);
+}
+
 void SceneRenderer::uploadPieceTable() {
-    const PieceTable table = makePieceTable(*scene_, selection_);
-    gl_->glBindTexture(GL_TEXTURE_2D, pieceTable_);
-    gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kPieceTableWidth, table.height, 0, GL_RGBA,
-                      GL_FLOAT, table.texels.data());
+    const PieceTable table = makePieceTable(*scene_, selection_, places_, pieceColours_);
+    uploadTable(pieceTable_, table.height, table.texels);
+}
+
+void SceneRenderer::uploadTable(GLuint texture, int height, const std::vector<float>& texels) {
+    gl_->glBindTexture(GL_TEXTURE_2D, texture);
+    gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kPieceTableWidth, height, 0, GL_RGBA, GL_FLOAT,
+                      texels.data());
+    counts_.uploadedBytes += texels.size() * sizeof(float);
+}
+
+GLuint SceneRenderer::makeTableTexture() {
+    return makeTexture(*gl_, GL_NEAREST);
 }
 
 void SceneRenderer::uploadColourMaps() {
@@ -145,35 +182,89 @@ void SceneRenderer::bindPieceTable() {
     gl_->glBindTexture(GL_TEXTURE_2D, pieceTable_);
 }
 
-QOpenGLShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
-    const Overlay overlay = frame.view.overlay;
-    const OverlayScale& scale = scene_->scale(overlay);
+void SceneRenderer::bindColourMap(Overlay overlay) {
     gl_->glActiveTexture(GL_TEXTURE0 + kColourMapUnit);
-    gl_->glBindTexture(GL_TEXTURE_2D, overlay == Overlay::Angle ? sequentialMap_ : divergingMap_);
+    gl_->glBindTexture(GL_TEXTURE_2D, isSigned(overlay) ? divergingMap_ : sequentialMap_);
+}
+
+bool SceneRenderer::hasFaceTable() {
+    if (facesOf_ != sceneNumber_) {
+        gl_->glActiveTexture(GL_TEXTURE0 + kFaceTableUnit);
+        facesFit_ = faces_.upload(*gl_, faceValues(*scene_));
+        facesOf_ = sceneNumber_;
+    }
+    return facesFit_;
+}
+
+ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
+    const Overlay overlay = frame.view.overlay;
+    const OverlayScale scale = scaleOf(overlay);
+    const bool triangleTable =
+        isMeasured(overlay) && (scale.limited || frame.view.valuesPerTriangle) && hasFaceTable();
+    faces_.bind(*gl_, kFaceTableUnit);
+    bindColourMap(overlay);
     bindPieceTable();
 
-    QOpenGLShaderProgram& program = *cloth_;
+    ShaderProgram& program = *cloth_;
     program.bind();
     program.setUniformValue("pieceTable", kPieceTableUnit);
     program.setUniformValue("colourMap", kColourMapUnit);
+    program.setUniformValue("faceTable", kFaceTableUnit);
     program.setUniformValue("overlay", static_cast<int>(overlay));
     program.setUniformValue("overlayRange", static_cast<float>(scale.low),
                             static_cast<float>(scale.high));
+    program.setUniformValue("overlayLimited", scale.limited);
+    program.setUniformValue("triangleTable", triangleTable);
+    program.setUniformValue("perTriangle", triangleTable && frame.view.valuesPerTriangle);
+    program.setUniformValue("pixelRatio", frame.pixelRatio);
     setUniform(*gl_, program, "viewProjection", frame.viewProjection);
     setUniform(program, "selectionColour", frame.style.selection);
+    setOwnUniforms(program);
     return program;
 }
 
-QOpenGLShaderProgram& SceneRenderer::beginLines(const Frame& frame, float depthShift) {
-    QOpenGLShaderProgram& program = *lines_;
+void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double millimetresPerPixel) {
+    if (frame.view.overlay != Overlay::Principal) {
+        return;
+    }
+    if (crossesOf_ != sceneNumber_) {
+        crosses_.upload(*gl_, scene_->crosses);
+        crossesOf_ = sceneNumber_;
+    }
+    const OverlayScale scale = scaleOf(Overlay::Principal);
+    bindColourMap(Overlay::Principal);
+    bindPieceTable();
+    ShaderProgram& program = crosses_.begin();
+    program.setUniformValue("pieceTable", kPieceTableUnit);
+    program.setUniformValue("colourMap", kColourMapUnit);
+    program.setUniformValue("overlayRange", static_cast<float>(scale.low),
+                            static_cast<float>(scale.high));
+    program.setUniformValue("depthShift", depthShift);
+    program.setUniformValue("pixelRatio", frame.pixelRatio);
+    program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
+                            static_cast<float>(frame.height));
+    setUniform(*gl_, program, "viewProjection", frame.viewProjection);
+    beginBlending(*gl_);
+    gl_->glDepthMask(GL_FALSE);  // the faint rim of a stroke would cut into its neighbour
+    crosses_.draw(*gl_, scene_->crosses, millimetresPerPixel);
+    gl_->glDepthMask(GL_TRUE);
+    gl_->glDisable(GL_BLEND);
+    program.release();
+}
+
+ShaderProgram& SceneRenderer::beginLines(const Frame& frame, float depthShift) {
+    ShaderProgram& program = *lines_;
     program.bind();
     bindPieceTable();
     program.setUniformValue("pieceTable", kPieceTableUnit);
     program.setUniformValue("depthShift", depthShift);
     program.setUniformValue("dashLength", 0.0F);
+    program.setUniformValue("fade", 0.0F, 0.0F);
     program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
                             static_cast<float>(frame.height));
     setUniform(*gl_, program, "viewProjection", frame.viewProjection);
+    program.setUniformValue("tinted", false);
+    setOwnUniforms(program);
     return program;
 }
 
@@ -185,20 +276,64 @@ void SceneRenderer::setLine(const QColor& colour, float width, bool selectedOnly
 }
 
 void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
-    QOpenGLShaderProgram& program = beginLines(frame, depthShift);
+    ShaderProgram& program = beginLines(frame, depthShift);
     if (frame.view.wireframe) {
         paintWireframe(frame);
     }
     setLine(frame.style.outline, kOutlineWidth, false, frame);
     mesh_.drawOutline(*gl_);
-    program.setUniformValue("depthShift", 2 * depthShift);
-    setLine(frame.style.selection, kSelectedWidth, true, frame);
-    mesh_.drawOutline(*gl_);
+    if (frame.view.seams) {
+        program.setUniformValue("depthShift", 1.25F * depthShift);
+        // A halo that leaves no depth behind, so that the seam's own colour stays upon it.
+        gl_->glDepthMask(GL_FALSE);
+        paintChosenOutlines(frame, kSelectedHaloWidth, kHoveredHaloWidth);
+        gl_->glDepthMask(GL_TRUE);
+        program.setUniformValue("depthShift", 1.5F * depthShift);
+        paintSeams(frame);
+        program.setUniformValue("depthShift", 2 * depthShift);
+    } else {
+        program.setUniformValue("depthShift", 2 * depthShift);
+        paintChosenOutlines(frame, kSelectedWidth, kHoveredPieceWidth);
+    }
     if (frame.view.designerOutline) {
         paintDesignerLines(frame);
     }
-    paintSeam(frame, depthShift);
+    if (seam_) {
+        Feature selected;
+        selected.kind = Feature::Kind::Seam;
+        selected.seam = *seam_;
+        paintLitUp(frame, depthShift, selected, false);
+    }
+    for (const Feature& mark : marks_) {
+        paintLitUp(frame, depthShift, mark, false);
+    }
+    if (hover_ && hover_->kind != Feature::Kind::Piece) {
+        paintLitUp(frame, depthShift, *hover_, true);
+    }
     program.release();
+}
+
+void SceneRenderer::paintChosenOutlines(const Frame& frame, float selected, float hovered) {
+    setLine(frame.style.selection, selected, true, frame);
+    mesh_.drawOutline(*gl_);
+    if (hover_ && hover_->kind == Feature::Kind::Piece) {
+        setLine(frame.style.selection, hovered, false, frame);
+        drawFeature(*hover_);
+    }
+}
+
+void SceneRenderer::paintSeams(const Frame& frame) {
+    std::array<QVector3D, kSeamColours> palette;
+    for (std::size_t i = 0; i < palette.size(); ++i) {
+        const Rgb& colour = seamPalette(frame.style.onDark)[i];
+        palette[i] = QVector3D(colour.r, colour.g, colour.b) / 255.0F;
+    }
+    lines_->setUniformValueArray("seamPalette", palette.data(), kSeamColours);
+    setUniform(*lines_, "freeColour", frame.style.freeEdge);
+    lines_->setUniformValue("tinted", true);
+    setLine(frame.style.outline, kPlainSeamWidth, false, frame);
+    overLines_.drawSeams(*gl_);
+    lines_->setUniformValue("tinted", false);
 }
 
 void SceneRenderer::paintWireframe(const Frame& frame) {
@@ -206,7 +341,10 @@ void SceneRenderer::paintWireframe(const Frame& frame) {
     wire.setAlpha(110);
     beginBlending(*gl_);
     setLine(wire, kWireWidth, false, frame);
+    lines_->setUniformValue("fade", kWireFadesOut * frame.pixelRatio,
+                            kWireFadesIn * frame.pixelRatio);
     mesh_.drawEdges(*gl_);
+    lines_->setUniformValue("fade", 0.0F, 0.0F);
     gl_->glDisable(GL_BLEND);
 }
 
@@ -214,41 +352,48 @@ void SceneRenderer::paintDesignerLines(const Frame& frame) {
     lines_->setUniformValue("dashLength",
                             kDashPixels * frame.pixelRatio * frame.millimetresPerPixel);
     setLine(frame.style.designer, kDesignerWidth, false, frame);
-    for (const VertexRun& run : lineRuns(*scene_).designer) {
-        overLines_.draw(*gl_, run);
-    }
+    overLines_.drawDesigner(*gl_);
     lines_->setUniformValue("dashLength", 0.0F);
 }
 
-void SceneRenderer::paintSeam(const Frame& frame, float depthShift) {
-    const LineRuns& runs = lineRuns(*scene_);
-    if (!seam_ || *seam_ >= static_cast<int>(runs.seams.size())) {
-        return;
+void SceneRenderer::drawFeature(const Feature& feature) {
+    constexpr int kWholeOutline = std::numeric_limits<int>::max();
+    switch (feature.kind) {
+        case Feature::Kind::Piece:
+            overLines_.drawOutline(*gl_, feature.piece, 0, kWholeOutline);
+            break;
+        case Feature::Kind::Seam:
+            overLines_.drawSeam(*gl_, feature.seam);
+            break;
+        case Feature::Kind::Run:
+            overLines_.drawOutline(*gl_, feature.piece, feature.first, feature.count);
+            break;
+        case Feature::Kind::Vertex:
+            break;
     }
-    const auto drawSides = [&] {
-        for (const VertexRun& side : runs.seams[static_cast<std::size_t>(*seam_)]) {
-            overLines_.draw(*gl_, side);
-        }
-    };
-    const bool inDepth = gl_->glIsEnabled(GL_DEPTH_TEST) == GL_TRUE;
-    if (inDepth) {
+}
+
+void SceneRenderer::paintLitUp(const Frame& frame, float depthShift, const Feature& feature,
+                               bool hovered) {
+    const float share = hovered ? kHoveredShare : 1.0F;
+    if (isInDepth()) {
         // Faintly through the cloth, so that a seam on the far side is found.
         QColor hidden = frame.style.seam;
         hidden.setAlpha(kHiddenSeamAlpha);
         gl_->glDisable(GL_DEPTH_TEST);
         beginBlending(*gl_);
-        setLine(hidden, kSeamWidth, false, frame);
-        drawSides();
+        setLine(hidden, share * kSeamWidth, false, frame);
+        drawFeature(feature);
         gl_->glDisable(GL_BLEND);
         gl_->glEnable(GL_DEPTH_TEST);
     }
     // The halo leaves no depth behind: at bends it would cover parts of the line itself.
     gl_->glDepthMask(GL_FALSE);
     lines_->setUniformValue("depthShift", 3 * depthShift);
-    setLine(frame.style.seamHalo, kSeamHaloWidth, false, frame);
-    drawSides();
-    setLine(frame.style.seam, kSeamWidth, false, frame);
-    drawSides();
+    setLine(frame.style.seamHalo, share * kSeamHaloWidth, false, frame);
+    drawFeature(feature);
+    setLine(frame.style.seam, share * kSeamWidth, false, frame);
+    drawFeature(feature);
     gl_->glDepthMask(GL_TRUE);
 }
 
@@ -262,6 +407,7 @@ void SceneRenderer::paintBackdrop(const Frame& frame) {
     setUniform(*backdrop_, "gridColour", frame.style.grid);
     gl_->glBindVertexArray(emptyArray_);
     gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
+    ++counts_.drawCalls;
     gl_->glBindVertexArray(0);
     backdrop_->release();
 }

@@ -4,16 +4,23 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 
+#include "app/document/feature.h"
 #include "app/document/view_state.h"
+#include "app/render/cross_painter.h"
+#include "app/render/face_table.h"
+#include "app/render/frame_counts.h"
 #include "app/render/gl_support.h"
 #include "app/render/gpu_lines.h"
 #include "app/render/gpu_mesh.h"
 #include "app/render/render_style.h"
-
-class QOpenGLShaderProgram;
+#include "app/render/shader_program.h"
+#include "app/render/sheet_places.h"
+#include "core/garment/fabric.h"
 
 namespace toile {
 
@@ -33,8 +40,19 @@ public:
     void setScene(std::shared_ptr<const Scene> scene);
     void setSelection(std::set<int> selection);
     void setSeam(std::optional<int> seam) { seam_ = seam; }
+    /// Stretches of outlines that are selected, and what the pointer is on. Vertices are left out.
+    void setMarks(std::vector<Feature> marks) { marks_ = std::move(marks); }
+    void setHover(const std::optional<Feature>& hover) { hover_ = hover; }
+    void setPlaces(SheetPlaces places);
+    /// Its limits end the colours of strain overlays.
+    void setFabric(Fabric fabric) { fabric_ = std::move(fabric); }
+    /// The ends of the overlay's colours, for pictures that are to be compared; none: those of
+    /// scene and fabric.
+    void setScale(const std::optional<OverlayScale>& scale) { scale_ = scale; }
 
     int meshUploads() const { return mesh_.uploads(); }
+    /// Since the renderer was made.
+    const FrameCounts& counts() const { return counts_; }
 
 protected:
     struct Frame {
@@ -47,45 +65,85 @@ protected:
     };
 
     struct ProgramFiles {
-        std::vector<std::string_view> cloth, lines;
+        std::vector<std::string_view> cloth, lines, crosses;
     };
 
     SceneRenderer();
 
     virtual ProgramFiles programFiles() const = 0;
     virtual void upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) = 0;
-    virtual const LineRuns& lineRuns(const Scene& scene) const = 0;
+    /// In the order of the mesh's triangles.
+    virtual std::vector<FaceValues> faceValues(const Scene& scene) const = 0;
+    /// Of the programs for cloth and lines alike, while they are bound.
+    virtual void setOwnUniforms(ShaderProgram&) {}
+    /// Whether the cloth hides what lies behind it.
+    virtual bool isInDepth() const { return false; }
+    /// Frees what a derived renderer has on the GPU.
+    virtual void releaseOwn() {}
+    /// What tables are kept in.
+    GLuint makeTableTexture();
 
     /// Brings the GPU's copy up to date. @return whether there is something to draw
-    bool synchronize();
+    bool synchronize(const ViewState& view);
     /// Sets uniforms and textures that cloth needs in either view; leaves the program bound.
-    QOpenGLShaderProgram& beginCloth(const Frame& frame);
-    /// Outlines, the selected ones once more and wider, the wireframe and the designer's outlines
-    /// where asked for, and the selected seam over everything.
-    /// @param depthShift lifts lines off the cloth, in depth units
+    ShaderProgram& beginCloth(const Frame& frame);
+    /// The principal strains, where the overlay shows them.
+    /// @param millimetresPerPixel of the cloth, logical pixels; in depth a typical one
+    void paintCrosses(const Frame& frame, float depthShift, double millimetresPerPixel);
+    /// Outlines, the selected ones once more and wider, the wireframe, seams and the designer's
+    /// outlines where asked for, and over everything what is selected of them or under the pointer.
+    /// @param depthShift lifts lines off the cloth, see Camera3D::depthShift
     void paintLines(const Frame& frame, float depthShift);
     void paintBackdrop(const Frame& frame);
-    QOpenGLShaderProgram& backdropProgram() { return *backdrop_; }
+    ShaderProgram& backdropProgram() { return *backdrop_; }
 
-    Gl* gl_ = nullptr;
-    GpuMesh mesh_;
+    const SheetPlaces& places() const { return places_; }
+    /// Of the scene and of where it lies: another number whenever one of them has changed.
+    int contentNumber() const { return contentNumber_; }
+    /// A float texture of four numbers a texel, `kPieceTableWidth` texels a row.
+    void uploadTable(GLuint texture, int height, const std::vector<float>& texels);
+
+    std::unique_ptr<Gl> gl_;
+    FrameCounts counts_;
+    GpuMesh mesh_{counts_};
     std::shared_ptr<const Scene> scene_;
 
 private:
+    OverlayScale scaleOf(Overlay overlay) const;
     void uploadPieceTable();
     void uploadColourMaps();
     void bindPieceTable();
-    QOpenGLShaderProgram& beginLines(const Frame& frame, float depthShift);
+    void bindColourMap(Overlay overlay);
+    /// True where the triangles' own values are there to be looked up; uploads them when first
+    /// asked for.
+    bool hasFaceTable();
+    ShaderProgram& beginLines(const Frame& frame, float depthShift);
     void paintWireframe(const Frame& frame);
+    /// Of the pieces that are selected or under the pointer; widths in logical pixels.
+    void paintChosenOutlines(const Frame& frame, float selected, float hovered);
+    void paintSeams(const Frame& frame);
     void paintDesignerLines(const Frame& frame);
-    void paintSeam(const Frame& frame, float depthShift);
+    void paintLitUp(const Frame& frame, float depthShift, const Feature& feature, bool hovered);
+    void drawFeature(const Feature& feature);
     void setLine(const QColor& colour, float width, bool selectedOnly, const Frame& frame);
 
     std::set<int> selection_;
+    SheetPlaces places_;
     std::optional<int> seam_;
-    GpuLines overLines_;
+    Fabric fabric_ = fabricPresets().front();
+    std::optional<OverlayScale> scale_;
+    FaceTable faces_{counts_};
+    CrossPainter crosses_{counts_};
+    /// Scenes are numbered: of which the GPU has triangles' values and crosses.
+    int sceneNumber_ = 0, facesOf_ = -1, crossesOf_ = -1;
+    bool facesFit_ = false;
+    std::vector<Feature> marks_;
+    std::optional<Feature> hover_;
+    GpuLines overLines_{counts_};
     bool sceneChanged_ = false, tableChanged_ = false;
-    std::unique_ptr<QOpenGLShaderProgram> cloth_, lines_, backdrop_;
+    bool pieceColours_ = true;
+    int contentNumber_ = 0;
+    std::unique_ptr<ShaderProgram> cloth_, lines_, backdrop_;
     GLuint pieceTable_ = 0;
     GLuint divergingMap_ = 0, sequentialMap_ = 0;
     GLuint emptyArray_ = 0;  ///< core profile draws nothing without a vertex array

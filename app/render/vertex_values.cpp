@@ -7,32 +7,27 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/face_normal.h"
+#include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 
 namespace toile {
 
 namespace {
 
-Eigen::Vector3d doubleAreaNormal(const MeshArrays& mesh, Eigen::Index face) {
-    const Eigen::Vector3d a = mesh.V.row(mesh.F(face, 0)).transpose();
-    const Eigen::Vector3d b = mesh.V.row(mesh.F(face, 1)).transpose();
-    const Eigen::Vector3d c = mesh.V.row(mesh.F(face, 2)).transpose();
-    return (b - a).cross(c - a);
+double bounded(double value) {
+    return std::isnan(value) ? 0.0 : std::clamp(value, -kLargestValue, kLargestValue);
 }
 
-/// Weighted mean per vertex of values that lie on elements (rows of vertex indices).
-template <class Elements>
-Eigen::VectorXf averaged(const Elements& elements, const Eigen::VectorXd& values,
-                         const Eigen::VectorXd& weights, Eigen::Index vertices, double unit) {
+/// Mean per vertex of the values of the triangles around it.
+Eigen::VectorXf averaged(const Triangles& F, const Eigen::VectorXf& values,
+                         const Eigen::VectorXd& weights, Eigen::Index vertices) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(vertices);
     Eigen::VectorXd weight = Eigen::VectorXd::Zero(vertices);
-    for (Eigen::Index e = 0; e < elements.rows(); ++e) {
-        const double value = values[e] * unit;
-        const double bounded =
-            std::isnan(value) ? 0.0 : std::clamp(value, -kLargestValue, kLargestValue);
-        for (Eigen::Index k = 0; k < elements.cols(); ++k) {
-            sum[elements(e, k)] += weights[e] * bounded;
-            weight[elements(e, k)] += weights[e];
+    for (Eigen::Index f = 0; f < F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            sum[F(f, k)] += weights[f] * static_cast<double>(values[f]);
+            weight[F(f, k)] += weights[f];
         }
     }
     Eigen::VectorXf mean(vertices);
@@ -42,26 +37,54 @@ Eigen::VectorXf averaged(const Elements& elements, const Eigen::VectorXd& values
     return mean;
 }
 
+Eigen::VectorXf inUnit(const Eigen::VectorXd& values, double unit) {
+    return values.unaryExpr([unit](double value) -> double { return bounded(value * unit); })
+        .cast<float>();
+}
+
+/// A3D/A2D - 1 of what is given as A2D/A3D - 1: what the cloth must do, as strain has it.
+Eigen::VectorXd areaToGain(const Eigen::VectorXd& areaChange) {
+    return areaChange.unaryExpr([](double change) -> double { return 1 / (1 + change) - 1; });
+}
+
+/// Per triangle the largest or the least of its edges' strains.
+Eigen::VectorXd ofEdges(const Piece& piece, const Eigen::VectorXd& edgeStrain, bool largest) {
+    const Triangles& edges = piece.table.faceEdges;
+    Eigen::VectorXd strains(edges.rows());
+    for (Eigen::Index f = 0; f < edges.rows(); ++f) {
+        const double a = edgeStrain[edges(f, 0)], b = edgeStrain[edges(f, 1)],
+                     c = edgeStrain[edges(f, 2)];
+        strains[f] = largest ? std::max({a, b, c}) : std::min({a, b, c});
+    }
+    return strains;
+}
+
 }  // namespace
 
-VertexValues vertexValues(const Piece& piece, const Points2& Q) {
+PieceValues pieceValues(const Piece& piece, const Points2& Q) {
     const DistortionFields fields = distortionFields(piece, Q);
     const MeshArrays& mesh = piece.mesh;
     Eigen::VectorXd areas(mesh.F.rows());
     for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
         areas[f] = doubleAreaNormal(mesh, f).norm();
     }
-    Eigen::VectorXd lengths(piece.table.edges.rows());
-    for (Eigen::Index e = 0; e < piece.table.edges.rows(); ++e) {
-        lengths[e] =
-            (mesh.V.row(piece.table.edges(e, 0)) - mesh.V.row(piece.table.edges(e, 1))).norm();
-    }
-
     const Eigen::Index count = mesh.V.rows();
     constexpr double kPercent = 100.0, kDegrees = 180.0 / std::numbers::pi;
-    return {averaged(mesh.F, fields.areaChange, areas, count, kPercent),
-            averaged(mesh.F, fields.angleChange, areas, count, kDegrees),
-            averaged(piece.table.edges, fields.edgeStrain, lengths, count, kPercent)};
+    const Eigen::VectorXd flatAreas = triangleAreas2d(Q, mesh.F);
+    const Eigen::VectorXd areaChange = areaToGain(fields.areaChange);
+    PieceValues values;
+    values.faces = {inUnit(areaChange, kPercent), inUnit(fields.angleChange, kDegrees),
+                    inUnit(ofEdges(piece, fields.edgeStrain, true), kPercent),
+                    inUnit(ofEdges(piece, fields.edgeStrain, false), kPercent),
+                    wornFaceMetrics(mesh, Q)};
+    const auto smoothed = [&](const Eigen::VectorXf& of) -> Eigen::VectorXf {
+        return averaged(mesh.F, of, areas, count);
+    };
+    values.vertices = {smoothed(values.faces.area), smoothed(values.faces.angle),
+                       smoothed(values.faces.mostStrain), smoothed(values.faces.leastStrain),
+                       vertexMetrics(mesh, values.faces.metric)};
+    values.flatAreas = inUnit(flatAreas.cwiseAbs(), 1);
+    return values;
 }
 
 Points3 vertexNormals(const MeshArrays& mesh) {

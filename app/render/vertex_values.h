@@ -4,19 +4,30 @@
 #include <Eigen/Core>
 
 #include "core/garment/garment.h"
+#include "core/quality/metric_tensor.h"
 
 namespace toile {
 
-/// Distortion at the vertices in the units a person reads: area change in percent, angle change in
-/// degrees, strain in percent. Always finite: the infinite is clamped to +-kLargestValue.
-struct VertexValues {
-    Eigen::VectorXf area, angle, strain;
+/// Distortion of vertices or triangles in the units a person reads: area change in percent, angle
+/// change in degrees, strain in percent; strain is that of edges, the largest and the least, kept
+/// apart so that stretch one way and surplus another do not cancel. Positive is what the cloth must
+/// gain to be worn, A3D/A2D - 1 for areas; an area below -100 % is of a triangle that is turned
+/// over. Always finite: the infinite is clamped to +-kLargestValue.
+struct OverlayFields {
+    Eigen::VectorXf area, angle, mostStrain, leastStrain;
+    std::vector<MetricTensor> metric;
 };
 
 inline constexpr double kLargestValue = 1e6;
 
-/// Faces' values weighted by their 3D area, edges' by their 3D length.
-VertexValues vertexValues(const Piece& piece, const Points2& Q);
+/// Of the triangles as they are, and at the vertices smoothed: the mean of the triangles around,
+/// weighted by their 3D area. The metric is that of `wornFaceMetrics`.
+struct PieceValues {
+    OverlayFields vertices, faces;
+    Eigen::VectorXf flatAreas;  ///< of the triangles, positive, mm2
+};
+
+PieceValues pieceValues(const Piece& piece, const Points2& Q);
 
 /// Unit normals, faces weighted by area; (0, 0, 1) where a vertex has no area around it.
 Points3 vertexNormals(const MeshArrays& mesh);

@@ -1,24 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/garment_view.h"
 
+#include <QKeyEvent>
 #include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
 
 #include "app/document/document.h"
 #include "app/render/garment_renderer.h"
 #include "app/render/picking.h"
-#include "app/views/view_text.h"
+#include "app/views/axis_cross.h"
+#include "app/views/framing.h"
+#include "app/views/garment_text.h"
 
 namespace toile {
 
 namespace {
+
+/// A seam may lie so many times the pointer's reach deeper than the cloth beside it: cloth is bent.
+constexpr double kHiddenBehind = 3;
+
+double flightOf(double way) {
+    Morph morph;
+    morph.way = way;
+    return morph.flight();
+}
+
+/// How near the eye may come to the cloth that is zoomed at, as a part of the garment's extent.
+constexpr double kNearestCloth = 4e-3;
 
 /// Room left around a framed seam, as a part of its extent.
 constexpr double kAirAroundSeam = 0.15;
 
 }  // namespace
 
-GarmentView::GarmentView(Document& document, QWidget* parent)
-    : SceneView(document, std::make_unique<GarmentRenderer>(), parent) {
+GarmentView::GarmentView(Document& document, ToolBox& tools, QWidget* parent)
+    : SceneView(document, tools, std::make_unique<GarmentRenderer>(), parent) {
     setObjectName("garmentView");
 }
 
@@ -27,11 +47,7 @@ void GarmentView::setCameraViewport(double width, double height) {
 }
 
 void GarmentView::framePieces(const std::set<int>& pieces) {
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (const int piece : pieces) {
-        boxes.push_back(scene()->pieces[static_cast<std::size_t>(piece)].box);
-    }
-    camera_.frame(boxes);
+    frameGarment(camera_, *scene(), places(), pieces, way_);
 }
 
 bool GarmentView::frameLines(const SeamScene& seam) {
@@ -41,49 +57,301 @@ bool GarmentView::frameLines(const SeamScene& seam) {
     // With the cloth around it, that one sees what is sewn to what.
     const Eigen::Vector3d air =
         Eigen::Vector3d::Constant(kAirAroundSeam * seam.box.sizes().maxCoeff());
+    if (way_ > 0) {
+        return false;  // its box is that of the garment
+    }
     const Eigen::AlignedBox3d boxes[] = {{seam.box.min() - air, seam.box.max() + air}};
     camera_.frame(boxes);
     return true;
+}
+
+bool GarmentView::isFacing(const WorstSpot& spot) const {
+    constexpr double kSlanting = 0.2;  // cosine
+    const Eigen::Vector3d toEye = camera_.eye() - spot.position;
+    return spot.normal.dot(toEye) >= kSlanting * toEye.norm();
+}
+
+bool GarmentView::isHidden(const WorstSpot& spot) const {
+    constexpr double kBefore = 1;  // mm
+    const Eigen::Vector2d at = camera_.project(spot.position);
+    const Ray ray = camera_.ray(at.x(), at.y());
+    const auto hit = pickGarment(*scene(), ray);
+    return hit && hit->distance < (spot.position - ray.origin).norm() - kBefore;
+}
+
+void GarmentView::frameSpot(const WorstSpot& spot, double reach) {
+    if (way_ > 0) {
+        return;  // the cloth is elsewhere
+    }
+    const Eigen::Vector3d air = Eigen::Vector3d::Constant(reach);
+    const Eigen::AlignedBox3d boxes[] = {{spot.position - air, spot.position + air}};
+    camera_.frame(boxes);
+    if (spot.normal.isZero() || (isFacing(spot) && !isHidden(spot))) {
+        return;
+    }
+    // From the right side; where other cloth lies before it, from the wrong side.
+    const Eigen::Vector3d sides[] = {spot.normal, -spot.normal, spot.normal};
+    for (const Eigen::Vector3d& side : sides) {
+        camera_.setDirection(std::atan2(side.x(), side.z()),
+                             std::asin(std::clamp(side.y(), -1.0, 1.0)));
+        camera_.frame(boxes);
+        if (!isHidden(spot)) {
+            return;
+        }
+    }
 }
 
 void GarmentView::drag(Drag kind, const QPointF& delta) {
     if (kind == Drag::Turn) {
         camera_.orbit(delta.x(), delta.y());
     } else {
+        forgetHome();
         camera_.pan(delta.x(), delta.y());
     }
 }
 
+void GarmentView::forgetHome() {
+    if (way_ > 0) {
+        home_.reset();
+    }
+}
+
 void GarmentView::zoom(const QPointF& at, double factor) {
+    forgetHome();
     const Ray ray = camera_.ray(at.x(), at.y());
-    const auto hit = scene() ? pickGarment(*scene(), ray) : std::nullopt;
+    const auto hit = scene() && way_ == 0 ? pickGarment(*scene(), ray) : std::nullopt;
+    if (hit && factor > 1 && !camera_.isOrthographic()) {
+        // Nearer, the cloth would be cut away before the eye: see Camera3D::projection.
+        const double nearest = kNearestCloth * scene()->box.diagonal().norm();
+        factor = std::max(1.0, std::min(factor, hit->distance / nearest));
+    }
     camera_.zoomAt(hit ? Eigen::Vector3d(ray.origin + hit->distance * ray.direction)
                        : camera_.pointAtTargetDepth(at.x(), at.y()),
                    factor);
 }
 
-std::optional<int> GarmentView::pieceAt(const QPointF& at) const {
+Morph GarmentView::morphState() const {
+    return morphBefore(camera_, scene(), way_);
+}
+
+Eigen::Vector2d GarmentView::onStandingSheet(const QPointF& at) const {
+    const Morph morph = morphState();
+    const Ray ray = camera_.ray(at.x(), at.y());
+    const Eigen::Vector3d normal = morph.sheetAxes.col(2);
+    const double along = (morph.sheetCentre - ray.origin).dot(normal) / ray.direction.dot(normal);
+    const Eigen::Vector3d off = ray.origin + along * ray.direction - morph.sheetCentre;
+    return sheetBox(*scene(), places()).center() + morph.sheetAxes.leftCols<2>().transpose() * off;
+}
+
+std::optional<SurfaceHit> GarmentView::hitAt(const QPointF& at) const {
+    if (!scene() || !answers()) {
+        return std::nullopt;
+    }
+    return way_ == 1 ? pickPattern(*scene(), places(), onStandingSheet(at))
+                     : pickGarment(*scene(), camera_.ray(at.x(), at.y()));
+}
+
+std::optional<SeamHit> GarmentView::seamHitAt(const QPointF& at, double pixels,
+                                              const SeamFilter& counts) const {
+    if (!scene() || !answers()) {
+        return std::nullopt;
+    }
+    if (way_ == 1) {
+        return pickPatternSeam(*scene(), places(), onStandingSheet(at),
+                               pixels / camera_.pixelsPerMillimetre(), counts);
+    }
+    const Ray ray = camera_.ray(at.x(), at.y());
+    // Without perspective a reach in mm stands for a slope at the depth where rays are that wide.
+    const double reach = pixels / camera_.pixelsPerMillimetre();
+    const double toTarget =
+        (camera_.pointAtTargetDepth(at.x(), at.y()) - ray.origin).dot(ray.direction);
+    const double slope = reach / toTarget;
+    // What the cloth under the pointer hides does not count; what lies on it does.
+    const auto hit = pickGarment(*scene(), ray);
+    const double farthest = !hit || document_.view().xray
+                                ? std::numeric_limits<double>::infinity()
+                                : hit->distance + kHiddenBehind * slope * hit->distance;
+    return pickGarmentSeam(*scene(), ray, slope, farthest, counts);
+}
+
+const GarmentView::Motions& GarmentView::motions() const {
+    const Morph now = morphState();
+    const bool isKnown = motions_ && motions_->scene == document_.scene() &&
+                         motions_->places == places() && motions_->morph.way == now.way &&
+                         motions_->morph.sheetAxes == now.sheetAxes &&
+                         motions_->morph.sheetCentre == now.sheetCentre;
+    if (!isKnown) {
+        motions_ = Motions{document_.scene(), places(), now, morphMotions(*scene(), places(), now)};
+    }
+    return *motions_;
+}
+
+template <class Flat>
+Eigen::Vector3d GarmentView::asDrawn(int piece, const Eigen::Vector3d& worn,
+                                     const Flat& flat) const {
+    const auto at = static_cast<std::size_t>(piece);
+    if (way_ == 0 || !scene()->pieces[at].flat) {
+        return worn;
+    }
+    const Motions& now = motions();
+    return morphed(now.morph, now.ofPieces[at], worn, flat());
+}
+
+std::optional<QPointF> GarmentView::projected(const Eigen::Vector3d& point) const {
+    if (!camera_.isBefore(point)) {
+        return std::nullopt;
+    }
+    const Eigen::Vector2d at = camera_.project(point);
+    return QPointF(at.x(), at.y());
+}
+
+std::optional<QPointF> GarmentView::onScreen(int piece, int face,
+                                             const Eigen::Vector3d& barycentric) const {
     if (!scene()) {
         return std::nullopt;
     }
-    const auto hit = pickGarment(*scene(), camera_.ray(at.x(), at.y()));
-    return hit ? std::optional(hit->piece) : std::nullopt;
+    return projected(asDrawn(
+        piece, garmentPoint(*scene(), piece, face, barycentric),
+        [&]() -> Eigen::Vector2d { return patternPoint(*scene(), piece, face, barycentric); }));
+}
+
+std::vector<QPolygonF> GarmentView::seamOnScreen(int seam) const {
+    std::vector<QPolygonF> lines;
+    const auto index = static_cast<std::size_t>(seam);
+    if (!scene() || index >= scene()->garmentLines.runs.seams.size()) {
+        return lines;
+    }
+    for (const VertexRun& run : scene()->garmentLines.runs.seams[index]) {
+        QPolygonF line;
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+            const GarmentLineVertex& vertex = scene()->garmentLines.vertices[i];
+            const auto at =
+                projected(asDrawn(static_cast<int>(vertex.piece), wornPoint(vertex),
+                                  [&vertex]() -> Eigen::Vector2d { return flatPoint(vertex); }));
+            if (at) {
+                line << *at;
+            } else if (!line.isEmpty()) {  // it goes on behind the eye
+                lines.push_back(std::exchange(line, {}));
+            }
+        }
+        if (!line.isEmpty()) {
+            lines.push_back(line);
+        }
+    }
+    return lines;
+}
+
+void GarmentView::setMorph(double way) {
+    way = std::clamp(way, 0.0, 1.0);
+    if (way == way_) {
+        return;
+    }
+    if (way_ == 0) {
+        home_ = std::make_unique<Camera3D>(camera_);
+    }
+    way_ = way;
+    if (home_ && !followsAll() && scene()) {
+        // As far back as shows the whole sheet; back at the garment, to where the eye was.
+        Camera3D flat = camera_;
+        Morph end = morphState();
+        end.way = 1;
+        flat.frame(morphBoxes(*scene(), places(), end));
+        camera_.moveTowards(*home_, 1);
+        camera_.moveTowards(flat, flightOf(way_));
+    }
+    cameraMoved();
+    emit morphChanged(way_);
+}
+
+void GarmentView::setDirection(const ViewDirection& direction) {
+    camera_.setDirection(direction.yaw, direction.pitch);
+    cameraMoved();
+}
+
+void GarmentView::look(ViewKey key) {
+    constexpr double kStep = std::numbers::pi / 12;
+    const double yaw = camera_.yaw(), pitch = camera_.pitch();
+    switch (key) {
+        case ViewKey::Front:
+            return setDirection(kFrontView);
+        case ViewKey::Back:
+            return setDirection(kBackView);
+        case ViewKey::Right:
+            return setDirection(kRightView);
+        case ViewKey::Left:
+            return setDirection(kLeftView);
+        case ViewKey::Top:
+            return setDirection(kTopView);
+        case ViewKey::Bottom:
+            return setDirection(kBottomView);
+        case ViewKey::Opposite:
+            return setDirection({yaw + std::numbers::pi, -pitch});
+        case ViewKey::TurnLeft:
+            return setDirection({yaw - kStep, pitch});
+        case ViewKey::TurnRight:
+            return setDirection({yaw + kStep, pitch});
+        case ViewKey::TurnUp:
+            return setDirection({yaw, pitch + kStep});
+        case ViewKey::TurnDown:
+            return setDirection({yaw, pitch - kStep});
+        case ViewKey::Orthographic:
+            camera_.setOrthographic(!camera_.isOrthographic());
+            cameraMoved();
+            emit orthographicChanged(camera_.isOrthographic());
+            return;
+    }
+}
+
+void GarmentView::keyPressEvent(QKeyEvent* event) {
+    if (const auto key = viewKey(event->key(), event->modifiers())) {
+        look(*key);
+        event->accept();
+    } else {
+        SceneView::keyPressEvent(event);
+    }
+}
+
+bool GarmentView::event(QEvent* event) {
+    // To shortcuts a digit is a digit, wherever it is on the keyboard.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (viewKey(key.key(), key.modifiers())) {
+            event->accept();
+            return true;
+        }
+    }
+    return SceneView::event(event);
+}
+
+bool GarmentView::clickOnOverlay(const QPointF& at) {
+    const auto key = axisCrossKeyAt(axisCrossPlace(rect()), camera_, at);
+    if (key) {
+        look(*key);
+    }
+    return key.has_value();
+}
+
+Eigen::Vector2d GarmentView::onSheet(const QPointF&) const {
+    return Eigen::Vector2d::Zero();
 }
 
 void GarmentView::paintScene(const RenderStyle& style, int width, int height, double ratio) {
     static_cast<GarmentRenderer&>(renderer())
-        .paint(camera_, document_.view(), style, width, height, ratio);
+        .paint(camera_, document_.view(), style, width, height, ratio, morphState());
+}
+
+std::optional<SpotPlace> GarmentView::placeNow(const WorstSpot& spot) const {
+    return way_ == 0 ? placeOfSpot(spot, camera_) : std::nullopt;  // on its way it is elsewhere
 }
 
 void GarmentView::paintText(QPainter& painter, const RenderStyle& style) {
-    QString note;
-    if (const auto seam = document_.seam()) {
-        note = tr("seam %1: %2")
-                   .arg(*seam + 1)
-                   .arg(QString::fromStdString(
-                       document_.garment()->seams.seams[static_cast<std::size_t>(*seam)].name));
+    std::vector<QRectF> covered;
+    for (const QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (over->isVisible() && !over->testAttribute(Qt::WA_TransparentForMouseEvents)) {
+            covered.emplace_back(over->geometry());
+        }
     }
-    paintCaption(painter, style, tr("Garment"), note);
+    paintGarmentText(painter, style, {document_, camera_, rect(), spots(), way_, covered});
 }
 
 }  // namespace toile

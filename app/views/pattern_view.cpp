@@ -7,19 +7,15 @@
 #include "app/document/document.h"
 #include "app/render/pattern_renderer.h"
 #include "app/render/picking.h"
-#include "app/views/view_text.h"
+#include "app/settings/length_display.h"
+#include "app/views/framing.h"
+#include "app/views/pattern_text.h"
+#include "app/views/tools/tool_box.h"
 
 namespace toile {
 
-namespace {
-
-/// Room for the caption above and the scale bar below.
-constexpr Camera2D::Margins kMargins{26, 44, 66};
-
-}  // namespace
-
-PatternView::PatternView(Document& document, QWidget* parent)
-    : SceneView(document, std::make_unique<PatternRenderer>(), parent) {
+PatternView::PatternView(Document& document, ToolBox& tools, QWidget* parent)
+    : SceneView(document, tools, std::make_unique<PatternRenderer>(), parent) {
     setObjectName("patternView");
 }
 
@@ -28,19 +24,22 @@ void PatternView::setCameraViewport(double width, double height) {
 }
 
 void PatternView::framePieces(const std::set<int>& pieces) {
-    Eigen::AlignedBox2d box;
-    for (const int piece : pieces) {
-        box.extend(scene()->pieces[static_cast<std::size_t>(piece)].placedBox());
-    }
-    camera_.frame(box, kMargins);
+    framePattern(camera_, *scene(), places(), pieces, document_.view().rulers);
 }
 
 bool PatternView::frameLines(const SeamScene& seam) {
-    if (seam.flatBox.isEmpty()) {
+    const Eigen::AlignedBox2d box = placedBox(seam, places());
+    if (box.isEmpty()) {
         return false;
     }
-    camera_.frame(seam.flatBox, kMargins);
+    camera_.frame(box, patternMargins(document_.view().rulers));
     return true;
+}
+
+void PatternView::frameSpot(const WorstSpot& spot, double reach) {
+    const Eigen::Vector2d at = placeOf(places(), spot.piece).placement.applied(spot.flat);
+    const Eigen::Vector2d air = Eigen::Vector2d::Constant(reach);
+    camera_.frame({at - air, at + air}, patternMargins(document_.view().rulers));
 }
 
 void PatternView::drag(Drag, const QPointF& delta) {
@@ -51,50 +50,69 @@ void PatternView::zoom(const QPointF& at, double factor) {
     camera_.zoomAt(at.x(), at.y(), factor);
 }
 
-std::optional<int> PatternView::pieceAt(const QPointF& at) const {
-    return scene() ? pickPattern(*scene(), camera_.toWorld(at.x(), at.y())) : std::nullopt;
+std::optional<SurfaceHit> PatternView::hitAt(const QPointF& at) const {
+    return scene() ? pickPattern(*scene(), places(), camera_.toWorld(at.x(), at.y()))
+                   : std::nullopt;
+}
+
+std::optional<SeamHit> PatternView::seamHitAt(const QPointF& at, double pixels,
+                                              const SeamFilter& counts) const {
+    return scene() ? pickPatternSeam(*scene(), places(), onSheet(at),
+                                     pixels / camera_.pixelsPerMillimetre(), counts)
+                   : std::nullopt;
+}
+
+std::optional<QPointF> PatternView::onScreen(int piece, int face,
+                                             const Eigen::Vector3d& barycentric) const {
+    if (!scene() || !scene()->pieces[static_cast<std::size_t>(piece)].flat) {
+        return std::nullopt;
+    }
+    const Eigen::Vector2d point = patternPoint(*scene(), piece, face, barycentric);
+    const Eigen::Vector2d at = camera_.toScreen(placeOf(places(), piece).placement.applied(point));
+    return QPointF(at.x(), at.y());
+}
+
+std::vector<QPolygonF> PatternView::seamOnScreen(int seam) const {
+    std::vector<QPolygonF> lines;
+    const auto index = static_cast<std::size_t>(seam);
+    if (!scene() || index >= scene()->patternLines.runs.seams.size()) {
+        return lines;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+        const VertexRun run = scene()->patternLines.runs.seams[index][side];
+        if (run.count == 0) {
+            continue;
+        }
+        const Placement& placement =
+            placeOf(places(), scene()->seams[index].sides[side].piece).placement;
+        QPolygonF line;
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+            const auto& vertex = scene()->patternLines.vertices[i];
+            const Eigen::Vector2d at = camera_.toScreen(placement.applied(flatPoint(vertex)));
+            line << QPointF(at.x(), at.y());
+        }
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+Eigen::Vector2d PatternView::onSheet(const QPointF& at) const {
+    return camera_.toWorld(at.x(), at.y());
 }
 
 void PatternView::paintScene(const RenderStyle& style, int width, int height, double ratio) {
-    static_cast<PatternRenderer&>(renderer())
-        .paint(camera_, document_.view(), style, width, height, ratio);
+    auto& pattern = static_cast<PatternRenderer&>(renderer());
+    pattern.setGridUnit(LengthDisplay::instance().format().unit);
+    pattern.paint(camera_, document_.view(), style, width, height, ratio);
+}
+
+std::optional<SpotPlace> PatternView::placeNow(const WorstSpot& spot) const {
+    return placeOfSpot(spot, camera_, places());
 }
 
 void PatternView::paintText(QPainter& painter, const RenderStyle& style) {
-    paintCaption(painter, style, tr("Pattern"), tr("right side of the fabric up, net outlines"));
-    if (!scene() || scene()->sheetBox.isEmpty()) {
-        painter.setPen(style.faintText);
-        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
-                         emptyText());
-        return;
-    }
-    paintNames(painter, style);
-    paintScaleBar(painter, style, rect(), camera_.pixelsPerMillimetre());
-}
-
-void PatternView::paintNames(QPainter& painter, const RenderStyle& style) const {
-    for (std::size_t i = 0; i < scene()->pieces.size(); ++i) {
-        const PieceScene& piece = scene()->pieces[i];
-        if (!piece.flat) {
-            continue;
-        }
-        const Eigen::Vector2d at = camera_.toScreen(piece.label + piece.offset);
-        // A name may stand out a little on either side before it is shortened.
-        const double room = 1.25 * piece.flatBox.sizes().x() * camera_.pixelsPerMillimetre();
-        paintPlate(painter, style, {at.x(), at.y()}, room,
-                   QString::fromStdString(document_.garment()->pieces[i]->name),
-                   document_.isSelected(static_cast<int>(i)));
-    }
-}
-
-QString PatternView::emptyText() const {
-    if (document_.pieceCount() == 0) {
-        return {};
-    }
-    if (document_.results().empty()) {
-        return tr("The flat pieces appear here.");
-    }
-    return tr("None of the pieces could be flattened. The list of pieces says why.");
+    const bool grain = tools().current().id() == ToolId::Grain;
+    paintPatternText(painter, style, {document_, places(), camera_, rect(), spots(), grain});
 }
 
 }  // namespace toile

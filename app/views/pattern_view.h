@@ -6,13 +6,24 @@
 
 namespace toile {
 
-/// The flat pieces at true proportions, the fabric's right side up: a drag moves the sheet, the
-/// wheel zooms to the cursor.
+/// The flat pieces at true proportions as they lie on the sheet, with rulers along two edges, grain
+/// arrows and names: a drag that no tool takes moves the sheet, the wheel zooms to the cursor.
 class PatternView : public SceneView {
     Q_OBJECT
 
 public:
-    explicit PatternView(Document& document, QWidget* parent = nullptr);
+    PatternView(Document& document, ToolBox& tools, QWidget* parent = nullptr);
+
+    ViewKind kind() const override { return ViewKind::Pattern; }
+    std::optional<SurfaceHit> hitAt(const QPointF& at) const override;
+    bool answers() const override { return true; }
+    std::optional<SeamHit> seamHitAt(const QPointF& at, double pixels,
+                                     const SeamFilter& counts) const override;
+    std::optional<QPointF> onScreen(int piece, int face,
+                                    const Eigen::Vector3d& barycentric) const override;
+    std::vector<QPolygonF> seamOnScreen(int seam) const override;
+    Eigen::Vector2d onSheet(const QPointF& at) const override;
+    double pixelsPerMillimetre() const override { return camera_.pixelsPerMillimetre(); }
 
     const Camera2D& camera() const { return camera_; }
 
@@ -20,16 +31,14 @@ protected:
     void setCameraViewport(double width, double height) override;
     void framePieces(const std::set<int>& pieces) override;
     bool frameLines(const SeamScene& seam) override;
+    void frameSpot(const WorstSpot& spot, double reach) override;
     void drag(Drag kind, const QPointF& delta) override;
     void zoom(const QPointF& at, double factor) override;
-    std::optional<int> pieceAt(const QPointF& at) const override;
     void paintScene(const RenderStyle& style, int width, int height, double ratio) override;
+    std::optional<SpotPlace> placeNow(const WorstSpot& spot) const override;
     void paintText(QPainter& painter, const RenderStyle& style) override;
 
 private:
-    void paintNames(QPainter& painter, const RenderStyle& style) const;
-    QString emptyText() const;
-
     Camera2D camera_;
 };
 

@@ -4,15 +4,20 @@
 #include <QApplication>
 #include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/render/scene_renderer.h"
+#include "app/settings/length_display.h"
+#include "app/views/flags.h"
+#include "app/views/over_painter.h"
+#include "app/views/sewn_run.h"
+#include "app/views/tools/tool_box.h"
 
 namespace toile {
 
@@ -20,18 +25,42 @@ namespace {
 
 /// Enlargement per wheel notch (120 units): five notches double.
 constexpr double kZoomPerNotch = 1.15;
+/// And per pixel of a drag: 140 pixels double.
+constexpr double kZoomPerPixel = 1.005;
+/// Cloth around a place that is shown: a part of its piece, at least so many mm.
+constexpr double kReachShare = 0.2, kLeastReach = 5;
+
+bool lieElsewhere(const SheetPlaces& a, const SheetPlaces& b) {
+    return !std::ranges::equal(a, b, {}, &SheetPlace::placement, &SheetPlace::placement);
+}
 
 }  // namespace
 
-SceneView::SceneView(Document& document, std::unique_ptr<SceneRenderer> renderer, QWidget* parent)
-    : QOpenGLWidget(parent), document_(document), renderer_(std::move(renderer)) {
+SceneView::SceneView(Document& document, ToolBox& tools, std::unique_ptr<SceneRenderer> renderer,
+                     QWidget* parent)
+    : QOpenGLWidget(parent),
+      document_(document),
+      tools_(tools),
+      hover_(document, *this),
+      renderer_(std::move(renderer)) {
     setFormat(sceneSurfaceFormat());
     setMinimumSize(220, 180);
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
     connect(&document_, &Document::changed, this, &SceneView::onChanged);
+    connect(&tools_, &ToolBox::changed, this, &SceneView::updateCursor);
+    connect(&tools_, &ToolBox::chosen, this, &SceneView::endPress);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
+        hover_.writeAgain();
+        update();
+    });
+    places_ = placesOf(document_.settings());
+    renderer_->setPlaces(places_);
+    renderer_->setFabric(document_.fabric());
     renderer_->setScene(document_.scene());
     renderer_->setSelection(document_.selection());
     renderer_->setSeam(document_.seam());
+    renderer_->setMarks(markedFeatures(document_));
 }
 
 SceneView::~SceneView() {
@@ -52,11 +81,23 @@ void SceneView::releaseGl() {
 }
 
 void SceneView::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Garment)) {
+    if (what.testFlag(DocumentChange::Opened)) {
         followsAll_ = true;
     }
     if (what & (DocumentChange::Garment | DocumentChange::Results)) {
         renderer_->setScene(document_.scene());
+    }
+    if (what.testFlag(DocumentChange::Settings)) {
+        SheetPlaces places = placesOf(document_.settings());
+        // Who moves a piece wants the sheet to stay where it is.
+        const bool byHand = !(what & (DocumentChange::Garment | DocumentChange::Results)) &&
+                            lieElsewhere(places, places_);
+        places_ = std::move(places);
+        renderer_->setPlaces(places_);
+        followsAll_ = followsAll_ && !(byHand && kind() == ViewKind::Pattern);
+    }
+    if (what.testFlag(DocumentChange::Fabric)) {
+        renderer_->setFabric(document_.fabric());
     }
     if (what.testFlag(DocumentChange::Selection)) {
         renderer_->setSelection(document_.selection());
@@ -64,6 +105,28 @@ void SceneView::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::SeamSelection)) {
         renderer_->setSeam(document_.seam());
     }
+    if (what.testFlag(DocumentChange::Mark)) {
+        renderer_->setMarks(markedFeatures(document_));
+    }
+    if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Selection |
+                DocumentChange::SeamSelection | DocumentChange::Mark)) {
+        shown_.reset();
+    }
+    if (what.testFlag(DocumentChange::Hover)) {
+        renderer_->setHover(document_.hover());
+        hover_.follow();
+    }
+    if (what.testFlag(DocumentChange::Garment)) {
+        hover_.forget();  // what the plate is about may be no more
+    } else if (what & (DocumentChange::Results | DocumentChange::Seams | DocumentChange::Settings |
+                       DocumentChange::View | DocumentChange::Fabric)) {
+        hover_.writeAgain();
+    }
+    update();
+}
+
+void SceneView::setWorstSpots(FlaggedSpots spots) {
+    spots_ = std::move(spots);
     update();
 }
 
@@ -79,9 +142,15 @@ std::set<int> SceneView::everyPiece() const {
     return all;
 }
 
+void SceneView::cameraMoved() {
+    hover_.leave();
+    emit pointed({});
+    update();
+}
+
 void SceneView::frameAll() {
     followsAll_ = true;
-    update();
+    cameraMoved();
 }
 
 void SceneView::frameSelection() {
@@ -96,7 +165,7 @@ void SceneView::frameSelection() {
     followsAll_ = false;
     setCameraViewport(width(), height());
     framePieces(document_.selection());
-    update();
+    cameraMoved();
 }
 
 void SceneView::frameSeam() {
@@ -107,8 +176,21 @@ void SceneView::frameSeam() {
     setCameraViewport(width(), height());
     if (frameLines(scene()->seams[static_cast<std::size_t>(*seam)])) {
         followsAll_ = false;
-        update();
+        cameraMoved();
     }
+}
+
+void SceneView::showSpot(const WorstSpot& spot) {
+    const auto piece = static_cast<std::size_t>(spot.piece);
+    if (!scene() || piece >= scene()->pieces.size() || !scene()->pieces[piece].flat) {
+        return;
+    }
+    const double size = scene()->pieces[piece].flatBox.diagonal().norm();
+    setCameraViewport(width(), height());
+    frameSpot(spot, std::max(kLeastReach, kReachShare * size));
+    shown_ = spot;
+    followsAll_ = false;
+    cameraMoved();
 }
 
 bool SceneView::isUpToDate() const {
@@ -128,82 +210,148 @@ void SceneView::paintGL() {
         framePieces(everyPiece());
     }
     const RenderStyle style = renderStyle(palette());
-    const double ratio = devicePixelRatioF();
-    const QSize pixels(static_cast<int>(std::lround(width() * ratio)),
-                       static_cast<int>(std::lround(height() * ratio)));
     if (problem_.isEmpty()) {
-        paintScene(style, pixels.width(), pixels.height(), ratio);
+        const QSize onDevice = devicePixels(*this);
+        paintScene(style, onDevice.width(), onDevice.height(), devicePixelRatioF());
     }
 
-    // Not a painter on the widget itself: while a window is grabbed, that would paint elsewhere.
-    QOpenGLPaintDevice device(pixels);
-    device.setDevicePixelRatio(ratio);
-    QPainter painter(&device);
-    painter.setFont(font());
-    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    OverPainter over(*this);
+    QPainter& painter = over.painter();
     if (!problem_.isEmpty()) {
-        painter.fillRect(rect(), style.bottom);
-        painter.setPen(style.text);
-        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
-                         problem_);
+        paintProblem(painter, style, rect(), problem_);
     } else {
         paintText(painter, style);
+        if (const auto place = shown_ ? placeNow(*shown_) : std::nullopt) {
+            paintSpotRing(painter, style, place->at);
+        }
+        paintVertexDots(painter, style, *this, document_);
+        tools_.current().paint(*this, painter, style);
     }
     painted_ = document_.scene();
 }
 
+void SceneView::updateCursor() {
+    setCursor(space_ ? Qt::OpenHandCursor : tools_.current().cursor(kind()));
+    update();
+}
+
+void SceneView::setSpace(bool down) {
+    if (down != space_) {
+        space_ = down;
+        updateCursor();
+    }
+}
+
 void SceneView::mousePressEvent(QMouseEvent* event) {
-    pressed_ = last_ = event->position();
-    dragging_ = false;
     event->accept();
+    if (press_ != Press::None) {
+        return;  // another button while one is down
+    }
+    pressed_ = last_ = event->position();
+    dragging_ = twice_ = false;
+    hover_.leave();
+    button_ = event->button();
+    if (button_ == Qt::LeftButton && clickOnOverlay(event->position())) {
+        press_ = Press::Overlay;
+        return;
+    }
+    const bool taken = event->button() == Qt::LeftButton && scene() && !space_ &&
+                       tools_.current().press(*this, {event->position(), event->modifiers()});
+    press_ = taken ? Press::Tool : Press::Camera;
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-    if (event->buttons() == Qt::NoButton) {
-        return;
+    const Pointer pointer{event->position(), event->modifiers()};
+    if (press_ != Press::None && !event->buttons().testFlag(button_)) {
+        endPress();  // a dialog came up, or the pen went away
     }
+    if ((pointer.at - pressed_).manhattanLength() >= QApplication::startDragDistance()) {
+        twice_ = false;
+    }
+    switch (press_) {
+        case Press::None:
+            if (scene()) {
+                emit pointed(hover_.move(*this, event->position(), !tools_.current().speaks()));
+                tools_.current().hover(*this, pointer);
+            }
+            break;
+        case Press::Tool:
+            tools_.current().drag(*this, pointer);
+            break;
+        case Press::Camera:
+            moveCamera(event);
+            break;
+        case Press::Overlay:
+            break;
+    }
+}
+
+void SceneView::moveCamera(QMouseEvent* event) {
     if (!dragging_ &&
         (event->position() - pressed_).manhattanLength() < QApplication::startDragDistance()) {
         return;
     }
     dragging_ = true;
+    const QPointF delta = event->position() - last_;
+    const CameraMove move =
+        space_ ? CameraMove::Pan : cameraMove(navigation_, button_, event->modifiers());
+    if (move == CameraMove::None) {
+        return;
+    }
     followsAll_ = false;
-    drag(event->modifiers().testFlag(Qt::ShiftModifier) ? Drag::Shift : Drag::Turn,
-         event->position() - last_);
+    switch (move) {
+        case CameraMove::Turn:
+            drag(Drag::Turn, delta);
+            break;
+        case CameraMove::Pan:
+            drag(Drag::Shift, delta);
+            break;
+        case CameraMove::Zoom:
+            zoom(pressed_, std::pow(kZoomPerPixel, -delta.y()));
+            break;
+        case CameraMove::None:
+            break;
+    }
     last_ = event->position();
     update();
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-    if (!std::exchange(dragging_, false) && event->button() == Qt::LeftButton) {
-        select(event->position(), event->modifiers());
+    if (press_ == Press::None || event->button() != button_) {
+        return;
     }
-}
-
-void SceneView::select(const QPointF& at, Qt::KeyboardModifiers modifiers) {
-    const std::optional<int> piece = pieceAt(at);
-    const bool adds = modifiers.testFlag(Qt::ControlModifier);
-    if (piece && adds) {
-        document_.toggleSelected(*piece);
-    } else if (piece) {
-        document_.setSelection({*piece});
-    } else if (!adds) {
-        document_.setSelection({});
-        document_.setSeam({});
+    const Press press = std::exchange(press_, Press::None);
+    const bool dragged = std::exchange(dragging_, false);
+    const bool twice = std::exchange(twice_, false);
+    const Pointer pointer{event->position(), event->modifiers()};
+    Tool& tool = tools_.current();
+    if (press == Press::Tool) {
+        tool.release(*this, pointer);
+        if (twice && scene()) {
+            tool.doubleClick(*this, pointer);
+        }
+    } else if (press == Press::Camera && !dragged && event->button() == Qt::LeftButton && scene() &&
+               !space_) {
+        if (twice) {
+            tool.doubleClick(*this, pointer);
+        } else {
+            tool.click(*this, pointer);
+        }
     }
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-    // Not a drag, and the release that follows selects the piece once more, which changes nothing.
-    pressed_ = last_ = event->position();
-    if (event->button() != Qt::LeftButton) {
-        return;
-    }
-    if (const std::optional<int> piece = pieceAt(event->position())) {
-        document_.setSelection({*piece});
-        frameSelection();
-    } else {
-        frameAll();
+    // A press like any other: a drag may follow. What it is shows where the button comes up.
+    const bool isFirst = press_ == Press::None;
+    mousePressEvent(event);
+    twice_ = isFirst && event->button() == Qt::LeftButton && !space_ &&
+             (press_ == Press::Tool || press_ == Press::Camera);
+}
+
+void SceneView::endPress() {
+    dragging_ = twice_ = false;
+    if (std::exchange(press_, Press::None) == Press::Tool) {
+        tools_.current().cancel();
     }
 }
 
@@ -214,8 +362,73 @@ void SceneView::wheelEvent(QWheelEvent* event) {
     }
     followsAll_ = false;
     zoom(event->position(), std::pow(kZoomPerNotch, notches));
+    if (scene() && press_ == Press::None && hover_.isOn()) {
+        emit pointed(hover_.move(*this, event->position(), !tools_.current().speaks()));
+    }
     update();
     event->accept();
+}
+
+bool SceneView::event(QEvent* event) {
+    // A tool in the middle of something has Escape and Enter before the window's shortcuts; while
+    // it drags, no shortcut may change what it holds.
+    if (event->type() == QEvent::ShortcutOverride &&
+        (press_ == Press::Tool || tools_.current().wants(*static_cast<QKeyEvent*>(event)))) {
+        event->accept();
+        return true;
+    }
+    return QOpenGLWidget::event(event);
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+    if (scene() && tools_.current().wants(*event)) {
+        tools_.current().key(*this, *event);
+        event->accept();
+    } else if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier) {
+        setSpace(true);
+        event->accept();
+    } else {
+        QOpenGLWidget::keyPressEvent(event);
+    }
+}
+
+void SceneView::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
+        setSpace(false);
+        event->accept();
+    } else {
+        QOpenGLWidget::keyReleaseEvent(event);
+    }
+}
+
+void SceneView::focusOutEvent(QFocusEvent* event) {
+    setSpace(false);
+    if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::MenuBarFocusReason) {
+        endPress();
+    }
+    QOpenGLWidget::focusOutEvent(event);
+}
+
+void SceneView::hideEvent(QHideEvent* event) {
+    endPress();
+    QOpenGLWidget::hideEvent(event);
+}
+
+void SceneView::enterEvent(QEnterEvent* event) {
+    QOpenGLWidget::enterEvent(event);
+    emit entered();
+}
+
+void SceneView::leaveEvent(QEvent* event) {
+    emit pointed({});
+    hover_.leave();
+    tools_.current().leave(*this);
+    QOpenGLWidget::leaveEvent(event);
+}
+
+void SceneView::resizeEvent(QResizeEvent* event) {
+    hover_.leave();
+    QOpenGLWidget::resizeEvent(event);
 }
 
 }  // namespace toile

@@ -8,6 +8,11 @@
 
 #include "app/document/document_change.h"
 #include "app/render/render_style.h"
+#include "app/render/sheet_places.h"
+#include "app/views/hover_tracker.h"
+#include "app/views/navigation.h"
+#include "app/views/spot_flags.h"
+#include "app/views/tools/tool_view.h"
 
 class QPainter;
 
@@ -15,31 +20,48 @@ namespace toile {
 
 class Document;
 class SceneRenderer;
+class ToolBox;
 struct Scene;
 struct SeamScene;
 
-/// A view of the document's scene: selection by click, navigation by drag and wheel, and the
-/// bookkeeping of a GL widget. Derived views say what a drag does and how to paint. Holds a camera
-/// and nothing of the garment.
-class SceneView : public QOpenGLWidget {
+/// A view of the document's scene: hands the pointer to the chosen tool, moves by drag and wheel,
+/// and does the bookkeeping of a GL widget. Derived views say what a drag does and how to paint.
+/// Holds a camera and nothing of the garment.
+class SceneView : public QOpenGLWidget, public ToolView {
     Q_OBJECT
 
 public:
     ~SceneView() override;
 
-    /// Shows the selected pieces; where there are none the selected seam, else everything.
-    void frameSelection();
+    void frameSelection() override;
     /// Shows both sides of the selected seam; does nothing where none is selected.
     void frameSeam();
-    void frameAll();
+    void frameAll() override;
+    /// Shows a place from near by, with a ring around it until something else is selected or the
+    /// pieces are others.
+    void showSpot(const WorstSpot& spot);
+    /// The place with the ring, if any.
+    const std::optional<WorstSpot>& shownSpot() const { return shown_; }
+    void repaintSoon() override { update(); }
     /// True once the present scene is on the screen: for pictures made by the program itself.
     bool isUpToDate() const;
     /// Why nothing can be drawn; empty where all is well.
     const QString& problem() const { return problem_; }
     SceneRenderer& renderer() { return *renderer_; }
+    /// To be flagged, as far as they are of what is shown.
+    void setWorstSpots(FlaggedSpots spots);
+    /// Which drags move the camera.
+    void setNavigation(Navigation navigation) { navigation_ = navigation; }
+
+signals:
+    /// The pointer has come into the view.
+    void entered();
+    /// What of the cloth the pointer is on; none: nothing, or it has left.
+    void pointed(const std::optional<toile::SurfaceHit>& hit);
 
 protected:
-    SceneView(Document& document, std::unique_ptr<SceneRenderer> renderer, QWidget* parent);
+    SceneView(Document& document, ToolBox& tools, std::unique_ptr<SceneRenderer> renderer,
+              QWidget* parent);
 
     enum class Drag { Turn, Shift };
 
@@ -48,11 +70,16 @@ protected:
     virtual void framePieces(const std::set<int>& pieces) = 0;
     /// @return false where nothing of the seam is drawn
     virtual bool frameLines(const SeamScene& seam) = 0;
+    /// @param reach mm around the place that are to be seen
+    virtual void frameSpot(const WorstSpot& spot, double reach) = 0;
+    /// Where a spot is in the view as it is now; none where it is not to be seen.
+    virtual std::optional<SpotPlace> placeNow(const WorstSpot& spot) const = 0;
     virtual void drag(Drag kind, const QPointF& delta) = 0;
     virtual void zoom(const QPointF& at, double factor) = 0;
-    virtual std::optional<int> pieceAt(const QPointF& at) const = 0;
     virtual void paintScene(const RenderStyle& style, int width, int height, double ratio) = 0;
     virtual void paintText(QPainter& painter, const RenderStyle& style) = 0;
+    /// A click on something that `paintText` has painted. @return whether it meant anything
+    virtual bool clickOnOverlay(const QPointF&) { return false; }
 
     void initializeGL() override;
     void paintGL() override;
@@ -61,21 +88,55 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
 
     const Scene* scene() const;
+    /// To be called where the camera has moved without the pointer: what that was on is elsewhere.
+    void cameraMoved();
+    /// True until the camera is moved by hand.
+    bool followsAll() const { return followsAll_; }
+    /// Where the scene's pieces lie on the sheet.
+    const SheetPlaces& places() const { return places_; }
+    const FlaggedSpots& spots() const { return spots_; }
+    const ToolBox& tools() const { return tools_; }
     Document& document_;
 
 private:
+    /// What the pressed button does.
+    enum class Press { None, Tool, Camera, Overlay };
+
     void onChanged(DocumentChanges what);
     void releaseGl();
-    void select(const QPointF& at, Qt::KeyboardModifiers modifiers);
+    void moveCamera(QMouseEvent* event);
+    /// For a press whose release never comes: what it has begun is thrown away.
+    void endPress();
+    void updateCursor();
+    void setSpace(bool down);
     std::set<int> everyPiece() const;
 
+    ToolBox& tools_;
+    HoverTracker hover_;
+    Navigation navigation_ = Navigation::Toile;
+
     std::unique_ptr<SceneRenderer> renderer_;
+    SheetPlaces places_;
+    FlaggedSpots spots_;
+    std::optional<WorstSpot> shown_;
     std::shared_ptr<const Scene> painted_;
     QString problem_;
     QPointF pressed_, last_;
-    bool dragging_ = false;
+    Press press_ = Press::None;
+    Qt::MouseButton button_ = Qt::NoButton;  ///< that is down
+    bool dragging_ = false;                  ///< the pointer has moved since the press
+    bool twice_ = false;                     ///< the press is the second of two at one place
+    bool space_ = false;                     ///< is held: the left button moves the view
     /// Until the camera is moved by hand everything stays framed, whatever size the view takes.
     bool followsAll_ = true;
 };

@@ -8,16 +8,21 @@
 #include "app/document/document.h"
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
+#include "app/views/colour_bar.h"
 #include "app/views/garment_view.h"
+#include "app/views/morph_bar.h"
+#include "app/views/overlay_watcher.h"
 #include "app/views/pattern_view.h"
-#include "app/widgets/colour_bar.h"
+#include "app/views/shown_value.h"
 
 namespace toile {
 
-ViewArea::ViewArea(Document& document, QWidget* parent)
+ViewArea::ViewArea(Document& document, ToolBox& tools, QWidget* parent)
     : QWidget(parent),
       document_(document),
+      tools_(tools),
       splitter_(new QSplitter(Qt::Horizontal, this)),
+      figures_(new OverlayWatcher(document, this)),
       legend_(new ColourBar(this)) {
     makeViews();
     auto* layout = new QVBoxLayout(this);
@@ -25,8 +30,15 @@ ViewArea::ViewArea(Document& document, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(splitter_, 1);
     layout->addWidget(legend_);
-    connect(&document_, &Document::changed, this, &ViewArea::updateLegend);
-    updateLegend();
+    connect(figures_, &OverlayWatcher::changed, this, &ViewArea::showFigures);
+    // The value at a place follows at once, however long the figures take.
+    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
+        if (what & (DocumentChange::Settings | DocumentChange::View | DocumentChange::Fabric |
+                    DocumentChange::Garment | DocumentChange::Results)) {
+            showPointedValue();
+        }
+    });
+    showFigures();
 }
 
 void ViewArea::makeViews() {
@@ -40,15 +52,39 @@ void ViewArea::makeViews() {
         splitter_->addWidget(sentence);
         return;
     }
-    garmentView_ = new GarmentView(document_);
-    patternView_ = new PatternView(document_);
-    splitter_->addWidget(garmentView_);
-    splitter_->addWidget(patternView_);
+    garmentView_ = new GarmentView(document_, tools_);
+    patternView_ = new PatternView(document_, tools_);
+    for (SceneView* view : std::initializer_list<SceneView*>{garmentView_, patternView_}) {
+        splitter_->addWidget(view);
+        connect(view, &SceneView::entered, this, [this, view] { emit entered(view->kind()); });
+        connect(view, &SceneView::pointed, this, [this](const std::optional<SurfaceHit>& hit) {
+            showValueAt(
+                hit ? std::optional(SurfacePlace{hit->piece, static_cast<std::uint32_t>(hit->face),
+                                                 hit->barycentric})
+                    : std::nullopt);
+        });
+    }
+    morphBar_ = new MorphBar(document_, *garmentView_);
     splitter_->setChildrenCollapsible(false);
     splitter_->setHandleWidth(5);
     splitter_->setStretchFactor(0, 1);
     splitter_->setStretchFactor(1, 1);
     splitter_->setSizes({1000, 1000});  // halves, whatever the width
+}
+
+void ViewArea::takeKeyboard(ViewKind view) {
+    if (garmentView_) {
+        (view == ViewKind::Garment ? static_cast<SceneView*>(garmentView_) : patternView_)
+            ->setFocus();
+    }
+}
+
+void ViewArea::setNavigation(Navigation navigation) {
+    for (SceneView* view : std::initializer_list<SceneView*>{garmentView_, patternView_}) {
+        if (view) {
+            view->setNavigation(navigation);
+        }
+    }
 }
 
 void ViewArea::frameSelection() {
@@ -69,14 +105,46 @@ void ViewArea::frameSeam() {
     }
 }
 
-bool ViewArea::isUpToDate() const {
-    return (!garmentView_ || garmentView_->isUpToDate()) &&
-           (!patternView_ || patternView_->isUpToDate());
+void ViewArea::showSpot(const WorstSpot& spot) {
+    if (garmentView_) {
+        garmentView_->showSpot(spot);
+    }
+    if (patternView_) {
+        patternView_->showSpot(spot);
+    }
 }
 
-void ViewArea::updateLegend() {
-    const Overlay overlay = document_.view().overlay;
-    legend_->show(overlay, document_.scene() ? document_.scene()->scale(overlay) : OverlayScale{});
+void ViewArea::repaintViews() {
+    for (SceneView* view :
+         {static_cast<SceneView*>(garmentView_), static_cast<SceneView*>(patternView_)}) {
+        if (view) {
+            view->update();
+        }
+    }
+}
+
+bool ViewArea::isUpToDate() const {
+    return (!garmentView_ || garmentView_->isUpToDate()) &&
+           (!patternView_ || patternView_->isUpToDate()) && figures_->isUpToDate();
+}
+
+void ViewArea::showFigures() {
+    const OverlayFigures& figures = figures_->figures();
+    legend_->show(legendOf(figures));
+    if (garmentView_) {
+        garmentView_->setWorstSpots({figures.spots, figures.overlay});
+        patternView_->setWorstSpots({figures.spots, figures.overlay});
+    }
+    showPointedValue();
+}
+
+void ViewArea::showValueAt(const std::optional<SurfacePlace>& place) {
+    pointed_ = place;
+    showPointedValue();
+}
+
+void ViewArea::showPointedValue() {
+    legend_->showValue(pointed_ ? shownValueAt(document_, *pointed_) : std::nullopt);
 }
 
 }  // namespace toile

@@ -2,6 +2,12 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
+
+#include "app/render/overlay_values.h"
+#include "app/render/worst_spots.h"
+#include "app/settings/navigation.h"
+#include "app/views/tools/tool_view.h"
 
 class QSplitter;
 
@@ -10,7 +16,10 @@ namespace toile {
 class ColourBar;
 class Document;
 class GarmentView;
+class MorphBar;
+class OverlayWatcher;
 class PatternView;
+class ToolBox;
 
 /// Both views side by side over the overlay's legend; a sentence in their place where this
 /// computer cannot draw them.
@@ -18,27 +27,48 @@ class ViewArea : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ViewArea(Document& document, QWidget* parent = nullptr);
+    ViewArea(Document& document, ToolBox& tools, QWidget* parent = nullptr);
 
     /// Null where there is no OpenGL 3.3.
     GarmentView* garmentView() const { return garmentView_; }
     PatternView* patternView() const { return patternView_; }
 
+    /// Moves the keyboard to a view, where there is one.
+    void takeKeyboard(ViewKind view);
+    /// The slider from the garment to the pattern; null where there is no OpenGL 3.3.
+    MorphBar* morphBar() const { return morphBar_; }
+    void setNavigation(Navigation navigation);
+
     void frameSelection();
     /// Shows both sides of the selected seam.
     void frameSeam();
+    /// Shows a place of a flat piece from near by, with a ring around it.
+    void showSpot(const WorstSpot& spot);
+    /// Paints both views again, in what the render style is now.
+    void repaintViews();
     /// True once both views show the present scene.
     bool isUpToDate() const;
+    /// The place under the pointer, of either view; its value is shown on the colour bar.
+    void showValueAt(const std::optional<SurfacePlace>& place);
+
+signals:
+    /// The pointer has come into this view.
+    void entered(toile::ViewKind view);
 
 private:
     void makeViews();
-    void updateLegend();
+    void showFigures();
+    void showPointedValue();
 
     Document& document_;
+    ToolBox& tools_;
     QSplitter* splitter_;
+    OverlayWatcher* figures_;
     ColourBar* legend_;
     GarmentView* garmentView_ = nullptr;
     PatternView* patternView_ = nullptr;
+    MorphBar* morphBar_ = nullptr;
+    std::optional<SurfacePlace> pointed_;
 };
 
 }  // namespace toile

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/view_text.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
@@ -10,12 +9,16 @@
 
 #include "app/render/overlay_scale.h"
 #include "app/render/render_style.h"
+#include "app/settings/length_display.h"
 
 namespace toile {
 
 namespace {
 
 constexpr double kMargin = 14;
+constexpr double kCaptionGap = 10;  ///< between title and note
+constexpr double kScaleBar = 150;   ///< about so many pixels long
+constexpr double kScaleTick = 5;
 
 QFont scaled(QFont font, double factor, bool bold) {
     font.setPointSizeF(std::max(6.5, font.pointSizeF() * factor));
@@ -25,47 +28,82 @@ QFont scaled(QFont font, double factor, bool bold) {
 
 }  // namespace
 
-void paintCaption(QPainter& painter, const RenderStyle& style, const QString& title,
-                  const QString& note) {
+QRectF captionPlate(const QFont& font, const QPointF& corner, const QString& title,
+                    const QString& note) {
+    constexpr double kPadX = 7, kPadY = 3;
+    const QFontMetricsF strong(scaled(font, 1.0, true));
+    double width = strong.horizontalAdvance(title);
+    if (!note.isEmpty()) {
+        width += kCaptionGap + QFontMetricsF(scaled(font, 0.88, false)).horizontalAdvance(note);
+    }
+    return QRectF(corner + QPointF(kMargin, kMargin), QSizeF(width, strong.height()))
+        .adjusted(-kPadX, -kPadY, kPadX, kPadY);
+}
+
+void paintCaption(QPainter& painter, const RenderStyle& style, const QPointF& corner,
+                  const QString& title, const QString& note, bool onPlate) {
     painter.save();
+    if (onPlate) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(style.plate);
+        painter.drawRoundedRect(captionPlate(painter.font(), corner, title, note), 5, 5);
+    }
     const QFont strong = scaled(painter.font(), 1.0, true);
     const QFontMetricsF metrics(strong);
-    const double base = kMargin + metrics.ascent();
+    const QPointF base = corner + QPointF(kMargin, kMargin + metrics.ascent());
+    const QFont small = scaled(painter.font(), 0.88, false);
     painter.setFont(strong);
     painter.setPen(style.text);
-    painter.drawText(QPointF(kMargin, base), title);
-    const double next = kMargin + metrics.horizontalAdvance(title) + 10;
-    painter.setFont(scaled(painter.font(), 0.88, false));
-    painter.setPen(style.faintText);
-    painter.drawText(QPointF(next, base), note);
+    painter.drawText(base, title);
+    painter.setFont(small);
+    painter.setPen(onPlate ? style.text : style.faintText);
+    painter.drawText(base + QPointF(metrics.horizontalAdvance(title) + kCaptionGap, 0), note);
     painter.restore();
 }
 
-void paintPlate(QPainter& painter, const RenderStyle& style, const QPointF& middle, double room,
+QFont plateFont(const QFont& font, bool selected) {
+    return scaled(font, 0.9, selected);
+}
+
+QSizeF plateSize(const QFont& font, const QString& text, bool selected) {
+    constexpr double kPadX = 7, kPadY = 2.5;
+    const QFontMetricsF metrics(plateFont(font, selected));
+    return {metrics.horizontalAdvance(text) + 2 * kPadX, metrics.height() + 2 * kPadY};
+}
+
+void paintPlate(QPainter& painter, const RenderStyle& style, const QRectF& plate,
                 const QString& text, bool selected) {
-    const QFont font = scaled(painter.font(), 0.9, selected);
-    const QFontMetricsF metrics(font);
-    constexpr double kPadX = 7, kPadY = 2.5, kLeast = 26;
-    const double available = room - 2 * kPadX;
-    if (available < kLeast) {
-        return;
-    }
-    const QString shown = metrics.elidedText(text, Qt::ElideMiddle, available);
-    const double width = metrics.horizontalAdvance(shown) + 2 * kPadX;
-    const double height = metrics.height() + 2 * kPadY;
-    const QRectF plate(middle.x() - width / 2, middle.y() - height / 2, width, height);
     painter.save();
-    painter.setFont(font);
+    painter.setFont(plateFont(painter.font(), selected));
     painter.setPen(selected ? QPen(style.selection, 1.5) : QPen(Qt::NoPen));
     painter.setBrush(style.plate);
-    painter.drawRoundedRect(plate, height / 2, height / 2);
+    painter.drawRoundedRect(plate, plate.height() / 2, plate.height() / 2);
     painter.setPen(style.text);
-    painter.drawText(plate, Qt::AlignCenter, shown);
+    painter.drawText(plate, Qt::AlignCenter, text);
     painter.restore();
 }
+
+namespace {
+
+/// Round lengths of inches: halves of halves below one, as on a tape.
+double roundInches(double millimetres) {
+    const double inches = millimetres / millimetresPer(LengthUnit::Inch);
+    constexpr double kRound[] = {144, 72, 36, 24, 12, 6, 4, 2, 1, 0.5, 0.25, 0.125};
+    const auto* fits = std::find_if(std::begin(kRound), std::end(kRound),
+                                    [inches](double length) { return length <= inches; });
+    return (fits == std::end(kRound) ? kRound[std::size(kRound) - 1] : *fits) *
+           millimetresPer(LengthUnit::Inch);
+}
+
+}  // namespace
 
 ScaleBar scaleBarFor(double pixels, double pixelsPerMillimetre) {
     const double wanted = pixels / pixelsPerMillimetre;
+    const LengthUnit unit = LengthDisplay::instance().format().unit;
+    if (unit == LengthUnit::Inch) {
+        const double length = roundInches(wanted);
+        return {length, QString::fromStdString(lengthText(length, {unit, 8, "."}))};
+    }
     // The largest round length not longer than what is wanted.
     double length = roundedUp(wanted);
     if (length > wanted * (1 + 1e-9)) {
@@ -73,28 +111,33 @@ ScaleBar scaleBarFor(double pixels, double pixelsPerMillimetre) {
     }
     const QLocale locale;
     if (length >= 1000) {
-        return {length, QCoreApplication::translate("ScaleBar", "%1 m")
-                            .arg(locale.toString(length / 1000, 'g', 4))};
+        return {length, QString("%1 m").arg(locale.toString(length / 1000, 'g', 4))};
     }
     if (length >= 10) {
-        return {length, QCoreApplication::translate("ScaleBar", "%1 cm")
-                            .arg(locale.toString(length / 10, 'g', 4))};
+        return {length, QString("%1 cm").arg(locale.toString(length / 10, 'g', 4))};
     }
-    return {length,
-            QCoreApplication::translate("ScaleBar", "%1 mm").arg(locale.toString(length, 'g', 4))};
+    return {length, QString("%1 mm").arg(locale.toString(length, 'g', 4))};
+}
+
+QRectF scaleBarPlate(const QFont& font, const QRect& view, double pixelsPerMillimetre,
+                     double taken) {
+    const double length =
+        scaleBarFor(kScaleBar, pixelsPerMillimetre).millimetres * pixelsPerMillimetre;
+    const double left = taken + kMargin + 2, base = view.height() - kMargin - 2;
+    const double text = QFontMetricsF(scaled(font, 0.88, false)).height();
+    return {left - 8, base - kScaleTick - text - 6, length + 16, text + kScaleTick + 12};
 }
 
 void paintScaleBar(QPainter& painter, const RenderStyle& style, const QRect& view,
-                   double pixelsPerMillimetre) {
-    const ScaleBar bar = scaleBarFor(150, pixelsPerMillimetre);
+                   double pixelsPerMillimetre, double taken) {
+    const ScaleBar bar = scaleBarFor(kScaleBar, pixelsPerMillimetre);
     const double length = bar.millimetres * pixelsPerMillimetre;
-    const double left = kMargin + 2, base = view.height() - kMargin - 2;
-    constexpr double kTick = 5;
+    const double left = taken + kMargin + 2, base = view.height() - kMargin - 2;
+    constexpr double kTick = kScaleTick;
     painter.save();
     const QFont font = scaled(painter.font(), 0.88, false);
     const QFontMetricsF metrics(font);
-    const QRectF plate(left - 8, base - kTick - metrics.height() - 6, length + 16,
-                       metrics.height() + kTick + 12);
+    const QRectF plate = scaleBarPlate(painter.font(), view, pixelsPerMillimetre, taken);
     painter.setPen(Qt::NoPen);
     painter.setBrush(style.plate);
     painter.drawRoundedRect(plate, 5, 5);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QFont>
 #include <QPointF>
 #include <QRect>
 #include <QString>
@@ -14,18 +15,44 @@ struct RenderStyle;
 /// Writing over the views. Logical pixels.
 
 /// What the view shows, in its upper left corner; `note` follows in smaller, fainter letters.
-void paintCaption(QPainter& painter, const RenderStyle& style, const QString& title,
-                  const QString& note);
+/// @param corner   of the part of the view that is free for it
+/// @param onPlate  where cloth lies under it: on a plate, as other words over the cloth
+void paintCaption(QPainter& painter, const RenderStyle& style, const QPointF& corner,
+                  const QString& title, const QString& note, bool onPlate);
+/// What a caption and its plate take.
+QRectF captionPlate(const QFont& font, const QPointF& corner, const QString& title,
+                    const QString& note);
 
-/// A name on a rounded plate that keeps it legible on any cloth; shortened in its middle (ends tell
-/// "left" from "right") to `room` pixels, left
-/// out where there is no room for a few letters.
-void paintPlate(QPainter& painter, const RenderStyle& style, const QPointF& middle, double room,
+/// Whether something holds at any of many points of a part of the view, some pixels apart.
+template <class Holds>
+bool anyPointIn(const QRectF& part, const Holds& holds) {
+    constexpr int kAcross = 24, kDown = 4;
+    for (int i = 0; i <= kAcross; ++i) {
+        for (int k = 0; k <= kDown; ++k) {
+            if (holds(part.left() + i * part.width() / kAcross,
+                      part.top() + k * part.height() / kDown)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// A name on a rounded plate that keeps it legible on any cloth.
+/// @param plate  as large as `plateSize` says
+void paintPlate(QPainter& painter, const RenderStyle& style, const QRectF& plate,
                 const QString& text, bool selected);
+QSizeF plateSize(const QFont& font, const QString& text, bool selected);
+/// In which names are written, where other words of the view are in `font`.
+QFont plateFont(const QFont& font, bool selected);
 
-/// A bar of a round length with its measure, in the lower left corner.
+/// What the scale bar takes.
+QRectF scaleBarPlate(const QFont& font, const QRect& view, double pixelsPerMillimetre,
+                     double left = 0);
+/// A bar of a round length with its measure, in the lower left corner; so many pixels at the left
+/// are taken by something else.
 void paintScaleBar(QPainter& painter, const RenderStyle& style, const QRect& view,
-                   double pixelsPerMillimetre);
+                   double pixelsPerMillimetre, double taken = 0);
 
 /// Round length for a scale bar of about `pixels`, and its text ("5 cm", "2 mm", "1 m").
 struct ScaleBar {

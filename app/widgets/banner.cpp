@@ -18,6 +18,7 @@ Banner::Banner(QWidget* parent) : QFrame(parent), label_(new QLabel(this)) {
     colours.setColor(QPalette::WindowText, QColor(58, 40, 8));
     setPalette(colours);
 
+    label_->setTextFormat(Qt::PlainText);  // names of files are in it
     label_->setWordWrap(true);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* close = new QToolButton(this);

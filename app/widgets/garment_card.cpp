@@ -33,6 +33,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
 GarmentCard::Row GarmentCard::makeRow(const char* name) {
     Row row{new QWidget(this), new QLabel(this)};
     row.widget->setObjectName(name);
+    row.sentence->setTextFormat(Qt::PlainText);  // names of pieces are in it
     row.sentence->setWordWrap(true);
     auto* layout = new QHBoxLayout(row.widget);
     layout->setContentsMargins(0, 0, 0, 0);

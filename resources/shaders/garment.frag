@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 in vec3 viewNormal;
 in vec2 millimetres;
-in vec3 vertexValues;
+in vec4 vertexValues;
+in vec3 vertexMetric;
+flat in vec2 grain;
 flat in vec3 pieceColour;
 flat in int pieceFlags;
 
 uniform vec3 selectionColour;
+uniform float clothAlpha;  // less than 1: what is behind is seen
+uniform bool shaded;
 
 out vec4 colour;
 
 void main() {
-    vec3 cloth = clothColour(pieceColour, pieceFlags, millimetres, vertexValues);
+    vec3 cloth =
+        clothColour(pieceColour, pieceFlags, millimetres, vertexValues, vertexMetric, grain);
     bool measured = overlay > kOverlayChecker;
     if ((pieceFlags & kPieceSelected) != 0 && !measured) {
         cloth = mix(cloth, selectionColour, 0.12);
@@ -27,10 +32,10 @@ void main() {
     // Numbers are read by colour, so colours may not drown in shadow.
     light = measured ? mix(1.0, light, 0.45) : light;
 
-    vec3 lit = cloth * light;
+    vec3 lit = shaded ? cloth * light : cloth;
     if (!gl_FrontFacing) {
         float grey = dot(lit, vec3(0.299, 0.587, 0.114));
         lit = mix(lit, vec3(grey), 0.35) * 0.56;
     }
-    colour = vec4(lit, 1.0);
+    colour = vec4(lit, clothAlpha);
 }

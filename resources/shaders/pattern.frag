@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 in vec2 millimetres;
-in vec3 vertexValues;
+in vec4 vertexValues;
+in vec3 vertexMetric;
+flat in vec2 grain;
 flat in vec3 pieceColour;
 flat in int pieceFlags;
 
@@ -9,7 +11,8 @@ uniform vec3 selectionColour;
 out vec4 colour;
 
 void main() {
-    vec3 cloth = clothColour(pieceColour, pieceFlags, millimetres, vertexValues);
+    vec3 cloth =
+        clothColour(pieceColour, pieceFlags, millimetres, vertexValues, vertexMetric, grain);
     if ((pieceFlags & kPieceSelected) != 0 && overlay <= kOverlayChecker) {
         cloth = mix(cloth, selectionColour, 0.12);
     }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 layout(location = 0) in vec2 flatPoint;
-layout(location = 1) in vec3 values;
+layout(location = 1) in vec4 values;
 layout(location = 2) in float piece;
+layout(location = 3) in vec3 metric;
 
 uniform mat4 viewProjection;
 
 out vec2 millimetres;
-out vec3 vertexValues;
+out vec4 vertexValues;
+out vec3 vertexMetric;
+flat out vec2 grain;
 flat out vec3 pieceColour;
 flat out int pieceFlags;
 
@@ -14,7 +17,9 @@ void main() {
     vec4 entry = pieceColourAndFlags(piece);
     millimetres = flatPoint;
     vertexValues = values;
+    vertexMetric = metric;
+    grain = pieceGrain(piece);
     pieceColour = entry.rgb;
     pieceFlags = int(entry.a + 0.5);
-    gl_Position = viewProjection * vec4(flatPoint + pieceOffset(piece), 0.0, 1.0);
+    gl_Position = viewProjection * vec4(placed(piece, flatPoint), 0.0, 1.0);
 }

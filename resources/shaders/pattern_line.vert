@@ -2,14 +2,17 @@
 layout(location = 0) in vec2 flatPoint;
 layout(location = 2) in float piece;
 layout(location = 3) in float along;  // mm from the line's beginning
+layout(location = 7) in float tint;
 
 uniform mat4 viewProjection;
 
 flat out int lineFlags;
+flat out int lineTint;
 out float lineAlong;
 
 void main() {
     lineFlags = int(pieceColourAndFlags(piece).a + 0.5);
+    lineTint = int(floor(tint + 0.5));
     lineAlong = along;
-    gl_Position = viewProjection * vec4(flatPoint + pieceOffset(piece), 0.0, 1.0);
+    gl_Position = viewProjection * vec4(placed(piece, flatPoint), 0.0, 1.0);
 }

@@ -3,11 +3,12 @@
 // Joined in front of the vertex shaders.
 
 const int kPieceTableWidth = 2048;
+const int kTexelsPerPiece = 3;
 
 uniform sampler2D pieceTable;
 
 vec4 pieceTexel(float piece, int which) {
-    int index = 2 * int(piece + 0.5) + which;
+    int index = kTexelsPerPiece * int(piece + 0.5) + which;
     return texelFetch(pieceTable, ivec2(index % kPieceTableWidth, index / kPieceTableWidth), 0);
 }
 
@@ -15,6 +16,13 @@ vec4 pieceColourAndFlags(float piece) {
     return pieceTexel(piece, 0);
 }
 
-vec2 pieceOffset(float piece) {
-    return pieceTexel(piece, 1).xy;
+// A point of the flat piece at the piece's place on the sheet.
+vec2 placed(float piece, vec2 flatPoint) {
+    vec4 columns = pieceTexel(piece, 1);
+    return mat2(columns.xy, columns.zw) * flatPoint + pieceTexel(piece, 2).xy;
+}
+
+// Direction of the warp in the piece's own flat coordinates.
+vec2 pieceGrain(float piece) {
+    return pieceTexel(piece, 2).zw;
 }

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What both views paint on the cloth. Joined in front of garment.frag and pattern.frag.
+// What both views paint on the cloth. Joined in front of garment.frag and pattern.frag. The numbers
+// are worked out as in app/render/overlay_values.cpp.
 
 // Overlay, as in app/document/view_state.h
 const int kOverlayNone = 0;
 const int kOverlayChecker = 1;
+const int kOverlayArea = 2;
+const int kOverlayAngle = 3;
+const int kOverlayStrain = 4;
+const int kOverlayWarp = 5;
+const int kOverlayWeft = 6;
+const int kOverlayBias = 7;
+const int kOverlayPrincipal = 8;
+const int kOverlayDirichlet = 9;
 
 const int kPieceSelected = 1;
 const int kPieceFlat = 2;
@@ -11,9 +20,21 @@ const int kPieceFlat = 2;
 // Side of a checkerboard square, mm
 const float kSquare = 10.0;
 
+// Hatching, in logical pixels
+const float kHatchPeriod = 7.0;
+const float kHatchWidth = 1.9;
+
+// Of a table of triangles: two texels each, in rows of this many
+const int kFaceTableWidth = 2048;
+
 uniform int overlay;
-uniform vec2 overlayRange;  // values at the two ends of the colour map
+uniform vec2 overlayRange;    // values at the two ends of the colour map
+uniform bool overlayLimited;  // the ends are the fabric's limits: hatching beyond them
+uniform bool triangleTable;   // the triangles' own values are in faceTable
+uniform bool perTriangle;     // colours are of them, too
+uniform float pixelRatio;
 uniform sampler2D colourMap;
+uniform sampler2D faceTable;
 
 // Integral of a square wave of period 2 that is +1 in [0, 1) and -1 in [1, 2).
 float waveIntegral(float x) {
@@ -32,8 +53,90 @@ float checker(vec2 millimetres) {
     return 0.5 - 0.5 * filteredWave(p.x, window.x) * filteredWave(p.y, window.y);
 }
 
-// Colour of the cloth before light falls on it.
-vec3 clothColour(vec3 piece, int flags, vec2 millimetres, vec3 values) {
+bool isTwoSided() {
+    return overlayRange.x < 0.0 && overlayRange.y > 0.0;
+}
+
+// How near a value is to the end on its side: 1 at the end, more beyond it.
+float severity(float value) {
+    if (isTwoSided()) {
+        return value < 0.0 ? value / overlayRange.x : value / overlayRange.y;
+    }
+    return (value - overlayRange.x) / (overlayRange.y - overlayRange.x);
+}
+
+// Colour of a value. Where there are two sides 0 is in the middle of the map, and either end is full
+// colour.
+vec3 valueColour(float value) {
+    float place = severity(value);
+    if (isTwoSided()) {
+        place = 0.5 + (value < 0.0 ? -0.5 : 0.5) * place;
+    }
+    // From the middle of the first texel to the middle of the last.
+    return texture(colourMap, vec2((clamp(place, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+}
+
+float worse(float one, float other) {
+    return severity(one) >= severity(other) ? one : other;
+}
+
+// What the cloth must do along a direction, in percent. metric: E, F, G of the map to the worn cloth.
+float strainAlong(vec3 metric, vec2 direction) {
+    float square = metric.x * direction.x * direction.x +
+                   2.0 * metric.y * direction.x * direction.y +
+                   metric.z * direction.y * direction.y;
+    return 100.0 * (sqrt(max(square, 0.0)) - 1.0);
+}
+
+float worsePrincipalStrain(vec3 metric) {
+    float mean = 0.5 * (metric.x + metric.z);
+    float radius = length(vec2(0.5 * (metric.x - metric.z), metric.y));
+    return worse(100.0 * (sqrt(max(mean + radius, 0.0)) - 1.0),
+                 100.0 * (sqrt(max(mean - radius, 0.0)) - 1.0));
+}
+
+// Above the 1 of cloth that keeps its shape, in percent.
+float symmetricDirichlet(vec3 metric) {
+    float determinant = metric.x * metric.z - metric.y * metric.y;
+    float energy = 0.25 * (metric.x + metric.z) * (1.0 + 1.0 / max(determinant, 1e-12));
+    return 100.0 * (energy - 1.0);
+}
+
+float overlayValue(vec4 values, vec3 metric, vec2 grain) {
+    vec2 across = vec2(-grain.y, grain.x);
+    switch (overlay) {
+        case kOverlayArea:
+            return values.x;
+        case kOverlayAngle:
+            return values.y;
+        case kOverlayStrain:
+            return worse(values.z, values.w);
+        case kOverlayWarp:
+            return strainAlong(metric, grain);
+        case kOverlayWeft:
+            return strainAlong(metric, across);
+        case kOverlayBias:
+            return worse(strainAlong(metric, (grain + across) * sqrt(0.5)),
+                         strainAlong(metric, (grain - across) * sqrt(0.5)));
+        case kOverlayPrincipal:
+            return worsePrincipalStrain(metric);
+        case kOverlayDirichlet:
+            return symmetricDirichlet(metric);
+    }
+    return 0.0;
+}
+
+// 1 on diagonal stripes of the screen: down to the right where the cloth has surplus, up to the
+// right where it is stretched, so that either is told without colours too.
+float hatching(bool stretched) {
+    vec2 p = gl_FragCoord.xy / pixelRatio;
+    float along = (stretched ? p.x - p.y : p.x + p.y) * sqrt(0.5);
+    float toStripe = abs(fract(along / kHatchPeriod) - 0.5) * kHatchPeriod;
+    return clamp((0.5 * kHatchWidth - toStripe) * pixelRatio + 0.5, 0.0, 1.0);
+}
+
+// Colour of the cloth of a piece before light falls on it.
+vec3 clothColour(vec3 piece, int flags, vec2 millimetres, vec4 values, vec3 metric, vec2 grain) {
     // Called outside of any branch: derivatives are undefined inside.
     float square = checker(millimetres);
     if ((flags & kPieceFlat) == 0) {
@@ -47,8 +150,23 @@ vec3 clothColour(vec3 piece, int flags, vec2 millimetres, vec3 values) {
         vec3 light = mix(piece, vec3(1.0), 0.56);
         return mix(dark, light, square);
     }
-    float value = overlay == 2 ? values.x : overlay == 3 ? values.y : values.z;
-    float place = clamp((value - overlayRange.x) / (overlayRange.y - overlayRange.x), 0.0, 1.0);
-    // From the middle of the first texel to the middle of the last.
-    return texture(colourMap, vec2((place * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+    vec4 ownValues = values;
+    vec3 ownMetric = metric;
+    if (triangleTable) {
+        int texel = 2 * gl_PrimitiveID;
+        ivec2 at = ivec2(texel % kFaceTableWidth, texel / kFaceTableWidth);
+        ownValues = texelFetch(faceTable, at, 0);
+        ownMetric = texelFetch(faceTable, at + ivec2(1, 0), 0).xyz;
+    }
+    // Stripes are of the triangle itself, as the shares beside the colour bar: what is smoothed away
+    // is still beyond the fabric.
+    float own = overlayValue(ownValues, ownMetric, grain);
+    vec3 painted = valueColour(perTriangle ? own : overlayValue(values, metric, grain));
+    // Crosses are drawn over it, and they carry the colours.
+    vec3 ground = overlay == kOverlayPrincipal ? valueColour(0.0) : painted;
+    if (overlayLimited && severity(own) > 1.0005) {
+        vec3 stripe = overlay == kOverlayPrincipal ? mix(ground, painted, 0.5) : vec3(0.97);
+        return mix(ground, stripe, hatching(own > 0.0));
+    }
+    return ground;
 }

@@ -47,6 +47,55 @@ private slots:
         QVERIFY(ray.direction.dot(point - ray.origin) > 0);
     }
 
+    void depthShiftIsAShareOfTheDistanceWhereverTheEyeIs() {
+        constexpr double kShare = 1e-3;
+        for (const double zoom : {1.0, 12.0}) {
+            for (const bool orthographic : {false, true}) {
+                Camera3D camera;
+                camera.setViewport(800, 600);
+                camera.setOrthographic(orthographic);
+                camera.frame({&kBox, 1});
+                camera.zoomAt({0, 0, 180}, zoom);
+                const auto depth = [&](const Eigen::Vector3d& point, double shift) -> double {
+                    const glm::dvec4 clip =
+                        camera.projection(kBox) * camera.view() * glm::dvec4(toGlm(point), 1.0);
+                    return (clip.z - shift) / clip.w;
+                };
+                const double shift = camera.depthShift(kBox, kShare);
+                const Eigen::Vector3d towards = camera.axes().col(2);
+                for (const double z : {150.0, 0.0, -150.0}) {
+                    const Eigen::Vector3d point(5, -7, z);
+                    const double away =
+                        orthographic ? camera.distance() : (camera.eye() - point).dot(towards);
+                    // A line lifted so lies before cloth that is nearer by half of it, and behind
+                    // cloth that is nearer by twice as much.
+                    const auto nearer = [&](double times) -> Eigen::Vector3d {
+                        return point + times * kShare * away * towards;
+                    };
+                    QVERIFY(depth(point, shift) < depth(nearer(0.5), 0));
+                    QVERIFY(depth(point, shift) > depth(nearer(2), 0));
+                }
+            }
+        }
+    }
+
+    void zoomEndsSomewhere() {
+        Camera3D camera;
+        camera.setViewport(800, 600);
+        camera.frame({&kBox, 1});
+        for (int i = 0; i < 1000; ++i) {
+            camera.zoomAt({0, 0, 0}, 1.5);
+        }
+        QVERIFY(camera.distance() >= 1e-3);
+        for (int i = 0; i < 1000; ++i) {
+            camera.zoomAt({0, 0, 0}, 1 / 1.5);
+        }
+        QVERIFY(camera.distance() <= 1e7);
+        camera.setOrthographic(true);
+        // Rays start before all cloth, however large it is.
+        QVERIFY((camera.ray(400, 300).origin).norm() > 1e8);
+    }
+
     void framedBoxIsWhollyInView_data() {
         QTest::addColumn<double>("width");
         QTest::addColumn<double>("height");

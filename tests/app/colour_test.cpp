@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "app/render/colour_map.h"
 #include "app/render/overlay_scale.h"
-#include "app/widgets/colour_bar.h"
+#include "app/text/overlay_text.h"
+#include "app/views/colour_bar.h"
 
 using namespace toile;
 
@@ -13,6 +16,58 @@ namespace {
 
 double lightness(Rgb c) {
     return 0.299 * c.r + 0.587 * c.g + 0.114 * c.b;
+}
+
+/// CIE L*a*b* of an sRGB colour, D65; `linear` may come out of a simulation a little out of range.
+struct Lab {
+    double L, a, b;
+};
+
+using Linear = std::array<double, 3>;
+
+Linear linear(Rgb c) {
+    const auto channel = [](std::uint8_t v) {
+        const double x = v / 255.0;
+        return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+    };
+    return {channel(c.r), channel(c.g), channel(c.b)};
+}
+
+Lab lab(const Linear& c) {
+    const auto f = [](double t) {
+        return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116;
+    };
+    const double x = (0.4124 * c[0] + 0.3576 * c[1] + 0.1805 * c[2]) / 0.9505;
+    const double y = 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+    const double z = (0.0193 * c[0] + 0.1192 * c[1] + 0.9505 * c[2]) / 1.089;
+    return {116 * f(y) - 16, 500 * (f(x) - f(y)), 200 * (f(y) - f(z))};
+}
+
+double distance(const Lab& one, const Lab& other) {
+    return std::hypot(one.L - other.L, one.a - other.a, one.b - other.b);
+}
+
+/// How a person without red or green cones sees a colour: Machado, Oliveira, Fernandes 2009, full
+/// severity, on linear light.
+using Sight = std::array<std::array<double, 3>, 3>;
+constexpr Sight kFull = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+constexpr Sight kProtanopia = {{{0.152286, 1.052583, -0.204868},
+                                {0.114503, 0.786281, 0.099216},
+                                {-0.003882, -0.048116, 1.051998}}};
+constexpr Sight kDeuteranopia = {{{0.367322, 0.860646, -0.227968},
+                                  {0.280085, 0.672501, 0.047413},
+                                  {-0.011820, 0.042940, 0.968881}}};
+
+Lab seen(Rgb c, const Sight& sight) {
+    const Linear in = linear(c);
+    Linear out{};
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            out[row] += sight[row][k] * in[k];
+        }
+        out[row] = std::clamp(out[row], 0.0, 1.0);
+    }
+    return lab(out);
 }
 
 }  // namespace
@@ -42,6 +97,42 @@ private slots:
         for (int i = 0; i < 128; ++i) {
             QVERIFY(std::abs(lightness(divergingMap()[static_cast<std::size_t>(i)]) -
                              lightness(divergingMap()[static_cast<std::size_t>(255 - i)])) < 40);
+        }
+    }
+
+    void surplusAndStretchAreToldApartByEverySight_data() {
+        QTest::addColumn<int>("sight");
+        QTest::newRow("full colour") << 0;
+        QTest::newRow("protanopia") << 1;
+        QTest::newRow("deuteranopia") << 2;
+    }
+
+    void surplusAndStretchAreToldApartByEverySight() {
+        QFETCH(int, sight);
+        const Sight& eye = sight == 0 ? kFull : sight == 1 ? kProtanopia : kDeuteranopia;
+        const ColourMap& map = divergingMap();
+        const Lab zero = seen(map[127], eye);
+        double before = 0;
+        for (int i = 24; i <= 127; i += 8) {
+            // Values of like size and other sign, and of either sign and none. A difference of 2.3
+            // is just noticeable side by side.
+            const Lab low = seen(map[static_cast<std::size_t>(127 - i)], eye);
+            const Lab high = seen(map[static_cast<std::size_t>(128 + i)], eye);
+            const double apart = distance(low, high);
+            QVERIFY2(apart > 20, qPrintable(QString("%1: %2").arg(i).arg(apart)));
+            QVERIFY(distance(low, zero) > 10 && distance(high, zero) > 10);
+            QVERIFY(apart > before - 25);
+            before = apart;
+        }
+    }
+
+    void lightnessFallsOnBothSidesOfNothing() {
+        const ColourMap& map = divergingMap();
+        for (const Sight& eye : {kFull, kProtanopia, kDeuteranopia}) {
+            for (std::size_t i = 0; i < 127; ++i) {
+                QVERIFY(seen(map[i], eye).L < seen(map[i + 1], eye).L + 0.15);
+                QVERIFY(seen(map[255 - i], eye).L < seen(map[254 - i], eye).L + 0.15);
+            }
         }
     }
 
@@ -123,10 +214,38 @@ private slots:
     void barSaysWhereItClamps() {
         QLocale::setDefault(QLocale::c());
         ColourBar bar;
-        bar.show(Overlay::Strain, {-5, 5, false, true});
+        bar.show({Overlay::Area, {-5, 5, false, true}});
         QVERIFY2(bar.summary().contains("≥ +5 %"), qPrintable(bar.summary()));
         QVERIFY2(bar.summary().contains("−5 %") && !bar.summary().contains("≤"),
                  qPrintable(bar.summary()));
+    }
+
+    void barSaysHowMuchIsBeyondTheFabric() {
+        QLocale::setDefault(QLocale::c());
+        ColourBar bar;
+        Histogram histogram;
+        histogram.bins[7] = 0.86;
+        histogram.below = 0.02;
+        histogram.above = 0.12;
+        bar.show({Overlay::Weft, {-1, 3, true, true, true}, histogram});
+        QVERIFY2(bar.summary().contains("−1 % to +3 %"), qPrintable(bar.summary()));
+        QVERIFY2(bar.summary().contains("14 % of the cloth is beyond"), qPrintable(bar.summary()));
+        bar.showValue(-2.44);
+        QCOMPARE(bar.valueText(), QString("−2.4") + QChar(0x202F) + "%");
+        (void)bar.grab();
+        bar.show({Overlay::Angle, {0, 5, false, false}});
+        QVERIFY2(bar.valueText().isEmpty(), "a strain is no angle");
+    }
+
+    void valuesAreReadWithTheirUnit() {
+        QLocale::setDefault(QLocale::c());
+        const QString space(QChar(0x202F));
+        QCOMPARE(overlayValueText(Overlay::Warp, 2.44), "+2.4" + space + "%");
+        QCOMPARE(overlayValueText(Overlay::Warp, -0.04), "0.0" + space + "%");
+        QCOMPARE(overlayValueText(Overlay::Angle, 3.14), QString("3.1°"));
+        QCOMPARE(overlayValueText(Overlay::Dirichlet, 0.123), "0.12" + space + "%");
+        QCOMPARE(overlayNumber(Overlay::Bias, 12.5), QString("+12.5"));
+        QCOMPARE(overlayNumber(Overlay::Angle, 12.5), QString("12.5"));
     }
 };
 

@@ -143,7 +143,7 @@ private slots:
         const auto revision = document.revision();
         QSignalSpy spy(&document, &Document::changed);
         document.setSeamEase(0, 0.04);
-        QCOMPARE(lastChange(spy), DocumentChanges(DocumentChange::Seams));
+        QCOMPARE(lastChange(spy), DocumentChange::Seams | DocumentChange::Loading);
         QCOMPARE(document.garment()->seams.seams[0].ease, std::optional(0.04));
         QVERIFY(!before->seams.seams[0].ease);  // a job may hold it
         QCOMPARE(document.garment()->pieces[0], before->pieces[0]);
@@ -156,6 +156,110 @@ private slots:
         QCOMPARE(spy.count(), 1);
         document.setSeamEase(0, std::nullopt);
         QVERIFY(!document.garment()->seams.seams[0].ease);
+    }
+
+    void anEditIsAStepThatUndoBringsBackWhole() {
+        Document document;
+        document.setGarment(twoPieces(), std::make_shared<Scene>());
+        const DocumentState start = document.state();
+        DocumentState next = start;
+        next.settings[1].placement = Placement{{10, 20}, 0.5, true};
+        next.fabric = *fabricPreset("denim");
+        QSignalSpy spy(&document, &Document::changed);
+        document.edit("Move", next);
+        QCOMPARE(lastChange(spy), DocumentChange::Settings | DocumentChange::Fabric);
+        QVERIFY(document.state() == next);
+        QCOMPARE(document.history().undoText(), QString("Move"));
+        document.history().undo();
+        QVERIFY(document.state() == start);
+        document.history().redo();
+        QVERIFY(document.state() == next);
+        QCOMPARE(spy.count(), 3);
+    }
+
+    void anEditThatChangesNothingIsNoStep() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        QSignalSpy spy(&document, &Document::changed);
+        document.edit("Nothing", document.state());
+        QCOMPARE(spy.count(), 0);
+        QCOMPARE(document.history().count(), 0);
+    }
+
+    void theEditsOfOneGestureAreOneStep() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        const DocumentState start = document.state();
+        const auto move = [&document](double x, int gesture) {
+            DocumentState next = document.state();
+            next.settings[0].placement = Placement{{x, 0}};
+            document.edit("Move", next, gesture);
+        };
+        const int first = document.newGesture();
+        for (const double x : {1, 2, 3}) {
+            move(x, first);
+        }
+        const int second = document.newGesture();
+        move(5, second);
+        QCOMPARE(document.history().count(), 2);
+        document.history().undo();
+        QCOMPARE(document.settings()[0].placement->offset.x(), 3.0);
+        document.history().undo();
+        QVERIFY(document.state() == start);
+    }
+
+    void aGestureThatEndsWhereItBeganVanishes() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        DocumentState away = document.state();
+        const DocumentState start = away;
+        away.settings[0].grain = 0.3;
+        const int gesture = document.newGesture();
+        document.edit("Turn grain", away, gesture);
+        document.edit("Turn grain", start, gesture);
+        QVERIFY(document.state() == start);
+        QCOMPARE(document.history().count(), 0);
+    }
+
+    void resultsBelongToTheStateTheyWereMadeFor() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        FlattenOptions natural;
+        natural.method = Method::Natural;
+        document.setOptions(natural);
+        const PieceResults results(2, std::make_shared<PieceResult>());
+        document.setResults(results, std::make_shared<Scene>());
+        document.history().undo();
+        QVERIFY(document.results().empty());
+        document.history().redo();
+        QVERIFY(document.results() == results);
+    }
+
+    void aStepToOtherPiecesKeepsTheSelectionByName() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        document.setSelection({0, 1});
+        DocumentState next = document.state();
+        next.garment = test::makeGarment(
+            {{"sleeve", test::makeSheet(30, 50, 1, 1)}, {"front", test::makeSheet(90, 50, 2, 1)}});
+        const auto revision = document.revision();
+        document.edit("Cut", next);
+        QCOMPARE(document.selection(), Document::Selection{1});
+        QVERIFY(document.revision() > revision);
+        QCOMPARE(document.settings().size(), std::size_t(2));
+        document.history().undo();
+        QCOMPARE(document.selection(), Document::Selection{0});
+    }
+
+    void anotherGarmentHasNoHistory() {
+        Document document;
+        document.setGarment(twoPieces(), nullptr);
+        DocumentState next = document.state();
+        next.fabric = *fabricPreset("jersey");
+        document.edit("Fabric", next);
+        document.setGarment(twoPieces(), nullptr);
+        QCOMPARE(document.history().count(), 0);
+        QCOMPARE(document.fabric().id, std::string("jersey"));
     }
 
     void titleIsTheFilesName() {

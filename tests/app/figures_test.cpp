@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/panels/figures.h"
+#include "app/text/figures.h"
 
 #include <QLocale>
 #include <QTest>
 
 #include "app/views/view_text.h"
+#include "core/base/angle.h"
 
 using namespace toile;
 
@@ -14,9 +15,15 @@ class FiguresTest : public QObject {
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
 
-    void lengthsAndAreasAreInCentimetres() {
-        QCOMPARE(centimetres(1234.5), QString("123.5"));
-        QCOMPARE(squareCentimetres(123456), QString("1234.6"));
+    void anglesAreInDegreesWithATrueMinus() {
+        QCOMPARE(angleWithUnit(0.25 * kDegree * 50), QString::fromUtf8("12.5°"));
+        QCOMPARE(angleWithUnit(-3 * kDegree), QString::fromUtf8("−3.0°"));
+        QCOMPARE(angleWithUnit(-0.001 * kDegree), QString::fromUtf8("0.0°"));
+    }
+
+    void lengthsAndAreasHaveOneDecimal() {
+        QCOMPARE(lengthNumber(1234.56), QString("1234.6"));
+        QCOMPARE(areaNumber(123456), QString("1234.6"));
     }
 
     void percentsCarryTheirSign() {

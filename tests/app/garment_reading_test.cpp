@@ -6,9 +6,7 @@
 #include <fstream>
 
 #include "app/panels/pieces_model.h"
-#include "app/render/gl_support.h"
 #include "app/render/scene.h"
-#include "app/resources.h"
 #include "app/widgets/garment_card.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/window_fixture.h"
@@ -66,11 +64,7 @@ private:
 
 private slots:
     void initTestCase() {
-        loadResources();
-        QLocale::setDefault(QLocale::c());
-        if (!glProblem().isEmpty()) {
-            QSKIP("no OpenGL 3.3 context can be made here");
-        }
+        SKIP_WITHOUT_GL();
         // 12 units wide: a shirt for a doll in centimetres?
         writeWithUv(fixture_.path("small.obj").toStdString(), 0.05);
         writeWithUv(fixture_.path("sure.obj").toStdString(), 2.0);
@@ -169,7 +163,7 @@ private slots:
         QVERIFY(fixture_.openAndWait(fixture_.path("gone.obj")));
         QVERIFY(QFile::remove(fixture_.path("gone.obj")));
         fixture_.action(ActionId::UnitMetre).trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(!fixture_.workspace().jobs().isBusy(), 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture_.workspace().jobs().isBusy(), test::kPatience);
         QVERIFY(fixture_.action(ActionId::UnitAuto).isChecked());
         QVERIFY(!fixture_.workspace().loading().unit);
     }
@@ -240,10 +234,7 @@ private slots:
 };
 
 int main(int argc, char** argv) {
-    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
-    QApplication application(argc, argv);
-    GarmentReadingTest test;
-    return QTest::qExec(&test, argc, argv);
+    return test::run<GarmentReadingTest>(argc, argv);
 }
 
 #include "garment_reading_test.moc"

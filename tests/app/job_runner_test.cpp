@@ -13,6 +13,7 @@
 #include "app/document/document.h"
 #include "app/jobs/flatten_job.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -57,7 +58,7 @@ private slots:
         QSignalSpy idle(&runner, &JobRunner::idle);
         runner.start(std::move(job));
         QVERIFY(runner.isBusy());
-        QTRY_COMPARE(idle.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 1, test::kPatience);
         QVERIFY(worked && worked != here);
         QCOMPARE(finished, here);
         QVERIFY(!runner.isBusy());
@@ -79,11 +80,11 @@ private slots:
         double fraction = 0;
         connect(&runner, &JobRunner::progressed, this, [&](double value) {
             fraction = value;
-            seen = true;
+            seen = value > 0;  // the worker may not have begun when it is looked at first
         });
         QSignalSpy idle(&runner, &JobRunner::idle);
         runner.start(std::move(job));
-        QTRY_COMPARE(idle.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 1, test::kPatience);
         QCOMPARE(fraction, 0.25);
     }
 
@@ -98,7 +99,7 @@ private slots:
         QSignalSpy failed(&runner, &JobRunner::failed);
         runner.start(std::move(job));
         runner.cancel();
-        QTRY_COMPARE(cancelled.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(cancelled.count(), 1, test::kPatience);
         QCOMPARE(failed.count(), 0);
         QVERIFY(!finalized);
     }
@@ -119,9 +120,9 @@ private slots:
         job->done = [&] { finalized = true; };
         QSignalSpy idle(&runner, &JobRunner::idle);
         runner.start(std::move(job));
-        QTRY_VERIFY(started);
+        QTRY_VERIFY_WITH_TIMEOUT(started, test::kPatience);
         runner.cancel();
-        QTRY_COMPARE(idle.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 1, test::kPatience);
         QVERIFY(!finalized);
     }
 
@@ -148,7 +149,7 @@ private slots:
                                     nullptr);
             }
             go = true;
-            QTRY_COMPARE(idle.count(), 1);
+            QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 1, test::kPatience);
             QCOMPARE(finalized, stale ? 0 : 1);
         }
     }
@@ -162,7 +163,7 @@ private slots:
         };
         QSignalSpy failed(&runner, &JobRunner::failed);
         runner.start(std::move(job));
-        QTRY_COMPARE(failed.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
         QVERIFY(failed.first().at(1).toString().contains("coat.obj"));
     }
 
@@ -173,7 +174,7 @@ private slots:
         job->work = [](Progress&) -> Result<void> { throw std::runtime_error("broken"); };
         QSignalSpy failed(&runner, &JobRunner::failed);
         runner.start(std::move(job));
-        QTRY_COMPARE(failed.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
         QVERIFY(failed.first().at(1).toString().contains("broken"));
     }
 
@@ -187,7 +188,7 @@ private slots:
             runner.start(std::move(job));
         }
         QSignalSpy idle(&runner, &JobRunner::idle);
-        QTRY_COMPARE(idle.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 1, test::kPatience);
         QCOMPARE(order, (std::vector<int>{0, 1, 2}));
     }
 
@@ -210,8 +211,116 @@ private slots:
         runner.start(std::move(written));
         QSignalSpy idle(&runner, &JobRunner::idle);
         runner.replace(make("wanted", false));
-        QTRY_COMPARE(idle.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 1, test::kPatience);
         QCOMPARE(order, (std::vector<QString>{"written", "wanted"}));
+    }
+
+    void aJobSaysWhetherAnotherHasTakenItsPlace() {
+        Document document;
+        JobRunner runner(document);
+        const auto endless = [] {
+            auto job = std::make_unique<TestJob>();
+            job->work = untilCancelled;
+            return job;
+        };
+        std::vector<bool> replaced;
+        connect(&runner, &JobRunner::cancelled, this,
+                [&](const QString&, bool other) { replaced.push_back(other); });
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        runner.start(endless());
+        runner.start(endless());
+        runner.replace(endless());                      // of the other two
+        QCOMPARE(replaced, (std::vector<bool>{true}));  // the waiting one is gone at once
+        runner.cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 1, test::kPatience);
+        QCOMPARE(replaced, (std::vector<bool>{true, false, true}));
+
+        replaced.clear();
+        runner.start(endless());
+        auto written = std::make_unique<TestJob>();
+        written->cancellable = false;
+        runner.start(std::move(written));
+        runner.cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 2, test::kPatience);
+        QCOMPARE(replaced, (std::vector<bool>{false}));  // whatever else waits
+    }
+
+    void oneJobIsDroppedAndTheOthersAreDone() {
+        Document document;
+        JobRunner runner(document);
+        std::vector<int> done;
+        const auto make = [&done](int number, bool endless) {
+            auto job = std::make_unique<TestJob>();
+            if (endless) {
+                job->work = untilCancelled;
+            }
+            job->done = [&done, number] { done.push_back(number); };
+            return job;
+        };
+        QVERIFY(!runner.isUnderWay(0));
+        const auto first = runner.start(make(1, true));
+        const auto second = runner.start(make(2, false));
+        const auto third = runner.start(make(3, false));
+        QCOMPARE(runner.title(), QString("test"));
+        for (const auto job : {first, second, third}) {
+            QVERIFY(runner.isUnderWay(job));
+        }
+        std::vector<bool> replaced;
+        connect(&runner, &JobRunner::cancelled, this,
+                [&](const QString&, bool other) { replaced.push_back(other); });
+        QSignalSpy idle(&runner, &JobRunner::idle);
+        runner.drop(second);
+        QCOMPARE(replaced, (std::vector<bool>{true}));  // it waited
+        runner.drop(first);
+        QVERIFY(!runner.isUnderWay(first) && !runner.isUnderWay(second));
+        QVERIFY(runner.isUnderWay(third));
+        QTRY_COMPARE(idle.count(), 1);
+        QCOMPARE(replaced, (std::vector<bool>{true, true}));
+        QCOMPARE(done, (std::vector<int>{3}));
+        QVERIFY(!runner.isUnderWay(third));
+        QVERIFY(runner.title().isEmpty());
+        runner.drop(third);  // it is over
+    }
+
+    void finishingDoesAllThereIs() {
+        Document document;
+        JobRunner runner(document);
+        std::atomic<int> done = 0;
+        bool finalized = false;
+        for (int i = 0; i < 3; ++i) {
+            auto job = std::make_unique<TestJob>();
+            job->work = [&](Progress& progress) {
+                done += progress.isCancelled() ? 0 : 1;
+                return Result<void>();
+            };
+            job->done = [&] { finalized = true; };
+            runner.start(std::move(job));
+        }
+        runner.finish();
+        QCOMPARE(done.load(), 3);
+        QVERIFY(!finalized);
+        QVERIFY(!runner.isBusy() && !runner.hasWaiting());
+    }
+
+    void endingTheRunnerDoesWhatIsBetterWholeThanHalf() {
+        Document document;
+        std::atomic<int> done = 0;
+        bool finalized = false;
+        {
+            JobRunner runner(document);
+            auto first = std::make_unique<TestJob>();
+            first->work = untilCancelled;
+            runner.start(std::move(first));
+            for (const bool cancellable : {false, true, false}) {
+                auto job = std::make_unique<TestJob>();
+                job->cancellable = cancellable;
+                job->work = [&](Progress&) { return ++done, Result<void>(); };
+                job->done = [&] { finalized = true; };
+                runner.start(std::move(job));
+            }
+        }
+        QCOMPARE(done.load(), 2);
+        QVERIFY(!finalized);
     }
 
     void endingTheRunnerWaitsForTheWorker() {

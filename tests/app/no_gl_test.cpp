@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QApplication>
 #include <QLabel>
 #include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
+#include <QTableView>
 #include <QTreeView>
 
-#include "app/actions/garment_actions.h"
-#include "app/main_window.h"
-#include "app/render/gl_support.h"
-#include "app/resources.h"
-#include "app/settings/preferences.h"
-#include "app/views/view_area.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/window_fixture.h"
 
 using namespace toile;
 
@@ -20,34 +13,54 @@ using namespace toile;
 class NoGlTest : public QObject {
     Q_OBJECT
 
+private:
+    test::WindowFixture fixture_;
+
 private slots:
-    void windowSaysSoAndWorksOn() {
-        loadResources();
+    void initTestCase() {
         if (glProblem().isEmpty()) {
             QSKIP("this platform offers OpenGL 3.3");
         }
-        QTemporaryDir folder;
-        test::writeObj(folder.filePath("cap.obj").toStdString(), {{"cap", test::makeCap(0)}});
-        Preferences preferences{QString()};
-        MainWindow window(preferences);
-        window.show();
-        window.openFiles({folder.filePath("cap.obj")});
-        QTRY_VERIFY_WITH_TIMEOUT(!window.workspace().document().results().empty(), 30000);
-        QVERIFY(window.findChild<QLabel*>("glProblem")->text().contains("OpenGL 3.3"));
-        QVERIFY(window.views().isUpToDate());
-        window.actions()[ActionId::Frame].trigger();
-        QCOMPARE(window.findChild<QTreeView*>("pieceTable")->model()->rowCount(), 1);
+        test::writeObj(fixture_.path("cap.obj").toStdString(), {{"cap", test::makeCap(0)}});
+    }
+
+    void init() {
+        fixture_.open();
+        QVERIFY(fixture_.openAndWait(fixture_.path("cap.obj")));
+    }
+
+    void cleanup() { fixture_.close(); }
+
+    void windowSaysSoAndWorksOn() {
+        QVERIFY(fixture_.find<QLabel>("glProblem").text().contains("OpenGL 3.3"));
+        QVERIFY(fixture_.window().views().isUpToDate());
+        fixture_.action(ActionId::Frame).trigger();
+        QCOMPARE(fixture_.find<QTreeView>("pieceTable").model()->rowCount(), 1);
 
         FileDialogs dialogs = FileDialogs::native();
         dialogs.save = [&](QWidget*, const QString&, const QString&) {
-            return folder.filePath("cap.dxf");
+            return fixture_.path("cap.dxf");
         };
-        window.garmentActions().setFileDialogs(dialogs);
-        QSignalSpy exported(&window.workspace(), &Workspace::exported);
-        window.actions()[ActionId::ExportDxf].trigger();
-        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 30000);
+        fixture_.window().garmentActions().setFileDialogs(dialogs);
+        QSignalSpy exported(&fixture_.workspace(), &Workspace::exported);
+        fixture_.action(ActionId::ExportDxf).trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, test::kPatience);
+    }
+
+    void methodsAreComparedByTheTableAlone() {
+        fixture_.action(ActionId::CompareMethods).trigger();
+        auto& sentence = fixture_.find<QLabel>("compareGlProblem");
+        QVERIFY(sentence.isVisible());
+        QVERIFY(sentence.text().contains("OpenGL 3.3"));
+        const auto& figures = *fixture_.find<QTableView>("compareTable").model();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            figures.columnCount() == 4 && !figures.index(0, 3).data().toString().isEmpty(),
+            test::kPatience);
     }
 };
 
-QTEST_MAIN(NoGlTest)
+int main(int argc, char** argv) {
+    return test::run<NoGlTest>(argc, argv);
+}
+
 #include "no_gl_test.moc"

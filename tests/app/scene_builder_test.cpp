@@ -3,10 +3,12 @@
 
 #include <QTest>
 #include <cmath>
+#include <numbers>
 
 #include "app/render/colour_map.h"
 #include "app/render/label_point.h"
 #include "app/render/piece_table.h"
+#include "app/render/sheet_places.h"
 #include "app/render/vertex_values.h"
 #include "tests/app/support/garments.h"
 
@@ -49,7 +51,7 @@ Built build(double scale) {
     const PieceResults results = {flatResult(pieces[0], plane(*pieces[0], scale, 1)), failed,
                                   flatResult(pieces[2], plane(*pieces[2], 1, 1))};
     Progress progress;
-    built.scene = buildScene(*built.garment, results, {{5, 7}, {0, 0}, {200, 7}}, progress);
+    built.scene = buildScene(*built.garment, results, progress);
     return built;
 }
 
@@ -99,9 +101,11 @@ private slots:
     void valuesArePercentAndDegrees() {
         const auto [garment, scene] = build(1.25);
         const PatternVertex& inner = scene->pattern.vertices[27];
-        QVERIFY(std::abs(inner.values[0] - 25.0F) < 1e-3F);  // area + 25 %
+        QVERIFY(std::abs(inner.values[0] + 20.0F) < 1e-3F);  // a fifth of the flat area is surplus
         QVERIFY(inner.values[1] > 3.0F && inner.values[1] < 10.0F);
-        QVERIFY(inner.values[2] < -3.0F && inner.values[2] > -20.0F);  // flat is too long: surplus
+        // Edges across keep their lengths, those along are too long on the flat cloth: surplus.
+        QVERIFY(std::abs(inner.values[2]) < 1e-3F);
+        QVERIFY(std::abs(inner.values[3] + 20.0F) < 1e-3F);
         // The other piece is as it was.
         for (const float value : scene->pattern.vertices[80].values) {
             QVERIFY(std::abs(value) < 1e-4F);
@@ -110,8 +114,8 @@ private slots:
 
     void scalesCoverTheValues() {
         const auto [garment, scene] = build(1.25);
-        QCOMPARE(scene->scale(Overlay::Area).high, 30.0);
-        QCOMPARE(scene->scale(Overlay::Area).low, -30.0);
+        QCOMPARE(scene->scale(Overlay::Area).high, 20.0);
+        QCOMPARE(scene->scale(Overlay::Area).low, -20.0);
         QCOMPARE(scene->scale(Overlay::Angle).low, 0.0);
     }
 
@@ -119,7 +123,7 @@ private slots:
         const auto garment =
             test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6, {4e7, -3e7, 1e7})}});
         Progress progress;
-        const auto scene = buildScene(*garment, {}, {}, progress);
+        const auto scene = buildScene(*garment, {}, progress);
         const auto& vertices = scene->garment.vertices;
         QVERIFY(std::abs(vertices[1].position[0] - vertices[0].position[0] - 10.0F) < 1e-4F);
         QVERIFY(std::abs(scene->box.max().x() - 50) < 1e-4);
@@ -136,34 +140,48 @@ private slots:
     void beforeFlatteningThereIsTheGarmentAlone() {
         const auto garment = test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6)}});
         Progress progress;
-        const auto scene = buildScene(*garment, {}, {}, progress);
+        const auto scene = buildScene(*garment, {}, progress);
         QCOMPARE(scene->garment.vertices.size(), std::size_t(77));
         QVERIFY(scene->pattern.vertices.empty());
-        QVERIFY(scene->sheetBox.isEmpty());
+        QVERIFY(sheetBox(*scene, {}).isEmpty());
         QVERIFY(!scene->pieces[0].flat);
     }
 
     void pieceTableCarriesColourPlaceAndSelection() {
         const auto [garment, scene] = build(1);
-        const PieceTable table = makePieceTable(*scene, {2});
+        const double half = std::numbers::pi;
+        const SheetPlaces places = {
+            {Placement{{5, 7}, half, true}, 0.0}, {}, {Placement{{200, 7}}}};
+        const PieceTable table = makePieceTable(*scene, {2}, places);
+        const auto texel = [&](int piece, int which) {
+            return &table.texels[std::size_t(4 * (kTexelsPerPiece * piece + which))];
+        };
         const Rgb front = pieceColour(0), neutral = neutralColour();
-        QCOMPARE(table.texels[0], static_cast<float>(front.r) / 255.0F);
-        QCOMPARE(table.texels[3], float(kPieceFlat));
-        QCOMPARE(table.texels[4], 5.0F);
-        QCOMPARE(table.texels[5], 7.0F);
-        QCOMPARE(table.texels[8], static_cast<float>(neutral.r) / 255.0F);
-        QCOMPARE(table.texels[11], 0.0F);
-        QCOMPARE(table.texels[19], float(kPieceFlat | kPieceSelected));
-        QCOMPARE(table.texels[20], 200.0F);
+        QCOMPARE(texel(0, 0)[0], static_cast<float>(front.r) / 255.0F);
+        QCOMPARE(texel(0, 0)[3], float(kPieceFlat));
+        // Mirrored, then turned by half a turn: x stays, y becomes -y.
+        QCOMPARE(texel(0, 1)[0], 1.0F);
+        QCOMPARE(texel(0, 1)[3], -1.0F);
+        QCOMPARE(texel(0, 2)[0], 5.0F);
+        QCOMPARE(texel(0, 2)[1], 7.0F);
+        QCOMPARE(texel(0, 2)[2], 1.0F);
+        QCOMPARE(texel(0, 2)[3], 0.0F);
+        QCOMPARE(texel(1, 0)[0], static_cast<float>(neutral.r) / 255.0F);
+        QCOMPARE(texel(1, 0)[3], 0.0F);
+        QCOMPARE(texel(2, 0)[3], float(kPieceFlat | kPieceSelected));
+        QCOMPARE(texel(2, 1)[0], 1.0F);
+        QCOMPARE(texel(2, 2)[0], 200.0F);
         QCOMPARE(table.texels.size(), std::size_t(4 * kPieceTableWidth * table.height));
     }
 
     void sheetBoxIsWherePiecesLie() {
         const auto [garment, scene] = build(1);
-        QCOMPARE(scene->sheetBox.min().x(), 5.0);
-        QCOMPARE(scene->sheetBox.max().x(), 280.0);
-        QCOMPARE(scene->sheetBox.min().y(), 7.0);
-        QCOMPARE(scene->sheetBox.max().y(), 67.0);
+        const SheetPlaces places = {{Placement{{5, 7}}}, {}, {Placement{{200, 7}}}};
+        const Eigen::AlignedBox2d box = sheetBox(*scene, places);
+        QCOMPARE(box.min().x(), 5.0);
+        QCOMPARE(box.max().x(), 280.0);
+        QCOMPARE(box.min().y(), 7.0);
+        QCOMPARE(box.max().y(), 67.0);
     }
 
     void rimsOfHolesAreOutlinesInBothViews() {
@@ -188,7 +206,7 @@ private slots:
         Progress progress;
         const PieceResults results = {
             flatResult(garment->pieces[0], plane(*garment->pieces[0], 1, 1))};
-        const auto scene = buildScene(*garment, results, {{0, 0}}, progress);
+        const auto scene = buildScene(*garment, results, progress);
         QCOMPARE(scene->garment.outline.size(), std::size_t(2 * (24 + 8)));
         QCOMPARE(scene->pattern.outline.size(), std::size_t(2 * (24 + 8)));
         QCOMPARE(progress.fraction(), 1.0);
@@ -210,7 +228,7 @@ private slots:
         const auto garment = test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6)}});
         Progress progress;
         progress.cancel();
-        QVERIFY(buildScene(*garment, {}, {}, progress)->pieces.empty());
+        QVERIFY(buildScene(*garment, {}, progress)->pieces.empty());
     }
 };
 

@@ -2,39 +2,24 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QSignalSpy>
 #include <QTreeView>
 #include <QTreeWidget>
-#include <QWheelEvent>
 
 #include "app/actions/garment_actions.h"
 #include "app/panels/seams_model.h"
-#include "app/render/gl_support.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
-#include "app/resources.h"
+#include "app/render/sheet_places.h"
 #include "app/widgets/banner.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/mouse.h"
+#include "tests/app/support/pixels.h"
+#include "tests/app/support/warnings.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
-
-namespace {
-
-int countPixels(const QImage& image, const QColor& colour) {
-    int count = 0;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            const QColor pixel = image.pixelColor(x, y);
-            count += std::abs(pixel.red() - colour.red()) < 20 &&
-                     std::abs(pixel.green() - colour.green()) < 20 &&
-                     std::abs(pixel.blue() - colour.blue()) < 20;
-        }
-    }
-    return count;
-}
-
-}  // namespace
 
 /// The ledger in the window: a cap of two parts, freely flattened, so that its seam does not match.
 class SeamLedgerTest : public QObject {
@@ -48,13 +33,21 @@ private:
     QModelIndex cell(int row, int column) { return table().model()->index(row, column); }
     QPoint middleOf(const QModelIndex& index) { return table().visualRect(index).center(); }
 
+    /// Opens the editor of the first seam's ease and types there.
+    QPointer<QLineEdit> typeEase(const QString& text) {
+        table().setFocus();
+        table().setCurrentIndex(cell(0, SeamsModel::Name));
+        QTest::keyClick(&table(), Qt::Key_F2);
+        QPointer<QLineEdit> editor = table().findChild<QLineEdit*>("easeEditor");
+        if (editor) {
+            QTest::keyClicks(editor, text);
+        }
+        return editor;
+    }
+
 private slots:
     void initTestCase() {
-        loadResources();
-        QLocale::setDefault(QLocale::c());
-        if (!glProblem().isEmpty()) {
-            QSKIP("no OpenGL 3.3 context can be made here");
-        }
+        SKIP_WITHOUT_GL();
         test::writeObj(fixture_.path("cap.obj").toStdString(), test::sewnCapParts());
         test::writeObj(fixture_.path("tube.obj").toStdString(),
                        {{"tetrahedron", test::makeTetrahedron(300)}});
@@ -72,6 +65,24 @@ private slots:
 
     void cleanup() { fixture_.close(); }
 
+    void anEditorGoesWithItsRowWhoeverHasTheKeyboard() {
+        const test::Warnings warnings;
+        const QPointer<QLineEdit> editor = typeEase("7");
+        QVERIFY(editor);
+        // The person looks at another window: nothing of this one has the focus.
+        QApplication::setActiveWindow(nullptr);
+        DocumentState next = document().state();
+        next.garment = test::makeGarment({{"alone", test::makeSheet(50, 40, 5, 4)}});
+        next.results = {};
+        next.scene = nullptr;
+        document().edit("Another", next);
+        QTRY_VERIFY_WITH_TIMEOUT(!editor, test::kPatience);
+        QApplication::setActiveWindow(&fixture_.window());
+        document().history().undo();
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY2(warnings.texts().isEmpty(), qPrintable(warnings.texts().join('\n')));
+    }
+
     void seamsAreListedAndFreeEdgesOnDemand() {
         QVERIFY(table().isVisible());
         QCOMPARE(table().model()->rowCount(), 1);
@@ -82,21 +93,22 @@ private slots:
         // The seam is the worst and so the first, whatever free edges there are.
         QCOMPARE(cell(0, SeamsModel::Kind).data().toString(), QString("seam"));
         fixture_.action(ActionId::MethodWang2005).trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(summary.text() == "1 seam · worst 0.00 mm", 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(summary.text() == "1 seam · worst 0.00 mm", test::kPatience);
     }
 
     void aSelectedSeamLightsUpInBothViews() {
+        constexpr int kTolerance = 19;
         const QColor yellow = renderStyle(fixture_.window().palette()).seam;
-        const int before3d = countPixels(fixture_.garmentPicture(), yellow);
-        const int before2d = countPixels(fixture_.patternPicture(), yellow);
+        const int before3d = test::countPixels(fixture_.garmentPicture(), yellow, kTolerance);
+        const int before2d = test::countPixels(fixture_.patternPicture(), yellow, kTolerance);
         QTest::mouseClick(table().viewport(), Qt::LeftButton, {},
                           middleOf(cell(0, SeamsModel::Name)));
         QCOMPARE(document().seam(), std::optional(0));
-        QVERIFY(countPixels(fixture_.garmentPicture(), yellow) > before3d + 200);
-        QVERIFY(countPixels(fixture_.patternPicture(), yellow) > before2d + 400);
+        QVERIFY(test::countPixels(fixture_.garmentPicture(), yellow, kTolerance) > before3d + 200);
+        QVERIFY(test::countPixels(fixture_.patternPicture(), yellow, kTolerance) > before2d + 400);
         fixture_.action(ActionId::SelectNone).trigger();
         QVERIFY(!document().seam());
-        QCOMPARE(countPixels(fixture_.patternPicture(), yellow), before2d);
+        QCOMPARE(test::countPixels(fixture_.patternPicture(), yellow, kTolerance), before2d);
         QVERIFY(table().selectionModel()->selectedRows().isEmpty());
     }
 
@@ -113,15 +125,12 @@ private slots:
     }
 
     void enterAndDoubleClickFrameBothSides() {
-        auto& view = *fixture_.window().views().patternView();
+        auto& view = fixture_.patternView();
         const auto showsSeam = [&] {
-            return view.camera().visible().contains(document().scene()->seams[0].flatBox);
+            return view.camera().visible().contains(
+                placedBox(document().scene()->seams[0], placesOf(document().settings())));
         };
-        const auto lookAway = [&view] {
-            QWheelEvent event({5, 5}, view.mapToGlobal(QPointF(5, 5)), {}, {0, 1200}, Qt::NoButton,
-                              Qt::NoModifier, Qt::NoScrollPhase, false);
-            QApplication::sendEvent(&view, &event);
-        };
+        const auto lookAway = [&view] { test::turnWheel(view, {5, 5}, 10); };
         (void)fixture_.patternPicture();
         lookAway();
         QVERIFY(!showsSeam());
@@ -160,7 +169,8 @@ private slots:
             editor,
             QString::number(100 * (measure.length2dLeft / measure.length2dRight - 1), 'f', 4));
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(cell(0, SeamsModel::Fit).data().toString(), QString("matches"));
+        QTRY_COMPARE_WITH_TIMEOUT(cell(0, SeamsModel::Fit).data().toString(), QString("matches"),
+                                  test::kPatience);
         QCOMPARE(document().view().overlay, overlay);
         QVERIFY(document().results() == results);
         QCOMPARE(document().scene(), scene);
@@ -180,6 +190,41 @@ private slots:
         QVERIFY(!document().garment()->seams.seams[0].ease);
         QVERIFY(fixture_.workspace().loading().seams.ease.empty());
         QCOMPARE(cell(0, SeamsModel::Fit).data().toString(), QString("does not match"));
+    }
+
+    void whatIsTypedOutlivesResults() {
+        const QPointer<QLineEdit> editor = typeEase("2");
+        QVERIFY(editor);
+        const auto before = document().results();
+        fixture_.workspace().setMethod(Method::Wang2005);  // other figures, another order
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(document().results() != before);
+        QVERIFY(editor && editor->isVisible());
+        QCOMPARE(editor->text(), QString("2"));
+        QTest::keyClicks(editor, ".5");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(document().garment()->seams.seams[0].ease, std::optional(0.025));
+    }
+
+    void whatIsTypedOutlivesAReadingWithTheSameSeams() {
+        const QPointer<QLineEdit> editor = typeEase("2");
+        QVERIFY(editor);
+        const auto before = document().garment();
+        fixture_.workspace().setUnit(LengthUnit::Centimetre);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(document().garment() != before);
+        QVERIFY(editor && editor->isVisible());
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(document().garment()->seams.seams[0].ease, std::optional(0.02));
+        QCOMPARE(document().history().count(), 2);
+    }
+
+    void whatIsTypedForASeamThatIsNoMoreIsNotAskedFor() {
+        const QPointer<QLineEdit> editor = typeEase("2");
+        QVERIFY(editor);
+        QVERIFY(fixture_.openAndWait(fixture_.path("alone.obj")));
+        QTRY_VERIFY(!editor || !editor->isVisible());
+        QVERIFY(!document().history().canUndo());
     }
 
     void easeIsForgottenWithTheGarment() {
@@ -230,10 +275,7 @@ private slots:
 };
 
 int main(int argc, char** argv) {
-    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
-    QApplication application(argc, argv);
-    SeamLedgerTest test;
-    return QTest::qExec(&test, argc, argv);
+    return test::run<SeamLedgerTest>(argc, argv);
 }
 
 #include "seam_ledger_test.moc"

@@ -8,9 +8,10 @@
 #include <cmath>
 
 #include "app/document/document.h"
-#include "app/panels/figures.h"
-#include "app/panels/seam_fit.h"
 #include "app/render/scene_builder.h"
+#include "app/render/sheet_places.h"
+#include "app/text/figures.h"
+#include "app/text/seam_fit.h"
 #include "tests/app/support/garments.h"
 
 using namespace toile;
@@ -22,8 +23,7 @@ void flattenInto(Document& document, Method method) {
     options.method = method;
     Progress progress;
     PieceResults results = flattenGarment(*document.garment(), options, progress);
-    const auto pattern = layOut(*document.garment(), results);
-    auto scene = buildScene(*document.garment(), results, pattern.offsets, progress);
+    auto scene = buildScene(*document.garment(), results, progress);
     document.setResults(std::move(results), std::move(scene));
 }
 
@@ -136,6 +136,14 @@ private slots:
         QCOMPARE(*parsePercent(" +2.5 % ")->fraction, 0.025);
         QCOMPARE(*parsePercent(QString(QChar(0x2212)) + "3")->fraction, -0.03);
         QVERIFY(parsePercent("") && !parsePercent("")->fraction);
+        for (const auto language : {QLocale::English, QLocale::German}) {
+            QLocale::setDefault(language);
+            QCOMPARE(*parsePercent("0.125")->fraction, 0.00125);
+            QCOMPARE(*parsePercent("0,125")->fraction, 0.00125);
+            QCOMPARE(*parsePercent("1,5 %")->fraction, 0.015);
+            QVERIFY(!parsePercent("1,250.5"));
+        }
+        QLocale::setDefault(QLocale::c());
         for (const char* nonsense : {"two", "-100", "1e9", "nan"}) {
             QVERIFY2(!parsePercent(nonsense), nonsense);
         }
@@ -190,16 +198,20 @@ private slots:
         // Each lies on its own piece; framing holds both.
         QCOMPARE(scene.patternLines.vertices[inPattern[0].first].piece, float(seam.left.piece));
         QCOMPARE(scene.patternLines.vertices[inPattern[1].first].piece, float(seam.right.piece));
-        QVERIFY(scene.sheetBox.contains(scene.seams.front().flatBox));
+        for (int k = 0; k < 2; ++k) {
+            const SeamScene::Side& side = scene.seams.front().sides[std::size_t(k)];
+            QCOMPARE(side.piece, k == 0 ? seam.left.piece : seam.right.piece);
+            QVERIFY(scene.pieces[std::size_t(side.piece)].flatBox.contains(side.flatBox));
+        }
         QVERIFY(!scene.seams.front().box.isEmpty());
     }
 
     void beforeFlatteningSeamsAreInSpaceOnly() {
         Progress progress;
-        const auto scene = buildScene(*document_->garment(), {}, {}, progress);
+        const auto scene = buildScene(*document_->garment(), {}, progress);
         QVERIFY(scene->garmentLines.runs.seams.front()[1].count > 1);
         QCOMPARE(scene->patternLines.runs.seams.front()[0].count, 0U);
-        QVERIFY(scene->seams.front().flatBox.isEmpty());
+        QVERIFY(placedBox(scene->seams.front(), {}).isEmpty());
     }
 };
 

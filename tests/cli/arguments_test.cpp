@@ -25,7 +25,11 @@ TEST(Arguments, NothingOrAFileOpensTheWindow) {
     EXPECT_EQ(file.load.unit, LengthUnit::Centimetre);
     EXPECT_EQ(parse({"dress.obj", "--screenshot", "a.png"}).screenshot, "a.png");
     EXPECT_EQ(parse({"dress.obj", "--overlay", "strain"}).overlay, Overlay::Strain);
-    EXPECT_EQ(parse({}).overlay, Overlay::Checker);
+    EXPECT_EQ(parse({"dress.obj", "--overlay", "principal"}).overlay, Overlay::Principal);
+    EXPECT_EQ(parse({"dress.obj", "--overlay", "bias"}).overlay, Overlay::Bias);
+    EXPECT_EQ(parse({"dress.obj", "--overlay", "dirichlet"}).overlay, Overlay::Dirichlet);
+    EXPECT_EQ(parse({"dress.obj", "--overlay", "stretch"}).status, 2);
+    EXPECT_FALSE(parse({}).overlay);  // so that a project may say
     EXPECT_EQ(parse({"dress.obj", "--panel", "seams"}).panel, Panel::Seams);
     EXPECT_FALSE(parse({"dress.obj"}).panel);
     EXPECT_EQ(parse({"dress.obj", "--method", "natural"}).options.method, Method::Natural);
@@ -102,6 +106,20 @@ TEST(Arguments, CompareTakesMethodsInTheOrderTyped) {
     EXPECT_TRUE(parse({"compare", "a.obj", "--json"}).json);
 }
 
+TEST(Arguments, CheckTakesAFabricAndReadsAsTheOthersDo) {
+    const Arguments plain = parse({"check", "a.toile"});
+    EXPECT_EQ(plain.command, Command::Check);
+    EXPECT_FALSE(plain.fabric || plain.json);
+    const Arguments all = parse(
+        {"check", "a.obj", "--fabric", "jersey", "--method", "natural", "--unit", "cm", "--json"});
+    ASSERT_EQ(all.command, Command::Check) << all.message;
+    EXPECT_EQ(all.fabric, *fabricPreset("jersey"));
+    EXPECT_EQ(all.options.method, Method::Natural);
+    EXPECT_EQ(all.load.unit, LengthUnit::Centimetre);
+    EXPECT_TRUE(all.json);
+    EXPECT_EQ(parse({"check"}).status, kExitUsage);
+}
+
 TEST(Arguments, TheWindowReadsFilesAsTheCommandsDo) {
     for (const bool window : {true, false}) {
         std::vector<const char*> typed{"a.obj",  "--split",    "seams",  "--seams",
@@ -118,6 +136,36 @@ TEST(Arguments, TheWindowReadsFilesAsTheCommandsDo) {
         EXPECT_EQ(a.load.unit, LengthUnit::Inch);
         EXPECT_TRUE(a.load.autoCut && a.load.weld && a.load.strict);
     }
+}
+
+TEST(Arguments, RenderSaysWhatAPictureShows) {
+    const Arguments plain = parse({"render", "a.obj", "-o", "a.png"});
+    ASSERT_EQ(plain.command, Command::Render) << plain.message;
+    EXPECT_EQ(plain.picture.width, 1600);
+    EXPECT_EQ(plain.picture.height, 800);
+    EXPECT_EQ(plain.picture.views, ViewsShown::Both);
+    EXPECT_FALSE(plain.picture.direction || plain.picture.bar || plain.overlay);
+    const Arguments all =
+        parse({"render", "-o",        "a.png",  "a.toile",       "--view",  "pattern",
+               "--size", "16x8192",   "--look", "-90,45.5",      "--morph", "0.25",
+               "--bar",  "off",       "--xray", "--seams-shown", "off",     "--wireframe",
+               "--dark", "--overlay", "bias",   "--method",      "natural"});
+    ASSERT_EQ(all.command, Command::Render) << all.message;
+    EXPECT_EQ(all.inputs.size(), 1U);
+    EXPECT_EQ(all.picture.views, ViewsShown::Pattern);
+    EXPECT_EQ(all.picture.width, 16);
+    EXPECT_EQ(all.picture.height, 8192);
+    ASSERT_TRUE(all.picture.direction);
+    EXPECT_DOUBLE_EQ(all.picture.direction->yaw, kLeftView.yaw);
+    EXPECT_NEAR(all.picture.direction->pitch, 0.794, 1e-3);
+    EXPECT_EQ(all.picture.morph, 0.25);
+    EXPECT_EQ(all.picture.bar, false);
+    EXPECT_TRUE(all.picture.xray && all.picture.wireframe && all.picture.dark);
+    EXPECT_FALSE(all.picture.seams);
+    EXPECT_EQ(all.overlay, Overlay::Bias);
+    EXPECT_EQ(all.options.method, Method::Natural);
+    EXPECT_EQ(parse({"render", "a.obj", "-o", "a.PNG", "--look", "top"}).picture.direction,
+              kTopView);
 }
 
 TEST(Arguments, HelpAndVersionAreMessages) {
@@ -149,6 +197,22 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         {"compare", "a.obj", "--methods", ""},
         {"compare", "a.obj", "--json", "--markdown"},
         {"info"},
+        {"render", "a.obj"},
+        {"render", "-o", "a.png"},
+        {"render", "a.obj", "-o", "a.svg"},
+        {"render", "a.obj", "-o", "a.png", "-o", "b.png"},
+        {"render", "a.obj", "-o", "a.png", "--size", "800"},
+        {"render", "a.obj", "-o", "a.png", "--size", "800x"},
+        {"render", "a.obj", "-o", "a.png", "--size", "800x600x3"},
+        {"render", "a.obj", "-o", "a.png", "--size", "800.5x600"},
+        {"render", "a.obj", "-o", "a.png", "--size", "15x600"},
+        {"render", "a.obj", "-o", "a.png", "--size", "800x8193"},
+        {"render", "a.obj", "-o", "a.png", "--size", "nanxinf"},
+        {"render", "a.obj", "-o", "a.png", "--look", "sideways"},
+        {"render", "a.obj", "-o", "a.png", "--look", "10,91"},
+        {"render", "a.obj", "-o", "a.png", "--morph", "1.1"},
+        {"render", "a.obj", "-o", "a.png", "--morph", "nan"},
+        {"render", "a.obj", "-o", "a.png", "--view", "inside"},
         {"a.obj", "flatten", "b.obj"},
         {"--overlay", "magic"},
         {"--panel", "wardrobe"},

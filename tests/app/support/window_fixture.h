@@ -7,35 +7,45 @@
 #include <QTest>
 #include <memory>
 
+#include "app/actions/garment_actions.h"
 #include "app/main_window.h"
 #include "app/settings/preferences.h"
 #include "app/views/garment_view.h"
 #include "app/views/pattern_view.h"
 #include "app/views/view_area.h"
+#include "tests/app/support/own_input.h"
+#include "tests/app/support/run_test.h"
 
 namespace toile::test {
 
 /// A window on the screen that remembers nothing, and a folder for its files.
 class WindowFixture {
 public:
-    static constexpr int kPatience = 30000;  ///< milliseconds
+    static constexpr int kPatience = test::kPatience;  ///< milliseconds
 
     QString path(const QString& name) const { return folder_.filePath(name); }
 
-    void open() {
+    void open(QSize size = {1400, 900}) {
         preferences_ = std::make_unique<Preferences>(QString());
         window_ = std::make_unique<MainWindow>(*preferences_);
-        window_->resize(1400, 900);
+        // A question nobody answers would stop the test.
+        window_->garmentActions().fileDialogs().askToSave = [](QWidget*, const QString&) {
+            return SaveAnswer::Discard;
+        };
+        window_->resize(size);
         window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), kPatience));
         QApplication::setActiveWindow(window_.get());
     }
 
     void close() { window_.reset(); }
 
     MainWindow& window() { return *window_; }
+    Preferences& preferences() { return *preferences_; }
     Workspace& workspace() { return window_->workspace(); }
     Document& document() { return workspace().document(); }
+    GarmentView& garmentView() { return *window_->views().garmentView(); }
+    PatternView& patternView() { return *window_->views().patternView(); }
     QAction& action(ActionId id) { return window_->actions()[id]; }
 
     template <class Widget>
@@ -58,10 +68,18 @@ public:
             kPatience);
     }
 
-    QImage garmentPicture() { return window_->views().garmentView()->grabFramebuffer(); }
-    QImage patternPicture() { return window_->views().patternView()->grabFramebuffer(); }
+    /// True once no job runs.
+    bool waitUntilIdle() {
+        return QTest::qWaitFor(
+            [this] { return !workspace().jobs().isBusy() && !workspace().writing().isBusy(); },
+            kPatience);
+    }
+
+    QImage garmentPicture() { return garmentView().grabFramebuffer(); }
+    QImage patternPicture() { return patternView().grabFramebuffer(); }
 
 private:
+    OwnInput input_;
     QTemporaryDir folder_;
     std::unique_ptr<Preferences> preferences_;
     std::unique_ptr<MainWindow> window_;

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/menu_table.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <string_view>
+
+namespace toile {
+
+namespace {
+
+// lupdate is told of this name, and takes the namespace for the context.
+#define TR(text) text
+
+constexpr MenuSeparator kLine{};
+
+/// Methods come from their own table, under what they promise.
+std::vector<MenuItem> flattenItems() {
+    std::vector<MenuItem> items;
+    for (const bool keepsLengths : {true, false}) {
+        items.emplace_back(MenuHeading{keepsLengths ? TR("Seam lines keep their length")
+                                                    : TR("Seam lines may change")});
+        for (const MethodTraits& method : allMethods()) {
+            if (method.keepsLengths == keepsLengths) {
+                items.emplace_back(actionOf(method.method));
+            }
+        }
+    }
+    const MenuItem others[] = {kLine,
+                               ActionId::CompareMethods,
+                               kLine,
+                               Submenu{"qualityMenu"},
+                               kLine,
+                               ActionId::SolverNewton,
+                               ActionId::SolverSlcp,
+                               kLine,
+                               ActionId::AutoFlatten,
+                               ActionId::FlattenAgain,
+                               ActionId::Cancel};
+    items.insert(items.end(), std::begin(others), std::end(others));
+    return items;
+}
+
+// clang-format off
+std::vector<MenuSpec> makeTable() {
+    using enum ActionId;
+    return {
+        {"fileMenu", TR("&File"),
+         {Open, Submenu{"recentMenu"}, kLine,
+          Save, SaveAs, kLine,
+          ReadyToCut, Submenu{"exportMenu"}, kLine,
+          Quit}},
+        {"recentMenu", TR("Open &recent"), {RecentPlace{}}, false},
+        {"exportMenu", TR("&Export pattern"),
+         {ExportSvg, ExportDxf, ExportObj, ExportReport}, false},
+        {"editMenu", TR("&Edit"),
+         {Undo, Redo, kLine,
+          SelectAll, SelectNone, kLine,
+          StateEase, ForgetEase, kLine,
+          CommandPalette, EditPreferences}},
+        {"viewMenu", TR("&View"),
+         {Submenu{"overlayMenu"}, ValuesPerTriangle, WorstSpots, kLine,
+          ShowSeams, Wireframe, DesignerOutline, Xray, Shaded, PieceColours, kLine,
+          Rulers, Grid, kLine,
+          Frame, Submenu{"lookMenu"}, PlayMorph, kLine,
+          GoToPieces, GoToSeams, GoToProblems, GoToHistory, Submenu{"listsMenu"}, ResetLayout}},
+        {"overlayMenu", TR("&Overlay"),
+         {OverlayNone, OverlayChecker, kLine,
+          OverlayArea, OverlayAngle, OverlayStrain, OverlayWarp, OverlayWeft, OverlayBias,
+          OverlayPrincipal, OverlayDirichlet}, false},
+        {"lookMenu", TR("Loo&k"),
+         {LookFront, LookBack, LookRight, LookLeft, LookTop, LookBottom, kLine,
+          Orthographic}, false},
+        {"listsMenu", TR("Sh&ow"), {ListsPlace{}}, false},
+        {"toolsMenu", TR("&Tools"),
+         {ToolSelect, kLine,
+          ToolCut, ToolLoop, ToolDart, ToolJoin, kLine,
+          ToolMeasure, ToolGrain}},
+        {"layoutMenu", TR("La&yout"),
+         {TurnLeft, TurnRight, MirrorLeftRight, MirrorUpsideDown, GoToPosition, kLine,
+          Submenu{"lineUpMenu"}, LayOutAgain, kLine,
+          GrainUpwards, BestGrain, ForgetGrain, kLine,
+          Snapping}},
+        {"lineUpMenu", TR("&Line up"),
+         {AlignLeft, AlignCentre, AlignRight, AlignTop, AlignMiddle, AlignBottom, kLine,
+          DistributeAcross, DistributeUpwards}, false},
+        {"garmentMenu", TR("&Garment"),
+         {Reload, kLine,
+          GoToFabric, kLine,
+          Submenu{"unitMenu"}, Submenu{"upMenu"}, Submenu{"divideMenu"}, kLine,
+          AutoCut, Weld, kLine,
+          SeamsFromFile, SeamsToFile}},
+        {"unitMenu", TR("&Unit"),
+         {UnitAuto, UnitMillimetre, UnitCentimetre, UnitMetre, UnitInch}, false},
+        {"upMenu", TR("Up &axis"), {UpAuto, UpY, UpZ}, false},
+        {"divideMenu", TR("&Divide by"),
+         {SplitAuto, SplitComponents, SplitObjects, SplitGroups, SplitMaterials, SplitUv,
+          SplitSeams}, false},
+        {"flattenMenu", TR("F&latten"), flattenItems()},
+        {"qualityMenu", TR("&Quality"), {QualityDraft, QualityStandard, QualityFine}, false},
+        {"helpMenu", TR("&Help"), {Shortcuts, About}},
+    };
+}
+// clang-format on
+
+#undef TR
+
+void collect(const MenuSpec& menu, QStringList path, std::vector<PlacedAction>& found) {
+    path << withoutMnemonic(menuText(menu.title));
+    for (const MenuItem& item : menu.items) {
+        if (const auto* id = std::get_if<ActionId>(&item)) {
+            found.push_back({*id, path});
+        } else if (const auto* submenu = std::get_if<Submenu>(&item)) {
+            const auto& table = menuTable();
+            const auto below = std::find_if(table.begin(), table.end(), [&](const auto& other) {
+                return std::string_view(other.name) == submenu->name;
+            });
+            if (below != table.end()) {
+                collect(*below, path, found);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+const std::vector<MenuSpec>& menuTable() {
+    static const std::vector<MenuSpec> table = makeTable();
+    return table;
+}
+
+QString menuText(const char* text) {
+    return QCoreApplication::translate("toile", text);
+}
+
+std::vector<PlacedAction> placedActions() {
+    std::vector<PlacedAction> found;
+    for (const MenuSpec& menu : menuTable()) {
+        if (menu.inMenuBar) {
+            collect(menu, {}, found);
+        }
+    }
+    return found;
+}
+
+}  // namespace toile

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStringList>
+#include <variant>
+#include <vector>
+
+#include "app/actions/action_registry.h"
+
+namespace toile {
+
+/// Which menu holds which actions: the table beside that of the actions, for the menu bar, for the
+/// paths in the command palette and for the groups of the help page.
+
+struct MenuSeparator {};
+/// A line of text over what follows.
+struct MenuHeading {
+    const char* text;  ///< to be translated
+};
+/// Another menu of the table, by name.
+struct Submenu {
+    const char* name;
+};
+/// What the window fills in: the lists that can be shown.
+struct ListsPlace {};
+
+/// What the window fills in: the files that were opened last.
+struct RecentPlace {};
+
+using MenuItem =
+    std::variant<ActionId, MenuSeparator, MenuHeading, Submenu, ListsPlace, RecentPlace>;
+
+struct MenuSpec {
+    const char* name;   ///< object name
+    const char* title;  ///< to be translated
+    std::vector<MenuItem> items;
+    bool inMenuBar = true;  ///< else a submenu
+};
+
+/// In the order of the menu bar.
+const std::vector<MenuSpec>& menuTable();
+/// Titles and headings in the user's language, with mnemonic.
+QString menuText(const char* text);
+
+/// Where an action is found.
+struct PlacedAction {
+    ActionId id;
+    QStringList menus;  ///< from the menu bar down, without mnemonics: "File", "Export pattern"
+};
+
+/// Every action of the menus in their order.
+std::vector<PlacedAction> placedActions();
+
+}  // namespace toile

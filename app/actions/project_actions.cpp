@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/project_actions.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <QWidget>
+#include <utility>
+
+#include "app/actions/workspace.h"
+#include "app/base/path_text.h"
+#include "app/settings/preferences.h"
+#include "app/text/error_text.h"
+#include "core/project/project_file.h"
+
+namespace toile {
+namespace {
+
+QString projectEnding() {
+    return QString::fromUtf8(kProjectEnding.data(), static_cast<qsizetype>(kProjectEnding.size()));
+}
+
+}  // namespace
+
+ProjectActions::ProjectActions(ActionRegistry& actions, Workspace& workspace,
+                               Preferences& preferences, const FileDialogs& dialogs,
+                               QWidget& window, QObject* parent)
+    : QObject(parent),
+      actions_(actions),
+      workspace_(workspace),
+      preferences_(preferences),
+      dialogs_(dialogs),
+      window_(window),
+      session_(workspace),
+      recent_(preferences) {
+    connect(&actions_[ActionId::Save], &QAction::triggered, this, [this] { save({}); });
+    connect(&actions_[ActionId::SaveAs], &QAction::triggered, this, [this] { saveAs({}); });
+    workspace_.askBeforeLeaving([this](std::function<void()> next) { leaveThen(std::move(next)); });
+    connect(&session_, &ProjectSession::failed, this, &ProjectActions::failed);
+    connect(&session_, &ProjectSession::meshesMissing, this, &ProjectActions::askForMeshes);
+    connect(&session_, &ProjectSession::changedByOthers, this, &ProjectActions::askAboutOthers);
+    connect(&session_, &ProjectSession::saved, this,
+            [this](const QString& path) { recent_.add({path}); });
+    connect(&workspace_.document(), &Document::changed, this, [this](DocumentChanges what) {
+        if (what.testFlag(DocumentChange::Opened)) {
+            onOpened();
+        }
+        updateEnabled();
+    });
+    updateEnabled();
+}
+
+void ProjectActions::updateEnabled() {
+    const bool open = workspace_.document().garment() != nullptr;
+    actions_[ActionId::Save].setEnabled(open);
+    actions_[ActionId::SaveAs].setEnabled(open);
+}
+
+void ProjectActions::onOpened() {
+    QStringList files;
+    if (!session_.path().empty()) {
+        files << textOf(session_.path());
+    } else {
+        for (const auto& path : workspace_.openPaths()) {
+            files << QFileInfo(textOf(path)).absoluteFilePath();
+        }
+    }
+    if (!files.isEmpty()) {
+        recent_.add(files);
+    }
+}
+
+void ProjectActions::open(const QString& project) {
+    session_.open(pathOf(QFileInfo(project).absoluteFilePath()));
+}
+
+void ProjectActions::leaveThen(std::function<void()> next) {
+    if (session_.isSaving()) {
+        session_.whenSaved([this, next = std::move(next)] { leaveThen(next); });
+        return;
+    }
+    if (!session_.isModified()) {
+        next();
+        return;
+    }
+    switch (dialogs_.askToSave(&window_, session_.title())) {
+        case SaveAnswer::Save:
+            onceChanged([this, next = std::move(next)] {
+                // What is edited while the file is being written is asked about too.
+                save([this, next] { leaveThen(next); });
+            });
+            break;
+        case SaveAnswer::Discard:
+            next();
+            break;
+        case SaveAnswer::Cancel:
+            break;
+    }
+}
+
+void ProjectActions::onceChanged(std::function<void()> next) {
+    if (!workspace_.hasWishes()) {
+        next();
+        return;
+    }
+    // Queued: the change is a finished step by then. The last one asked for counts.
+    disconnect(waiting_);
+    waiting_ = connect(
+        &workspace_, &Workspace::loadingChanged, this,
+        [this, next = std::move(next)] {
+            if (!workspace_.hasWishes()) {
+                const auto once = next;  // the connection holds it
+                disconnect(waiting_);
+                once();
+            }
+        },
+        Qt::QueuedConnection);
+}
+
+void ProjectActions::save(std::function<void()> then) {
+    if (session_.path().empty()) {
+        saveAs(std::move(then));
+    } else if (workspace_.document().garment()) {
+        session_.save(session_.path(), std::move(then));
+    }
+}
+
+void ProjectActions::saveAs(std::function<void()> then) {
+    if (!workspace_.document().garment()) {
+        return;
+    }
+    const std::filesystem::path present = session_.path();
+    const QFileInfo from(textOf(present.empty() ? workspace_.openPaths().front() : present));
+    QString path = dialogs_.saveProject(
+        &window_,
+        QString("%1/%2%3").arg(from.absolutePath(), from.completeBaseName(), projectEnding()));
+    if (path.isEmpty()) {
+        return;
+    }
+    if (!isProjectFile(pathOf(path))) {
+        path += projectEnding();
+    }
+    preferences_.setOpenFolder(QFileInfo(path).absolutePath());
+    session_.save(pathOf(QFileInfo(path).absoluteFilePath()), std::move(then));
+}
+
+void ProjectActions::askAboutOthers(const std::filesystem::path& path,
+                                    const std::function<void()>& then) {
+    switch (dialogs_.askToOverwrite(&window_, textOf(path.filename()))) {
+        case OverwriteAnswer::SaveAnyway:
+            session_.save(path, then, ProjectSession::IfChanged::Overwrite);
+            break;
+        case OverwriteAnswer::SaveAs:
+            saveAs(then);
+            break;
+        case OverwriteAnswer::Cancel:
+            break;
+    }
+}
+
+void ProjectActions::askForMeshes(const std::filesystem::path& project,
+                                  const std::vector<std::filesystem::path>& missing,
+                                  const ProjectSession::Retry& retry) {
+    ProjectJob::Found found;
+    QString folder = QFileInfo(textOf(project)).absolutePath();
+    for (const auto& mesh : missing) {
+        // Files that were moved together are found together.
+        const QString beside = folder + '/' + textOf(mesh.filename());
+        QString path = !found.empty() && QFileInfo::exists(beside)
+                           ? beside
+                           : dialogs_.findMesh(&window_, folder, textOf(mesh.filename()));
+        if (path.isEmpty()) {
+            emit failed(errorText({ErrorCode::FileUnreadable, mesh.string(),
+                                   "the project needs it, it is not there"}));
+            return;
+        }
+        folder = QFileInfo(path).absolutePath();
+        found[mesh] = pathOf(QFileInfo(path).absoluteFilePath());
+    }
+    retry(found);
+}
+
+}  // namespace toile

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/project_session.h"
+
+#include <utility>
+
+#include "app/actions/workspace.h"
+#include "app/base/path_text.h"
+#include "app/document/project_state.h"
+#include "app/jobs/save_job.h"
+#include "app/text/error_text.h"
+
+namespace toile {
+namespace {
+
+constexpr int kMostSentences = 4;  ///< that are read when a project is opened
+
+}  // namespace
+
+ProjectSession::ProjectSession(Workspace& workspace, QObject* parent)
+    : QObject(parent), workspace_(workspace), saves_(workspace.document()) {
+    connect(&workspace.document(), &Document::changed, this, &ProjectSession::onChanged);
+    connect(&workspace.document().history(), &QUndoStack::cleanChanged, this,
+            &ProjectSession::changed);
+    connect(&workspace, &Workspace::loadingChanged, this, &ProjectSession::onLoadingChanged);
+    connect(&saves_, &JobRunner::failed, this, [this](const QString&, const QString& sentence) {
+        afterSaving_.clear();
+        onNotSaved();
+        emit failed(sentence);
+    });
+}
+
+bool ProjectSession::isModified() const {
+    return workspace_.document().garment() &&
+           (!workspace_.document().history().isClean() || workspace_.hasWishes());
+}
+
+void ProjectSession::onLoadingChanged() {
+    if (std::exchange(hadWishes_, workspace_.hasWishes()) != hadWishes_) {
+        emit changed();
+    }
+}
+
+void ProjectSession::onNotSaved() {
+    if (saving_ == opened_) {
+        workspace_.document().history().resetClean();  // it was no saving after all
+    }
+}
+
+QString ProjectSession::title() const {
+    return path_.empty() ? workspace_.document().title() : textOf(path_.filename());
+}
+
+void ProjectSession::open(const Path& path) {
+    start(path, {}, false, {});
+}
+
+void ProjectSession::restore(const Path& recoveryFile, std::function<void()> done) {
+    start(recoveryFile, {}, true, std::move(done));
+}
+
+void ProjectSession::start(const Path& file, const ProjectJob::Found& found, bool restoring,
+                           std::function<void()> done) {
+    const bool moved = !found.empty();
+    workspace_.openBy(std::make_unique<ProjectJob>(
+        file, found,
+        [this, file, restoring, moved, done](ProjectJob::Opened opened) {
+            workspace_.arrived([this, file, restoring, moved, done, opened = std::move(opened)] {
+                onOpened(file, opened, restoring, moved);
+                if (done) {
+                    done();
+                }
+            });
+        },
+        [this, file, restoring, done](const std::vector<Path>& missing) {
+            workspace_.notOpened();
+            emit meshesMissing(file, missing, [=, this](const ProjectJob::Found& foundNow) {
+                start(file, foundNow, restoring, done);
+            });
+        }));
+}
+
+void ProjectSession::onOpened(const Path& file, const ProjectJob::Opened& opened, bool restoring,
+                              bool moved) {
+    Document& document = workspace_.document();
+    const ViewState view = viewOf(opened.project.view, document.view());
+    const auto& recoveryOf = opened.project.recoveryOf;
+    // Saving must not write to what somebody else's file names.
+    openingAs_ = restoring    ? OpeningAs{recoveryOf.value_or(file), opened.known}
+                 : recoveryOf ? OpeningAs{}
+                              : OpeningAs{file, opened.known};
+    document.open(stateOf(opened.project, opened.garment, opened.scene));
+    document.setOverlay(view.overlay);
+    document.setWireframe(view.wireframe);
+    document.setDesignerOutline(view.designerOutline);
+    if (restoring || moved || recoveryOf) {
+        document.history().resetClean();
+    }
+    QStringList sentences;
+    for (const Error& note : opened.notes) {
+        sentences << errorText(note);
+    }
+    if (const auto more = static_cast<int>(sentences.size()) - kMostSentences; more > 0) {
+        sentences = sentences.mid(0, kMostSentences)
+                    << tr("And %n more of this kind.", nullptr, more);
+    }
+    if (!sentences.isEmpty()) {
+        emit noticed(sentences.join('\n'));
+    }
+}
+
+void ProjectSession::onChanged(DocumentChanges what) {
+    if (!what.testFlag(DocumentChange::Opened)) {
+        return;
+    }
+    ++opened_;
+    OpeningAs as = std::exchange(openingAs_, std::nullopt).value_or(OpeningAs{});
+    path_ = std::move(as.path);
+    known_ = std::make_shared<KnownFile>(std::move(as.known));
+    emit changed();
+}
+
+void ProjectSession::save(const Path& path, std::function<void()> then, IfChanged ifChanged) {
+    Document& document = workspace_.document();
+    Q_ASSERT(document.garment());
+    saving_ = opened_;
+    saves_.start(std::make_unique<SaveJob>(
+        document,
+        SaveJob::Target{
+            .path = path, .known = known_, .overwrite = ifChanged == IfChanged::Overwrite},
+        [this, path, then, of = opened_](SaveJob::Outcome outcome) {
+            if (outcome == SaveJob::Outcome::Written) {
+                onSaved(path, of);
+                if (then) {
+                    then();
+                }
+                return;
+            }
+            afterSaving_.clear();
+            onNotSaved();
+            if (of == opened_) {
+                emit changedByOthers(path, then);
+            } else {  // there is nothing left to ask about
+                emit failed(errorText(
+                    {ErrorCode::FileUnwritable, path.string(), "another program has changed it"}));
+            }
+        }));
+    // What is edited while the file is being written is not in it.
+    document.history().setClean();
+}
+
+void ProjectSession::onSaved(const Path& path, int of) {
+    if (of == opened_) {  // else another garment has been opened meanwhile
+        path_ = path;
+        emit changed();
+    }
+    emit saved(textOf(path));
+    for (const auto& next : std::exchange(afterSaving_, {})) {
+        next();
+    }
+}
+
+void ProjectSession::whenSaved(std::function<void()> then) {
+    if (isSaving()) {
+        afterSaving_.push_back(std::move(then));
+    } else {
+        then();
+    }
+}
+
+}  // namespace toile

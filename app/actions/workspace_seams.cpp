@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person asks of cuts, joins and ease.
+#include <algorithm>
+#include <utility>
+
+#include "app/actions/workspace.h"
+#include "core/base/file.h"
+#include "core/pipeline/file_space.h"
+#include "core/seam/seam_origin.h"
+
+namespace toile {
+namespace {
+
+/// "cut 3": the first that no entry has.
+template <class Entry>
+std::string freeName(const std::vector<Entry>& entries, const std::string& stem, bool numbered) {
+    std::string name = stem;
+    for (int k = 1; numbered || std::ranges::find(entries, name, &Entry::name) != entries.end();
+         ++k) {
+        name = stem + " " + std::to_string(k);
+        numbered = false;
+    }
+    return name;
+}
+
+/// The problem that names an order of the user's, if there is one.
+std::optional<Error> problemWith(const Garment& garment, ErrorCode code, const std::string& name) {
+    const auto found = std::ranges::find_if(garment.problems, [&](const Error& problem) {
+        return problem.code == code && problem.where == name;
+    });
+    return found == garment.problems.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace
+
+void Workspace::divideByWhatIsThere(LoadOptions& loading) {
+    if (loading.seams.cuts.empty() && loading.split == SplitMode::Seams) {
+        loading.split = SplitMode::Auto;
+    }
+}
+
+void Workspace::changeSeams(const QString& text, std::function<void(SeamsFile&)> change) {
+    wish({text,
+          [change = std::move(change)](LoadOptions& options) {
+              change(options.seams);
+              divideByWhatIsThere(options);
+          },
+          false});
+}
+
+Result<void> Workspace::readSeams(const std::filesystem::path& path) {
+    auto read = readSeamsFile(path);
+    if (!read) {
+        return read.error();
+    }
+    changeSeams(tr("Seams from a file"),
+                [read = std::move(*read)](SeamsFile& seams) { seams = read; });
+    return {};
+}
+
+Result<void> Workspace::writeSeams(const std::filesystem::path& path) const {
+    return writeFile(path, writeSeamsFile(loading().seams));
+}
+
+void Workspace::addCut(UserCut cut) {
+    if (!document_.garment() || opening_.isActive()) {
+        return;  // it was drawn on what is about to go
+    }
+    const auto [text, stem] = [&cut]() -> std::pair<QString, std::string> {
+        switch (cut.kind) {
+            case UserCut::Kind::Dart:
+                return {tr("Dart"), "dart"};
+            case UserCut::Kind::Loop:
+                return {tr("Closed loop"), "loop"};
+            case UserCut::Kind::Path:
+                break;
+        }
+        return {tr("Cut"), "cut"};
+    }();
+    cut.name = freeName(loading().seams.cuts, stem, true);
+    const std::string name = cut.name;
+    const auto garment = document_.garment();
+    wish({text,
+          [garment, cut = std::move(cut)](LoadOptions& options) {
+              UserCut inFile = cut;
+              for (Eigen::Vector3d& point : inFile.points) {
+                  point = inFileSpace(point, options.seams, *garment);
+              }
+              options.seams.cuts.push_back(std::move(inFile));
+          },
+          false,
+          [name](const Garment& made) {
+              return problemWith(made, ErrorCode::CutImpossible, name);
+          }});
+}
+
+void Workspace::joinSeam(int seam) {
+    const auto garment = document_.garment();
+    if (!garment || opening_.isActive()) {
+        return;
+    }
+    const Seam& chosen = garment->seams.seams[static_cast<std::size_t>(seam)];
+    if (chosen.kind == SeamKind::Free) {
+        emit refused(tr("%1 is sewn to nothing: there is nothing to join.")
+                         .arg(QString::fromStdString(chosen.name)));
+        return;
+    }
+    std::vector<std::string> cuts;
+    for (const MadeCut& cut : garment->cuts) {
+        if (!isLeftBy(chosen, cut, garment->pieces)) {
+            continue;
+        }
+        if (cut.author == CutAuthor::Automatic) {
+            emit refused(
+                tr("%1 cannot be joined alone: Toile cut %2 open there because it could "
+                   "not lie flat. Switch off Garment ▸ Cut open automatically, or draw a "
+                   "cut of your own instead.")
+                    .arg(QString::fromStdString(chosen.name), QString::fromStdString(cut.piece)));
+            return;
+        }
+        cuts.push_back(cut.name);
+    }
+    if (!cuts.empty()) {
+        changeSeams(tr("Removal of a cut"), [cuts](SeamsFile& seams) {
+            std::erase_if(seams.cuts, [&cuts](const UserCut& cut) {
+                return std::ranges::find(cuts, cut.name) != cuts.end();
+            });
+        });
+        return;
+    }
+    UserJoin join = joinAlong(chosen, garment->pieces);
+    join.name = freeName(loading().seams.joins, join.name, false);
+    const std::string name = join.name;
+    wish({tr("Join"),
+          [garment, join = std::move(join)](LoadOptions& options) {
+              UserJoin inFile = join;
+              for (Eigen::Vector3d& point : inFile.points) {
+                  point = inFileSpace(point, options.seams, *garment);
+              }
+              options.seams.joins.push_back(std::move(inFile));
+          },
+          false,
+          [name](const Garment& made) {
+              return problemWith(made, ErrorCode::JoinImpossible, name);
+          }});
+}
+
+void Workspace::removeCut(const std::string& name) {
+    if (opening_.isActive()) {
+        return;  // what comes may have one of the same name
+    }
+    changeSeams(tr("Removal of a cut"), [name](SeamsFile& seams) {
+        const auto cut = std::ranges::find(seams.cuts, name, &UserCut::name);
+        if (cut != seams.cuts.end()) {
+            seams.cuts.erase(cut);
+        }
+    });
+}
+
+void Workspace::removeJoin(const std::string& name) {
+    if (opening_.isActive()) {
+        return;
+    }
+    changeSeams(tr("Removal of a join"), [name](SeamsFile& seams) {
+        const auto join = std::ranges::find(seams.joins, name, &UserJoin::name);
+        if (join != seams.joins.end()) {
+            seams.joins.erase(join);
+        }
+    });
+}
+
+void Workspace::setEase(int seam, std::optional<double> ease) {
+    document_.setSeamEase(seam, ease);
+}
+
+}  // namespace toile

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <ostream>
+#include <utility>
+
+#include "app/cli/arguments.h"
+#include "app/cli/command_line.h"
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "core/check/check_writer.h"
+#include "core/check/finding_words.h"
+#include "core/project/project.h"
+#include "core/project/rigid_motion.h"
+
+namespace toile {
+namespace {
+
+/// What a project says of the pieces, for the flat coordinates they have now.
+std::vector<PieceSettings> settingsOf(const Arguments& arguments, const Garment& garment,
+                                      const PieceResults& results) {
+    if (!arguments.project) {
+        return std::vector<PieceSettings>(garment.pieces.size());
+    }
+    std::vector<PieceSettings> settings = settingsFor(*arguments.project, garment);
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        if (results[i]->flat) {
+            settings[i] = anchoredSettings(std::move(settings[i]), results[i]->flat->Q);
+        }
+    }
+    return settings;
+}
+
+/// A line for each finding; those that say the same of several pieces or seams share one.
+void printFindings(const Readiness& readiness, std::ostream& out) {
+    const auto& findings = readiness.findings;
+    for (std::size_t i = 0; i < findings.size();) {
+        Finding told = findings[i];
+        for (++i; i < findings.size() && findings[i].severity == told.severity &&
+                  findings[i].kind == told.kind && !told.where.empty() &&
+                  description(findings[i]) == description(told) &&
+                  adviceFor(findings[i]) == adviceFor(told);
+             ++i) {
+            told.where += ", " + findings[i].where;
+        }
+        out << name(told.severity) << ": " << sentence(told) << '\n';
+    }
+}
+
+}  // namespace
+
+int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+    Progress progress;
+    auto read = readInput(arguments, progress, err);
+    if (!read) {
+        return kExitUnreadable;
+    }
+    CutPlan plan;
+    plan.garment = std::make_shared<const Garment>(std::move(*read));
+    plan.options = arguments.options;
+    plan.results = flattenGarment(*plan.garment, plan.options, progress);
+    plan.fabric = arguments.fabric.value_or(plan.fabric);
+    plan.settings = settingsOf(arguments, *plan.garment, plan.results);
+    const Readiness readiness = readyToCut(plan, progress);
+    if (arguments.json) {
+        out << writeReadiness(*plan.garment, readiness);
+    } else {
+        out << verdictText(readiness) << '\n';
+        printFindings(readiness, out);
+    }
+    out.flush();
+    const bool isReady = readiness.count(Severity::Fault) == 0;
+    return !out ? kExitUnreadable : isReady ? kExitDone : kExitSomeFailed;
+}
+
+}  // namespace toile

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/document/view_direction.h"
+#include "app/document/view_state.h"
+
+namespace toile {
+
+/// What a picture is to show, for `toile render`.
+struct PictureArguments {
+    int width = 1600, height = 800;  ///< pixels, within kLeastPicture and kMostPicture
+    ViewsShown views = ViewsShown::Both;
+    std::optional<ViewDirection> direction{};  ///< none: as the window begins
+    double morph = 0;                          ///< 0 to 1
+    bool wireframe = false, xray = false, seams = true;
+    std::optional<bool> bar{};  ///< none: where the overlay is measured
+    bool dark = false;
+};
+
+inline constexpr int kLeastPicture = 16, kMostPicture = 8192;
+
+/// Width and height, as in "1600x800". @return what is wrong, or nothing
+std::string readPictureSize(const std::string& typed, PictureArguments& picture);
+/// From where the garment is seen: the name of a side, or two angles in degrees, as in "30,10".
+/// @return what is wrong, or nothing
+std::string readPictureLook(const std::string& typed, PictureArguments& picture);
+
+}  // namespace toile

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <iosfwd>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "core/garment/garment.h"
+
+namespace toile {
+
+/// Where the input is a project file: the same arguments with its meshes as the input and with what
+/// it says of reading and, as far as nothing else was typed, of flattening. Anything else comes
+/// back as it is. What cannot be done comes back as a Message; notes are printed.
+Arguments withProject(Arguments arguments, std::ostream& err);
+
+/// Where the project says that the pieces lie, how their grain runs and how often they are cut, one
+/// per piece; none without a project.
+std::vector<PieceOnSheet> placesOnSheet(const Arguments& arguments, const Garment& garment,
+                                        const PieceResults& results);
+
+/// Why a project among the inputs cannot be taken as it was typed, for the commands and the window:
+/// a Message; none where it can, or where there is no project.
+std::optional<Arguments> refusalOfProject(const Arguments& arguments);
+
+/// Prints how the garment is not the one the project was made with; nothing without a project.
+void printDifferences(const Arguments& arguments, const Garment& garment, std::ostream& err);
+
+}  // namespace toile

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/compare/compare_window.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QScreen>
+#include <QShowEvent>
+#include <algorithm>
+
+#include "app/compare/compared_column.h"
+#include "app/compare/comparison_model.h"
+#include "app/compare/comparison_table.h"
+#include "app/document/document.h"
+#include "app/render/gl_support.h"
+#include "app/render/overlay_values.h"
+#include "app/settings/length_display.h"
+#include "app/views/colour_bar.h"
+
+namespace toile {
+
+namespace {
+
+/// What stands beside the present method at first; the present one being among them, the last.
+constexpr Method kFirst[] = {Method::Curvature, Method::Wang2005, Method::Lscm, Method::Isometric};
+
+/// Shows all that any of them shows.
+OverlayScale united(const OverlayScale& one, const OverlayScale& other) {
+    OverlayScale both = one;
+    both.low = std::min(one.low, other.low);
+    both.high = std::max(one.high, other.high);
+    both.below = (one.below && one.low == both.low) || (other.below && other.low == both.low);
+    both.above = (one.above && one.high == both.high) || (other.above && other.high == both.high);
+    return both;
+}
+
+}  // namespace
+
+CompareWindow::CompareWindow(Document& document, const JobRunner& ordinary, QWidget* parent)
+    : QDialog(parent),
+      document_(document),
+      comparison_(document, ordinary),
+      controls_(new CompareControls(this)),
+      pictures_(new QWidget(this)),
+      legend_(new ColourBar(this)),
+      model_(new ComparisonModel(this)),
+      table_(new ComparisonTable(this)),
+      note_(new QLabel(this)) {
+    setObjectName("compareWindow");
+    setWindowTitle(tr("Compare methods"));
+    setSizeGripEnabled(true);
+    table_->setModel(model_);
+    makeLayout(glProblem());
+    connect(controls_, &CompareControls::pieceChosen, &comparison_, &MethodComparison::setPiece);
+    connect(controls_, &CompareControls::methodsChosen, this, [this] {
+        isChosen_ = true;
+        comparison_.setMethods(controls_->methods());
+    });
+    connect(controls_, &CompareControls::stopWanted, &comparison_, &MethodComparison::stop);
+    connect(controls_, &CompareControls::goOnWanted, &comparison_, &MethodComparison::goOn);
+    connect(&comparison_, &MethodComparison::changed, this, &CompareWindow::refresh);
+    connect(&comparison_, &MethodComparison::progressed, controls_, &CompareControls::showFraction);
+    connect(&document_, &Document::changed, this, &CompareWindow::onDocumentChanged);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &CompareWindow::refresh);
+    resize(QSize(1360, 860).boundedTo(screen()->availableSize() * 0.95));
+}
+
+CompareWindow::~CompareWindow() {
+    comparison_.disconnect(this);
+}
+
+void CompareWindow::makeLayout(const QString& glProblem) {
+    auto* row = new QHBoxLayout(pictures_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        columns_[i] = new ComparedColumn(glProblem.isEmpty() ? &camera_ : nullptr,
+                                         static_cast<int>(i), pictures_);
+        connect(columns_[i], &ComparedColumn::used, this, &CompareWindow::methodWanted);
+        row->addWidget(columns_[i], 1);
+    }
+    legend_->setObjectName("compareLegend");
+    legend_->setVisible(glProblem.isEmpty());
+    auto* problem = new QLabel(
+        glProblem.isEmpty() ? QString() : tr("No pictures can be shown: %1").arg(glProblem), this);
+    problem->setObjectName("compareGlProblem");
+    problem->setWordWrap(true);
+    problem->setVisible(!glProblem.isEmpty());
+    note_->setObjectName("compareNote");
+    note_->setWordWrap(true);
+    note_->setText(tr(
+        "★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to it are "
+        "flattened by the same method for it. Drag a picture to move all of them, turn the wheel "
+        "to zoom, double click to see everything."));
+
+    auto* layout = new QGridLayout(this);
+    layout->addWidget(controls_, 0, 0, 3, 1);
+    layout->addWidget(problem, 0, 1);
+    layout->addWidget(pictures_, 1, 1);
+    layout->addWidget(legend_, 2, 1);
+    layout->addWidget(table_, 3, 0, 1, 2);
+    layout->addWidget(note_, 4, 0, 1, 2);
+    layout->setColumnStretch(1, 1);
+    layout->setRowStretch(1, 1);
+}
+
+void CompareWindow::chooseFirst() {
+    if (!isChosen_) {
+        std::vector<Method> methods{document_.options().method};
+        for (const Method method : kFirst) {
+            if (methods.size() < kMostCompared &&
+                std::ranges::find(methods, method) == methods.end()) {
+                methods.push_back(method);
+            }
+        }
+        controls_->setMethods(methods);
+    }
+    int piece = 0;
+    for (int i = document_.pieceCount() - 1; i >= 0; --i) {
+        const PieceResult* result = document_.result(i);
+        piece = result && result->flat ? i : piece;
+    }
+    comparison_.setMethods(controls_->methods());
+    comparison_.setPiece(document_.selection().empty() ? piece : *document_.selection().begin());
+}
+
+void CompareWindow::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    if (!event->spontaneous()) {
+        chooseFirst();
+        camera_.frameAll();
+        comparison_.begin();
+    }
+}
+
+void CompareWindow::hideEvent(QHideEvent* event) {
+    QDialog::hideEvent(event);
+    if (!event->spontaneous()) {
+        comparison_.end();
+        refresh();
+    }
+}
+
+void CompareWindow::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    alignTable();
+}
+
+bool CompareWindow::event(QEvent* event) {
+    const bool done = QDialog::event(event);
+    if (event->type() == QEvent::LayoutRequest) {
+        alignTable();
+    }
+    return done;
+}
+
+/// The figures stand under their pictures.
+void CompareWindow::alignTable() {
+    layout()->activate();
+    table_->setTitleWidth(pictures_->x() - table_->x());
+}
+
+void CompareWindow::onDocumentChanged(DocumentChanges what) {
+    if (!isVisible()) {
+        return;
+    }
+    const Document::Selection& selection = document_.selection();
+    if (what.testFlag(DocumentChange::Selection) && !selection.empty() &&
+        !selection.contains(comparison_.piece())) {
+        comparison_.setPiece(*selection.begin());
+        camera_.frameAll();
+    }
+    if (what & (DocumentChange::View | DocumentChange::Fabric | DocumentChange::Settings |
+                DocumentChange::Options | DocumentChange::Results)) {
+        showPictures();
+    }
+}
+
+void CompareWindow::refresh() {
+    QStringList names;
+    if (document_.garment()) {
+        for (const auto& piece : document_.garment()->pieces) {
+            names << QString::fromStdString(piece->name);
+        }
+    }
+    controls_->setPieces(names, comparison_.piece());
+    controls_->showWork(comparison_.isBusy(), comparison_.isStopped(), comparison_.fraction());
+    model_->show(comparison_.entries());
+    showPictures();
+}
+
+PictureLook CompareWindow::look() const {
+    PictureLook look;
+    look.view = document_.view();
+    look.fabric = document_.fabric();
+    if (!isMeasured(look.view.overlay)) {
+        look.view.overlay = Overlay::Strain;  // the flat checkerboard is the same by any method
+    }
+    look.view.seams = false;
+    bool any = false;
+    for (const auto& entry : comparison_.entries()) {
+        if (entry.made.scene) {
+            const OverlayScale scale =
+                overlayScale(*entry.made.scene, look.view.overlay, look.fabric);
+            look.scale = any ? united(look.scale, scale) : scale;
+            any = true;
+        }
+    }
+    if (!any) {
+        look.scale = overlayScale(Scene{}, look.view.overlay, look.fabric);
+    }
+    return look;
+}
+
+void CompareWindow::showPictures() {
+    const auto& entries = comparison_.entries();
+    const auto at = static_cast<std::size_t>(std::max(0, comparison_.piece()));
+    std::shared_ptr<const PieceResult> reference =
+        at < document_.results().size() ? document_.results()[at] : nullptr;
+    for (const auto& entry : entries) {  // any will do where the document's own is not there
+        if ((!reference || !reference->flat) && entry.made.scene) {
+            reference = entry.made.result;
+        }
+    }
+    const PieceSettings settings =
+        at < document_.settings().size() ? document_.settings()[at] : PieceSettings{};
+    const PictureLook look = this->look();
+    Eigen::AlignedBox2d box;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        columns_[i]->setVisible(i < entries.size());
+        if (i >= entries.size()) {
+            continue;
+        }
+        columns_[i]->show(entries[i], entries[i].method == document_.options().method, reference,
+                          settings);
+        box.extend(columns_[i]->box());
+        if (ComparedPicture* picture = columns_[i]->picture()) {
+            picture->setLook(look);
+        }
+    }
+    camera_.setBox(box);
+    legend_->show({.overlay = look.view.overlay, .scale = look.scale});
+}
+
+}  // namespace toile

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/compare/compared_picture.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QWheelEvent>
+#include <cmath>
+#include <utility>
+
+#include "app/views/over_painter.h"
+#include "app/views/view_text.h"
+
+namespace toile {
+
+namespace {
+
+/// Enlargement per wheel notch (120 units) and per press of a key, as in the large views.
+constexpr double kZoomPerNotch = 1.15;
+/// How far an arrow key moves, logical pixels.
+constexpr double kStep = 24;
+
+}  // namespace
+
+ComparedPicture::ComparedPicture(LinkedCamera& camera, QWidget* parent)
+    : QOpenGLWidget(parent), camera_(camera) {
+    setMinimumSize(120, 120);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::OpenHandCursor);
+    connect(&camera_, &LinkedCamera::moved, this, [this] { update(); });
+}
+
+ComparedPicture::~ComparedPicture() {
+    // The context dies after this part of the object: it must not call back then.
+    if (context()) {
+        disconnect(context(), nullptr, this, nullptr);
+    }
+    releaseGl();
+}
+
+void ComparedPicture::releaseGl() {
+    if (context()) {
+        makeCurrent();
+        renderer_.release();
+        doneCurrent();
+    }
+}
+
+void ComparedPicture::setPiece(std::shared_ptr<const Scene> scene, const SheetPlace& place) {
+    renderer_.setScene(std::move(scene));
+    renderer_.setPlaces({place});
+    update();
+}
+
+void ComparedPicture::setLook(const PictureLook& look) {
+    look_ = look;
+    renderer_.setFabric(look.fabric);
+    renderer_.setScale(look.scale);
+    update();
+}
+
+void ComparedPicture::setScaleBar(bool shown) {
+    scaleBar_ = shown;
+    update();
+}
+
+void ComparedPicture::initializeGL() {
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ComparedPicture::releaseGl,
+            Qt::UniqueConnection);
+    problem_ = renderer_.initialize();
+}
+
+void ComparedPicture::paintGL() {
+    if (problem_.isEmpty()) {
+        const QSize onDevice = devicePixels(*this);
+        renderer_.paint(camera_.seenIn(size()), look_.view, renderStyle(palette()),
+                        onDevice.width(), onDevice.height(), devicePixelRatioF());
+    }
+    paintWords();
+}
+
+void ComparedPicture::paintWords() {
+    OverPainter over(*this);
+    QPainter& painter = over.painter();
+    const RenderStyle style = renderStyle(palette());
+    if (!problem_.isEmpty()) {
+        paintProblem(painter, style, rect(), problem_);
+    } else if (scaleBar_) {
+        paintScaleBar(painter, style, rect(), camera_.seenIn(size()).pixelsPerMillimetre());
+    }
+    if (hasFocus()) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+    }
+}
+
+void ComparedPicture::resizeEvent(QResizeEvent* event) {
+    QOpenGLWidget::resizeEvent(event);
+    camera_.setViewport(size());
+}
+
+void ComparedPicture::mousePressEvent(QMouseEvent* event) {
+    last_ = event->position();
+    setCursor(Qt::ClosedHandCursor);
+    event->accept();
+}
+
+void ComparedPicture::mouseMoveEvent(QMouseEvent* event) {
+    if (event->buttons() != Qt::NoButton) {
+        camera_.pan(event->position() - last_);
+        last_ = event->position();
+    }
+    event->accept();
+}
+
+void ComparedPicture::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->buttons() == Qt::NoButton) {
+        setCursor(Qt::OpenHandCursor);
+    }
+    event->accept();
+}
+
+void ComparedPicture::mouseDoubleClickEvent(QMouseEvent* event) {
+    last_ = event->position();
+    camera_.frameAll();
+    event->accept();
+}
+
+void ComparedPicture::wheelEvent(QWheelEvent* event) {
+    const double notches = event->angleDelta().y() / 120.0;
+    camera_.zoomAt(event->position(), std::pow(kZoomPerNotch, notches));
+    event->accept();
+}
+
+void ComparedPicture::keyPressEvent(QKeyEvent* event) {
+    const QPointF middle = QRectF(rect()).center();
+    switch (event->key()) {
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:
+            camera_.zoomAt(middle, kZoomPerNotch);
+            return;
+        case Qt::Key_Minus:
+            camera_.zoomAt(middle, 1 / kZoomPerNotch);
+            return;
+        case Qt::Key_F:
+            camera_.frameAll();
+            return;
+        case Qt::Key_Left:
+            camera_.pan({kStep, 0});
+            return;
+        case Qt::Key_Right:
+            camera_.pan({-kStep, 0});
+            return;
+        case Qt::Key_Up:
+            camera_.pan({0, kStep});
+            return;
+        case Qt::Key_Down:
+            camera_.pan({0, -kStep});
+            return;
+        default:
+            QOpenGLWidget::keyPressEvent(event);
+    }
+}
+
+void ComparedPicture::changeEvent(QEvent* event) {
+    QOpenGLWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        update();
+    }
+}
+
+}  // namespace toile

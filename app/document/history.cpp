@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/history.h"
+
+#include <utility>
+
+#include "app/document/document.h"
+
+namespace toile {
+
+StateStep::StateStep(Document& document, const QString& text, DocumentState next, int gesture)
+    : QUndoCommand(text), document_(document), other_(std::move(next)), gesture_(gesture) {}
+
+void StateStep::redo() {
+    document_.exchange(other_);
+}
+
+void StateStep::undo() {
+    document_.exchange(other_);
+}
+
+void StateStep::letGo(bool results) const {
+    other_.scene.reset();
+    if (results && isFlattened(other_)) {
+        other_.results.clear();
+        other_.letGo = true;
+    }
+}
+
+bool StateStep::mergeWith(const QUndoCommand*) {
+    // The later step has been done already: the state before this one is all that is to be kept.
+    setObsolete(other_ == document_.state());
+    return true;
+}
+
+}  // namespace toile

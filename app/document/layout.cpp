@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/layout.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "app/document/document.h"
+#include "core/sheet/sheet.h"
+#include "core/sheet/sheet_limit.h"
+
+namespace toile {
+
+namespace {
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("toile", text);
+}
+
+std::vector<Eigen::AlignedBox2d> boxesOf(const Document& document, const std::vector<int>& pieces) {
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (const int piece : pieces) {
+        boxes.push_back(boxOnSheet(document, piece));
+    }
+    return boxes;
+}
+
+/// Lays pieces elsewhere. @param byHand  no other piece may push them away from there
+void placeEach(Document& document, const QString& text, const PiecePlacements& placements,
+               int gesture, bool byHand) {
+    DocumentState next = document.state();
+    for (const auto& [piece, placement] : placements) {
+        if (placement.offset.cwiseAbs().maxCoeff() <= kFarthestOnSheet &&
+            placement.offset.allFinite() && std::isfinite(placement.turn)) {
+            PieceSettings& settings = next.settings[static_cast<std::size_t>(piece)];
+            settings.placement = placement;
+            settings.placedByHand = byHand;
+        }
+    }
+    document.edit(text, std::move(next), gesture);
+}
+
+void moveEach(Document& document, const QString& text, const std::vector<int>& pieces,
+              const std::vector<Eigen::Vector2d>& moves, bool byHand = true) {
+    PiecePlacements placements;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        placements[pieces[i]] = movedBy(placementOf(document, pieces[i]), moves[i]);
+    }
+    placeEach(document, text, placements, -1, byHand);
+}
+
+}  // namespace
+
+std::vector<int> selectedFlat(const Document& document) {
+    std::vector<int> pieces(document.selection().begin(), document.selection().end());
+    std::erase_if(pieces, [&](int piece) {
+        const PieceResult* result = document.result(piece);
+        return !result || !result->flat;
+    });
+    return pieces;
+}
+
+std::vector<int> allFlat(const Document& document) {
+    std::vector<int> pieces;
+    for (int i = 0; i < document.pieceCount(); ++i) {
+        if (const PieceResult* result = document.result(i); result && result->flat) {
+            pieces.push_back(i);
+        }
+    }
+    return pieces;
+}
+
+Points2 flatOutline(const Document& document, int piece) {
+    const PieceResult* result = document.result(piece);
+    return result && result->flat ? Points2(result->flat->Q(result->piece->boundary, Eigen::all))
+                                  : Points2(0, 2);
+}
+
+Placement placementOf(const Document& document, int piece) {
+    return document.settings()[static_cast<std::size_t>(piece)].placement.value_or(Placement{});
+}
+
+Eigen::AlignedBox2d boxOnSheet(const Document& document, int piece) {
+    return outlineBox(flatOutline(document, piece), placementOf(document, piece));
+}
+
+Eigen::AlignedBox2d boxOnSheet(const Document& document, const std::vector<int>& pieces) {
+    Eigen::AlignedBox2d box;
+    for (const int piece : pieces) {
+        box.extend(boxOnSheet(document, piece));
+    }
+    return box;
+}
+
+void place(Document& document, const QString& text, const PiecePlacements& placements,
+           int gesture) {
+    placeEach(document, text, placements, gesture, true);
+}
+
+void placeBack(Document& document, const QString& text, const PiecePlacements& pieces,
+               const std::vector<PieceSettings>& before, int gesture) {
+    DocumentState next = document.state();
+    for (const auto& entry : pieces) {
+        const auto piece = static_cast<std::size_t>(entry.first);
+        if (piece < before.size() && piece < next.settings.size()) {
+            next.settings[piece].placement = before[piece].placement;
+            next.settings[piece].placedByHand = before[piece].placedByHand;
+        }
+    }
+    document.edit(text, std::move(next), gesture);
+}
+
+void setGrain(Document& document, const QString& text, const PieceGrains& grains, int gesture) {
+    DocumentState next = document.state();
+    for (const auto& [piece, grain] : grains) {
+        next.settings[static_cast<std::size_t>(piece)].grain = grain;
+    }
+    document.edit(text, std::move(next), gesture);
+}
+
+void turnTogether(Document& document, const QString& text, const std::vector<int>& pieces,
+                  double angle) {
+    const Eigen::AlignedBox2d box = boxOnSheet(document, pieces);
+    if (box.isEmpty()) {
+        return;
+    }
+    PiecePlacements placements;
+    for (const int piece : pieces) {
+        placements[piece] = turnedAbout(placementOf(document, piece), box.center(), angle);
+    }
+    place(document, text, placements);
+}
+
+void mirrorTogether(Document& document, const QString& text, const std::vector<int>& pieces,
+                    Mirroring mirroring) {
+    const Eigen::AlignedBox2d box = boxOnSheet(document, pieces);
+    if (box.isEmpty()) {
+        return;
+    }
+    PiecePlacements placements;
+    for (const int piece : pieces) {
+        placements[piece] = mirroredAt(placementOf(document, piece), box.center(), mirroring);
+    }
+    place(document, text, placements);
+}
+
+void turnGrainUpwards(Document& document, const std::vector<int>& pieces) {
+    PiecePlacements placements;
+    for (const int piece : pieces) {
+        const Placement before = placementOf(document, piece);
+        const double grain = grainOf(document.settings()[static_cast<std::size_t>(piece)]);
+        placements[piece] = turnedAbout(before, boxOnSheet(document, piece).center(),
+                                        std::numbers::pi / 2 - directionOnSheet(before, grain));
+    }
+    place(document, tr("Grain upwards"), placements);
+}
+
+void align(Document& document, const std::vector<int>& pieces, Alignment alignment) {
+    moveEach(document, tr("Alignment"), pieces,
+             alignmentMoves(boxesOf(document, pieces), alignment));
+}
+
+void distribute(Document& document, const std::vector<int>& pieces, Direction direction) {
+    moveEach(document, tr("Distribution"), pieces,
+             distributionMoves(boxesOf(document, pieces), direction));
+}
+
+void layOutAgain(Document& document, const std::vector<int>& pieces) {
+    if (pieces.empty()) {
+        return;
+    }
+    const std::vector<Eigen::AlignedBox2d> boxes = boxesOf(document, pieces);
+    const Sheet rows = layOutInRows(boxes);
+    const std::set<int> moving(pieces.begin(), pieces.end());
+    std::vector<int> staying = allFlat(document);
+    std::erase_if(staying, [&](int piece) { return moving.contains(piece); });
+    Eigen::Vector2d corner(0, 0);
+    if (const Eigen::AlignedBox2d others = boxOnSheet(document, staying); !others.isEmpty()) {
+        double largest = 0;
+        for (const Eigen::AlignedBox2d& box : boxes) {
+            largest = std::max(largest, box.sizes().maxCoeff());
+        }
+        corner = {others.max().x() + gapBetweenPieces(largest), others.min().y()};
+    }
+    std::vector<Eigen::Vector2d> moves = rows.offset;
+    for (Eigen::Vector2d& move : moves) {
+        move += corner;
+    }
+    moveEach(document, tr("Layout"), pieces, moves, false);
+}
+
+}  // namespace toile

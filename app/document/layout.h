@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/mesh/mesh_arrays.h"
+#include "core/project/piece_settings.h"
+#include "core/sheet/arrange.h"
+
+namespace toile {
+
+class Document;
+
+/// Where the document's flat pieces lie, and the edits that lay them elsewhere. All cost the
+/// outlines of the pieces they look at, never their triangles; an edit is one step of the history.
+
+/// By piece.
+using PiecePlacements = std::map<int, Placement>;
+using PieceGrains = std::map<int, std::optional<double>>;
+
+/// The selected pieces that are flat, in order.
+std::vector<int> selectedFlat(const Document& document);
+/// All that are flat.
+std::vector<int> allFlat(const Document& document);
+
+/// Net outline in the piece's own coordinates; empty where it is not flat.
+Points2 flatOutline(const Document& document, int piece);
+Placement placementOf(const Document& document, int piece);
+/// Around the piece as it lies; empty where it is not flat.
+Eigen::AlignedBox2d boxOnSheet(const Document& document, int piece);
+Eigen::AlignedBox2d boxOnSheet(const Document& document, const std::vector<int>& pieces);
+
+/// @param gesture  as for Document::edit
+void place(Document& document, const QString& text, const PiecePlacements& placements,
+           int gesture = -1);
+/// Lays the pieces where they lay before a gesture, and forgets that somebody has moved them.
+/// @param before  the settings of all pieces then
+void placeBack(Document& document, const QString& text, const PiecePlacements& pieces,
+               const std::vector<PieceSettings>& before, int gesture);
+void setGrain(Document& document, const QString& text, const PieceGrains& grains, int gesture = -1);
+
+/// Turns the pieces together about the middle of the box around them.
+void turnTogether(Document& document, const QString& text, const std::vector<int>& pieces,
+                  double angle);
+/// Mirrors the pieces together at the middle of the box around them.
+void mirrorTogether(Document& document, const QString& text, const std::vector<int>& pieces,
+                    Mirroring mirroring);
+/// Turns each piece about its own middle so that its grain runs upwards on the sheet.
+void turnGrainUpwards(Document& document, const std::vector<int>& pieces);
+void align(Document& document, const std::vector<int>& pieces, Alignment alignment);
+void distribute(Document& document, const std::vector<int>& pieces, Direction direction);
+/// Lays the pieces in rows, turned as they are; beside the others where these are not all.
+void layOutAgain(Document& document, const std::vector<int>& pieces);
+
+}  // namespace toile

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/piece_edits.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <utility>
+
+#include "app/document/document.h"
+
+namespace toile {
+
+namespace {
+
+QString tr(const char* text, const char* comment = nullptr, int count = -1) {
+    return QCoreApplication::translate("toile", text, comment, count);
+}
+
+std::vector<int> inGarment(const Document& document, std::vector<int> pieces) {
+    std::erase_if(pieces, [&](int piece) { return piece < 0 || piece >= document.pieceCount(); });
+    return pieces;
+}
+
+/// "front", or "3 pieces".
+QString nameOf(const Document& document, const std::vector<int>& pieces) {
+    if (pieces.size() != 1) {
+        return tr("%n pieces", nullptr, static_cast<int>(pieces.size()));
+    }
+    return QString::fromStdString(
+        document.garment()->pieces[static_cast<std::size_t>(pieces.front())]->name);
+}
+
+template <class Change>
+void editSettings(Document& document, const QString& text, const std::vector<int>& pieces,
+                  const Change& change) {
+    DocumentState next = document.state();
+    for (const int piece : pieces) {
+        change(next.settings[static_cast<std::size_t>(piece)]);
+    }
+    document.edit(text, std::move(next));
+}
+
+}  // namespace
+
+void setQuantity(Document& document, const std::vector<int>& pieces, int quantity) {
+    const std::vector<int> there = inGarment(document, pieces);
+    const int copies = std::clamp(quantity, 1, kMostCopies);
+    if (!there.empty()) {
+        editSettings(document, tr("Quantity of %1: %2").arg(nameOf(document, there)).arg(copies),
+                     there, [copies](PieceSettings& settings) { settings.quantity = copies; });
+    }
+}
+
+void setMirroredPair(Document& document, const std::vector<int>& pieces, bool isPair) {
+    const std::vector<int> there = inGarment(document, pieces);
+    if (!there.empty()) {
+        const QString text = isPair ? tr("Mirrored pair: %1") : tr("No mirrored pair: %1");
+        editSettings(document, text.arg(nameOf(document, there)), there,
+                     [isPair](PieceSettings& settings) { settings.mirroredPair = isPair; });
+    }
+}
+
+int copiesOf(const Document& document, int piece) {
+    const PieceSettings& settings = document.settings()[static_cast<std::size_t>(piece)];
+    return settings.quantity * (settings.mirroredPair ? 2 : 1);
+}
+
+}  // namespace toile

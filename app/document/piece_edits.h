@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <vector>
+
+namespace toile {
+
+class Document;
+
+/// Edits of what is said about pieces beyond their shape and place. Each is one step of the
+/// history, nothing where all is so already; indices outside the garment are left out.
+
+inline constexpr int kMostCopies = 999;  ///< that can be asked for
+
+/// @param quantity  how many of each are cut, 1 to kMostCopies; others are brought there
+void setQuantity(Document& document, const std::vector<int>& pieces, int quantity);
+/// @param isPair  each of them is also cut mirrored
+void setMirroredPair(Document& document, const std::vector<int>& pieces, bool isPair);
+
+/// How many pieces of cloth are cut from it: two for one mirrored pair.
+int copiesOf(const Document& document, int piece);
+
+}  // namespace toile

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/document_state.h"
+#include "app/document/view_state.h"
+#include "core/project/project.h"
+
+namespace toile {
+
+/// What is saved of the open document. Requires a garment. Linear in the outlines; thread-safe.
+Project projectOf(const DocumentState& state, const ViewState& view);
+
+/// How the project was shown; what it does not say is as before.
+ViewState viewOf(const ProjectView& saved, ViewState before);
+
+/// What is opened of a project, with the garment read for it.
+DocumentState stateOf(const Project& project, std::shared_ptr<const Garment> garment,
+                      std::shared_ptr<const Scene> scene);
+
+}  // namespace toile

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QThreadPool>
+#include <deque>
+#include <functional>
+#include <memory>
+
+#include "core/base/result.h"
+#include "core/cut/surface_point.h"
+#include "core/garment/piece.h"
+
+namespace toile {
+
+/// A way over a piece that somebody wants to know.
+struct PathWish {
+    std::shared_ptr<const Piece> piece;
+    SurfacePoint from, to;  ///< on the piece's mesh
+    bool alongEdges = false;
+};
+
+/// Finds short ways over the cloth, one after the other on a thread of its own, so that a preview
+/// never holds the window up however fine the mesh. Ways are found as the cuts are
+/// (`traceUserCut`). What the search needs of a piece is made with the first way and kept while
+/// ways on the same piece follow. GUI thread only.
+class PathFinder : public QObject {
+    Q_OBJECT
+
+public:
+    using Ticket = quint64;
+    using Done = std::function<void(const Result<PathPolyline>&)>;
+
+    explicit PathFinder(QObject* parent = nullptr);
+    /// Cancels and waits.
+    ~PathFinder() override;
+
+    /// @param done  called on the GUI thread, later, unless the ticket is forgotten before
+    Ticket find(PathWish wish, Done done);
+    /// The way is not wanted any more: `done` is not called. Unknown tickets are passed by.
+    void forget(Ticket ticket);
+    /// Lets go of what is kept of the piece last asked about, at the latest when the search that
+    /// runs is over.
+    void forgetPiece();
+
+private:
+    struct Order {
+        Ticket ticket = 0;
+        PathWish wish{};
+        Done done{};
+    };
+    struct Surface;
+    struct Running;
+
+    void startNext();
+    void onFinished();
+
+    QThreadPool pool_;  ///< of one thread
+    QFutureWatcher<void> watcher_;
+    std::deque<Order> waiting_;
+    std::unique_ptr<Running> current_;
+    std::shared_ptr<Surface> surface_;  ///< of the piece last asked about
+    Ticket last_ = 0;
+};
+
+}  // namespace toile

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+
+#include "app/document/document_change.h"
+#include "core/check/ready_to_cut.h"
+
+namespace toile {
+
+class Document;
+
+/// Keeps the findings of "ready to cut?" as the document is: looked through anew on another thread
+/// whenever garment, results, options, fabric, settings or ease change. Changes that follow each
+/// other closely, as those of a drag, are answered once; an answer to what is no more is cancelled.
+/// GUI thread only.
+class ReadyChecker : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ReadyChecker(Document& document, QObject* parent = nullptr);
+    /// Cancels and waits.
+    ~ReadyChecker() override;
+
+    /// Of `plan`; empty where nothing is open.
+    const Readiness& readiness() const { return readiness_; }
+    /// What the findings are about: their indices are of its garment, which may be another than the
+    /// document's for a moment.
+    const CutPlan& plan() const { return plan_; }
+    /// False while an answer is on its way.
+    bool isUpToDate() const { return !running_ && !delay_.isActive(); }
+    /// Whether a person has said that unit and up axis were guessed right.
+    void setGuessesKept(bool kept);
+
+signals:
+    /// `readiness` is another.
+    void changed();
+
+private:
+    struct Running;
+
+    void onChanged(DocumentChanges what);
+    CutPlan planOfDocument() const;
+    void start();
+    void onFinished();
+
+    Document& document_;
+    QTimer delay_;
+    QFutureWatcher<void> watcher_;
+    std::unique_ptr<Running> running_;
+    CutPlan plan_;
+    Readiness readiness_;
+    bool guessesKept_ = false;
+};
+
+}  // namespace toile

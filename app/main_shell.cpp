@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window offers about itself: commands, help, preferences, its own layout.
+#include <QDockWidget>
+#include <QMessageBox>
+
+#include "app/actions/command_list.h"
+#include "app/main_window.h"
+#include "app/panels/help_page.h"
+#include "app/panels/preferences_dialog.h"
+#include "app/render/render_style.h"
+#include "app/settings/length_display.h"
+#include "app/settings/preferences.h"
+#include "app/settings/theme.h"
+#include "app/views/view_area.h"
+#include "app/widgets/command_palette.h"
+#include "core/base/version.h"
+
+namespace toile {
+
+void MainWindow::connectShell() {
+    palette_ = new CommandPalette(this);
+    const auto on = [this](ActionId id, void (MainWindow::*does)()) {
+        connect(&actions_[id], &QAction::triggered, this, does);
+    };
+    on(ActionId::CommandPalette, &MainWindow::showCommands);
+    on(ActionId::EditPreferences, &MainWindow::editPreferences);
+    on(ActionId::Shortcuts, &MainWindow::showHelp);
+    on(ActionId::ResetLayout, &MainWindow::resetLayout);
+    on(ActionId::About, &MainWindow::showAbout);
+    connect(&actions_[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
+    connect(&preferences_, &Preferences::lengthUnitChanged, this, &MainWindow::followLengthUnit);
+    connect(&preferences_, &Preferences::themeChanged, this,
+            [this] { applyTheme(preferences_.theme()); });
+    connect(&preferences_, &Preferences::coloursChanged, this, &MainWindow::followColours);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
+        updateSummary();
+        askAboutGarment();
+        views_->repaintViews();  // the scale bar
+    });
+    connect(&preferences_, &Preferences::navigationChanged, this, [this] {
+        views_->setNavigation(preferences_.navigation());
+        updateHint();
+    });
+    connect(&preferences_, &Preferences::autoFlattenTrianglesChanged, this,
+            &MainWindow::adaptToWeight);
+    views_->setNavigation(preferences_.navigation());
+    followLengthUnit();
+    followColours();
+}
+
+void MainWindow::showCommands() {
+    palette_->open(commandList(
+        actions_, workspace_.document(),
+        [this](int piece) {
+            workspace_.document().setSelection({piece});
+            views_->frameSelection();
+        },
+        [this](int seam) {
+            workspace_.document().setSeam(seam);
+            views_->frameSeam();
+        }));
+}
+
+void MainWindow::editPreferences() {
+    auto* dialog = new PreferencesDialog(preferences_, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void MainWindow::showHelp() {
+    auto* page = findChild<HelpPage*>();
+    if (!page) {
+        page = new HelpPage(helpGroups(actions_, QKeySequence::NativeText), this);
+        page->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    page->show();
+    page->raise();
+    page->activateWindow();
+}
+
+void MainWindow::resetLayout() {
+    // Hidden while they move: docks that are seen leave an empty tab bar over the new one.
+    for (QDockWidget* dock : docks()) {
+        dock->setFloating(false);
+        dock->hide();
+    }
+    arrangeDocks();
+    if (workspace_.document().garment()) {
+        showDocks();
+    }
+}
+
+void MainWindow::followLengthUnit() {
+    const Choices& choices = preferences_.choices();
+    LengthDisplay::instance().choose(
+        choices.lengthUnit, choices.lengthUnit == LengthUnit::Inch ? choices.inchDenominator : 0);
+}
+
+void MainWindow::followColours() {
+    setMarkColours(preferences_.choices().selectionColour, preferences_.choices().seamColour);
+    views_->repaintViews();
+}
+
+void MainWindow::showAbout() {
+    const std::string_view number = version();
+    auto* box = new QMessageBox(this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(tr("About Toile"));
+    box->setIconPixmap(QIcon(":/icons/toile.svg").pixmap(64, 64));
+    box->setText(QString("<h3>Toile %1</h3>")
+                     .arg(QString::fromUtf8(number.data(), static_cast<qsizetype>(number.size()))));
+    box->setInformativeText(
+        tr("Sewing patterns from 3D garments, every seam line at its true length: the "
+           "length-preserved natural boundary of Wang (2005).\n\nFree software under the GNU "
+           "General Public License, version 3 or later."));
+    box->open();
+}
+
+}  // namespace toile

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/fabric_panel.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/document/document.h"
+#include "app/panels/fabric_watcher.h"
+#include "app/widgets/field_manners.h"
+#include "app/widgets/percent_edit.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kPercent = 100;
+constexpr double kLeast = -50, kMost = 200;  // percent
+constexpr const char* kCustom = "custom";
+constexpr int kAir = 10;
+
+constexpr Overlay kDirections[] = {Overlay::Warp, Overlay::Weft, Overlay::Bias};
+constexpr const char* kLinks[] = {"warp", "weft", "bias"};
+constexpr const char* kPieceLink = "piece";
+
+/// Place among the presets; their number for one that is none of them.
+int presetOf(const Fabric& fabric) {
+    const auto presets = fabricPresets();
+    int index = 0;
+    while (index < static_cast<int>(presets.size()) &&
+           !(presets[static_cast<std::size_t>(index)] == fabric)) {
+        ++index;
+    }
+    return index;
+}
+
+QString capitalised(QString word) {
+    return word.isEmpty() ? word : word.replace(0, 1, word.at(0).toUpper());
+}
+
+/// "0 %", "< 0.1 %", "12.3 %".
+QString shareText(double share) {
+    const QLocale locale;
+    if (share > 0 && share < 0.001) {
+        return FabricPanel::tr("< %1 %").arg(locale.toString(0.1, 'f', 1));
+    }
+    return FabricPanel::tr("%1 %").arg(share > 0 ? locale.toString(kPercent * share, 'f', 1)
+                                                 : QString("0"));
+}
+
+QString linked(const QString& text, const QString& link) {
+    return QString("<a href=\"%1\">%2</a>").arg(link, text.toHtmlEscaped());
+}
+
+QLabel* makeHeading(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    QFont strong = label->font();
+    strong.setWeight(QFont::DemiBold);
+    label->setFont(strong);
+    return label;
+}
+
+}  // namespace
+
+QString fabricName(const Fabric& fabric) {
+    const std::pair<const char*, QString> names[] = {
+        {"woven", FabricPanel::tr("woven")},     {"denim", FabricPanel::tr("denim")},
+        {"jersey", FabricPanel::tr("jersey")},   {"neoprene", FabricPanel::tr("neoprene")},
+        {"leather", FabricPanel::tr("leather")},
+    };
+    if (fabricPreset(fabric.id)) {
+        for (const auto& [id, name] : names) {
+            if (fabric.id == id) {
+                return name;
+            }
+        }
+        return QString::fromStdString(fabric.id);
+    }
+    return FabricPanel::tr("custom");
+}
+
+FabricPanel::FabricPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      manners_(*new FieldManners(this)),
+      watcher_(new FabricWatcher(document, this)),
+      pages_(new QStackedWidget(this)),
+      preset_(new QComboBox(this)),
+      all_(new QLabel(this)),
+      worst_(new QLabel(this)) {
+    auto* empty = makeNote(tr("Open a garment to say what it is cut from."));
+    empty->setObjectName("fabricEmpty");
+    empty->setAlignment(Qt::AlignCenter);
+    empty->setContentsMargins(kAir, kAir, kAir, kAir);
+    auto* scroll = new QScrollArea(pages_);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(makeContents());
+    scroll->setMinimumWidth(scroll->widget()->minimumSizeHint().width());
+    pages_->addWidget(scroll);
+    pages_->addWidget(empty);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(pages_);
+    connect(&document_, &Document::changed, this, &FabricPanel::onChanged);
+    connect(watcher_, &FabricWatcher::changed, this, &FabricPanel::showFit);
+    refresh();
+}
+
+QWidget& FabricPanel::firstField() const {
+    return *preset_;
+}
+
+QLabel* FabricPanel::makeNote(const QString& text) {
+    auto* note = new QLabel(text, this);
+    note->setWordWrap(true);
+    note->setForegroundRole(QPalette::PlaceholderText);
+    return note;
+}
+
+QWidget* FabricPanel::makeContents() {
+    auto* contents = new QWidget(this);
+    auto* grid = new QGridLayout(contents);
+    grid->setContentsMargins(kAir, 6, kAir, 6);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(5);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(2, 1);
+    preset_->setObjectName("fabricPreset");
+    preset_->setAccessibleName(tr("Fabric"));
+    preset_->setToolTip(tr("What the garment is cut from"));
+    preset_->setFocusPolicy(Qt::StrongFocus);
+    manners_.teach(*preset_);
+    preset_->installEventFilter(this);
+    for (const Fabric& preset : fabricPresets()) {
+        preset_->addItem(capitalised(fabricName(preset)));
+    }
+    preset_->addItem(capitalised(fabricName({kCustom, {}, {}, {}})));
+    connect(preset_, &QComboBox::activated, this, &FabricPanel::choosePreset);
+    auto* label = new QLabel(tr("&Fabric"), contents);
+    label->setBuddy(preset_);
+    grid->addWidget(label, 0, 0);
+    grid->addWidget(preset_, 0, 1, 1, 2);
+    addLimits(*grid);
+    grid->addWidget(
+        makeNote(tr("Presets are rules of thumb. Where it matters, measure a sample and "
+                    "type what it allows.")),
+        5, 0, 1, 3);
+    grid->setRowMinimumHeight(6, 6);
+    addFit(*grid, 7);
+    grid->setRowStretch(13, 1);
+    return contents;
+}
+
+void FabricPanel::addLimits(QGridLayout& grid) {
+    const QString leastTip =
+        tr("How much shorter the cloth can be taken in without folds; 0 or "
+           "less");
+    const QString mostTip = tr("How far the cloth can be stretched; 0 or more");
+    QWidget* parent = this;
+    auto* least = new QLabel(tr("Takes in"), parent);
+    least->setToolTip(leastTip);
+    auto* most = new QLabel(tr("Stretches"), parent);
+    most->setToolTip(mostTip);
+    for (QLabel* heading : {least, most}) {
+        heading->setForegroundRole(QPalette::PlaceholderText);
+    }
+    grid.addWidget(least, 1, 1, Qt::AlignRight);
+    grid.addWidget(most, 1, 2, Qt::AlignRight);
+    struct Direction {
+        StrainLimits Fabric::*member;
+        QString title, tip;
+        const char *leastName, *mostName;
+    };
+    const Direction directions[] = {
+        {&Fabric::warp, tr("Warp"), tr("Along the grain"), "fabricWarpLeast", "fabricWarpMost"},
+        {&Fabric::weft, tr("Weft"), tr("Across the grain"), "fabricWeftLeast", "fabricWeftMost"},
+        {&Fabric::bias, tr("Bias"), tr("At 45° to the grain"), "fabricBiasLeast",
+         "fabricBiasMost"}};
+    std::size_t next = 0;
+    for (const Direction& direction : directions) {
+        const int row = 2 + static_cast<int>(next / 2);
+        auto* title = new QLabel(direction.title, parent);
+        title->setToolTip(direction.tip);
+        grid.addWidget(title, row, 0);
+        PercentEdit* low =
+            makeField(direction.leastName, tr("%1, takes in").arg(direction.title), leastTip);
+        PercentEdit* high =
+            makeField(direction.mostName, tr("%1, stretches").arg(direction.title), mostTip);
+        low->setRange(kLeast, 0);
+        high->setRange(0, kMost);
+        grid.addWidget(low, row, 1);
+        grid.addWidget(high, row, 2);
+        limits_[next++] = {direction.member, &StrainLimits::least, low};
+        limits_[next++] = {direction.member, &StrainLimits::most, high};
+    }
+    for (const Limit& limit : limits_) {
+        connect(limit.field, &QDoubleSpinBox::valueChanged, this,
+                [this, limit](double percent) { setLimit(limit, percent); });
+    }
+}
+
+PercentEdit* FabricPanel::makeField(const char* name, const QString& label, const QString& tip) {
+    auto* field = new PercentEdit(this);
+    field->setObjectName(name);
+    field->setAccessibleName(label);
+    field->setToolTip(tip);
+    field->setFocusPolicy(Qt::StrongFocus);
+    field->setMinimumWidth(76);
+    manners_.teach(*field);
+    field->installEventFilter(this);
+    return field;
+}
+
+void FabricPanel::addFit(QGridLayout& grid, int row) {
+    auto* heading = makeHeading(tr("Beyond the fabric"), this);
+    heading->setToolTip(
+        tr("How much of the flat cloth is strained beyond these limits, counted by triangles: in "
+           "each direction the number beside the colour bar of that overlay"));
+    grid.addWidget(heading, row++, 0, 1, 3);
+    const char* const names[] = {"fabricBeyondWarp", "fabricBeyondWeft", "fabricBeyondBias"};
+    const auto connectLink = [this](QLabel* label) {
+        label->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+        connect(label, &QLabel::linkActivated, this, &FabricPanel::follow);
+    };
+    for (std::size_t k = 0; k < shares_.size(); ++k) {
+        directions_[k] = new QLabel(this);
+        directions_[k]->setToolTip(tr("Show the strain in this direction on the cloth"));
+        connectLink(directions_[k]);
+        shares_[k] = new QLabel(this);
+        shares_[k]->setObjectName(names[k]);
+        grid.addWidget(directions_[k], row, 0);
+        grid.addWidget(shares_[k], row++, 1, Qt::AlignRight);
+    }
+    showDirections();
+    auto* any = new QLabel(tr("In any"), this);
+    any->setToolTip(tr(
+        "In one of the three directions at least. Edge strain is something else: there every edge "
+        "is held to the tightest of these limits, whatever its direction."));
+    grid.addWidget(any, row, 0);
+    all_->setObjectName("fabricBeyondAny");
+    grid.addWidget(all_, row++, 1, Qt::AlignRight);
+    worst_->setObjectName("fabricWorst");
+    worst_->setWordWrap(true);
+    connectLink(worst_);
+    grid.addWidget(worst_, row, 0, 1, 3);
+}
+
+bool FabricPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn) {
+        gesture_ = document_.newGesture();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void FabricPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && directions_.back()) {
+        // A label keeps the colour that links had when its text was set.
+        for (QLabel* label : {directions_[0], directions_[1], directions_[2], worst_}) {
+            label->clear();
+        }
+        showDirections();
+        showFit();
+    }
+}
+
+void FabricPanel::showDirections() {
+    const QString titles[] = {tr("Warp"), tr("Weft"), tr("Bias")};
+    for (std::size_t k = 0; k < directions_.size(); ++k) {
+        directions_[k]->setText(linked(titles[k], kLinks[k]));
+    }
+}
+
+void FabricPanel::onChanged(DocumentChanges what) {
+    if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Fabric)) {
+        refresh();
+    }
+    if (what & DocumentChange::Garment) {
+        showFit();  // other names, perhaps the same figures
+    }
+}
+
+void FabricPanel::refresh() {
+    pages_->setCurrentIndex(document_.garment() ? 0 : 1);
+    const Fabric& fabric = document_.fabric();
+    preset_->setCurrentIndex(presetOf(fabric));
+    for (const Limit& limit : limits_) {
+        const QSignalBlocker quiet(limit.field);
+        limit.field->setValue(kPercent * fabric.*limit.direction.*limit.end);
+    }
+    showFit();
+}
+
+void FabricPanel::showFit() {
+    const std::optional<FabricFit>& fit = watcher_->fit();
+    const QString unknown(QChar(0x2013));
+    const double shares[] = {fit ? fit->warp : 0, fit ? fit->weft : 0, fit ? fit->bias : 0};
+    for (std::size_t k = 0; k < shares_.size(); ++k) {
+        shares_[k]->setText(fit ? shareText(shares[k]) : unknown);
+    }
+    all_->setText(fit ? shareText(fit->any) : unknown);
+    if (!fit || !document_.garment()) {
+        worst_->setText(tr("Nothing is flat yet."));
+        return;
+    }
+    if (!fit->worst || fit->worst->piece >= document_.pieceCount()) {
+        worst_->setText(tr("The fabric can do all that is asked of it."));
+        return;
+    }
+    const auto piece = static_cast<std::size_t>(fit->worst->piece);
+    const QString name = QString::fromStdString(document_.garment()->pieces[piece]->name);
+    worst_->setText(
+        tr("Worst: %1, %2 of it").arg(linked(name, kPieceLink), shareText(fit->worst->share)));
+}
+
+void FabricPanel::choosePreset(int index) {
+    if (!document_.garment()) {
+        return;
+    }
+    DocumentState next = document_.state();
+    const auto presets = fabricPresets();
+    if (index >= 0 && index < static_cast<int>(presets.size())) {
+        next.fabric = presets[static_cast<std::size_t>(index)];
+    } else {
+        next.fabric.id = kCustom;
+    }
+    const QString text = tr("Fabric: %1").arg(fabricName(next.fabric));
+    document_.edit(text, std::move(next));
+    gesture_ = document_.newGesture();
+    refresh();
+}
+
+void FabricPanel::setLimit(const Limit& limit, double percent) {
+    if (!document_.garment()) {
+        return;
+    }
+    DocumentState next = document_.state();
+    next.fabric.id = kCustom;
+    next.fabric.*limit.direction.*limit.end = percent / kPercent;
+    document_.edit(tr("Fabric limits"), std::move(next), gesture_);
+    refresh();
+}
+
+void FabricPanel::follow(const QString& link) {
+    if (link == kPieceLink) {
+        if (const auto& fit = watcher_->fit(); fit && fit->worst) {
+            document_.setSelection({fit->worst->piece});
+            emit pieceActivated();
+        }
+        return;
+    }
+    for (std::size_t k = 0; k < std::size(kLinks); ++k) {
+        if (link == kLinks[k]) {
+            document_.setOverlay(kDirections[k]);
+        }
+    }
+}
+
+}  // namespace toile

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <optional>
+
+#include "app/document/document_change.h"
+#include "app/render/fabric_fit.h"
+
+namespace toile {
+
+class Document;
+
+/// Keeps what of the garment goes beyond its fabric as the document is. That of a small garment at
+/// once; that of a large one is worked out on another thread and comes a moment later.
+class FabricWatcher : public QObject {
+    Q_OBJECT
+
+public:
+    explicit FabricWatcher(Document& document, QObject* parent = nullptr);
+    ~FabricWatcher() override;
+
+    /// None where nothing is flat; of an earlier fabric or grain while `isUpToDate` is false.
+    const std::optional<FabricFit>& fit() const { return fit_; }
+    bool isUpToDate() const { return !isRunning_; }
+
+signals:
+    void changed();
+
+private:
+    void onChanged(DocumentChanges what);
+    void start(FabricQuestion question);
+    void show(const std::optional<FabricFit>& fit);
+    void onFinished();
+
+    Document& document_;
+    FabricQuestion asked_;  ///< last
+    std::optional<FabricFit> fit_;
+    QFutureWatcher<std::optional<FabricFit>> watcher_;
+    bool isRunning_ = false;
+};
+
+}  // namespace toile

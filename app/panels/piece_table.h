@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTreeView>
+
+namespace toile {
+
+/// The table of pieces. What is changed in one of several selected rows is meant for all of them:
+/// a click into a cell that can be changed leaves the selection as it is. The edit key (F2) edits
+/// the quantity and the space bar turns the mirrored pair on and off, whichever cell has the
+/// keyboard.
+class PieceTable : public QTreeView {
+    Q_OBJECT
+
+public:
+    explicit PieceTable(QWidget* parent = nullptr);
+
+protected:
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
+    QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
+                                                         const QEvent* event) const override;
+};
+
+}  // namespace toile

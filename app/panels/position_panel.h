@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "app/document/document_change.h"
+
+class QCheckBox;
+class QLabel;
+
+namespace toile {
+
+class ActionRegistry;
+class AngleEdit;
+class Document;
+class FieldManners;
+class LengthEdit;
+
+/// Place, angle, side and grain of the selected pieces as numbers that can be typed. Where several
+/// are selected, the place is that of the box around them; angle, side and grain are each piece's
+/// own, and said to differ where they do.
+class PositionPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Both must outlive the panel.
+    PositionPanel(Document& document, const ActionRegistry& actions, QWidget* parent = nullptr);
+
+    /// Where the keyboard goes.
+    QWidget& firstField() const;
+
+private:
+    template <class Field>
+    Field* makeField(const char* name, const QString& label);
+    void makeLayout(const ActionRegistry& actions);
+    void onChanged(DocumentChanges what);
+    void refresh();
+    void movePieces();
+    void turnPieces(double degrees);
+    void turnGrain(double degrees);
+    void mirrorPieces(bool mirrored);
+
+    Document& document_;
+    FieldManners* manners_;
+    QLabel* title_;
+    LengthEdit *x_, *y_;
+    AngleEdit *angle_, *grain_;
+    QCheckBox* mirrored_;
+    QLabel* grainNote_;
+    QWidget* grainButtons_ = nullptr;
+    std::vector<int> pieces_;  ///< shown
+};
+
+}  // namespace toile

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+
+#include "app/settings/choices.h"
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QSpinBox;
+
+namespace toile {
+
+class ColourButton;
+class Preferences;
+
+/// What a person can choose about the program. Every change holds at once; Cancel puts back what
+/// was before the dialog opened, Reset takes what a new person has.
+class PreferencesDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// `preferences` must outlive the dialog.
+    explicit PreferencesDialog(Preferences& preferences, QWidget* parent);
+
+    void reject() override;
+
+private:
+    void makeUnits(QFormLayout& form);
+    void makeLook(QFormLayout& form);
+    void makeWork(QFormLayout& form);
+    /// Fields begin at one line, whatever group they are in.
+    void alignLabels();
+    QComboBox* makeCombo(const char* name, const QStringList& texts);
+    QSpinBox* makeNumber(const char* name, int largest, int step);
+    void showChoices();
+    void showRestartNote();
+    void takeChoices();
+
+    Preferences& preferences_;
+    Choices before_;
+    QComboBox *unit_ = nullptr, *theme_ = nullptr, *language_ = nullptr, *navigation_ = nullptr;
+    ColourButton *selection_ = nullptr, *seam_ = nullptr;
+    QSpinBox *autosave_ = nullptr, *heavy_ = nullptr;
+    QLabel* restart_ = nullptr;
+    bool showing_ = false;  ///< fields are being filled in, not chosen from
+};
+
+}  // namespace toile

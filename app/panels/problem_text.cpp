@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/problem_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+#include <QPixmap>
+#include <cmath>
+
+#include "app/text/figures.h"
+#include "app/text/seam_fit.h"
+#include "core/check/finding_words.h"
+
+namespace toile {
+
+namespace {
+
+constexpr int kMarkPixels = 32;
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("toile", text);
+}
+
+QString withCapital(QString text) {
+    if (!text.isEmpty()) {
+        text[0] = text[0].toUpper();
+    }
+    return text;
+}
+
+QString figureText(const Figure& figure) {
+    constexpr double kPercent = 100, kFineUpTo = 10;
+    switch (figure.unit) {
+        case Figure::Unit::Length:
+            return std::abs(figure.value) < kFineUpTo
+                       ? fineLength(figure.value) + ' ' + lengthUnit()
+                       : lengthWithUnit(figure.value);
+        case Figure::Unit::Percent:
+            return signedNumber(kPercent * figure.value, 1).remove('+') + tr(" %");
+        case Figure::Unit::Strain:
+            return signedNumber(kPercent * figure.value, 1) + tr(" %");
+        case Figure::Unit::Count:
+            return QLocale().toString(figure.value, 'f', 0);
+    }
+    return {};
+}
+
+QIcon noteMark() {
+    QPixmap pixmap(kMarkPixels, kMarkPixels);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(62, 120, 190));
+    painter.drawEllipse(QRectF(3, 3, 26, 26));
+    painter.setPen(QPen(Qt::white, 3.4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(16, 15), QPointF(16, 22.5));
+    painter.drawLine(QPointF(16, 9.4), QPointF(16, 9.9));
+    painter.end();
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected);  // not tinted in a selected row
+    return icon;
+}
+
+}  // namespace
+
+QString problemText(const Finding& finding) {
+    if (finding.error) {
+        return withCapital(QString::fromStdString(description(finding)));
+    }
+    QString text = tr(findingWords(finding.kind).describe);
+    // All at once: a reason may hold a percent sign.
+    QString filled;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        if (text[i] != u'%' || i + 1 == text.size() || !text[i + 1].isDigit()) {
+            filled += text[i];
+            continue;
+        }
+        const auto number = static_cast<std::size_t>(text[++i].digitValue());
+        if (number == 0) {
+            filled += QString::fromStdString(finding.reason);
+        } else if (number <= finding.figures.size()) {
+            filled += figureText(finding.figures[number - 1]);
+        }
+    }
+    return withCapital(filled);
+}
+
+QString problemAdvice(const Finding& finding) {
+    const char* words = findingWords(finding.kind).advice;
+    return finding.error ? QString::fromStdString(adviceFor(finding))
+           : *words      ? tr(words)
+                         : QString();
+}
+
+QString problemTitle(FindingKind kind) {
+    return tr(findingWords(kind).title);
+}
+
+QString severityCount(Severity severity, int count) {
+    switch (severity) {
+        case Severity::Fault:
+            return count == 0   ? tr("no faults")
+                   : count == 1 ? tr("1 fault")
+                                : tr("%1 faults").arg(QLocale().toString(count));
+        case Severity::Doubt:
+            return count == 0   ? tr("no doubts")
+                   : count == 1 ? tr("1 doubt")
+                                : tr("%1 doubts").arg(QLocale().toString(count));
+        case Severity::Note:
+            return count == 0   ? tr("no notes")
+                   : count == 1 ? tr("1 note")
+                                : tr("%1 notes").arg(QLocale().toString(count));
+    }
+    return {};
+}
+
+QString verdictLine(const Readiness& readiness) {
+    const int faults = readiness.count(Severity::Fault), doubts = readiness.count(Severity::Doubt);
+    const auto both = [](const QString& one, const QString& other) -> QString {
+        return withCapital(tr("%1, %2").arg(one, other));
+    };
+    switch (readiness.verdict()) {
+        case Verdict::NotFlattened:
+            return tr("Not flattened yet");
+        case Verdict::Faults:
+            return doubts == 0 ? withCapital(severityCount(Severity::Fault, faults))
+                               : both(severityCount(Severity::Fault, faults),
+                                      severityCount(Severity::Doubt, doubts));
+        case Verdict::Doubts:
+            return both(severityCount(Severity::Fault, 0), severityCount(Severity::Doubt, doubts));
+        case Verdict::Ready:
+            break;
+    }
+    return tr("Ready to cut");
+}
+
+QIcon severityMark(Severity severity) {
+    switch (severity) {
+        case Severity::Fault:
+            return fitMark(SeamFit::Differs);
+        case Severity::Doubt:
+            return fitMark(SeamFit::Nearly);
+        case Severity::Note:
+            return noteMark();
+    }
+    return {};
+}
+
+QIcon verdictMark(const Readiness& readiness) {
+    switch (readiness.verdict()) {
+        case Verdict::NotFlattened:
+        case Verdict::Doubts:
+            return severityMark(Severity::Doubt);
+        case Verdict::Faults:
+            return severityMark(Severity::Fault);
+        case Verdict::Ready:
+            break;
+    }
+    return fitMark(SeamFit::Matches);
+}
+
+}  // namespace toile

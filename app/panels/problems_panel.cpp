@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/problems_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollBar>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QStyle>
+#include <QToolButton>
+#include <QTreeView>
+#include <algorithm>
+#include <optional>
+
+#include "app/jobs/ready_checker.h"
+#include "app/panels/problem_text.h"
+#include "app/panels/problems_model.h"
+#include "app/settings/length_display.h"
+
+namespace toile {
+
+namespace {
+
+/// Kinds with more rows than this begin closed: they would hide what comes after them.
+constexpr int kOpenUpTo = 4;
+
+}  // namespace
+
+struct ProblemsPanel::Outlook {
+    std::set<int> open, closed;  ///< kinds
+    QString where;               ///< of the current row
+    std::optional<int> kind;     ///< likewise
+    int scroll = 0;
+};
+
+ProblemsPanel::ProblemsPanel(ReadyChecker& checker, QWidget* parent)
+    : QWidget(parent),
+      checker_(checker),
+      model_(new ProblemsModel(this)),
+      table_(new QTreeView(this)),
+      mark_(new QLabel(this)),
+      verdict_(new QLabel(this)),
+      empty_(new QLabel(this)),
+      pages_(new QStackedWidget(this)) {
+    makeTable();
+    empty_->setObjectName("problemsEmpty");
+    empty_->setAlignment(Qt::AlignCenter);
+    empty_->setWordWrap(true);
+    empty_->setContentsMargins(24, 8, 24, 8);
+    pages_->addWidget(table_);
+    pages_->addWidget(empty_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(makeHead());
+    layout->addWidget(pages_, 1);
+    connect(&checker_, &ReadyChecker::changed, this, &ProblemsPanel::rebuild);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &ProblemsPanel::rebuild);
+    rebuild();
+}
+
+QWidget* ProblemsPanel::makeHead() {
+    auto* head = new QWidget(this);
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(8, 3, 8, 3);
+    row->setSpacing(6);
+    mark_->setObjectName("verdictMark");
+    verdict_->setObjectName("verdict");
+    verdict_->setAccessibleName(tr("Ready to cut?"));
+    QFont strong = verdict_->font();
+    strong.setWeight(QFont::DemiBold);
+    verdict_->setFont(strong);
+    row->addWidget(mark_);
+    row->addWidget(verdict_, 1);
+    constexpr const char* kNames[] = {"showFaults", "showDoubts", "showNotes"};
+    const QString tips[] = {tr("List what must be mended before the cloth is cut"),
+                            tr("List what should be looked at before the cloth is cut"),
+                            tr("List what is good to know")};
+    for (std::size_t i = 0; i < filters_.size(); ++i) {
+        const Severity severity = kSeverities[i];
+        auto* filter = new QToolButton(head);
+        filter->setObjectName(kNames[i]);
+        filter->setCheckable(true);
+        filter->setChecked(true);
+        filter->setAutoRaise(true);
+        filter->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        filter->setIcon(severityMark(severity));
+        filter->setToolTip(tips[i]);
+        filter->setStatusTip(tips[i]);
+        connect(filter, &QToolButton::toggled, this, [this, severity](bool on) {
+            if (on) {
+                shown_.insert(severity);
+            } else {
+                shown_.erase(severity);
+            }
+            rebuild();
+        });
+        row->addWidget(filter);
+        filters_[i] = filter;
+    }
+    return head;
+}
+
+void ProblemsPanel::makeTable() {
+    table_->setObjectName("problemTable");
+    table_->setAccessibleName(tr("Problems"));
+    table_->setModel(model_);
+    table_->setUniformRowHeights(true);
+    table_->setAlternatingRowColors(true);
+    table_->setAllColumnsShowFocus(true);
+    table_->setFrameShape(QFrame::NoFrame);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setExpandsOnDoubleClick(false);  // the first click goes there
+    table_->header()->setMinimumSectionSize(80);
+    const auto go = [this](const QModelIndex& index) {
+        const auto findings =
+            index.siblingAtColumn(ProblemsModel::Where).data(ProblemsModel::FindingsRole);
+        if (findings.isValid()) {
+            emit wanted(findings.value<QList<int>>());
+        }
+    };
+    connect(table_, &QTreeView::clicked, this, go);
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
+        connect(new QShortcut(key, table_, {}, {}, Qt::WidgetShortcut), &QShortcut::activated, this,
+                [this, go] { go(table_->currentIndex()); });
+    }
+}
+
+int ProblemsPanel::count() const {
+    const Readiness& readiness = checker_.readiness();
+    return readiness.count(Severity::Fault) + readiness.count(Severity::Doubt);
+}
+
+void ProblemsPanel::rebuild() {
+    const Outlook before = outlook();
+    model_->show(checker_.readiness(), shown_);
+    restore(before);
+    fitColumns();
+    updateHead();
+    emit countChanged(count());
+}
+
+void ProblemsPanel::updateHead() {
+    const Readiness& readiness = checker_.readiness();
+    const bool isOpen = checker_.plan().garment != nullptr;
+    const int size = style()->pixelMetric(QStyle::PM_SmallIconSize);
+    mark_->setVisible(isOpen);
+    mark_->setPixmap(verdictMark(readiness).pixmap(size, size));
+    verdict_->setText(isOpen ? verdictLine(readiness) : QString());
+    for (std::size_t i = 0; i < filters_.size(); ++i) {
+        const int found = readiness.count(kSeverities[i]);
+        filters_[i]->setText(severityCount(kSeverities[i], found));
+        filters_[i]->setEnabled(found > 0);
+    }
+    empty_->setText(readiness.findings.empty()
+                        ? tr("Nothing stands against cutting: seams match, no outline crosses "
+                             "itself, the strain is within what the fabric takes, and every grain "
+                             "is stated.")
+                        : tr("What was found is hidden; the buttons above show it."));
+    pages_->setCurrentWidget(model_->rowCount() > 0 || !isOpen ? static_cast<QWidget*>(table_)
+                                                               : empty_);
+}
+
+void ProblemsPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitColumns();
+}
+
+void ProblemsPanel::fitColumns() {
+    constexpr int kAir = 12, kLongestWhere = 320;
+    for (const int column : {ProblemsModel::Where, ProblemsModel::Problem}) {
+        table_->resizeColumnToContents(column);
+        const int width = table_->columnWidth(column) + kAir;
+        const int most = column == ProblemsModel::Where
+                             ? kLongestWhere
+                             : std::max(300, table_->viewport()->width() * 3 / 5);
+        table_->setColumnWidth(column, std::min(width, most));
+    }
+}
+
+ProblemsPanel::Outlook ProblemsPanel::outlook() const {
+    Outlook seen;
+    for (int row = 0; row < model_->rowCount(); ++row) {
+        const QModelIndex index = model_->index(row, 0);
+        const QVariant kind = index.data(ProblemsModel::KindRole);
+        if (kind.isValid()) {
+            (table_->isExpanded(index) ? seen.open : seen.closed).insert(kind.toInt());
+        }
+    }
+    const QModelIndex current = table_->currentIndex().siblingAtColumn(ProblemsModel::Where);
+    if (current.isValid()) {
+        seen.where = current.data().toString();
+        const QVariant kind = current.parent().data(ProblemsModel::KindRole);
+        seen.kind = kind.isValid() ? std::optional(kind.toInt()) : std::nullopt;
+    }
+    seen.scroll = table_->verticalScrollBar()->value();
+    return seen;
+}
+
+void ProblemsPanel::restore(const Outlook& before) {
+    const auto select = [this, &before](const QModelIndex& index, std::optional<int> kind) {
+        if (!before.where.isEmpty() && kind == before.kind &&
+            index.data().toString() == before.where) {
+            table_->setCurrentIndex(index);
+        }
+    };
+    for (int row = 0; row < model_->rowCount(); ++row) {
+        const QModelIndex index = model_->index(row, 0);
+        select(index, std::nullopt);
+        const QVariant kind = index.data(ProblemsModel::KindRole);
+        if (!kind.isValid()) {
+            continue;
+        }
+        const bool wasOpen = before.open.contains(kind.toInt());
+        const bool isNew = !wasOpen && !before.closed.contains(kind.toInt());
+        table_->setExpanded(index, wasOpen || (isNew && model_->rowCount(index) <= kOpenUpTo));
+        for (int child = 0; child < model_->rowCount(index); ++child) {
+            select(model_->index(child, 0, index), kind.toInt());
+        }
+    }
+    table_->verticalScrollBar()->setValue(before.scroll);
+}
+
+}  // namespace toile

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/platform_choice.h"
+
+#include <QCoreApplication>
+#include <QLibrary>
+#include <QLibraryInfo>
+#include <QPluginLoader>
+
+namespace toile {
+
+#ifdef Q_OS_LINUX
+
+namespace {
+
+/// The context of the translations.
+class Words {
+    Q_DECLARE_TR_FUNCTIONS(PlatformChoice)
+};
+
+/// Of the library that Qt itself asks; where it is missing, so is Qt's part for X.
+template <class Function>
+Function* ofXcb(const char* name) {
+    static QLibrary xcb("xcb", 1);
+    return reinterpret_cast<Function*>(xcb.resolve(name));
+}
+
+bool canLoadPlatform(const QString& name) {
+    QPluginLoader plugin(QLibraryInfo::path(QLibraryInfo::PluginsPath) + "/platforms/libq" + name);
+    return plugin.load();
+}
+
+}  // namespace
+
+DisplayProbe::DisplayProbe() {
+    if (qEnvironmentVariableIsEmpty("DISPLAY")) {
+        return;
+    }
+    const auto connect = ofXcb<void*(const char*, int*)>("xcb_connect");
+    const auto problem = ofXcb<int(void*)>("xcb_connection_has_error");
+    if (connect && problem && ofXcb<void(void*)>("xcb_disconnect")) {
+        connection_ = connect(nullptr, nullptr);
+        answers_ = problem(connection_) == 0;
+    }
+}
+
+DisplayProbe::~DisplayProbe() {
+    if (connection_) {
+        ofXcb<void(void*)>("xcb_disconnect")(connection_);
+    }
+}
+
+QString windowProblem(const DisplayProbe& display) {
+    // Whoever names a platform, or has Wayland, is taken at his word.
+    if (!qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
+        return {};
+    }
+    const QString named = qEnvironmentVariable("QT_QPA_PLATFORM");
+    if (!named.isEmpty() && !named.startsWith("xcb")) {
+        return {};
+    }
+    if (display.answers()) {
+        return {};
+    }
+    return Words::tr(
+        "there is no display to open the window on; \"toile flatten\" and \"toile render\" need "
+        "none, and xvfb-run lends one");
+}
+
+QString choosePicturePlatform(const DisplayProbe& display) {
+    if (display.answers() && canLoadPlatform("xcb")) {
+        qputenv("QT_QPA_PLATFORM", "xcb");
+        return {};
+    }
+    if (!canLoadPlatform("offscreen")) {
+        return Words::tr(
+            "there is no display to draw on, and Qt's part for drawing without one is not "
+            "installed; xvfb-run lends a display");
+    }
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Qt's part would look for a display again, and complain.
+    qunsetenv("DISPLAY");
+    return {};
+}
+
+#else
+
+DisplayProbe::DisplayProbe() = default;
+
+DisplayProbe::~DisplayProbe() = default;
+
+QString windowProblem(const DisplayProbe&) {
+    return {};
+}
+
+QString choosePicturePlatform(const DisplayProbe&) {
+    return {};
+}
+
+#endif
+
+}  // namespace toile

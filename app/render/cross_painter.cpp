@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/cross_painter.h"
+
+#include <cstddef>
+
+#include "app/render/gpu_mesh.h"
+
+namespace toile {
+
+namespace {
+
+/// Logical pixels between crosses, at least; at most half as many again.
+constexpr double kLeastSpacing = 25;
+/// A stroke leaves this much of the way to its neighbour free.
+constexpr double kStrokeShare = 0.88;
+
+constexpr VertexAttribute kAttributes[] = {
+    {0, 3, offsetof(CrossVertex, position)},  {1, 2, offsetof(CrossVertex, flat)},
+    {2, 2, offsetof(CrossVertex, flatAlong)}, {3, 3, offsetof(CrossVertex, along)},
+    {4, 3, offsetof(CrossVertex, across)},    {5, 2, offsetof(CrossVertex, strain)},
+    {6, 1, offsetof(CrossVertex, piece)},
+};
+
+}  // namespace
+
+CrossPainter::CrossPainter(FrameCounts& counts) : counts_(counts) {}
+
+CrossPainter::~CrossPainter() = default;
+
+bool CrossPainter::initialize(Gl& gl, const std::vector<std::string_view>& files,
+                              QString& problem) {
+    program_ = loadProgram(gl, files, problem);
+    return program_ != nullptr;
+}
+
+void CrossPainter::upload(Gl& gl, const StretchCrosses& crosses) {
+    gl.glDeleteVertexArrays(1, &array_);
+    gl.glDeleteBuffers(1, &vertices_);
+    vertices_ = makeVertexBuffer(gl, crosses.vertices.data(),
+                                 crosses.vertices.size() * sizeof(CrossVertex));
+    counts_.uploadedBytes += crosses.vertices.size() * sizeof(CrossVertex);
+    array_ = makeVertexArray(gl, vertices_, sizeof(CrossVertex), kAttributes);
+}
+
+ShaderProgram& CrossPainter::begin() {
+    program_->bind();
+    return *program_;
+}
+
+void CrossPainter::draw(Gl& gl, const StretchCrosses& crosses, double millimetresPerPixel) {
+    const CrossRun run = crossesAt(crosses, kLeastSpacing * millimetresPerPixel);
+    if (run.count == 0) {
+        return;
+    }
+    program_->setUniformValue("halfLength", static_cast<float>(kStrokeShare * run.spacing / 2));
+    gl.glBindVertexArray(array_);
+    gl.glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(run.count));
+    ++counts_.drawCalls;
+    gl.glBindVertexArray(0);
+}
+
+void CrossPainter::release(Gl& gl) {
+    gl.glDeleteVertexArrays(1, &array_);
+    gl.glDeleteBuffers(1, &vertices_);
+    array_ = vertices_ = 0;
+    program_.reset();
+}
+
+}  // namespace toile

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/overlay_values.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/render/vertex_values.h"
+#include "core/garment/fabric.h"
+#include "core/quality/metric_tensor.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kPercent = 100;
+/// A limit of 0 would leave no room for any colour on its side, in percent.
+constexpr double kLeastLimit = 0.01;
+
+MetricTensor metricOf(const OverlaySample& sample) {
+    return {static_cast<double>(sample.metric[0]), static_cast<double>(sample.metric[1]),
+            static_cast<double>(sample.metric[2])};
+}
+
+double worse(double one, double other, const OverlayScale& scale) {
+    return scale.severity(one) >= scale.severity(other) ? one : other;
+}
+
+StrainLimits tightest(const Fabric& fabric) {
+    return {std::max({fabric.warp.least, fabric.weft.least, fabric.bias.least}),
+            std::min({fabric.warp.most, fabric.weft.most, fabric.bias.most})};
+}
+
+double unbounded(Overlay overlay, const OverlaySample& sample, const Eigen::Vector2d& grain,
+                 const OverlayScale& scale) {
+    const Eigen::Vector2d across(-grain.y(), grain.x());
+    switch (overlay) {
+        case Overlay::None:
+        case Overlay::Checker:
+            return 0;
+        case Overlay::Area:
+            return static_cast<double>(sample.values[0]);
+        case Overlay::Angle:
+            return static_cast<double>(sample.values[1]);
+        case Overlay::Strain:
+            return worse(static_cast<double>(sample.values[2]),
+                         static_cast<double>(sample.values[3]), scale);
+        case Overlay::Warp:
+            return kPercent * strainAlong(metricOf(sample), grain);
+        case Overlay::Weft:
+            return kPercent * strainAlong(metricOf(sample), across);
+        case Overlay::Bias: {
+            const MetricTensor metric = metricOf(sample);
+            return worse(kPercent * strainAlong(metric, (grain + across) * std::sqrt(0.5)),
+                         kPercent * strainAlong(metric, (grain - across) * std::sqrt(0.5)), scale);
+        }
+        case Overlay::Principal: {
+            const PrincipalStretch stretch = principalStretch(metricOf(sample));
+            return worse(kPercent * (stretch.largest - 1), kPercent * (stretch.least - 1), scale);
+        }
+        case Overlay::Dirichlet:
+            return kPercent * (symmetricDirichlet(metricOf(sample)) - 1);
+    }
+    return 0;
+}
+
+/// The mean of the triangle's vertices, weighted.
+OverlaySample blended(const Scene& scene, std::size_t face, const Eigen::Vector3d& weights) {
+    OverlaySample sum{};
+    for (int k = 0; k < 3; ++k) {
+        const PatternVertex& vertex =
+            scene.pattern.vertices[scene.pattern.triangles[3 * face + static_cast<std::size_t>(k)]];
+        const auto weight = static_cast<float>(weights[k]);
+        for (int i = 0; i < 4; ++i) {
+            sum.values[i] += weight * vertex.values[i];
+        }
+        for (int i = 0; i < 3; ++i) {
+            sum.metric[i] += weight * vertex.metric[i];
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric) {
+    const auto inPercent = [](const StrainLimits& limits) -> OverlayLimits {
+        return {std::min(kPercent * limits.least, -kLeastLimit),
+                std::max(kPercent * limits.most, kLeastLimit)};
+    };
+    switch (overlay) {
+        case Overlay::Warp:
+            return inPercent(fabric.warp);
+        case Overlay::Weft:
+            return inPercent(fabric.weft);
+        case Overlay::Bias:
+            return inPercent(fabric.bias);
+        case Overlay::Strain:
+        case Overlay::Principal:
+            return inPercent(tightest(fabric));
+        case Overlay::None:
+        case Overlay::Checker:
+        case Overlay::Area:
+        case Overlay::Angle:
+        case Overlay::Dirichlet:
+            break;
+    }
+    return std::nullopt;
+}
+
+OverlayScale overlayScale(const Scene& scene, Overlay overlay, const Fabric& fabric) {
+    if (const auto limits = fabricLimits(overlay, fabric)) {
+        return {limits->least, limits->most, false, false, true};
+    }
+    return scene.scale(overlay);
+}
+
+double overlayValue(Overlay overlay, const OverlaySample& sample, const Eigen::Vector2d& grain,
+                    const OverlayScale& scale) {
+    return std::clamp(unbounded(overlay, sample, grain, scale), -kLargestValue, kLargestValue);
+}
+
+Eigen::Vector2d grainVector(const SheetPlaces& places, int piece) {
+    const double grain = placeOf(places, piece).grain;
+    return {std::cos(grain), std::sin(grain)};
+}
+
+OverlaySample sampleOf(const Scene& scene, std::size_t face, const Eigen::Vector3d& barycentric,
+                       bool perTriangle) {
+    return perTriangle ? sampleOf(scene.faces[face]) : blended(scene, face, barycentric);
+}
+
+std::optional<double> valueAt(const Scene& scene, const SheetPlaces& places,
+                              const SurfacePlace& place, Overlay overlay, const OverlayScale& scale,
+                              bool perTriangle) {
+    if (!isMeasured(overlay) || place.piece < 0 ||
+        place.piece >= static_cast<int>(scene.pieces.size())) {
+        return std::nullopt;
+    }
+    const PieceScene& piece = scene.pieces[static_cast<std::size_t>(place.piece)];
+    if (!piece.flat || place.face >= piece.patternRun.count) {
+        return std::nullopt;
+    }
+    const std::size_t face = std::size_t{piece.patternRun.first} + place.face;
+    return overlayValue(overlay, sampleOf(scene, face, place.barycentric, perTriangle),
+                        grainVector(places, place.piece), scale);
+}
+
+}  // namespace toile

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/shader_program.h"
+
+#include <QFile>
+
+namespace toile {
+
+namespace {
+
+GLenum stageOf(std::string_view file) {
+    if (file.ends_with(".vert")) {
+        return GL_VERTEX_SHADER;
+    }
+    return file.ends_with(".geom") ? GL_GEOMETRY_SHADER : GL_FRAGMENT_SHADER;
+}
+
+/// What the driver says of a shader or a program; never empty.
+template <class Parameter, class Log>
+QString wordsOf(GLuint object, Parameter parameter, Log log) {
+    GLint length = 0;
+    parameter(object, GL_INFO_LOG_LENGTH, &length);
+    QByteArray words(std::max(length, 1), '\0');
+    log(object, static_cast<GLsizei>(words.size()), nullptr, words.data());
+    const QString text = QString::fromUtf8(words.constData()).trimmed();
+    return text.isEmpty() ? QString("no reason given") : text;
+}
+
+}  // namespace
+
+ShaderProgram::ShaderProgram(Gl& gl) : gl_(gl), program_(gl.glCreateProgram()) {}
+
+ShaderProgram::~ShaderProgram() {
+    gl_.glDeleteProgram(program_);
+}
+
+QString ShaderProgram::addStage(GLenum stage, const QByteArray& source) {
+    const GLuint shader = gl_.glCreateShader(stage);
+    const char* text = source.constData();
+    const auto length = static_cast<GLint>(source.size());
+    gl_.glShaderSource(shader, 1, &text, &length);
+    gl_.glCompileShader(shader);
+    GLint done = GL_FALSE;
+    gl_.glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
+    QString problem;
+    if (done == GL_TRUE) {
+        gl_.glAttachShader(program_, shader);
+    } else {
+        problem = wordsOf(shader, gl_.glGetShaderiv, gl_.glGetShaderInfoLog);
+    }
+    gl_.glDeleteShader(shader);  // the program keeps it as long as it needs it
+    return problem;
+}
+
+QString ShaderProgram::link() {
+    gl_.glLinkProgram(program_);
+    GLint done = GL_FALSE;
+    gl_.glGetProgramiv(program_, GL_LINK_STATUS, &done);
+    return done == GL_TRUE ? QString()
+                           : wordsOf(program_, gl_.glGetProgramiv, gl_.glGetProgramInfoLog);
+}
+
+void ShaderProgram::bind() {
+    gl_.glUseProgram(program_);
+}
+
+void ShaderProgram::release() {
+    gl_.glUseProgram(0);
+}
+
+GLint ShaderProgram::uniformLocation(const char* name) const {
+    return gl_.glGetUniformLocation(program_, name);
+}
+
+void ShaderProgram::setUniformValue(const char* name, int value) {
+    gl_.glUniform1i(uniformLocation(name), value);
+}
+
+void ShaderProgram::setUniformValue(const char* name, float value) {
+    gl_.glUniform1f(uniformLocation(name), value);
+}
+
+void ShaderProgram::setUniformValue(const char* name, float x, float y) {
+    gl_.glUniform2f(uniformLocation(name), x, y);
+}
+
+void ShaderProgram::setUniformValue(const char* name, float x, float y, float z) {
+    gl_.glUniform3f(uniformLocation(name), x, y, z);
+}
+
+void ShaderProgram::setUniformValue(const char* name, const QColor& colour) {
+    gl_.glUniform4f(uniformLocation(name), colour.redF(), colour.greenF(), colour.blueF(),
+                    colour.alphaF());
+}
+
+void ShaderProgram::setUniformValueArray(const char* name, const QVector3D* values, int count) {
+    static_assert(sizeof(QVector3D) == 3 * sizeof(float));
+    gl_.glUniform3fv(uniformLocation(name), count, reinterpret_cast<const float*>(values));
+}
+
+std::unique_ptr<ShaderProgram> loadProgram(Gl& gl, const std::vector<std::string_view>& files,
+                                           QString& problem) {
+    std::unique_ptr<ShaderProgram> program(new ShaderProgram(gl));
+    const QByteArray version = "#version 330 core\n";
+    QByteArray source = version;
+    for (const std::string_view name : files) {
+        QFile file(":/shaders/" + QString::fromUtf8(name.data(), qsizetype(name.size())));
+        if (!file.open(QIODevice::ReadOnly)) {
+            problem = file.fileName();
+            return nullptr;
+        }
+        source += file.readAll();
+        if (name.ends_with(".glsl")) {
+            continue;
+        }
+        if (const QString words = program->addStage(stageOf(name), source); !words.isEmpty()) {
+            problem = file.fileName() + ": " + words;
+            return nullptr;
+        }
+        source = version;
+    }
+    if (const QString words = program->link(); !words.isEmpty()) {
+        problem = words;
+        return nullptr;
+    }
+    return program;
+}
+
+}  // namespace toile

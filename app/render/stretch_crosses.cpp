@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/stretch_crosses.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+
+#include "app/render/overlay_values.h"
+#include "core/quality/metric_tensor.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kMostCrosses = 40000;
+/// Levels of density: each has half of the places of the one before, as the black squares of a
+/// chessboard are of all, and the next again upright.
+constexpr int kLevels = 24;
+constexpr double kPercent = 100;
+
+/// The triangle whose middle is nearest to a point of the lattice.
+struct Nearest {
+    std::size_t face = 0;
+    double distance = 0;
+};
+
+struct Place {
+    std::int32_t column = 0, row = 0;
+    std::size_t face = 0;
+
+    int level() const {
+        const auto bits = static_cast<std::uint32_t>(column) | static_cast<std::uint32_t>(row);
+        const int halvings = std::countr_zero(bits);
+        if (halvings >= kLevels / 2) {
+            return kLevels - 1;
+        }
+        const bool isBlack = ((column >> halvings) + (row >> halvings)) % 2 == 0;
+        return 2 * halvings + (isBlack ? 1 : 0);
+    }
+};
+
+double finestSpacing(const Scene& scene) {
+    double area = 0;
+    for (const FaceValues& face : scene.faces) {
+        area += static_cast<double>(face.flatArea);
+    }
+    const double count = std::min(kMostCrosses, static_cast<double>(scene.faces.size()));
+    return count > 0 && area > 0 ? std::sqrt(area / count) : 1.0;
+}
+
+/// One place per lattice point that has cloth around it. The lattice goes through the piece's label
+/// point, so that a piece has a place of the coarsest level, and well inside.
+std::vector<Place> placesOf(const Scene& scene, const PieceScene& piece, double spacing) {
+    std::unordered_map<std::uint64_t, Nearest> cells;
+    const std::size_t first = piece.patternRun.first;
+    for (std::size_t face = first; face < first + piece.patternRun.count; ++face) {
+        Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+            middle += flatPoint(scene.pattern.vertices[scene.pattern.triangles[3 * face + k]]) / 3;
+        }
+        const Eigen::Vector2d cell = (middle - piece.label) / spacing;
+        const double limit = 1e9;
+        if (!(cell.cwiseAbs().maxCoeff() < limit)) {
+            continue;
+        }
+        const Eigen::Vector2d lattice = cell.array().round();
+        const auto column = static_cast<std::int32_t>(lattice.x());
+        const auto row = static_cast<std::int32_t>(lattice.y());
+        const double distance = (cell - lattice).squaredNorm();
+        const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(column)} << 32U |
+                                  static_cast<std::uint32_t>(row);
+        const auto [entry, isNew] = cells.try_emplace(key, Nearest{face, distance});
+        if (!isNew && distance < entry->second.distance) {
+            entry->second = {face, distance};
+        }
+    }
+    std::vector<Place> places;
+    places.reserve(cells.size());
+    for (const auto& [key, nearest] : cells) {
+        places.push_back(
+            {static_cast<std::int32_t>(key >> 32U), static_cast<std::int32_t>(key), nearest.face});
+    }
+    return places;
+}
+
+void put(float* out, const Eigen::Vector3d& direction) {
+    const double length = direction.norm();
+    for (int k = 0; k < 3; ++k) {
+        out[k] = length > 0 ? static_cast<float>(direction[k] / length) : 0.0F;
+    }
+}
+
+CrossVertex crossOf(const Scene& scene, const PieceScene& piece, std::size_t face, float index) {
+    constexpr double kThird = 1.0 / 3;
+    const std::size_t worn = piece.garmentRun.first + (face - piece.patternRun.first);
+    Eigen::Vector2d u[3], middle = Eigen::Vector2d::Zero();
+    Eigen::Vector3d X[3], position3 = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        u[k] = flatPoint(scene.pattern.vertices[scene.pattern.triangles[3 * face + k]]);
+        X[k] = wornPoint(scene.garment.vertices[scene.garment.triangles[3 * worn + k]]);
+        middle += kThird * u[k];
+        position3 += kThird * X[k];
+    }
+    const OverlaySample sample = sampleOf(scene, face, Eigen::Vector3d::Constant(kThird), false);
+    const PrincipalStretch stretch = principalStretch({static_cast<double>(sample.metric[0]),
+                                                       static_cast<double>(sample.metric[1]),
+                                                       static_cast<double>(sample.metric[2])});
+    // Where a direction of the flat cloth points on the garment; its length does not matter here.
+    const Eigen::Vector2d u1 = u[1] - u[0], u2 = u[2] - u[0];
+    const Eigen::Vector3d X1 = X[1] - X[0], X2 = X[2] - X[0];
+    const double sign = u1.x() * u2.y() - u1.y() * u2.x() < 0 ? -1.0 : 1.0;
+    const auto lifted = [&](const Eigen::Vector2d& d) -> Eigen::Vector3d {
+        return sign *
+               ((d.x() * u2.y() - d.y() * u2.x()) * X1 + (u1.x() * d.y() - u1.y() * d.x()) * X2);
+    };
+    const Eigen::Vector2d along = stretch.direction, across(-along.y(), along.x());
+
+    CrossVertex vertex{};
+    for (int k = 0; k < 3; ++k) {
+        vertex.position[k] = static_cast<float>(position3[k]);
+    }
+    for (int k = 0; k < 2; ++k) {
+        vertex.flat[k] = static_cast<float>(middle[k]);
+        vertex.flatAlong[k] = static_cast<float>(along[k]);
+    }
+    put(vertex.along, lifted(along));
+    put(vertex.across, lifted(across));
+    vertex.strain[0] = static_cast<float>(kPercent * (stretch.largest - 1));
+    vertex.strain[1] = static_cast<float>(kPercent * (stretch.least - 1));
+    vertex.piece = index;
+    return vertex;
+}
+
+}  // namespace
+
+CrossRun crossesAt(const StretchCrosses& crosses, double leastSpacing) {
+    if (crosses.counts.empty()) {
+        return {};
+    }
+    std::size_t level = 0;
+    double spacing = crosses.finest;
+    while (spacing < leastSpacing && level + 1 < crosses.counts.size()) {
+        spacing *= std::numbers::sqrt2;
+        ++level;
+    }
+    return {crosses.counts[level], spacing};
+}
+
+StretchCrosses makeStretchCrosses(const Scene& scene) {
+    StretchCrosses crosses;
+    crosses.finest = finestSpacing(scene);
+    std::vector<std::pair<int, Place>> places;  // with their pieces
+    for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+        if (scene.pieces[i].flat) {
+            for (const Place& place : placesOf(scene, scene.pieces[i], crosses.finest)) {
+                places.emplace_back(static_cast<int>(i), place);
+            }
+        }
+    }
+    // The coarsest first; within a level in the mesh's order, whatever the hash map's was.
+    std::ranges::sort(places, [](const auto& a, const auto& b) -> bool {
+        return std::pair(-a.second.level(), a.second.face) <
+               std::pair(-b.second.level(), b.second.face);
+    });
+    crosses.vertices.reserve(places.size());
+    crosses.counts.assign(kLevels, 0);
+    for (const auto& [piece, place] : places) {
+        crosses.vertices.push_back(crossOf(scene, scene.pieces[static_cast<std::size_t>(piece)],
+                                           place.face, static_cast<float>(piece)));
+        for (int level = 0; level <= place.level(); ++level) {
+            ++crosses.counts[static_cast<std::size_t>(level)];
+        }
+    }
+    return crosses;
+}
+
+}  // namespace toile

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/triangle_tree.h"
+
+#include <bit>
+
+namespace toile {
+
+namespace {
+
+/// Spreads the bits of a number so that Dim - 1 free places follow each.
+template <int Dim>
+std::uint32_t spread(std::uint32_t bits) {
+    if constexpr (Dim == 2) {
+        bits = (bits | bits << 8) & 0x00FF00FFU;
+        bits = (bits | bits << 4) & 0x0F0F0F0FU;
+        bits = (bits | bits << 2) & 0x33333333U;
+        return (bits | bits << 1) & 0x55555555U;
+    } else {
+        bits = (bits | bits << 16) & 0x030000FFU;
+        bits = (bits | bits << 8) & 0x0300F00FU;
+        bits = (bits | bits << 4) & 0x030C30C3U;
+        return (bits | bits << 2) & 0x09249249U;
+    }
+}
+
+/// By their upper halves, which are Morton places; the lower halves go along.
+void sortByPlace(std::vector<std::uint64_t>& entries) {
+    constexpr int kBits = 11, kDigits = 1 << kBits;
+    std::vector<std::uint64_t> sorted(entries.size());
+    for (int shift = 32; shift < 64; shift += kBits) {
+        std::array<std::size_t, kDigits + 1> starts{};
+        for (const std::uint64_t entry : entries) {
+            ++starts[(entry >> shift & (kDigits - 1)) + 1];
+        }
+        for (std::size_t d = 1; d <= kDigits; ++d) {
+            starts[d] += starts[d - 1];
+        }
+        for (const std::uint64_t entry : entries) {
+            sorted[starts[entry >> shift & (kDigits - 1)]++] = entry;
+        }
+        entries.swap(sorted);
+    }
+}
+
+template <class Box>
+Box emptyBox() {
+    Box box;
+    box.low.fill(std::numeric_limits<float>::max());
+    box.high.fill(std::numeric_limits<float>::lowest());
+    return box;
+}
+
+template <class Box>
+void extend(Box& box, const float* low, const float* high) {
+    for (std::size_t k = 0; k < box.low.size(); ++k) {
+        box.low[k] = std::min(box.low[k], low[k]);
+        box.high[k] = std::max(box.high[k], high[k]);
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+TriangleTree<Dim>::TriangleTree(const float* points, std::size_t stride,
+                                std::span<const std::uint32_t> triangles) {
+    const std::size_t count = triangles.size() / 3;
+    if (count == 0) {
+        return;
+    }
+    const auto corner = [&](std::size_t triangle, std::size_t k) -> const float* {
+        return points + triangles[3 * triangle + k] * stride;
+    };
+    Box all = emptyBox<Box>();
+    for (const std::uint32_t index : triangles) {
+        extend(all, points + index * stride, points + index * stride);
+    }
+
+    constexpr std::uint32_t kCells = (1U << (Dim == 2 ? 16 : 10)) - 1;
+    std::array<float, Dim> scale;
+    for (std::size_t k = 0; k < Dim; ++k) {
+        const float size = all.high[k] - all.low[k];
+        scale[k] = size > 0 ? static_cast<float>(kCells) / (3 * size) : 0.0F;
+    }
+    std::vector<std::uint64_t> entries(count);
+    for (std::size_t t = 0; t < count; ++t) {
+        const float *a = corner(t, 0), *b = corner(t, 1), *c = corner(t, 2);
+        std::uint32_t place = 0;
+        for (std::size_t k = 0; k < Dim; ++k) {
+            const float cell = (a[k] + b[k] + c[k] - 3 * all.low[k]) * scale[k];
+            const auto bounded =
+                static_cast<std::uint32_t>(std::clamp(cell, 0.0F, static_cast<float>(kCells)));
+            place |= spread<Dim>(bounded) << k;
+        }
+        entries[t] = std::uint64_t{place} << 32 | t;
+    }
+    sortByPlace(entries);
+
+    order_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        order_[i] = static_cast<std::uint32_t>(entries[i]);
+    }
+    const std::size_t leaves = std::bit_ceil((count + kLeafSize - 1) / kLeafSize);
+    firstLeaf_ = leaves - 1;
+    boxes_.assign(2 * leaves - 1, emptyBox<Box>());
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float* point = corner(order_[i], k);
+            extend(boxes_[firstLeaf_ + i / kLeafSize], point, point);
+        }
+    }
+    for (std::size_t node = firstLeaf_; node-- > 0;) {
+        for (const std::size_t child : {2 * node + 1, 2 * node + 2}) {
+            extend(boxes_[node], boxes_[child].low.data(), boxes_[child].high.data());
+        }
+    }
+}
+
+template class TriangleTree<2>;
+template class TriangleTree<3>;
+
+}  // namespace toile

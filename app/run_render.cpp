@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_render.h"
+
+#include <QBuffer>
+#include <QGuiApplication>
+#include <iostream>
+#include <utility>
+
+#include "app/cli/arguments.h"
+#include "app/cli/command_line.h"
+#include "app/cli/input.h"
+#include "app/cli/project_input.h"
+#include "app/document/document.h"
+#include "app/document/project_state.h"
+#include "app/platform_choice.h"
+#include "app/render/offscreen_context.h"
+#include "app/render/scene_builder.h"
+#include "app/resources.h"
+#include "app/settings/language.h"
+#include "app/settings/theme.h"
+#include "app/views/view_picture.h"
+#include "core/base/file.h"
+#include "core/project/place_pieces.h"
+
+namespace toile {
+
+namespace {
+
+int refused(const QString& sentence) {
+    std::cerr << "toile: " << sentence.toStdString() << ".\n";
+    return kExitUnreadable;
+}
+
+/// Of what Qt says of its surroundings only what is fatal is worth a person's attention here.
+void heedQt(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type == QtCriticalMsg || type == QtFatalMsg) {
+        std::cerr << "toile: " << message.toStdString() << '\n';
+    }
+}
+
+/// As the window has it on a desktop that says nothing of fonts.
+QFont pictureFont() {
+    return QGuiApplication::platformName() == "offscreen" ? QFont("Sans Serif", 9)
+                                                          : QGuiApplication::font();
+}
+
+/// What the window shows once everything is flat.
+DocumentState flattenedState(const Arguments& arguments, Garment read, bool& failed) {
+    Progress progress;
+    const auto garment = std::make_shared<const Garment>(std::move(read));
+    DocumentState state =
+        arguments.project ? stateOf(*arguments.project, garment, nullptr) : DocumentState{};
+    state.garment = garment;
+    state.loading = arguments.load;
+    state.options = arguments.options;
+    state.results = flattenGarment(*garment, arguments.options, progress);
+    failed = printFailures(state.results, std::cerr);
+    state.settings.resize(garment->pieces.size());
+    state.settings = placedSettings(state.settings, state.results, flatMotions({}, state.results),
+                                    layOut(*garment, state.results).offsets);
+    state.scene = buildScene(*garment, state.results, progress);
+    return state;
+}
+
+void applyView(Document& document, const Arguments& arguments) {
+    ViewState view = document.view();
+    if (arguments.project) {
+        view = viewOf(arguments.project->view, view);
+    }
+    const PictureArguments& wishes = arguments.picture;
+    document.setOverlay(arguments.overlay.value_or(view.overlay));
+    document.setWireframe(view.wireframe || wishes.wireframe);
+    document.setDesignerOutline(view.designerOutline);
+    document.setSeamsShown(wishes.seams);
+    document.setXray(wishes.xray);
+}
+
+PictureOptions pictureOptions(const PictureArguments& wishes, Overlay overlay) {
+    PictureOptions options;
+    options.size = QSize(wishes.width, wishes.height);
+    options.views = wishes.views;
+    options.direction = wishes.direction;
+    options.morph = wishes.morph;
+    options.legend = wishes.bar.value_or(isMeasured(overlay));
+    options.font = pictureFont();
+    options.palette = wishes.dark ? darkPalette() : lightPalette();
+    return options;
+}
+
+int render(int argc, char** argv, const Arguments& arguments) {
+    auto display = std::make_unique<DisplayProbe>();
+    if (const QString sentence = choosePicturePlatform(*display); !sentence.isEmpty()) {
+        return refused(sentence);
+    }
+    loadResources();
+    qInstallMessageHandler(heedQt);
+    QGuiApplication application(argc, argv);
+    display.reset();
+    useLanguage(Language::System);
+    QString problem;
+    const auto context = makeOffscreenContext(problem);
+    if (!context) {
+        return refused(problem);
+    }
+    Progress progress;
+    auto garment = readInput(arguments, progress, std::cerr);
+    if (!garment) {
+        return kExitUnreadable;
+    }
+    bool failed = printProblems(*garment, std::cerr);
+    bool someFailed = false;
+    Document document;
+    document.open(flattenedState(arguments, std::move(*garment), someFailed));
+    failed = failed || someFailed;
+    applyView(document, arguments);
+    const QImage picture =
+        drawViews(document, pictureOptions(arguments.picture, document.view().overlay), problem);
+    if (picture.isNull()) {
+        return refused(problem);
+    }
+    QByteArray png;
+    QBuffer buffer(&png);
+    if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG")) {
+        return refused("the picture could not be made into a PNG file");
+    }
+    const auto written = writeFile(arguments.outputs.front(),
+                                   std::string_view(png.constData(), std::size_t(png.size())));
+    if (!written) {
+        std::cerr << "toile: " << sentence(written.error()) << '\n';
+        return kExitUnreadable;
+    }
+    return failed ? kExitSomeFailed : kExitDone;
+}
+
+}  // namespace
+
+int runRender(int argc, char** argv, const Arguments& typed) {
+    try {
+        const Arguments arguments = withProject(typed, std::cerr);
+        if (arguments.command == Arguments::Command::Message) {
+            std::cerr << arguments.message;
+            return arguments.status;
+        }
+        return render(argc, argv, arguments);
+    } catch (const std::exception& fault) {  // out of memory, or a bug: still one sentence
+        std::cerr << "toile: stopped by an unexpected fault (" << fault.what() << ").\n";
+        return kExitUnreadable;
+    }
+}
+
+}  // namespace toile

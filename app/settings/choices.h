@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+
+#include "app/settings/navigation.h"
+#include "core/base/length_unit.h"
+
+namespace toile {
+
+/// Of the window: as the desktop has it, or always the same.
+enum class Theme { System, Light, Dark };
+/// Of all text: as the desktop has it (English where there is no such translation), or the same.
+enum class Language { System, English, German };
+
+/// What a person chooses in the preferences dialog. A value, so that a dialog can put back what was
+/// chosen before.
+struct Choices {
+    LengthUnit lengthUnit = LengthUnit::Millimetre;  ///< lengths on the screen are written in
+    int inchDenominator = 16;  ///< inches in fractions of this; 0: in decimals
+    Theme theme = Theme::System;
+    Language language = Language::System;  ///< holds from the next start
+    Navigation navigation = Navigation::Toile;
+    QColor selectionColour{};  ///< in the views; invalid: what goes with the theme
+    QColor seamColour{};       ///< as above
+    int autosaveMinutes = 1;   ///< between copies kept for after a crash; 0: none are kept
+    /// Garments of more triangles begin without flattening after every edit.
+    int autoFlattenTriangles = 500'000;
+
+    bool operator==(const Choices&) const = default;
+};
+
+}  // namespace toile

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/text/error_text.h"
+
+#include <QCoreApplication>
+
+#include "core/base/error.h"
+
+namespace toile {
+
+namespace {
+
+/// Texts of the core are string literals, so they end with a zero.
+QString translated(std::string_view text) {
+    return text.empty() ? QString() : QCoreApplication::translate("toile", text.data());
+}
+
+}  // namespace
+
+QString errorText(const Error& error) {
+    QString text;
+    if (!error.where.empty()) {
+        text += QString::fromStdString(error.where) + ": ";
+    }
+    text += translated(describe(error.code));
+    if (!error.detail.empty()) {
+        text += " (" + QString::fromStdString(error.detail) + ')';
+    }
+    if (QString advised = translated(advice(error.code)); !advised.isEmpty()) {
+        advised[0] = advised[0].toLower();
+        text += "; " + advised;
+    }
+    return text + '.';
+}
+
+}  // namespace toile

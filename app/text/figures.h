@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "core/pipeline/pipeline.h"
+
+namespace toile {
+
+/// Figures of a piece as a person reads them: in the user's locale, with units, short.
+
+/// Lengths and areas are in the person's unit (`LengthDisplay`), given in mm and mm².
+
+/// "412.3", "41.23", "16 1/4": without the unit.
+QString lengthNumber(double millimetres);
+/// "412.3 mm", "16 1/4 in".
+QString lengthWithUnit(double millimetres);
+/// "mm", "cm", "in".
+QString lengthUnit();
+/// Differences too small for fractions of an inch, in decimals: "0.24" mm, "0.024" cm, "0.009" in.
+QString fineLength(double millimetres);
+/// With a sign, and none for what rounds to nothing: "+0.24", "−1.20", "0.00".
+QString signedFineLength(double millimetres);
+/// "412.3": one decimal, without the unit.
+QString areaNumber(double squareMillimetres);
+/// "412.3 cm²".
+QString areaWithUnit(double squareMillimetres);
+/// "cm²", "in²".
+QString areaUnit();
+
+/// "12.5°", "−3.0°".
+QString angleWithUnit(double radians);
+
+/// Fraction as percent with a sign: "+1.24", "−0.30", "0".
+QString signedPercent(double fraction);
+QString percent(double fraction);
+/// "+1.24", "−0.30", and "0.00" for what rounds to nothing.
+QString signedNumber(double value, int decimals);
+/// What a person typed for a percentage; no fraction where the field was left empty.
+struct EnteredPercent {
+    std::optional<double> fraction;
+};
+/// "2", "+2,5 %", "-3" in the user's locale or with a point; nothing where it is no percentage
+/// above -100 and up to 1000.
+std::optional<EnteredPercent> parsePercent(QString text);
+/// Largest relative length error of an outline: "exact" where it is below what any tool can cut.
+QString boundaryError(double fraction);
+/// "−1.2 … +3.4", or a dash where unknown.
+QString strainRange(const PieceQuality& quality);
+/// How a method is called in the window, in the list of pieces as in the menu.
+QString methodName(Method method);
+
+}  // namespace toile

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/views/colour_legend.h"
+
+namespace toile {
+
+/// Legend of the overlay below the views. Shows nothing of the garment itself.
+class ColourBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ColourBar(QWidget* parent = nullptr);
+
+    /// The value under the pointer stays, where the overlay does.
+    void show(const ColourLegend& legend);
+
+    QString summary() const { return legend_.summary(); }
+    QString valueText() const { return legend_.valueText(); }
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+public slots:
+    /// The value under the pointer: a mark on the bar and a number.
+    void showValue(std::optional<double> value);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    ColourLegend legend_;
+};
+
+}  // namespace toile

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFont>
+#include <QPalette>
+#include <QRectF>
+#include <QString>
+#include <optional>
+
+#include "app/render/overlay_figures.h"
+
+class QPainter;
+
+namespace toile {
+
+/// What the colours of an overlay mean, in numbers, how much of the cloth has which, and the value
+/// under the pointer: what the colour bar shows and what pictures have below them. A value.
+struct ColourLegend {
+    Overlay overlay = Overlay::None;
+    OverlayScale scale{};
+    std::optional<Histogram> histogram{};  ///< of a measured overlay only
+    std::optional<double> value{};
+
+    /// For tests and screen readers: "Strain along warp: −1 % to +2 %; 12 % of the cloth is beyond
+    /// the fabric along the warp".
+    QString summary() const;
+    /// "all of the cloth is within the fabric along the warp": says which strain is counted, for
+    /// another direction may say something else. The shares at the ends as they are shown add up to
+    /// it. Empty where the fabric has no limits, or nothing is flat yet.
+    QString shareSentence() const;
+    /// "12 %": how much of the cloth lies beyond the lower or the higher end; empty where no cloth
+    /// has been counted.
+    QString endShareText(bool high) const;
+    /// "+2.4 %"; empty where there is no value.
+    QString valueText() const;
+};
+
+/// The legend of these figures: the ends say whether anything that is drawn lies beyond them.
+ColourLegend legendOf(const OverlayFigures& figures);
+
+/// How high a legend is, logical pixels.
+int legendHeight(const QFont& font);
+
+void paintLegend(QPainter& painter, const ColourLegend& legend, const QSize& size,
+                 const QFont& font, const QPalette& palette);
+
+}  // namespace toile

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/feature_at.h"
+
+#include <QLineF>
+#include <algorithm>
+#include <array>
+
+#include "app/document/document.h"
+#include "app/render/outline_corners.h"
+#include "app/render/scene.h"
+#include "app/views/sewn_run.h"
+#include "app/views/tools/tool.h"
+
+namespace toile {
+
+namespace {
+
+/// How near the pointer must come to a line or a vertex, pixels.
+constexpr double kLineReach = 6, kVertexReach = 7;
+/// Triangles smaller than this on the screen have no vertices to be meant, pixels.
+constexpr double kLeastEdge = 26;
+
+std::optional<Feature> vertexAt(const ToolView& view, const Document& document,
+                                const SurfaceHit& hit, const QPointF& at) {
+    std::array<QPointF, 3> corners;
+    for (int k = 0; k < 3; ++k) {
+        const auto place = view.onScreen(hit.piece, hit.face, Eigen::Vector3d::Unit(k));
+        if (!place) {
+            return std::nullopt;
+        }
+        corners[static_cast<std::size_t>(k)] = *place;
+    }
+    int nearest = 0;
+    double distance = kVertexReach;
+    bool found = false;
+    for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (QLineF(corners[i], corners[(i + 1) % 3]).length() < kLeastEdge) {
+            return std::nullopt;
+        }
+        if (const double off = QLineF(corners[i], at).length(); off <= distance) {
+            nearest = k;
+            distance = off;
+            found = true;
+        }
+    }
+    if (!found) {
+        return std::nullopt;
+    }
+    const Piece& piece = *document.garment()->pieces[static_cast<std::size_t>(hit.piece)];
+    Feature feature;
+    feature.kind = Feature::Kind::Vertex;
+    feature.piece = hit.piece;
+    feature.vertex = piece.mesh.F(hit.face, nearest);
+    feature.face = hit.face;
+    return feature;
+}
+
+}  // namespace
+
+std::optional<Feature> featureAt(const ToolView& view, const Document& document,
+                                 const QPointF& at) {
+    // The scene may be of the garment before, for a moment.
+    if (!document.garment() || !document.scene() ||
+        static_cast<int>(document.scene()->pieces.size()) != document.pieceCount()) {
+        return std::nullopt;
+    }
+    const auto hit = view.hitAt(at);
+    if (hit) {
+        if (auto vertex = vertexAt(view, document, *hit, at)) {
+            return vertex;
+        }
+    }
+    Feature feature;
+    if (const auto seam = view.seamHitAt(at, kLineReach, {})) {
+        feature.kind = Feature::Kind::Seam;
+        feature.seam = seam->seam;
+        return feature;
+    }
+    if (!hit) {
+        return std::nullopt;
+    }
+    feature.kind = Feature::Kind::Piece;
+    feature.piece = hit->piece;
+    return feature;
+}
+
+std::optional<Feature> runAt(const ToolView& view, const Document& document, const QPointF& at) {
+    const auto hit =
+        document.garment() && document.scene() ? view.seamHitAt(at, kLineReach, {}) : std::nullopt;
+    if (!hit || hit->seam >= document.seamCount()) {
+        return std::nullopt;
+    }
+    const Seam& seam = document.garment()->seams.seams[static_cast<std::size_t>(hit->seam)];
+    const SeamSide& side = hit->side == 0 ? seam.left : seam.right;
+    const auto piece = static_cast<std::size_t>(side.piece);
+    // The rim of a hole has no corners to run between.
+    if (piece >= document.scene()->pieces.size() || side.count == 0 || side.loop > 0) {
+        return std::nullopt;
+    }
+    const int size = static_cast<int>(document.garment()->pieces[piece]->boundary.size());
+    const int along = std::clamp(hit->segment, 0, side.count - 1);
+    const int edge = side.first + (side.reversed ? side.count - 1 - along : along);
+    const OutlineRun run =
+        runBetweenCorners(document.scene()->pieces[piece].corners, size, edge % size);
+    Feature feature;
+    feature.kind = Feature::Kind::Run;
+    feature.piece = side.piece;
+    feature.first = run.first;
+    feature.count = run.count;
+    return feature;
+}
+
+bool selectLineAt(const ToolView& view, Document& document, const QPointF& at) {
+    const auto feature = featureAt(view, document, at);
+    if (!feature || feature->kind == Feature::Kind::Piece) {
+        document.setMark({});
+        return false;
+    }
+    document.setSelection({});
+    if (feature->kind == Feature::Kind::Seam) {
+        document.setMark({});
+        document.setSeam(feature->seam);
+    } else {
+        document.setSeam({});
+        document.setMark(feature);
+    }
+    return true;
+}
+
+void selectPieceAt(const ToolView& view, Document& document, const Pointer& pointer) {
+    const auto hit = view.hitAt(pointer.at);
+    if (pointer.adds()) {
+        if (hit) {
+            document.toggleSelected(hit->piece);
+        }
+        return;
+    }
+    document.setSeam({});
+    document.setSelection(hit ? Document::Selection{hit->piece} : Document::Selection{});
+}
+
+bool selectRunAt(const ToolView& view, Document& document, const QPointF& at) {
+    const auto feature = featureAt(view, document, at);
+    const bool onLine = feature && feature->kind == Feature::Kind::Seam;
+    const auto run = onLine ? runAt(view, document, at) : std::nullopt;
+    if (!run) {
+        return false;
+    }
+    document.setSelection({});
+    document.setSeam(seamOfRun(*document.garment(), *run));  // lists know that one too
+    document.setMark(run);
+    return true;
+}
+
+}  // namespace toile

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "app/document/feature.h"
+#include "app/render/overlay_values.h"
+
+namespace toile {
+
+class Document;
+
+/// What a person wants to know of what the pointer is on: "front / back · 412.3 / 412.3 mm, Δ 0.0",
+/// "front · 251.2 cm²"; where the overlay shows a number, of a piece and a vertex that at the
+/// place: "front · Strain along warp +1.8 % (limit +2 %)".
+/// @param place  under the pointer; none: no number
+/// Cost: linear in the outlines of a seam's pieces; of a piece that is not flat in its triangles.
+QString featureText(const Document& document, const Feature& feature,
+                    const std::optional<SurfacePlace>& place = {});
+
+/// Of the stretch of outline that is selected, as `featureText`; empty where none is, or a seam
+/// has been selected since.
+QString markedText(const Document& document);
+
+}  // namespace toile

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/flags.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "app/render/render_style.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kRing = 4.5;  ///< radius
+constexpr double kAway = 13;   ///< from the place to the plate, along both axes
+constexpr double kPadding = 6;
+constexpr double kBadge = 17;   ///< width of the number's part of the plate
+constexpr int kMostSteps = 24;  ///< of half a plate, in search of a free place
+
+bool overlaps(const QRectF& plate, const std::vector<QRectF>& taken) {
+    return std::ranges::any_of(
+        taken, [&plate](const QRectF& other) -> bool { return plate.intersects(other); });
+}
+
+/// Above on the right, where nothing is in the way; else at another corner or farther off.
+QRectF plateFor(const QPointF& at, const QSizeF& size, const QRectF& view,
+                const std::vector<QRectF>& taken) {
+    for (const double away : {kAway, 2.5 * kAway, 4 * kAway}) {
+        const double right = kAway, left = -kAway - size.width();
+        const double above = -away - size.height(), below = away;
+        for (const QPointF& corner : {QPointF(right, above), QPointF(left, above),
+                                      QPointF(right, below), QPointF(left, below)}) {
+            const QRectF plate(at + corner, size);
+            if (view.contains(plate) && !overlaps(plate, taken)) {
+                return plate;
+            }
+        }
+    }
+    // In a corner, or among many: pushed into the view, and up or down until it lies free.
+    QRectF plate(at + QPointF(kAway, -kAway - size.height()), size);
+    plate.moveLeft(std::max(view.left(), std::min(plate.left(), view.right() - size.width())));
+    const auto atHeight = [&](double top) -> QRectF {
+        const double lowest = std::max(view.top(), view.bottom() - size.height());
+        return {QPointF(plate.left(), std::clamp(top, view.top(), lowest)), size};
+    };
+    for (int step = 0; step <= kMostSteps; ++step) {
+        for (const int way : {1, -1}) {
+            const QRectF moved = atHeight(plate.top() + way * step * size.height() / 2);
+            if (!overlaps(moved, taken)) {
+                return moved;
+            }
+        }
+    }
+    return atHeight(plate.top());
+}
+
+QFont flagFont(QFont font) {
+    font.setPointSizeF(std::max(6.5, font.pointSizeF() * 0.9));
+    font.setWeight(QFont::DemiBold);
+    return font;
+}
+
+/// The point of the plate where the line from the place ends.
+QPointF nearestOn(const QRectF& plate, const QPointF& at) {
+    return {std::clamp(at.x(), plate.left() + 3, plate.right() - 3),
+            std::clamp(at.y(), plate.top(), plate.bottom())};
+}
+
+void paintFlag(QPainter& painter, const RenderStyle& style, const Flag& flag, const QRectF& plate) {
+    painter.save();
+    painter.setOpacity(flag.faint ? 0.5 : 1.0);
+    const QPointF end = nearestOn(plate, flag.at);
+    QColor halo = style.plate;
+    halo.setAlpha(230);
+    for (const auto& [colour, width] : {std::pair(halo, 4.0), std::pair(style.text, 1.5)}) {
+        painter.setPen(QPen(colour, width, flag.faint ? Qt::DotLine : Qt::SolidLine));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawLine(flag.at, end);
+        painter.drawEllipse(flag.at, kRing, kRing);
+    }
+    painter.setPen(QPen(style.text, 1));
+    painter.setBrush(halo);
+    painter.drawRoundedRect(plate, 4, 4);
+    QPainterPath badge;
+    badge.addRoundedRect(QRectF(plate.topLeft(), QSizeF(kBadge, plate.height())), 4, 4);
+    painter.fillPath(badge, style.text);
+    painter.setPen(halo);
+    painter.drawText(QRectF(plate.topLeft(), QSizeF(kBadge, plate.height())), Qt::AlignCenter,
+                     QString::number(flag.number));
+    painter.setPen(style.text);
+    painter.drawText(plate.adjusted(kBadge, 0, 0, 0), Qt::AlignCenter, flag.text);
+    painter.restore();
+}
+
+}  // namespace
+
+void paintSpotRing(QPainter& painter, const RenderStyle& style, const QPointF& at) {
+    constexpr double kRadius = 15, kGap = 5, kTick = 6;
+    painter.save();
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& [colour, width] :
+         {std::pair(style.seamHalo, 5.0), std::pair(style.seam, 2.2)}) {
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+        painter.drawEllipse(at, kRadius, kRadius);
+        for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+            painter.drawLine(at + (kRadius - kGap) * way, at + (kRadius + kTick) * way);
+        }
+    }
+    painter.restore();
+}
+
+std::vector<QRectF> flagPlates(const QFont& font, const FlagRoom& room,
+                               const std::vector<Flag>& flags) {
+    const QFontMetricsF metrics(flagFont(font));
+    std::vector<QRectF> taken = room.taken;
+    for (const Flag& flag : flags) {
+        if (room.view.contains(flag.at)) {
+            taken.emplace_back(flag.at.x() - kRing, flag.at.y() - kRing, 2 * kRing, 2 * kRing);
+        }
+    }
+    std::vector<QRectF> plates;
+    for (const Flag& flag : flags) {
+        QRectF& plate = plates.emplace_back();
+        if (room.view.contains(flag.at)) {
+            const QSizeF size(kBadge + metrics.horizontalAdvance(flag.text) + 2 * kPadding,
+                              metrics.height() + 3);
+            plate = plateFor(flag.at, size, room.view, taken);
+            taken.push_back(plate);
+        }
+    }
+    return plates;
+}
+
+void paintFlags(QPainter& painter, const RenderStyle& style, const FlagRoom& room,
+                const std::vector<Flag>& flags) {
+    const std::vector<QRectF> plates = flagPlates(painter.font(), room, flags);
+    painter.save();
+    painter.setFont(flagFont(painter.font()));
+    for (std::size_t i = 0; i < flags.size(); ++i) {
+        if (!plates[i].isEmpty()) {
+            paintFlag(painter, style, flags[i], plates[i]);
+        }
+    }
+    painter.restore();
+}
+
+}  // namespace toile

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/grain_arrow.h"
+
+#include <QPainter>
+#include <QPolygonF>
+#include <algorithm>
+#include <cmath>
+
+#include "app/document/document.h"
+#include "app/document/layout.h"
+#include "app/render/render_style.h"
+#include "app/render/scene.h"
+#include "app/views/tools/sheet_map.h"
+#include "core/export/grain_line.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kShare = 0.72;            // of the cloth's extent along the arrow
+constexpr double kShortest = 28;           // pixels, however narrow the cloth
+constexpr double kHead = 10;               // pixels
+constexpr double kHalo = 3.2;              // pixels, both sides together
+constexpr double kDash = 3.2, kGap = 2.4;  // widths of the line
+
+void paintArrow(QPainter& painter, const QPointF& tail, const QPointF& tip, const QColor& colour,
+                const QColor& halo, double width, bool stated) {
+    const QPointF way = tip - tail;
+    const double length = std::hypot(way.x(), way.y());
+    const QPointF along = way / length, across(-along.y(), along.x());
+    const double head = std::min(kHead, 0.35 * length);
+    const QPolygonF triangle{tip, tip - head * along + 0.42 * head * across,
+                             tip - head * along - 0.42 * head * across};
+    const QPointF neck = tip - 0.8 * head * along;
+    for (const bool isHalo : {true, false}) {
+        QPen pen(isHalo ? halo : colour, isHalo ? width + kHalo : width, Qt::SolidLine,
+                 isHalo || stated ? Qt::RoundCap : Qt::FlatCap, Qt::RoundJoin);
+        if (!isHalo && !stated) {
+            pen.setDashPattern({kDash, kGap});
+        }
+        painter.setPen(pen);
+        painter.drawLine(tail, neck);
+        painter.setBrush(isHalo ? Qt::NoBrush : QBrush(colour));
+        if (!isHalo) {
+            painter.setPen(Qt::NoPen);
+        }
+        painter.drawPolygon(triangle);
+    }
+}
+
+}  // namespace
+
+std::optional<GrainArrow> grainArrow(const Document& document, int piece,
+                                     double pixelsPerMillimetre) {
+    const PieceResult* result = document.result(piece);
+    const auto at = static_cast<std::size_t>(piece);
+    if (!document.scene() || at >= document.scene()->pieces.size() || !result || !result->flat) {
+        return std::nullopt;
+    }
+    const PieceScene& drawn = document.scene()->pieces[at];
+    if (!drawn.flat) {
+        return std::nullopt;
+    }
+    const double grain = grainOf(document.settings()[at]);
+    const Eigen::Vector2d direction(std::cos(grain), std::sin(grain));
+    const auto chord = chordAt(flatOutline(document, piece), drawn.arrow, direction);
+    // The same to either side of its place, so that the middle stays while it is turned.
+    const double room = chord ? std::min((chord->to - drawn.arrow).dot(direction),
+                                         (drawn.arrow - chord->from).dot(direction))
+                              : 0;
+    const Placement placement = placementOf(document, piece);
+    return GrainArrow{placement.applied(drawn.arrow), placement.linear() * direction,
+                      std::max(2 * kShare * room, kShortest / pixelsPerMillimetre)};
+}
+
+void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail,
+                const QPointF& tip, bool marked, bool stated) {
+    painter.save();
+    paintArrow(painter, tail, tip, marked ? style.selection : style.text, style.plate,
+               marked ? 2.4 : 2.0, marked || stated);
+    painter.restore();
+}
+
+void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
+                      const Document& document, bool strong) {
+    painter.save();
+    for (int piece = 0; piece < document.pieceCount(); ++piece) {
+        const double scale = onScreen.pixelsPerMillimetre();
+        const auto arrow = grainArrow(document, piece, scale);
+        if (!arrow) {
+            continue;
+        }
+        const auto at = static_cast<std::size_t>(piece);
+        const double extent = document.scene()->pieces[at].flatBox.diagonal().norm() * scale;
+        if (!strong && extent < kShortest) {
+            continue;  // larger than the piece itself
+        }
+        paintArrow(painter, onScreen(arrow->end(-0.5)), onScreen(arrow->end(0.5)), style.text,
+                   style.plate, strong ? 2.2 : 1.8, document.settings()[at].grain.has_value());
+    }
+    painter.restore();
+}
+
+void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolView& view,
+                      const Document& document, int piece) {
+    const auto arrow = grainArrow(document, piece, view.pixelsPerMillimetre());
+    if (!arrow) {
+        return;
+    }
+    const SheetMap onScreen(view);
+    painter.save();
+    paintArrow(painter, onScreen(arrow->end(-0.5)), onScreen(arrow->end(0.5)), style.selection,
+               style.plate, 2.4, true);
+    painter.setPen(QPen(style.selection, 1.5));
+    painter.setBrush(style.plate);
+    painter.drawEllipse(onScreen(arrow->middle), 3.5, 3.5);
+    painter.restore();
+}
+
+}  // namespace toile

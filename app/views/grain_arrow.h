@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointF>
+#include <optional>
+
+#include <Eigen/Core>
+
+class QPainter;
+
+namespace toile {
+
+class Document;
+class SheetMap;
+class ToolView;
+struct RenderStyle;
+
+/// Where a flat piece's grain arrow is on the sheet, mm.
+struct GrainArrow {
+    Eigen::Vector2d middle;
+    Eigen::Vector2d direction;  ///< unit vector, along the warp
+    double length = 0;
+
+    Eigen::Vector2d end(double share) const { return middle + share * length * direction; }
+};
+
+/// Through PieceScene::arrow, as long as the cloth there has room, but long enough to be seen and
+/// grabbed however narrow it is; nothing where the piece is not flat. Cost: the outline.
+/// @param pixelsPerMillimetre  of the screen that it is for
+std::optional<GrainArrow> grainArrow(const Document& document, int piece,
+                                     double pixelsPerMillimetre);
+
+/// Paints one arrow on the screen, as tools show it.
+void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail,
+                const QPointF& tip, bool marked, bool stated);
+
+/// Paints the arrows of all flat pieces, those dashed for which nobody has stated the grain.
+/// @param strong  while the grain is what is being worked on: also of pieces too small to be worth
+/// it
+void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
+                      const Document& document, bool strong);
+/// Paints the arrow of one piece as held or pointed at.
+void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolView& view,
+                      const Document& document, int piece);
+
+}  // namespace toile

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/morph_bar.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+#include <QVariantAnimation>
+#include <algorithm>
+#include <cmath>
+
+#include "app/document/document.h"
+#include "app/render/render_style.h"
+#include "app/render/scene.h"
+#include "app/views/garment_view.h"
+#include "app/views/jump_slider.h"
+
+namespace toile {
+
+namespace {
+
+constexpr int kSteps = 1000;
+constexpr int kMilliseconds = 2600;  ///< for the whole way
+constexpr int kWidth = 300, kMargin = 12;
+/// To the right of the axis cross.
+constexpr int kLeft = 92;
+
+QLabel* end(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    QFont font = label->font();
+    font.setPointSizeF(font.pointSizeF() * 0.88);
+    label->setFont(font);
+    return label;
+}
+
+}  // namespace
+
+MorphBar::MorphBar(Document& document, GarmentView& view)
+    : QWidget(&view),
+      document_(document),
+      view_(view),
+      slider_(new JumpSlider(Qt::Horizontal, this)),
+      button_(new QToolButton(this)),
+      animation_(new QVariantAnimation(this)) {
+    setObjectName("morphBar");
+    setCursor(Qt::ArrowCursor);
+    slider_->setObjectName("morphSlider");
+    slider_->setRange(0, kSteps);
+    slider_->setSingleStep(kSteps / 50);
+    slider_->setPageStep(kSteps / 10);
+    slider_->setAccessibleName(tr("From the garment to the pattern"));
+    slider_->setToolTip(
+        tr("Shows what flattening does: the garment on the left, flat on the right"));
+    button_->setObjectName("morphPlay");
+    button_->setArrowType(Qt::RightArrow);
+    button_->setAutoRaise(true);
+    button_->setAccessibleName(tr("Play"));
+    button_->setToolTip(tr("Play the way from the garment to the pattern and back"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(4, 2, 10, 2);
+    row->setSpacing(6);
+    row->addWidget(button_);
+    row->addWidget(end(tr("Worn"), this));
+    row->addWidget(slider_, 1);
+    row->addWidget(end(tr("Flat"), this));
+
+    connect(slider_, &QSlider::valueChanged, &view_,
+            [this](int value) { view_.setMorph(static_cast<double>(value) / kSteps); });
+    connect(slider_, &QSlider::sliderPressed, animation_, &QVariantAnimation::stop);
+    connect(button_, &QToolButton::clicked, this, &MorphBar::play);
+    connect(animation_, &QVariantAnimation::valueChanged, slider_,
+            [this](const QVariant& value) { slider_->setValue(value.toInt()); });
+    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
+        if (what.testFlag(DocumentChange::Opened)) {
+            animation_->stop();
+            slider_->setValue(0);
+        }
+        if (what & (DocumentChange::Results | DocumentChange::Garment)) {
+            showOrHide();
+        }
+    });
+    view_.installEventFilter(this);
+    showOrHide();
+}
+
+void MorphBar::showOrHide() {
+    const Scene* scene = document_.scene().get();
+    const bool anyFlat =
+        scene && std::ranges::any_of(scene->pieces,
+                                     [](const PieceScene& piece) -> bool { return piece.flat; });
+    if (!anyFlat) {
+        animation_->stop();
+        slider_->setValue(0);
+    }
+    setVisible(anyFlat);
+    place();
+}
+
+void MorphBar::play() {
+    if (isHidden()) {
+        return;
+    }
+    if (animation_->state() == QAbstractAnimation::Running) {
+        animation_->stop();
+        return;
+    }
+    const int from = slider_->value(), to = from < kSteps / 2 ? kSteps : 0;
+    animation_->setStartValue(from);
+    animation_->setEndValue(to);
+    animation_->setDuration(kMilliseconds * std::abs(to - from) / kSteps);
+    animation_->start();
+}
+
+void MorphBar::place() {
+    const int room = view_.width() - kLeft - kMargin;
+    const int width = std::min(kWidth, room);
+    const int height = sizeHint().height();
+    // In the middle of the foot, unless the axis cross is in the way.
+    const int left = std::max(kLeft, (view_.width() - width) / 2);
+    setGeometry(left, view_.height() - height - kMargin, width, height);
+}
+
+bool MorphBar::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &view_ && event->type() == QEvent::Resize) {
+        place();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void MorphBar::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(renderStyle(palette()).plate);
+    painter.drawRoundedRect(rect(), 7, 7);
+}
+
+}  // namespace toile

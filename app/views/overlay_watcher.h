@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+
+#include "app/document/document_change.h"
+#include "app/render/overlay_figures.h"
+
+namespace toile {
+
+class Document;
+
+/// Keeps the overlay's figures as the document is. Those of a small garment at once; those of a
+/// large one are worked out on another thread, the last wish first, and come some time later.
+class OverlayWatcher : public QObject {
+    Q_OBJECT
+
+public:
+    explicit OverlayWatcher(Document& document, QObject* parent = nullptr);
+    ~OverlayWatcher() override;
+
+    /// Overlay and scale are the document's; histogram and spots may be of an earlier grain, or not
+    /// there yet, while `isUpToDate` is false.
+    const OverlayFigures& figures() const { return figures_; }
+    bool isUpToDate() const { return !isRunning_; }
+
+signals:
+    void changed();
+
+private:
+    void onChanged(DocumentChanges what);
+    void start(OverlayQuestion question);
+    /// Overlay and scale at once, where they are others.
+    void showFirst(const OverlayQuestion& question);
+    void onFinished();
+
+    Document& document_;
+    OverlayQuestion asked_;  ///< last
+    OverlayFigures figures_;
+    QFutureWatcher<OverlayFigures> watcher_;
+    bool isRunning_ = false, isStale_ = false;
+};
+
+}  // namespace toile

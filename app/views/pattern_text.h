@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QRect>
+
+#include "app/render/camera_2d.h"
+#include "app/views/spot_flags.h"
+
+namespace toile {
+
+/// What the pattern view writes over the sheet, in the window and in pictures alike: caption, grain
+/// arrows, names, flags, scale bar and rulers.
+struct PatternText {
+    const Document& document;
+    const SheetPlaces& places;
+    const Camera2D& camera;
+    QRect view;  ///< logical pixels, from 0, 0
+    const FlaggedSpots& spots;
+    bool strongGrain = false;  ///< while the grain is what is being worked on
+};
+
+void paintPatternText(QPainter& painter, const RenderStyle& style, const PatternText& text);
+
+}  // namespace toile

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/sewn_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/document/document.h"
+#include "app/render/scene_builder.h"
+#include "core/seam/seam_measure.h"
+
+namespace toile {
+
+namespace {
+
+/// Shorter than any stitch: what is left over by rounding, mm.
+constexpr double kNothing = 1e-3;
+
+struct Span {
+    double low = 0, high = 0;
+
+    double length() const { return high - low; }
+};
+
+/// Arc lengths along an outline at which its edges begin, and its whole length at the end.
+std::vector<double> arcsOf(const Piece& piece) {
+    const std::size_t size = piece.boundary.size();
+    std::vector<double> arcs(size + 1, 0);
+    for (std::size_t k = 0; k < size; ++k) {
+        arcs[k + 1] = arcs[k] + (piece.mesh.V.row(piece.boundary[(k + 1) % size]) -
+                                 piece.mesh.V.row(piece.boundary[k]))
+                                    .norm();
+    }
+    return arcs;
+}
+
+/// At which edge `k` begins, where k counts on past the outline's beginning.
+double arcAt(const std::vector<double>& arcs, int k) {
+    const int size = static_cast<int>(arcs.size()) - 1;
+    return (k / size) * arcs.back() + arcs[static_cast<std::size_t>(k % size)];
+}
+
+Span spanOf(const SeamSide& side) {
+    return {std::min(side.start, side.end), std::max(side.start, side.end)};
+}
+
+/// The part of a side between two of its arc lengths, in its direction.
+SeamSide partOf(const SeamSide& side, const std::vector<double>& arcs, Span span) {
+    SeamSide part = side;
+    part.start = side.reversed ? span.high : span.low;
+    part.end = side.reversed ? span.low : span.high;
+    part.count = 0;
+    for (int k = side.first; k < side.first + side.count; ++k) {
+        const double touched =
+            std::min(span.high, arcAt(arcs, k + 1)) - std::max(span.low, arcAt(arcs, k));
+        if (touched > kNothing) {
+            part.first = part.count == 0 ? k : part.first;
+            part.count = k - part.first + 1;
+        }
+    }
+    return part;
+}
+
+/// Where a place on one side of a seam comes to lie on the other.
+double opposite(const Seam& seam, bool fromLeft, double place) {
+    const auto& matches = seam.matches;
+    const auto here = [&](std::size_t i) { return fromLeft ? matches[i].left : matches[i].right; };
+    const auto there = [&](std::size_t i) { return fromLeft ? matches[i].right : matches[i].left; };
+    std::size_t i = 0;
+    const bool rises = here(0) <= here(matches.size() - 1);
+    while (i + 2 < matches.size() && (rises ? here(i + 1) < place : here(i + 1) > place)) {
+        ++i;
+    }
+    const double step = here(i + 1) - here(i);
+    const double share = step == 0 ? 0 : std::clamp((place - here(i)) / step, 0.0, 1.0);
+    return there(i) + share * (there(i + 1) - there(i));
+}
+
+double wornLength(const SeamSide& side) {
+    return std::abs(side.end - side.start);
+}
+
+}  // namespace
+
+std::vector<SewnPart> sewnParts(const Garment& garment, const Feature& run) {
+    const Piece& piece = *garment.pieces[static_cast<std::size_t>(run.piece)];
+    const std::vector<double> arcs = arcsOf(piece);
+    const Span taken{arcAt(arcs, run.first), arcAt(arcs, run.first + run.count)};
+    std::vector<SewnPart> parts;
+    for (std::size_t s = 0; s < garment.seams.seams.size(); ++s) {
+        const Seam& seam = garment.seams.seams[s];
+        if (seam.right.piece < 0 || seam.matches.size() < 2) {
+            continue;
+        }
+        for (const bool left : {true, false}) {
+            const SeamSide& here = left ? seam.left : seam.right;
+            const SeamSide& there = left ? seam.right : seam.left;
+            // A third layer is told of by whom it lies on only where it is what is asked about.
+            if (here.piece != run.piece || (seam.stacked && !left)) {
+                continue;
+            }
+            const Span all = spanOf(here);
+            for (const double turn : {-arcs.back(), 0.0, arcs.back()}) {
+                const Span both{std::max(all.low, taken.low + turn),
+                                std::min(all.high, taken.high + turn)};
+                if (both.length() <= kNothing) {
+                    continue;
+                }
+                const Piece& other = *garment.pieces[static_cast<std::size_t>(there.piece)];
+                const auto ends =
+                    std::minmax({opposite(seam, left, both.low), opposite(seam, left, both.high)});
+                parts.push_back({static_cast<int>(s), all.length() - both.length() <= kNothing,
+                                 partOf(here, arcs, both),
+                                 partOf(there, arcsOf(other), {ends.first, ends.second})});
+            }
+        }
+    }
+    return parts;
+}
+
+std::optional<int> seamOfRun(const Garment& garment, const Feature& run) {
+    const auto parts = sewnParts(garment, run);
+    if (parts.size() != 1 || !parts.front().whole) {
+        return std::nullopt;
+    }
+    const auto arcs = arcsOf(*garment.pieces[static_cast<std::size_t>(run.piece)]);
+    const double length = arcAt(arcs, run.first + run.count) - arcAt(arcs, run.first);
+    return length - wornLength(parts.front().here) <= kNothing ? std::optional(parts.front().seam)
+                                                               : std::nullopt;
+}
+
+RunLengths runLengths(const Garment& garment, const PieceResults& results, const Feature& run) {
+    const auto parts = sewnParts(garment, run);
+    const auto flatOf = [&](int piece) { return flatPieceOf(garment, results, piece); };
+    const Piece& piece = *garment.pieces[static_cast<std::size_t>(run.piece)];
+    const auto arcs = arcsOf(piece);
+    RunLengths lengths;
+    lengths.flat = flatOf(run.piece) && std::ranges::all_of(parts, [&](const SewnPart& part) {
+                       return flatOf(part.there.piece) != nullptr;
+                   });
+    const auto lengthOf = [&](const SeamSide& side) -> double {
+        return lengths.flat
+                   ? flatLength(side, *garment.pieces[static_cast<std::size_t>(side.piece)],
+                                flatOf(side.piece)->Q)
+                   : wornLength(side);
+    };
+    SeamSide whole;
+    whole.piece = run.piece;
+    whole.first = run.first;
+    whole.count = run.count;
+    whole.start = arcAt(arcs, run.first);
+    whole.end = arcAt(arcs, run.first + run.count);
+    for (const SewnPart& part : parts) {
+        lengths.sewn += lengthOf(part.here);
+        lengths.partner += lengthOf(part.there);
+    }
+    lengths.free = std::max(0.0, lengthOf(whole) - lengths.sewn);
+    return lengths;
+}
+
+std::vector<Feature> markedFeatures(const Document& document) {
+    if (!document.mark() || !document.garment()) {
+        return {};
+    }
+    std::vector<Feature> features{*document.mark()};
+    if (features.front().kind == Feature::Kind::Run) {
+        for (const SewnPart& part : sewnParts(*document.garment(), features.front())) {
+            const auto& boundary =
+                document.garment()->pieces[static_cast<std::size_t>(part.there.piece)]->boundary;
+            Feature partner;
+            partner.kind = Feature::Kind::Run;
+            partner.piece = part.there.piece;
+            partner.first = part.there.first % static_cast<int>(boundary.size());
+            partner.count = part.there.count;
+            features.push_back(partner);
+        }
+    }
+    return features;
+}
+
+}  // namespace toile

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "app/views/tools/cloth_point.h"
+#include "app/views/tools/tool_view.h"
+#include "core/garment/garment.h"
+
+namespace toile {
+
+/// The rim of a piece, disk or not.
+struct PieceRim {
+    std::vector<int> uses;      ///< 3 * face + k, the side from corner k to corner k + 1
+    std::set<int> corners;      ///< vertices where the outline turns sharply (outline_corners.h)
+    std::vector<char> isOnRim;  ///< per vertex
+};
+
+PieceRim rimOf(const Piece& piece);
+
+/// Finds the place on the cloth that a pointer means: places pointed at before, corners and the
+/// rim draw it within some pixels, also from beside the cloth. Rims are kept from one question to
+/// the next. Cost: that of `hitAt`, and the rim of the piece; of all pieces beside the cloth.
+class ClothSnapper {
+public:
+    /// @param own  places pointed at before
+    std::optional<ClothPoint> find(const ToolView& view, const Garment& garment, const QPointF& at,
+                                   std::span<const ClothPoint> own);
+    const PieceRim& rim(const std::shared_ptr<const Piece>& piece);
+    /// Forgets the rims of pieces that are not in the garment; null: all.
+    void keep(const Garment* garment);
+
+private:
+    std::map<std::shared_ptr<const Piece>, PieceRim> rims_;
+};
+
+}  // namespace toile

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/views/tools/path_tool.h"
+
+namespace toile {
+
+/// Cuts from an edge to a tip inside the cloth: by one drag, or by two clicks.
+class DartTool : public PathTool {
+    Q_OBJECT
+
+public:
+    DartTool(Workspace& workspace, PathFinder& finder)
+        : PathTool(workspace, finder, UserCut::Kind::Dart, 2) {}
+
+    ToolId id() const override { return ToolId::Dart; }
+    QString hint(ViewKind view) const override;
+    bool press(ToolView& view, const Pointer& pointer) override;
+    void drag(ToolView& view, const Pointer& pointer) override;
+    void release(ToolView& view, const Pointer& pointer) override;
+    void click(ToolView& view, const Pointer& pointer) override;
+
+protected:
+    QString remark(const ClothPoint& point) const override;
+    UserCut::Kind kindFor(const std::vector<ClothPoint>& points) override;
+
+private:
+    QPointF pressed_;
+};
+
+}  // namespace toile

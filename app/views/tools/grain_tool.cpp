@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/tools/grain_tool.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <cmath>
+#include <numbers>
+
+#include "app/document/document.h"
+#include "app/text/figures.h"
+#include "app/views/feature_at.h"
+#include "app/views/grain_arrow.h"
+#include "app/views/tools/sheet_map.h"
+#include "app/views/tools/tool_paint.h"
+#include "core/base/angle.h"
+#include "core/mesh/segment.h"
+#include "core/sheet/snapping.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kReach = 3 * kDegree;
+constexpr double kGrab = 8;  // pixels around an arrow that sticks out of the cloth
+
+double distanceToArrow(const SheetMap& onScreen, const GrainArrow& arrow, const QPointF& at) {
+    return distanceToSegment(pixels(at), pixels(onScreen(arrow.end(-0.5))),
+                             pixels(onScreen(arrow.end(0.5))));
+}
+
+}  // namespace
+
+QString GrainTool::hint(ViewKind view) const {
+    if (view == ViewKind::Garment) {
+        return tr("Turn the grain in the pattern view · Esc: back to selecting");
+    }
+    return turning_ ? tr("Drag: turn the grain · Alt: snap the other way · Esc: take it back")
+                    : tr("Drag on a piece: turn its grain · Alt: snap the other way · "
+                         "Click: select · Esc: back to selecting");
+}
+
+Qt::CursorShape GrainTool::cursor(ViewKind view) const {
+    return view == ViewKind::Pattern ? Qt::CrossCursor : Qt::ArrowCursor;
+}
+
+std::optional<int> GrainTool::pieceAt(const ToolView& view, const QPointF& at) const {
+    // An arrow that is aimed at counts before the cloth that it lies on.
+    const SheetMap onScreen(view);
+    for (const int piece : allFlat(document_)) {
+        const auto arrow = grainArrow(document_, piece, onScreen.pixelsPerMillimetre());
+        if (arrow && distanceToArrow(onScreen, *arrow, at) < kGrab) {
+            return piece;
+        }
+    }
+    const auto hit = view.hitAt(at);
+    return hit ? std::optional(hit->piece) : std::nullopt;
+}
+
+bool GrainTool::press(ToolView& view, const Pointer& pointer) {
+    if (view.kind() != ViewKind::Pattern) {
+        return false;
+    }
+    const auto piece = pieceAt(view, pointer.at);
+    const auto arrow =
+        piece ? grainArrow(document_, *piece, view.pixelsPerMillimetre()) : std::nullopt;
+    if (!arrow) {
+        return false;
+    }
+    turning_ = Turning{*piece,
+                       document_.newGesture(),
+                       {{*piece, document_.settings()[static_cast<std::size_t>(*piece)].grain}},
+                       arrow->middle,
+                       std::atan2(arrow->direction.y(), arrow->direction.x()),
+                       directionTo(arrow->middle, view.onSheet(pointer.at)),
+                       pointer.at,
+                       pointer.at};
+    turning_->now = turning_->start;
+    turning_->of = document_.garment();
+    turning_->results = document_.results();
+    const Placement placement = placementOf(document_, *piece);
+    const Points2 outline = flatOutline(document_, *piece);
+    std::vector<double> directions = straightDirections(outline);
+    if (const auto nearest = nearestEdgeDirection(outline, placement.undone(arrow->middle))) {
+        directions.push_back(*nearest);
+    }
+    for (const double direction : directions) {
+        turning_->edges.push_back(directionOnSheet(placement, direction));
+    }
+    emit changed();
+    return true;
+}
+
+void GrainTool::drag(ToolView& view, const Pointer& pointer) {
+    if (!turning_) {
+        return;
+    }
+    if (isStale(*turning_)) {
+        cancel();
+        return;
+    }
+    Turning& turning = *turning_;
+    turning.pointer = pointer.at;
+    if (!turning.moved &&
+        (pointer.at - turning.pressed).manhattanLength() < QApplication::startDragDistance()) {
+        return;
+    }
+    turning.moved = true;
+    double angle =
+        turning.start + directionTo(turning.middle, view.onSheet(pointer.at)) - turning.from;
+    if (document_.view().snapping != pointer.modifiers.testFlag(Qt::AltModifier)) {
+        angle = snappedAngle(wrappedAngle(angle), std::numbers::pi / 4, turning.edges, kReach);
+    }
+    turning.now = wrappedAngle(angle);
+    setGrain(document_, tr("Grain"),
+             {{turning.piece, directionOnPiece(placementOf(document_, turning.piece), angle)}},
+             turning.gesture);
+}
+
+void GrainTool::release(ToolView& view, const Pointer& pointer) {
+    const bool clicked = turning_ && !turning_->moved;
+    turning_.reset();
+    emit changed();
+    if (clicked) {
+        selectPieceAt(view, document_, pointer);
+    }
+}
+
+void GrainTool::click(ToolView& view, const Pointer& pointer) {
+    selectPieceAt(view, document_, pointer);
+}
+
+void GrainTool::hover(ToolView& view, const Pointer& pointer) {
+    const int now = view.kind() == ViewKind::Pattern ? pieceAt(view, pointer.at).value_or(-1) : -1;
+    if (now != hovered_) {
+        hovered_ = now;
+        emit changed();
+    }
+}
+
+void GrainTool::leave(ToolView&) {
+    if (hovered_ != -1) {
+        hovered_ = -1;
+        emit changed();
+    }
+}
+
+bool GrainTool::wants(const QKeyEvent& event) const {
+    return event.key() == Qt::Key_Escape;
+}
+
+void GrainTool::key(ToolView&, const QKeyEvent& event) {
+    if (!wants(event)) {
+        return;
+    }
+    if (turning_) {
+        cancel();
+    } else {
+        emit finished();
+    }
+}
+
+bool GrainTool::isStale(const Turning& turning) const {
+    return turning.of != document_.garment() || turning.results != document_.results();
+}
+
+void GrainTool::cancel() {
+    hovered_ = -1;
+    if (!turning_) {
+        return;
+    }
+    const Turning turning = std::move(*turning_);
+    turning_.reset();
+    // Of another garment there is nothing to take back; and this may be called while the document
+    // is in the middle of a step of its history.
+    if (turning.moved && !isStale(turning)) {
+        setGrain(document_, tr("Grain"), turning.before, turning.gesture);
+    }
+    emit changed();
+}
+
+void GrainTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {
+    const int piece = turning_ ? turning_->piece : hovered_;
+    if (view.kind() == ViewKind::Garment) {
+        garmentArrows_.paint(painter, style, view, document_, piece);
+        return;
+    }
+    if (piece >= 0 && piece < document_.pieceCount()) {
+        paintMarkedArrow(painter, style, view, document_, piece);
+    }
+    if (turning_ && turning_->moved) {
+        paintNote(painter, style, turning_->pointer, {angleWithUnit(turning_->now)});
+    }
+}
+
+}  // namespace toile

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "app/document/layout.h"
+#include "app/views/garment_arrows.h"
+#include "app/views/tools/tool.h"
+#include "core/flatten/piece_result.h"
+#include "core/garment/garment.h"
+
+namespace toile {
+
+/// Turns the grain of a piece: a drag on it in the pattern view turns its arrow about the arrow's
+/// middle. Where snapping is on it catches at the sheet's axes and diagonals and along the piece's
+/// nearest and straight edges; Alt turns the snapping the other way round.
+class GrainTool : public Tool {
+    Q_OBJECT
+
+public:
+    explicit GrainTool(Document& document) : document_(document) {}
+
+    ToolId id() const override { return ToolId::Grain; }
+    QString hint(ViewKind view) const override;
+    Qt::CursorShape cursor(ViewKind view) const override;
+    bool press(ToolView& view, const Pointer& pointer) override;
+    void drag(ToolView& view, const Pointer& pointer) override;
+    void release(ToolView& view, const Pointer& pointer) override;
+    void click(ToolView& view, const Pointer& pointer) override;
+    void hover(ToolView& view, const Pointer& pointer) override;
+    void leave(ToolView& view) override;
+    bool wants(const QKeyEvent& event) const override;
+    void key(ToolView& view, const QKeyEvent& event) override;
+    void cancel() override;
+    void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
+
+private:
+    /// An arrow that is being turned.
+    struct Turning {
+        int piece;
+        int gesture;
+        PieceGrains before;
+        Eigen::Vector2d middle;  ///< on the sheet
+        double start;            ///< the arrow's direction on the sheet at the press
+        double from;             ///< the pointer's, seen from the middle
+        QPointF pressed, pointer;
+        std::vector<double> edges{};  ///< directions on the sheet to snap to
+        bool moved = false;
+        double now = 0;
+        /// What it began with: where others have come, the piece may be no more, or lie in other
+        /// coordinates.
+        std::shared_ptr<const Garment> of{};
+        PieceResults results{};
+    };
+
+    std::optional<int> pieceAt(const ToolView& view, const QPointF& at) const;
+    bool isStale(const Turning& turning) const;
+
+    Document& document_;
+    std::optional<Turning> turning_;
+    int hovered_ = -1;
+    mutable GarmentArrows garmentArrows_;  ///< remembers places for painting alone
+};
+
+}  // namespace toile

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/tools/join_tool.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include "app/actions/workspace.h"
+#include "app/render/render_style.h"
+#include "app/text/figures.h"
+#include "app/views/tools/tool_paint.h"
+
+namespace toile {
+
+namespace {
+
+/// Pixels within which a seam is meant.
+constexpr double kReach = 8;
+
+}  // namespace
+
+QString JoinTool::hint(ViewKind) const {
+    return tr(
+        "Click a seam: join the cloth on both sides of it, so that it becomes one · Esc: back to "
+        "selecting");
+}
+
+std::optional<int> JoinTool::seamAt(const ToolView& view, const Pointer& pointer) const {
+    const auto& garment = workspace_.document().garment();
+    if (!garment) {
+        return std::nullopt;
+    }
+    const auto hit = view.seamHitAt(pointer.at, kReach, [&garment](int seam) -> bool {
+        const auto at = static_cast<std::size_t>(seam);
+        // The scene may be of the garment before, for a moment.
+        return at < garment->seams.seams.size() && garment->seams.seams[at].kind != SeamKind::Free;
+    });
+    return hit ? std::optional(hit->seam) : std::nullopt;
+}
+
+void JoinTool::show(std::optional<int> seam) {
+    if (seam_ != seam) {
+        seam_ = seam;
+        emit changed();
+    }
+}
+
+void JoinTool::hover(ToolView& view, const Pointer& pointer) {
+    pointer_ = pointer.at;
+    pointerView_ = view.kind();
+    show(seamAt(view, pointer));
+    if (seam_) {
+        view.repaintSoon();  // the plate follows the pointer
+    }
+}
+
+void JoinTool::leave(ToolView&) {
+    show(std::nullopt);
+}
+
+void JoinTool::click(ToolView& view, const Pointer& pointer) {
+    if (const auto seam = seamAt(view, pointer)) {
+        workspace_.joinSeam(*seam);
+    }
+}
+
+bool JoinTool::wants(const QKeyEvent& event) const {
+    return event.key() == Qt::Key_Escape;
+}
+
+void JoinTool::key(ToolView&, const QKeyEvent&) {
+    emit finished();
+}
+
+QStringList JoinTool::note() const {
+    const auto& garment = workspace_.document().garment();
+    const Seam& seam = garment->seams.seams[static_cast<std::size_t>(*seam_)];
+    return {QString::fromStdString(seam.name), lengthWithUnit(seam.length3d[0])};
+}
+
+void JoinTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {
+    const auto& garment = workspace_.document().garment();
+    if (!seam_ || !garment || *seam_ >= workspace_.document().seamCount()) {
+        return;
+    }
+    painter.save();
+    for (const QPolygonF& line : view.seamOnScreen(*seam_)) {
+        painter.setPen(QPen(style.seamHalo, 6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(line);
+        painter.setPen(QPen(style.seam, 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(line);
+    }
+    painter.restore();
+    if (view.kind() == pointerView_) {
+        paintNote(painter, style, pointer_, note());
+    }
+}
+
+}  // namespace toile

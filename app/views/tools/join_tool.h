@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "app/views/tools/tool.h"
+
+namespace toile {
+
+class Workspace;
+
+/// Joins the cloth on both sides of a seam: the one under the pointer lights up in both views, a
+/// click makes one of both.
+class JoinTool : public Tool {
+    Q_OBJECT
+
+public:
+    explicit JoinTool(Workspace& workspace) : workspace_(workspace) {}
+
+    ToolId id() const override { return ToolId::Join; }
+    QString hint(ViewKind view) const override;
+    Qt::CursorShape cursor(ViewKind) const override { return Qt::CrossCursor; }
+    void click(ToolView& view, const Pointer& pointer) override;
+    /// The second click of two: the first has taken a seam out, and which one comes next is to be
+    /// seen first.
+    void doubleClick(ToolView&, const Pointer&) override {}
+    void hover(ToolView& view, const Pointer& pointer) override;
+    void leave(ToolView& view) override;
+    bool speaks() const override { return true; }
+    bool wants(const QKeyEvent& event) const override;
+    void key(ToolView& view, const QKeyEvent& event) override;
+    void cancel() override { show(std::nullopt); }
+    void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
+
+    /// The seam that is lit up.
+    std::optional<int> seam() const { return seam_; }
+
+private:
+    std::optional<int> seamAt(const ToolView& view, const Pointer& pointer) const;
+    void show(std::optional<int> seam);
+    QStringList note() const;
+
+    Workspace& workspace_;
+    std::optional<int> seam_;
+    QPointF pointer_;
+    ViewKind pointerView_ = ViewKind::Garment;
+};
+
+}  // namespace toile

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/tools/measure_tool.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QLocale>
+#include <cmath>
+
+#include "app/document/document.h"
+#include "app/render/render_style.h"
+#include "app/text/figures.h"
+#include "app/views/tools/tool_paint.h"
+
+namespace toile {
+
+namespace {
+
+/// Below half of the last digit shown a difference is none.
+constexpr double kNoDifference = 0.00005;
+
+QString percentText(double fraction) {
+    const QString number = QLocale().toString(100 * std::abs(fraction), 'f', 2);
+    if (std::abs(fraction) < kNoDifference) {
+        return MeasureTool::tr("the same");
+    }
+    return fraction > 0 ? MeasureTool::tr("+%1 %").arg(number)
+                        : MeasureTool::tr("−%1 %").arg(number);
+}
+
+QString line(const QString& what, const MeasuredLength& length) {
+    if (!length.flat) {
+        return MeasureTool::tr("%1: %2, not flat yet").arg(what, lengthWithUnit(length.onCloth));
+    }
+    return MeasureTool::tr("%1: %2, flat %3 (%4)")
+        .arg(what, lengthWithUnit(length.onCloth), lengthWithUnit(*length.flat),
+             percentText(length.difference().value_or(0)));
+}
+
+}  // namespace
+
+MeasureTool::MeasureTool(Document& document, PathFinder& finder)
+    : document_(document), draft_(finder) {
+    connect(&draft_, &PathDraft::changed, this, &Tool::changed);
+}
+
+QString MeasureTool::hint(ViewKind) const {
+    if (draft_.isEmpty()) {
+        return tr(
+            "Click: measure from here · Esc: back to selecting · two places on an edge are "
+            "measured along it too");
+    }
+    return isEnded_ ? tr("Click: measure anew · Ctrl+C: copy · Esc: forget the measure")
+                    : tr("Click: next place · Double click or Enter: end here · Backspace: take "
+                         "the last place back · Ctrl+C: copy · Esc: forget the measure");
+}
+
+void MeasureTool::click(ToolView& view, const Pointer& pointer) {
+    if (!document_.garment()) {
+        return;
+    }
+    if (isEnded_) {
+        cancel();
+    }
+    const auto place = snapper_.find(view, *document_.garment(), pointer.at, draft_.points());
+    if (!place) {
+        return;
+    }
+    if (!draft_.isEmpty() && place->piece != draft_.points().front().piece) {
+        cancel();
+    }
+    if (draft_.isEmpty() || !samePlace(place->at, draft_.points().back().at)) {
+        draft_.setTip(std::nullopt);
+        draft_.add(*place, document_.garment()->pieces[static_cast<std::size_t>(place->piece)]);
+    }
+    pointer_ = pointer.at;
+    pointerView_ = view.kind();
+}
+
+void MeasureTool::doubleClick(ToolView&, const Pointer&) {
+    isEnded_ = draft_.points().size() > 1;
+    draft_.setTip(std::nullopt);
+}
+
+void MeasureTool::hover(ToolView& view, const Pointer& pointer) {
+    if (!document_.garment() || isEnded_) {
+        return;
+    }
+    under_ = snapper_.find(view, *document_.garment(), pointer.at, draft_.points());
+    pointer_ = pointer.at;
+    pointerView_ = view.kind();
+    const bool goesOn =
+        under_ && !draft_.isEmpty() && under_->piece == draft_.points().front().piece;
+    draft_.setTip(goesOn ? under_ : std::nullopt);
+    view.repaintSoon();  // the handle and the note are in this view alone
+}
+
+void MeasureTool::leave(ToolView& view) {
+    under_.reset();
+    draft_.setTip(std::nullopt);
+    view.repaintSoon();
+}
+
+bool MeasureTool::wants(const QKeyEvent& event) const {
+    // Backspace with nothing to take back too: held down it must not become the window's.
+    if (event.key() == Qt::Key_Escape || event.key() == Qt::Key_Backspace) {
+        return true;
+    }
+    return !draft_.isEmpty() && (event.matches(QKeySequence::Copy) ||
+                                 event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter);
+}
+
+void MeasureTool::key(ToolView& view, const QKeyEvent& event) {
+    if (event.matches(QKeySequence::Copy)) {
+        if (!lines().isEmpty()) {
+            QGuiApplication::clipboard()->setText(lines().join('\n'));
+        }
+    } else if (event.key() == Qt::Key_Backspace) {
+        isEnded_ = false;
+        draft_.removeLast();
+    } else if (event.key() != Qt::Key_Escape) {
+        doubleClick(view, {});
+    } else if (draft_.isEmpty()) {
+        emit finished();
+    } else {
+        cancel();
+    }
+}
+
+void MeasureTool::cancel() {
+    snapper_.keep(document_.garment().get());
+    isEnded_ = false;
+    under_.reset();
+    draft_.clear();
+}
+
+std::vector<ClothPoint> MeasureTool::places() const {
+    std::vector<ClothPoint> places = draft_.points();
+    if (draft_.tip() && !places.empty() && !samePlace(draft_.tip()->at, places.back().at)) {
+        places.push_back(*draft_.tip());
+    }
+    return places;
+}
+
+const Points2* MeasureTool::flat() const {
+    const PieceResult* result = document_.result(draft_.points().front().piece);
+    return result && result->flat && result->piece == draft_.piece() ? &result->flat->Q : nullptr;
+}
+
+std::optional<MeasuredLength> MeasureTool::way() const {
+    const std::vector<ClothPoint> all = places();
+    const auto onCloth = draft_.length();
+    if (all.size() < 2 || !onCloth) {
+        return std::nullopt;
+    }
+    MeasuredLength length{*onCloth};
+    if (const Points2* Q = flat()) {
+        length.flat = 0;
+        for (std::size_t i = 1; i < all.size(); ++i) {
+            *length.flat += flatDistance(*draft_.piece(), *Q, all[i - 1].at, all[i].at);
+        }
+    }
+    return length;
+}
+
+std::optional<MeasuredLength> MeasureTool::outline() const {
+    const std::vector<ClothPoint> all = places();
+    return all.size() == 2 ? alongOutline(*draft_.piece(), flat(), all[0].at, all[1].at)
+                           : std::nullopt;
+}
+
+QStringList MeasureTool::lines() const {
+    QStringList lines;
+    if (draft_.isEmpty()) {
+        return lines;
+    }
+    if (const auto length = way()) {
+        lines << line(tr("On the cloth"), *length);
+    }
+    if (const auto length = outline()) {
+        lines << line(tr("Along the edge"), *length);
+    }
+    return lines;
+}
+
+void MeasureTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {
+    draft_.paint(view, painter, style, style.seam);
+    if (under_ && !isEnded_) {
+        paintHandle(view, painter, style, *under_, style.seam, false);
+    }
+    const std::vector<ClothPoint> all = places();
+    if (all.size() < 2) {
+        return;
+    }
+    // In the pattern the straight lines are what is measured there.
+    if (view.kind() == ViewKind::Pattern) {
+        for (std::size_t i = 1; i < all.size(); ++i) {
+            const auto from =
+                view.onScreen(all[i - 1].piece, all[i - 1].at.face, all[i - 1].at.barycentric);
+            const auto to = view.onScreen(all[i].piece, all[i].at.face, all[i].at.barycentric);
+            if (from && to) {
+                paintStraight(painter, style, *from, *to);
+            }
+        }
+    }
+    if (view.kind() == pointerView_) {
+        paintNote(painter, style, pointer_, lines());
+    }
+}
+
+}  // namespace toile

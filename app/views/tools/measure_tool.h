@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/views/tools/cloth_snapper.h"
+#include "app/views/tools/measurement.h"
+#include "app/views/tools/path_draft.h"
+#include "app/views/tools/tool.h"
+
+namespace toile {
+
+class Document;
+
+/// Measures between places on one piece: over the cloth and straight in the pattern, and along the
+/// outline where both ends lie on it. Changes nothing.
+class MeasureTool : public Tool {
+    Q_OBJECT
+
+public:
+    MeasureTool(Document& document, PathFinder& finder);
+
+    ToolId id() const override { return ToolId::Measure; }
+    QString hint(ViewKind view) const override;
+    Qt::CursorShape cursor(ViewKind) const override { return Qt::CrossCursor; }
+    void click(ToolView& view, const Pointer& pointer) override;
+    void doubleClick(ToolView& view, const Pointer& pointer) override;
+    void hover(ToolView& view, const Pointer& pointer) override;
+    void leave(ToolView& view) override;
+    bool speaks() const override { return true; }
+    bool wants(const QKeyEvent& event) const override;
+    void key(ToolView& view, const QKeyEvent& event) override;
+    void cancel() override;
+    void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
+
+    /// From place to place, over the cloth; none until all ways are found.
+    std::optional<MeasuredLength> way() const;
+    /// Between two places on one outline.
+    std::optional<MeasuredLength> outline() const;
+    /// What is shown, line by line.
+    QStringList lines() const;
+
+private:
+    /// The places set and the one under the pointer.
+    std::vector<ClothPoint> places() const;
+    const Points2* flat() const;
+
+    Document& document_;
+    PathDraft draft_;
+    ClothSnapper snapper_;
+    std::optional<ClothPoint> under_;
+    bool isEnded_ = false;  ///< what is measured stays as it is until the next click
+    QPointF pointer_;
+    ViewKind pointerView_ = ViewKind::Garment;
+};
+
+}  // namespace toile

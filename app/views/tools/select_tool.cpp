@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/tools/select_tool.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <cmath>
+#include <utility>
+
+#include "app/actions/workspace.h"
+#include "app/document/document.h"
+#include "app/document/layout.h"
+#include "app/views/feature_at.h"
+#include "app/views/feature_text.h"
+#include "app/views/navigation.h"
+#include "app/views/tools/box_gesture.h"
+#include "app/views/tools/move_gesture.h"
+#include "app/views/tools/rotate_gesture.h"
+#include "app/views/tools/selection_frame.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kNudge = 1, kLargeNudge = 10;  // mm
+
+std::optional<Eigen::Vector2d> arrowOf(const QKeyEvent& event) {
+    Qt::KeyboardModifiers others = event.modifiers() & ~Qt::KeyboardModifiers(Qt::ShiftModifier);
+    if (kArrowsAreKeypad) {
+        others &= ~Qt::KeyboardModifiers(Qt::KeypadModifier);
+    }
+    if (others) {
+        return std::nullopt;  // of the keypad too: those choose a view
+    }
+    switch (event.key()) {
+        case Qt::Key_Left:
+            return Eigen::Vector2d(-1, 0);
+        case Qt::Key_Right:
+            return Eigen::Vector2d(1, 0);
+        case Qt::Key_Up:
+            return Eigen::Vector2d(0, 1);
+        case Qt::Key_Down:
+            return Eigen::Vector2d(0, -1);
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+SelectTool::SelectTool(Workspace& workspace)
+    : workspace_(workspace), document_(workspace.document()) {
+    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
+        // The hint tells the lengths of the edge that is selected.
+        if ((what & (DocumentChange::Mark | DocumentChange::SeamSelection)) ||
+            (document_.mark() && what.testFlag(DocumentChange::Results))) {
+            emit changed();
+        }
+    });
+}
+
+SelectTool::~SelectTool() = default;
+
+QString SelectTool::hint(ViewKind view) const {
+    const QString keys =
+        view == ViewKind::Garment
+            ? tr("Click: select a piece or a seam · Double click: frame a piece, or take an edge "
+                 "from corner to corner · Esc: select nothing")
+            : tr("Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select "
+                 "by a box · Alt: snap the other way · Arrow keys: 1 mm, with Shift 10 mm · Esc: "
+                 "select nothing");
+    const QString marked = markedText(document_);
+    return marked.isEmpty() ? keys : marked + QStringLiteral(" · ") + keys;
+}
+
+Qt::CursorShape SelectTool::cursor(ViewKind view) const {
+    if (view == ViewKind::Pattern && hovered_ == Target::Handle) {
+        return Qt::PointingHandCursor;
+    }
+    return view == ViewKind::Pattern && hovered_ == Target::Piece ? Qt::SizeAllCursor
+                                                                  : Qt::ArrowCursor;
+}
+
+SelectTool::Target SelectTool::targetAt(const ToolView& view, const QPointF& at) const {
+    if (isOnTurnHandle(document_, view, at)) {
+        return Target::Handle;
+    }
+    return view.hitAt(at) ? Target::Piece : Target::Sheet;
+}
+
+bool SelectTool::press(ToolView& view, const Pointer& pointer) {
+    if (view.kind() != ViewKind::Pattern) {
+        return false;
+    }
+    pressed_ = pointer;
+    return true;
+}
+
+std::unique_ptr<SheetGesture> SelectTool::begin(ToolView& view, const Pointer& pressed) {
+    const Eigen::Vector2d place = view.onSheet(pressed.at);
+    const Target target = targetAt(view, pressed.at);
+    if (target == Target::Handle) {
+        return std::make_unique<RotateGesture>(document_, place);
+    }
+    if (target == Target::Sheet) {
+        return std::make_unique<BoxGesture>(document_, place, pressed.adds());
+    }
+    const int piece = view.hitAt(pressed.at)->piece;
+    if (!document_.isSelected(piece)) {
+        Document::Selection selection =
+            pressed.adds() ? document_.selection() : Document::Selection{};
+        selection.insert(piece);
+        document_.setSelection(std::move(selection));
+    }
+    return std::make_unique<MoveGesture>(document_, place);
+}
+
+void SelectTool::drag(ToolView& view, const Pointer& pointer) {
+    if (!pressed_) {
+        return;
+    }
+    if (!gesture_) {
+        if ((pointer.at - pressed_->at).manhattanLength() < QApplication::startDragDistance()) {
+            return;
+        }
+        gesture_ = begin(view, *pressed_);
+        gestureOf_ = document_.garment();
+        gestureResults_ = document_.results();
+    } else if (isStale()) {
+        cancel();
+        return;
+    }
+    gesture_->drag(view, pointer);
+    emit changed();
+}
+
+void SelectTool::release(ToolView& view, const Pointer& pointer) {
+    const bool clicked = pressed_ && !gesture_;
+    pressed_.reset();
+    if (gesture_) {
+        gesture_.reset();
+        gestureOf_.reset();
+        gestureResults_.clear();
+        emit changed();
+    } else if (clicked) {
+        click(view, pointer);
+    }
+}
+
+void SelectTool::click(ToolView& view, const Pointer& pointer) {
+    if (view.kind() == ViewKind::Pattern && isOnTurnHandle(document_, view, pointer.at)) {
+        return;
+    }
+    if (pointer.adds() || !selectLineAt(view, document_, pointer.at)) {
+        selectPieceAt(view, document_, pointer);
+    }
+}
+
+void SelectTool::doubleClick(ToolView& view, const Pointer& pointer) {
+    if (selectRunAt(view, document_, pointer.at)) {
+        return;
+    }
+    if (const auto hit = view.hitAt(pointer.at)) {
+        document_.setSelection({hit->piece});
+        view.frameSelection();
+    } else {
+        view.frameAll();
+    }
+}
+
+void SelectTool::hover(ToolView& view, const Pointer& pointer) {
+    const Target target =
+        view.kind() == ViewKind::Pattern ? targetAt(view, pointer.at) : Target::Sheet;
+    if (target != hovered_) {
+        hovered_ = target;
+        emit changed();
+    }
+}
+
+void SelectTool::leave(ToolView&) {
+    if (std::exchange(hovered_, Target::Sheet) != Target::Sheet) {
+        emit changed();
+    }
+}
+
+bool SelectTool::wants(const QKeyEvent& event) const {
+    if (pressed_) {
+        return event.key() == Qt::Key_Escape;
+    }
+    if (event.key() == Qt::Key_Escape && event.modifiers() == Qt::NoModifier) {
+        // While something runs, the key stops that.
+        return !workspace_.jobs().isBusy() &&
+               (!document_.selection().empty() || document_.seam() || document_.mark());
+    }
+    return arrowOf(event) && !document_.selection().empty();
+}
+
+void SelectTool::key(ToolView&, const QKeyEvent& event) {
+    if (event.key() == Qt::Key_Escape) {
+        if (pressed_) {
+            cancel();
+        } else {
+            selectNothing();
+        }
+    } else if (!pressed_) {
+        nudge(event);
+    }
+}
+
+void SelectTool::selectNothing() {
+    document_.setSelection({});
+    document_.setSeam({});
+    document_.setMark({});
+}
+
+void SelectTool::nudge(const QKeyEvent& event) {
+    const auto arrow = arrowOf(event);
+    if (!arrow) {
+        return;
+    }
+    if (!event.isAutoRepeat() || nudging_ < 0) {
+        nudging_ = document_.newGesture();
+    }
+    const bool large = event.modifiers().testFlag(Qt::ShiftModifier);
+    PiecePlacements moved;
+    for (const int piece : selectedFlat(document_)) {
+        moved[piece] =
+            movedBy(placementOf(document_, piece), (large ? kLargeNudge : kNudge) * *arrow);
+    }
+    place(document_, tr("Nudge"), moved, nudging_);
+}
+
+void SelectTool::cancel() {
+    pressed_.reset();
+    nudging_ = -1;
+    if (const auto gesture = std::exchange(gesture_, nullptr)) {
+        if (!isStale()) {
+            gesture->takeBack();
+        }
+        emit changed();
+    }
+    gestureOf_.reset();
+    gestureResults_.clear();
+}
+
+bool SelectTool::isStale() const {
+    return gestureOf_ != document_.garment() || gestureResults_ != document_.results();
+}
+
+void SelectTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {
+    if (view.kind() != ViewKind::Pattern) {
+        return;
+    }
+    paintSelectionFrame(painter, style, document_, view, hovered_ == Target::Handle);
+    if (gesture_) {
+        gesture_->paint(view, painter, style);
+    }
+}
+
+}  // namespace toile

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/tools/tool_box.h"
+
+#include <utility>
+
+#include "app/actions/workspace.h"
+#include "app/views/tools/cut_tool.h"
+#include "app/views/tools/dart_tool.h"
+#include "app/views/tools/grain_tool.h"
+#include "app/views/tools/join_tool.h"
+#include "app/views/tools/loop_tool.h"
+#include "app/views/tools/measure_tool.h"
+#include "app/views/tools/select_tool.h"
+
+namespace toile {
+
+ToolBox::ToolBox(Workspace& workspace, QObject* parent) : QObject(parent) {
+    add(std::make_unique<SelectTool>(workspace));
+    add(std::make_unique<CutTool>(workspace, finder_));
+    add(std::make_unique<LoopTool>(workspace, finder_));
+    add(std::make_unique<DartTool>(workspace, finder_));
+    add(std::make_unique<JoinTool>(workspace));
+    add(std::make_unique<MeasureTool>(workspace.document(), finder_));
+    add(std::make_unique<GrainTool>(workspace.document()));
+    current_ = tools_.at(ToolId::Select).get();
+    connect(&workspace.document(), &Document::changed, this, [this](DocumentChanges what) {
+        if (what.testFlag(DocumentChange::Garment)) {
+            // What they hold, or remember of pieces, may be of pieces that are no more.
+            for (const auto& [id, tool] : tools_) {
+                tool->cancel();
+            }
+            finder_.forgetPiece();
+        }
+    });
+}
+
+ToolBox::~ToolBox() = default;
+
+void ToolBox::add(std::unique_ptr<Tool> tool) {
+    Tool* added = tool.get();
+    connect(added, &Tool::changed, this, [this, added] {
+        if (added == current_) {
+            emit changed();
+        }
+    });
+    connect(added, &Tool::finished, this, [this] { choose(ToolId::Select); });
+    tools_.emplace(added->id(), std::move(tool));
+}
+
+void ToolBox::choose(ToolId id) {
+    Tool* tool = tools_.at(id).get();
+    if (tool == current_) {
+        return;
+    }
+    current_->cancel();
+    current_ = tool;
+    emit chosen(id);
+    emit changed();
+}
+
+}  // namespace toile

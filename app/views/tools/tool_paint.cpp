@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/tools/tool_paint.h"
+
+#include <QFontMetricsF>
+#include <QPaintDevice>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "app/render/render_style.h"
+#include "app/text/figures.h"
+
+namespace toile {
+
+namespace {
+
+constexpr double kLineWidth = 2.2, kHaloWidth = 4.6, kHandle = 4.5;
+
+}  // namespace
+
+void paintClothLine(const ToolView& view, QPainter& painter, const RenderStyle& style, int piece,
+                    const std::vector<SurfacePoint>& points, const ClothLineStyle& line) {
+    QPainterPath path;
+    bool isDown = false;
+    for (const SurfacePoint& point : points) {
+        const auto at = view.onScreen(piece, point.face, point.barycentric);
+        if (at && isDown) {
+            path.lineTo(*at);
+        } else if (at) {
+            path.moveTo(*at);
+        }
+        isDown = at.has_value();
+    }
+    painter.save();
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(style.seamHalo, kHaloWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(path);
+    QPen pen(line.colour, kLineWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    if (!line.isFixed) {
+        pen.setDashPattern({4, 3});
+    }
+    painter.setPen(pen);
+    painter.drawPath(path);
+    painter.restore();
+}
+
+void paintHandle(const ToolView& view, QPainter& painter, const RenderStyle& style,
+                 const ClothPoint& point, const QColor& colour, bool isSet) {
+    const auto at = view.onScreen(point.piece, point.at.face, point.at.barycentric);
+    if (!at) {
+        return;
+    }
+    // What draws the pointer is seen before the click: a corner, an edge, a place set before.
+    const double size = point.on == ClothPoint::On::Own && !isSet ? 1.7 * kHandle : kHandle;
+    const QRectF box(at->x() - size, at->y() - size, 2 * size, 2 * size);
+    const auto draw = [&] {
+        if (point.on == ClothPoint::On::Corner) {
+            painter.drawRect(box);
+        } else {
+            painter.drawEllipse(box);
+        }
+    };
+    painter.save();
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(style.seamHalo, 4));
+    draw();
+    painter.setPen(QPen(colour, 2));
+    const bool isFilled = isSet || point.on == ClothPoint::On::Cloth;
+    painter.setBrush(isFilled ? QBrush(colour) : QBrush(Qt::NoBrush));
+    draw();
+    painter.restore();
+}
+
+void paintStraight(QPainter& painter, const RenderStyle& style, const QPointF& from,
+                   const QPointF& to) {
+    painter.save();
+    painter.setPen(QPen(style.text, 1.2, Qt::DotLine));
+    painter.drawLine(from, to);
+    painter.restore();
+}
+
+void paintNote(QPainter& painter, const RenderStyle& style, const QPointF& pointer,
+               const QStringList& lines) {
+    if (lines.isEmpty()) {
+        return;
+    }
+    constexpr double kPadX = 8, kPadY = 4, kAway = 16, kMargin = 4;
+    const QFontMetricsF metrics(painter.font());
+    double width = 0;
+    for (const QString& line : lines) {
+        width = std::max(width, metrics.horizontalAdvance(line));
+    }
+    const QSizeF size(width + 2 * kPadX,
+                      metrics.height() * static_cast<double>(lines.size()) + 2 * kPadY);
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QSizeF room(painter.device()->width() / ratio, painter.device()->height() / ratio);
+    // To the lower right of the pointer; on its other side where the view ends.
+    double x = pointer.x() + kAway, y = pointer.y() + kAway;
+    x = x + size.width() + kMargin > room.width() ? pointer.x() - kAway - size.width() : x;
+    y = y + size.height() + kMargin > room.height() ? pointer.y() - kAway - size.height() : y;
+    const QRectF plate(QPointF(std::max(kMargin, x), std::max(kMargin, y)), size);
+    painter.save();
+    QColor ground = style.plate;
+    ground.setAlpha(235);
+    painter.setPen(QPen(style.faintText, 1));
+    painter.setBrush(ground);
+    painter.drawRoundedRect(plate, 6, 6);
+    painter.setPen(style.text);
+    QRectF row(plate.left() + kPadX, plate.top() + kPadY, plate.width(), metrics.height());
+    for (const QString& line : lines) {
+        painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, line);
+        row.translate(0, metrics.height());
+    }
+    painter.restore();
+}
+
+QString wayText(const Eigen::Vector2d& millimetres) {
+    return QString("%1, %2").arg(lengthNumber(millimetres.x()), lengthWithUnit(millimetres.y()));
+}
+
+}  // namespace toile

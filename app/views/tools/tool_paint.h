@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+#include <QStringList>
+#include <vector>
+
+#include "app/views/tools/cloth_point.h"
+#include "app/views/tools/tool_view.h"
+
+class QPainter;
+
+namespace toile {
+
+struct RenderStyle;
+
+/// What tools draw over the views. Logical pixels.
+
+struct ClothLineStyle {
+    QColor colour;
+    bool isFixed = true;  ///< solid; dashed where it still follows the pointer
+};
+
+/// A line over the cloth, with a dark halo that carries it on any colour. Left out where it is not
+/// drawn in this view.
+void paintClothLine(const ToolView& view, QPainter& painter, const RenderStyle& style, int piece,
+                    const std::vector<SurfacePoint>& points, const ClothLineStyle& line);
+
+/// A place on the cloth: round, square on a corner, open where it is not set yet.
+void paintHandle(const ToolView& view, QPainter& painter, const RenderStyle& style,
+                 const ClothPoint& point, const QColor& colour, bool isSet);
+
+/// A thin dotted line from place to place on the screen.
+void paintStraight(QPainter& painter, const RenderStyle& style, const QPointF& from,
+                   const QPointF& to);
+
+/// Lines of text on a plate beside the pointer, inside the view.
+void paintNote(QPainter& painter, const RenderStyle& style, const QPointF& pointer,
+               const QStringList& lines);
+
+/// A way over the sheet, in the person's unit: "12.0, −3.5 mm".
+QString wayText(const Eigen::Vector2d& millimetres);
+
+}  // namespace toile

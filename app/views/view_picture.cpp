@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/view_picture.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <numeric>
+
+#include "app/document/document.h"
+#include "app/render/framebuffer.h"
+#include "app/render/garment_renderer.h"
+#include "app/render/overlay_figures.h"
+#include "app/render/pattern_renderer.h"
+#include "app/render/scene.h"
+#include "app/views/colour_legend.h"
+#include "app/views/framing.h"
+#include "app/views/garment_text.h"
+#include "app/views/pattern_text.h"
+#include "app/views/sewn_run.h"
+
+namespace toile {
+
+namespace {
+
+/// The context of the translations.
+class Words {
+    Q_DECLARE_TR_FUNCTIONS(ViewPicture)
+};
+
+std::set<int> everyPiece(const Document& document) {
+    std::vector<int> all(static_cast<std::size_t>(document.pieceCount()));
+    std::iota(all.begin(), all.end(), 0);
+    return {all.begin(), all.end()};
+}
+
+/// Draws the views of one document, one after the other.
+class PicturePainter {
+public:
+    PicturePainter(const Document& document, const PictureOptions& options)
+        : document_(document),
+          options_(options),
+          style_(renderStyle(options.palette)),
+          places_(placesOf(document.settings())),
+          figures_(overlayFigures(
+              {document.scene(), places_, document.fabric(), document.view().overlay})),
+          spots_{figures_.spots, figures_.overlay} {}
+
+    QImage draw();
+    const QString& problem() const { return problem_; }
+
+private:
+    void drawGarment(QPainter& picture, const QRect& part);
+    void drawPattern(QPainter& picture, const QRect& part);
+    /// @param paint  draws the scene with the renderer, into a bound framebuffer
+    template <class Renderer, class Paint>
+    void drawScene(QPainter& picture, const QRect& part, const Paint& paint);
+    /// For what is written over a view.
+    void beginText(QPainter& picture, const QRect& part) const;
+
+    const Document& document_;
+    const PictureOptions& options_;
+    RenderStyle style_;
+    SheetPlaces places_;
+    OverlayFigures figures_;
+    FlaggedSpots spots_;
+    QString problem_;
+};
+
+template <class Renderer, class Paint>
+void PicturePainter::drawScene(QPainter& picture, const QRect& part, const Paint& paint) {
+    const std::unique_ptr<Gl> gl = currentGl();
+    Renderer renderer;
+    if (problem_ = renderer.initialize(); !problem_.isEmpty() || !gl) {
+        return;
+    }
+    renderer.setScene(document_.scene());
+    renderer.setPlaces(places_);
+    renderer.setFabric(document_.fabric());
+    renderer.setSelection(document_.selection());
+    renderer.setSeam(document_.seam());
+    renderer.setMarks(markedFeatures(document_));
+    QImage image;
+    Framebuffer framebuffer(*gl);
+    if (framebuffer.make(part.width(), part.height())) {
+        paint(renderer);
+        image = framebuffer.read();
+    }
+    renderer.release();
+    if (image.isNull()) {
+        problem_ = Words::tr(
+                       "the graphics driver has no room for a picture of %1 x %2 pixels; try a "
+                       "smaller one")
+                       .arg(part.width())
+                       .arg(part.height());
+        return;
+    }
+    picture.drawImage(part.topLeft(), image);
+}
+
+void PicturePainter::beginText(QPainter& picture, const QRect& part) const {
+    picture.save();
+    picture.setClipRect(part);
+    picture.translate(part.topLeft());
+    picture.setFont(options_.font);
+    picture.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+}
+
+void PicturePainter::drawGarment(QPainter& picture, const QRect& part) {
+    Camera3D camera;
+    camera.setViewport(part.width(), part.height());
+    if (options_.direction) {
+        camera.setDirection(options_.direction->yaw, options_.direction->pitch);
+    }
+    if (document_.pieceCount() > 0) {
+        frameGarment(camera, *document_.scene(), places_, everyPiece(document_), options_.morph);
+    }
+    const Morph morph = morphBefore(camera, document_.scene().get(), options_.morph);
+    drawScene<GarmentRenderer>(picture, part, [&](GarmentRenderer& renderer) {
+        renderer.paint(camera, document_.view(), style_, part.width(), part.height(), 1, morph);
+    });
+    beginText(picture, part);
+    paintGarmentText(picture, style_,
+                     {document_, camera, QRect(QPoint(), part.size()), spots_, options_.morph});
+    picture.restore();
+}
+
+void PicturePainter::drawPattern(QPainter& picture, const QRect& part) {
+    Camera2D camera;
+    camera.setViewport(part.width(), part.height());
+    if (document_.pieceCount() > 0) {
+        framePattern(camera, *document_.scene(), places_, everyPiece(document_),
+                     document_.view().rulers);
+    }
+    drawScene<PatternRenderer>(picture, part, [&](PatternRenderer& renderer) {
+        renderer.paint(camera, document_.view(), style_, part.width(), part.height(), 1);
+    });
+    beginText(picture, part);
+    paintPatternText(picture, style_,
+                     {document_, places_, camera, QRect(QPoint(), part.size()), spots_});
+    picture.restore();
+}
+
+QImage PicturePainter::draw() {
+    QImage picture(options_.size, QImage::Format_RGB32);
+    if (picture.isNull() || !document_.scene()) {
+        problem_ = Words::tr("there is no memory for a picture of that size");
+        return {};
+    }
+    picture.fill(options_.palette.color(QPalette::Window));
+    QPainter painter(&picture);
+    QRect views(QPoint(), options_.size);
+    if (const int height = options_.legend ? legendHeight(options_.font) : 0;
+        height > 0 && height < views.height() / 2) {
+        views.setHeight(views.height() - height);
+        painter.translate(0, views.height());
+        paintLegend(painter, legendOf(figures_), QSize(views.width(), height), options_.font,
+                    options_.palette);
+        painter.resetTransform();
+    }
+    const bool both = options_.views == ViewsShown::Both;
+    QRect left = views, right = views;
+    if (both) {
+        left.setWidth(views.width() / 2);
+        right.setLeft(left.right() + 1);
+    }
+    if (options_.views != ViewsShown::Pattern) {
+        drawGarment(painter, left);
+    }
+    if (options_.views != ViewsShown::Garment && problem_.isEmpty()) {
+        drawPattern(painter, right);
+    }
+    painter.end();
+    return problem_.isEmpty() ? picture : QImage();
+}
+
+}  // namespace
+
+QImage drawViews(const Document& document, const PictureOptions& options, QString& problem) {
+    PicturePainter painter(document, options);
+    QImage picture = painter.draw();
+    problem = painter.problem();
+    return picture;
+}
+
+}  // namespace toile

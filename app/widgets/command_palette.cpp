@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/widgets/command_palette.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/widgets/command_delegate.h"
+
+namespace toile {
+
+namespace {
+
+constexpr int kWidth = 640, kRowsShown = 12, kMargin = 8;
+/// More are never looked through; another letter is quicker.
+constexpr std::size_t kMostRows = 200;
+
+QListWidgetItem* makeRow(const Command& command, const std::vector<int>& letters) {
+    auto* row = new QListWidgetItem(command.icon, command.text);
+    row->setData(CommandDelegate::PlaceRole, command.place);
+    row->setData(CommandDelegate::KeysRole, command.keys);
+    QVariantList marks;
+    for (const int letter : letters) {
+        marks << letter;
+    }
+    row->setData(CommandDelegate::LettersRole, marks);
+    if (!command.enabled) {
+        row->setFlags(Qt::ItemIsSelectable);
+    }
+    return row;
+}
+
+}  // namespace
+
+CommandPalette::CommandPalette(QWidget* parent)
+    : QFrame(parent),
+      line_(new QLineEdit(this)),
+      list_(new QListWidget(this)),
+      tip_(new QLabel(this)) {
+    setObjectName("commandPalette");
+    setFrameShape(QFrame::StyledPanel);
+    setFrameShadow(QFrame::Raised);
+    setLineWidth(1);
+    setAutoFillBackground(true);
+    line_->setObjectName("commandLine");
+    line_->setPlaceholderText(tr("Type a command, a piece or a seam"));
+    line_->setAccessibleName(tr("Command"));
+    line_->setClearButtonEnabled(true);
+    line_->setMinimumHeight(34);
+    line_->setTextMargins(6, 0, 6, 0);
+    list_->setObjectName("commandList");
+    list_->setItemDelegate(new CommandDelegate(list_));
+    list_->setFocusPolicy(Qt::NoFocus);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setUniformItemSizes(true);
+    list_->setFrameShape(QFrame::NoFrame);
+    tip_->setObjectName("commandTip");
+    tip_->setForegroundRole(QPalette::PlaceholderText);
+    tip_->setContentsMargins(4, 0, 4, 0);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+    layout->setSpacing(6);
+    layout->addWidget(line_);
+    layout->addWidget(list_);
+    layout->addWidget(tip_);
+    line_->installEventFilter(this);
+    parent->installEventFilter(this);
+    connect(line_, &QLineEdit::textChanged, this, &CommandPalette::updateList);
+    connect(list_, &QListWidget::currentRowChanged, this, &CommandPalette::updateTip);
+    connect(list_, &QListWidget::itemClicked, this, &CommandPalette::runCurrent);
+    hide();
+}
+
+void CommandPalette::open(std::vector<Command> commands) {
+    commands_ = std::move(commands);
+    if (!isVisible()) {
+        focusBefore_ = QApplication::focusWidget();
+    }
+    line_->clear();
+    updateList();
+    show();
+    raise();
+    line_->setFocus(Qt::PopupFocusReason);
+}
+
+void CommandPalette::updateList() {
+    found_ = searchCommands(commands_, line_->text());
+    found_.resize(std::min(found_.size(), kMostRows));
+    list_->clear();
+    for (const FoundCommand& found : found_) {
+        list_->addItem(makeRow(commands_[static_cast<std::size_t>(found.command)], found.letters));
+    }
+    list_->setVisible(!found_.empty());
+    list_->setCurrentRow(found_.empty() ? -1 : 0);
+    updateTip();
+    updatePlace();
+}
+
+void CommandPalette::updateTip() {
+    const int row = list_->currentRow();
+    if (row < 0 || row >= static_cast<int>(found_.size())) {
+        tip_->setText(tr("Nothing is called that."));
+        return;
+    }
+    const auto at = static_cast<std::size_t>(found_[static_cast<std::size_t>(row)].command);
+    const Command& command = commands_[at];
+    const QString tip = command.enabled ? command.tip : tr("Not possible now: %1").arg(command.tip);
+    tip_->setText(tip_->fontMetrics().elidedText(tip, Qt::ElideRight, kWidth - 4 * kMargin));
+}
+
+void CommandPalette::updatePlace() {
+    const QWidget& window = *parentWidget();
+    const int rowHeight = list_->count() > 0 ? list_->sizeHintForRow(0) : 0;
+    list_->setFixedHeight(std::min(list_->count(), kRowsShown) * rowHeight);
+    const int width = std::min(kWidth, window.width() - 4 * kMargin);
+    setFixedWidth(std::max(width, 0));
+    layout()->activate();
+    adjustSize();
+    move((window.width() - this->width()) / 2, std::max(kMargin, window.height() / 9));
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == parentWidget()) {
+        if (event->type() == QEvent::Resize && isVisible()) {
+            updatePlace();
+        }
+        return false;
+    }
+    switch (event->type()) {
+        case QEvent::ShortcutOverride: {
+            // The window's own Esc must not be asked while this is open.
+            const int key = static_cast<QKeyEvent*>(event)->key();
+            if (key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter) {
+                event->accept();
+                return true;
+            }
+            return false;
+        }
+        case QEvent::KeyPress:
+            return pressKey(static_cast<QKeyEvent*>(event)->key());
+        case QEvent::FocusOut:
+            if (static_cast<QFocusEvent*>(event)->reason() != Qt::ActiveWindowFocusReason &&
+                static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason) {
+                hide();
+            }
+            return false;
+        default:
+            return false;
+    }
+}
+
+bool CommandPalette::pressKey(int key) {
+    switch (key) {
+        case Qt::Key_Escape:
+            closeAndGiveBack();
+            return true;
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            runCurrent();
+            return true;
+        case Qt::Key_Up:
+            moveBy(-1);
+            return true;
+        case Qt::Key_Down:
+            moveBy(1);
+            return true;
+        case Qt::Key_PageUp:
+            moveBy(-kRowsShown);
+            return true;
+        case Qt::Key_PageDown:
+            moveBy(kRowsShown);
+            return true;
+        default:
+            return false;
+    }
+}
+
+void CommandPalette::moveBy(int rows) {
+    const int count = list_->count();
+    if (count == 0) {
+        return;
+    }
+    const int row = list_->currentRow() + rows;
+    // Single steps go around; whole pages stop at the ends.
+    list_->setCurrentRow(std::abs(rows) == 1 ? (row + count) % count
+                                             : std::clamp(row, 0, count - 1));
+}
+
+void CommandPalette::runCurrent() {
+    const int row = list_->currentRow();
+    if (row < 0) {
+        return;
+    }
+    const auto at = static_cast<std::size_t>(found_[static_cast<std::size_t>(row)].command);
+    if (!commands_[at].enabled) {
+        return;
+    }
+    const std::function<void()> run = commands_[at].run;
+    closeAndGiveBack();  // first: what runs may want the keyboard
+    run();
+}
+
+void CommandPalette::closeAndGiveBack() {
+    hide();
+    if (focusBefore_) {
+        focusBefore_->setFocus(Qt::PopupFocusReason);
+    }
+}
+
+}  // namespace toile

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/widgets/command.h"
+
+namespace toile {
+
+struct FoundCommand {
+    int command;               ///< index
+    std::vector<int> letters;  ///< places in its text to mark, rising
+};
+
+/// The commands that fit what was typed, best first, those that cannot be run now last. Every word
+/// has to fit the text (letters in order), or begin a word of its place or its tip, which counts
+/// less. While nothing is typed: those that are listed unasked, in their order.
+std::vector<FoundCommand> searchCommands(const std::vector<Command>& commands,
+                                         const QString& typed);
+
+}  // namespace toile

@@ -1,0 +1,4474 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>ColourBar</name>
+    <message>
+        <source>&lt;1</source>
+        <translation>&lt;1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Strain on the bias (%)</source>
+        <translation>Dehnung im Schrägen (%)</translation>
+    </message>
+    <message>
+        <source>%1 (hatched)</source>
+        <translation>%1 (schraffiert)</translation>
+    </message>
+    <message>
+        <source>%1: %2%4 to %3%4</source>
+        <translation>%1: %2%4 bis %3%4</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth is beyond the fabric along the warp</source>
+        <translation>%1 des Stoffes liegen in Kettrichtung jenseits dessen, was das Material zulässt</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth is beyond the fabric along the weft</source>
+        <translation>%1 des Stoffes liegen in Schussrichtung jenseits dessen, was das Material zulässt</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth is beyond the fabric on the bias</source>
+        <translation>%1 des Stoffes liegen im schrägen Fadenlauf jenseits dessen, was das Material zulässt</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth has an edge beyond the tightest limit</source>
+        <translation>%1 des Stoffes haben eine Kante jenseits der engsten Grenze</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth is beyond the tightest limit</source>
+        <translation>%1 des Stoffes liegen jenseits der engsten Grenze</translation>
+    </message>
+    <message>
+        <source>all of the cloth is within the fabric along the warp</source>
+        <translation>aller Stoff bleibt in Kettrichtung in dem, was das Material zulässt</translation>
+    </message>
+    <message>
+        <source>all of the cloth is within the fabric along the weft</source>
+        <translation>aller Stoff bleibt in Schussrichtung in dem, was das Material zulässt</translation>
+    </message>
+    <message>
+        <source>all of the cloth is within the fabric on the bias</source>
+        <translation>aller Stoff bleibt im schrägen Fadenlauf in dem, was das Material zulässt</translation>
+    </message>
+    <message>
+        <source>no edge is beyond the tightest limit</source>
+        <translation>keine Kante liegt jenseits der engsten Grenze</translation>
+    </message>
+    <message>
+        <source>all of the cloth is within the tightest limit</source>
+        <translation>aller Stoff bleibt in der engsten Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>CompareJob</name>
+    <message>
+        <source>Comparing methods</source>
+        <translation>Verfahren werden verglichen</translation>
+    </message>
+</context>
+<context>
+    <name>CutJob</name>
+    <message>
+        <source>Cutting the pieces</source>
+        <translation>Schnittteile werden eingeschnitten</translation>
+    </message>
+</context>
+<context>
+    <name>ExportJob</name>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Open a garment</source>
+        <translation>Kleidungsstück öffnen</translation>
+    </message>
+    <message>
+        <source>3D garments (%1);;All files (*)</source>
+        <translation>3D-Kleidungsstücke (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Read cuts and ease</source>
+        <translation>Einschnitte und Einhalteweiten lesen</translation>
+    </message>
+    <message>
+        <source>Seams files (*.json);;All files (*)</source>
+        <translation>Nahtdateien (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export the pattern</source>
+        <translation>Schnittmuster exportieren</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1?</source>
+        <translation>Die Änderungen an %1 speichern?</translation>
+    </message>
+    <message>
+        <source>Without saving, what you have done since the last time is lost.</source>
+        <translation>Ohne Speichern geht verloren, was Sie seit dem letzten Mal getan haben.</translation>
+    </message>
+    <message>
+        <source>Garments and projects (%1);;All files (*)</source>
+        <translation>Kleidungsstücke und Projekte (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Toile projects (*.toile)</source>
+        <translation>Toile-Projekte (*.toile)</translation>
+    </message>
+    <message>
+        <source>Where is %1?</source>
+        <translation>Wo ist %1?</translation>
+    </message>
+    <message>
+        <source>Replace the file?</source>
+        <translation>Datei ersetzen?</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already. Replace it?</source>
+        <translation>Es gibt schon eine Datei %1. Soll sie ersetzt werden?</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program since it was opened. Save anyway?</source>
+        <translation>%1 wurde seit dem Öffnen von einem anderen Programm geändert. Trotzdem speichern?</translation>
+    </message>
+    <message>
+        <source>Saving anyway loses what the other program has put there.</source>
+        <translation>Dabei geht verloren, was das andere Programm dort gespeichert hat.</translation>
+    </message>
+    <message>
+        <source>Save anyway</source>
+        <translation>Trotzdem speichern</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+</context>
+<context>
+    <name>FlattenJob</name>
+    <message>
+        <source>Flattening the pieces</source>
+        <translation>Schnittteile werden abgewickelt</translation>
+    </message>
+</context>
+<context>
+    <name>GarmentView</name>
+    <message>
+        <source>seam %1: %2</source>
+        <translation>Naht %1: %2</translation>
+    </message>
+    <message>
+        <source>Garment</source>
+        <translation>Kleidungsstück</translation>
+    </message>
+</context>
+<context>
+    <name>GlSupport</name>
+    <message>
+        <source>The views need OpenGL 3.3, but this computer offers none here. Flattening and export work all the same; a newer graphics driver brings the views back.</source>
+        <translation>Die Ansichten brauchen OpenGL 3.3, das dieser Rechner hier nicht bietet. Abwickeln und Exportieren gehen trotzdem; ein neuerer Grafiktreiber bringt die Ansichten zurück.</translation>
+    </message>
+    <message>
+        <source>The views need OpenGL 3.3, but the graphics driver offers only %1.%2. Flattening and export work all the same; a newer driver brings the views back.</source>
+        <translation>Die Ansichten brauchen OpenGL 3.3, der Grafiktreiber bietet aber nur %1.%2. Abwickeln und Exportieren gehen trotzdem; ein neuerer Treiber bringt die Ansichten zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>GrainJob</name>
+    <message>
+        <source>Looking for the best grain</source>
+        <translation>Der beste Fadenlauf wird gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>ImportJob</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>MoveGesture</name>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>OffscreenContext</name>
+    <message>
+        <source>pictures need OpenGL 3.3, and there is neither a display that offers it nor a driver that does without one; xvfb-run lends a display, and the package libgl1-mesa-dri has such a driver</source>
+        <translation>Bilder brauchen OpenGL 3.3, und es gibt weder einen Bildschirm, der es bietet, noch einen Treiber, der ohne auskommt; xvfb-run leiht einen Bildschirm, und das Paket libgl1-mesa-dri hat einen solchen Treiber</translation>
+    </message>
+</context>
+<context>
+    <name>OverlayText</name>
+    <message>
+        <source>Piece colours</source>
+        <translation>Teilefarben</translation>
+    </message>
+    <message>
+        <source>each piece in its own colour</source>
+        <translation>jedes Schnittteil in seiner eigenen Farbe</translation>
+    </message>
+    <message>
+        <source>Checkerboard</source>
+        <translation>Karos</translation>
+    </message>
+    <message>
+        <source>squares of 1 cm on the flat cloth</source>
+        <translation>Quadrate von 1 cm auf dem flachen Stoff</translation>
+    </message>
+    <message>
+        <source>Area change</source>
+        <translation>Flächenänderung</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Angle change</source>
+        <translation>Winkeländerung</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>largest change of a corner, flat against worn</source>
+        <translation>größte Änderung einer Ecke, flach gegen getragen</translation>
+    </message>
+    <message>
+        <source>Edge strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>what the cloth must do: orange stretches, blue has surplus</source>
+        <translation>was der Stoff tun muss: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>Strain along warp</source>
+        <translation>Dehnung längs der Kette</translation>
+    </message>
+    <message>
+        <source>along the grain: orange stretches, blue has surplus</source>
+        <translation>im Fadenlauf: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>Strain along weft</source>
+        <translation>Dehnung längs des Schusses</translation>
+    </message>
+    <message>
+        <source>across the grain: orange stretches, blue has surplus</source>
+        <translation>quer zum Fadenlauf: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>Strain on the bias</source>
+        <translation>Dehnung im Schrägen</translation>
+    </message>
+    <message>
+        <source>at 45° to the grain, the worse of both diagonals</source>
+        <translation>unter 45° zum Fadenlauf, die schlechtere der beiden Diagonalen</translation>
+    </message>
+    <message>
+        <source>Principal strain</source>
+        <translation>Hauptdehnung</translation>
+    </message>
+    <message>
+        <source>arrows outwards stretch, arrows inwards have surplus</source>
+        <translation>Pfeile nach außen dehnen sich, Pfeile nach innen haben zu viel</translation>
+    </message>
+    <message>
+        <source>Distortion energy</source>
+        <translation>Verzerrungsenergie</translation>
+    </message>
+    <message>
+        <source>symmetric Dirichlet, above that of cloth that keeps its shape</source>
+        <translation>symmetrische Dirichlet-Energie, über der von Stoff, der seine Form behält</translation>
+    </message>
+    <message>
+        <source>worn against flat: orange must stretch, blue has surplus</source>
+        <translation>getragen gegen flach: Orange muss sich dehnen, Blau hat zu viel</translation>
+    </message>
+</context>
+<context>
+    <name>PatternView</name>
+    <message>
+        <source>The flat pieces appear here.</source>
+        <translation>Hier erscheinen die flachen Schnittteile.</translation>
+    </message>
+    <message>
+        <source>None of the pieces could be flattened. The list of pieces says why.</source>
+        <translation>Keines der Schnittteile ließ sich abwickeln. Die Liste der Schnittteile sagt, warum.</translation>
+    </message>
+    <message>
+        <source>%1 · wrong side up</source>
+        <translation>%1 · linke Stoffseite oben</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Schnittmuster</translation>
+    </message>
+    <message>
+        <source>right side of the fabric up, net outlines</source>
+        <translation>rechte Stoffseite oben, Umrisse ohne Nahtzugabe</translation>
+    </message>
+</context>
+<context>
+    <name>PlatformChoice</name>
+    <message>
+        <source>there is no display to open the window on; &quot;toile flatten&quot; and &quot;toile render&quot; need none, and xvfb-run lends one</source>
+        <translation>es gibt keinen Bildschirm für das Fenster; „toile flatten“ und „toile render“ brauchen keinen, und xvfb-run leiht einen</translation>
+    </message>
+    <message>
+        <source>there is no display to draw on, and Qt&apos;s part for drawing without one is not installed; xvfb-run lends a display</source>
+        <translation>es gibt keinen Bildschirm zum Zeichnen, und der Teil von Qt, der ohne einen zeichnet, ist nicht eingerichtet; xvfb-run leiht einen Bildschirm</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectJob</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>RotateGesture</name>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+</context>
+<context>
+    <name>Ruler</name>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+</context>
+<context>
+    <name>RunWindow</name>
+    <message>
+        <source>could not write %1</source>
+        <translation>%1 konnte nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>SaveJob</name>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>SceneJob</name>
+    <message>
+        <source>Drawing the pieces</source>
+        <translation>Schnittteile werden gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>SceneRenderer</name>
+    <message>
+        <source>This view needs OpenGL 3.3, which the graphics driver does not offer.</source>
+        <translation>Diese Ansicht braucht OpenGL 3.3, das der Grafiktreiber nicht bietet.</translation>
+    </message>
+    <message>
+        <source>The graphics driver refused to draw this view (%1).</source>
+        <translation>Der Grafiktreiber kann diese Ansicht nicht zeichnen (%1).</translation>
+    </message>
+</context>
+<context>
+    <name>SeamFit</name>
+    <message>
+        <source>matches</source>
+        <translation>passt</translation>
+    </message>
+    <message>
+        <source>nearly</source>
+        <translation>fast</translation>
+    </message>
+    <message>
+        <source>does not match</source>
+        <translation>passt nicht</translation>
+    </message>
+</context>
+<context>
+    <name>ViewPicture</name>
+    <message>
+        <source>the graphics driver has no room for a picture of %1 x %2 pixels; try a smaller one</source>
+        <translation>der Grafiktreiber hat keinen Platz für ein Bild von %1 x %2 Bildpunkten; versuchen Sie ein kleineres</translation>
+    </message>
+    <message>
+        <source>there is no memory for a picture of that size</source>
+        <translation>für ein Bild dieser Größe reicht der Speicher nicht</translation>
+    </message>
+</context>
+<context>
+    <name>WelcomePage</name>
+    <message>
+        <source>T-shirt</source>
+        <translation>T-Shirt</translation>
+    </message>
+    <message>
+        <source>Bodice</source>
+        <translation>Mieder</translation>
+    </message>
+    <message>
+        <source>Cap</source>
+        <translation>Kappe</translation>
+    </message>
+    <message>
+        <source>Skirt</source>
+        <translation>Rock</translation>
+    </message>
+    <message>
+        <source>Trousers</source>
+        <translation>Hose</translation>
+    </message>
+</context>
+<context>
+    <name>toile</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>As &amp;SVG drawing…</source>
+        <translation>Als &amp;SVG-Zeichnung…</translation>
+    </message>
+    <message>
+        <source>Write the pattern at true scale for printing and drawing programs</source>
+        <translation>Das Schnittmuster maßstäblich schreiben, für Druck- und Zeichenprogramme</translation>
+    </message>
+    <message>
+        <source>As &amp;DXF drawing…</source>
+        <translation>Als &amp;DXF-Zeichnung…</translation>
+    </message>
+    <message>
+        <source>Write the pattern at true scale for pattern and cutting programs</source>
+        <translation>Das Schnittmuster maßstäblich schreiben, für Schnitt- und Zuschnittprogramme</translation>
+    </message>
+    <message>
+        <source>As &amp;OBJ with UV map…</source>
+        <translation>Als &amp;OBJ mit UV-Karte…</translation>
+    </message>
+    <message>
+        <source>Write the garment again with the pattern as its UV map</source>
+        <translation>Das Kleidungsstück noch einmal schreiben, mit dem Schnittmuster als UV-Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Report (JSON)…</source>
+        <translation>&amp;Bericht (JSON)…</translation>
+    </message>
+    <message>
+        <source>Write every figure of every piece for other programs</source>
+        <translation>Alle Zahlen aller Schnittteile schreiben, für andere Programme</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Das Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last step back</source>
+        <translation>Den letzten Schritt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>Noch einmal tun, was zurückgenommen wurde</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Select every piece</source>
+        <translation>Alle Schnittteile auswählen</translation>
+    </message>
+    <message>
+        <source>Select &amp;none</source>
+        <translation>&amp;Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Clear the selection of pieces and seams</source>
+        <translation>Die Auswahl von Schnittteilen und Nähten aufheben</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>Ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Show the selected pieces or seam, or everything where none is selected</source>
+        <translation>Die ausgewählten Schnittteile oder die ausgewählte Naht ganz zeigen; ohne Auswahl alles</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Piece &amp;colours</source>
+        <translation>Teile&amp;farben</translation>
+    </message>
+    <message>
+        <source>Every piece in its own colour</source>
+        <translation>Jedes Schnittteil in seiner eigenen Farbe</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Check&amp;erboard</source>
+        <translation>&amp;Karos</translation>
+    </message>
+    <message>
+        <source>True-scale squares of 1 cm on the cloth</source>
+        <translation>Maßstäbliche Karos von 1 cm auf dem Stoff</translation>
+    </message>
+    <message>
+        <source>Checker</source>
+        <translation>Karos</translation>
+    </message>
+    <message>
+        <source>&amp;Area change</source>
+        <translation>Fl&amp;ächenänderung</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>An&amp;gle change</source>
+        <translation>&amp;Winkeländerung</translation>
+    </message>
+    <message>
+        <source>How much the corners of the cloth have turned</source>
+        <translation>Wie weit sich die Ecken des Stoffes verdreht haben</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Edge &amp;strain</source>
+        <translation>&amp;Dehnung</translation>
+    </message>
+    <message>
+        <source>How far the cloth must stretch or gather to take its shape</source>
+        <translation>Wie weit sich der Stoff dehnen oder stauchen muss, um die Form anzunehmen</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Show &amp;wireframe</source>
+        <translation>&amp;Gitternetz zeigen</translation>
+    </message>
+    <message>
+        <source>Draw the triangles of the cloth</source>
+        <translation>Die Dreiecke des Stoffes zeichnen</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>Gitternetz</translation>
+    </message>
+    <message>
+        <source>&amp;Designer&apos;s outline</source>
+        <translation>&amp;Umriss des Entwurfs</translation>
+    </message>
+    <message>
+        <source>Draw the designer&apos;s own panels over the flat pieces, where the file carries them</source>
+        <translation>Die Schnittteile des Entwerfers über die flachen legen, wo die Datei sie enthält</translation>
+    </message>
+    <message>
+        <source>Least &amp;distortion</source>
+        <translation>Kleinste &amp;Verzerrung</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length; the cloth between them stretches as little as that allows, and no triangle is turned over</source>
+        <translation>Nahtlinien behalten genau ihre Länge; der Stoff dazwischen dehnt sich so wenig, wie das erlaubt, und kein Dreieck wird umgeklappt</translation>
+    </message>
+    <message>
+        <source>Angles follow the c&amp;urvature</source>
+        <translation>Winkel folgen der &amp;Krümmung</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length; the outline turns where the garment is curved</source>
+        <translation>Nahtlinien behalten genau ihre Länge; der Umriss dreht sich dort, wo das Kleidungsstück gekrümmt ist</translation>
+    </message>
+    <message>
+        <source>Angles spread &amp;evenly (Wang 2005)</source>
+        <translation>Winkel &amp;gleichmäßig verteilt (Wang 2005)</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length; the outline gives way alike all around</source>
+        <translation>Nahtlinien behalten genau ihre Länge; der Umriss gibt ringsum gleich viel nach</translation>
+    </message>
+    <message>
+        <source>Least &amp;stretch on a circle (Yoshizawa 2004)</source>
+        <translation>Kleinste Dehnung auf dem Krei&amp;s (Yoshizawa 2004)</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length on a round outline; the cloth inside is moved until it stretches least</source>
+        <translation>Nahtlinien behalten auf rundem Umriss genau ihre Länge; der Stoff innen wird verschoben, bis er sich am wenigsten dehnt</translation>
+    </message>
+    <message>
+        <source>On a ci&amp;rcle (Floater 2003)</source>
+        <translation>Auf dem K&amp;reis (Floater 2003)</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length on a round outline: no triangle is ever turned over, but it is no pattern</source>
+        <translation>Nahtlinien behalten auf rundem Umriss genau ihre Länge: kein Dreieck wird je umgeklappt, doch ein Schnittmuster ist es nicht</translation>
+    </message>
+    <message>
+        <source>&amp;Free outline (Desbrun 2002)</source>
+        <translation>&amp;Freier Umriss (Desbrun 2002)</translation>
+    </message>
+    <message>
+        <source>The cloth keeps its angles as well as it can; seam lines change their length</source>
+        <translation>Der Stoff behält seine Winkel, so gut er kann; Nahtlinien ändern ihre Länge</translation>
+    </message>
+    <message>
+        <source>Free outline, least squares (Lé&amp;vy 2002)</source>
+        <translation>Freier Umriss, kleinste &amp;Quadrate (Lévy 2002)</translation>
+    </message>
+    <message>
+        <source>Nearly the same by another way; seam lines change their length</source>
+        <translation>Fast dasselbe auf anderem Weg; Nahtlinien ändern ihre Länge</translation>
+    </message>
+    <message>
+        <source>Free outline, by an&amp;gles (Sheffer 2005)</source>
+        <translation>Freier Umriss, über die &amp;Winkel (Sheffer 2005)</translation>
+    </message>
+    <message>
+        <source>Every triangle keeps its angles as well as it can; seam lines change their length</source>
+        <translation>Jedes Dreieck behält seine Winkel, so gut es kann; Nahtlinien ändern ihre Länge</translation>
+    </message>
+    <message>
+        <source>&amp;Draft</source>
+        <translation>&amp;Entwurf</translation>
+    </message>
+    <message>
+        <source>Quick: within some percent of the least distortion</source>
+        <translation>Schnell: auf einige Prozent an der kleinsten Verzerrung</translation>
+    </message>
+    <message>
+        <source>&amp;Standard</source>
+        <translation>&amp;Standard</translation>
+    </message>
+    <message>
+        <source>Within about a thousandth of the least distortion</source>
+        <translation>Auf etwa ein Tausendstel an der kleinsten Verzerrung</translation>
+    </message>
+    <message>
+        <source>&amp;Fine</source>
+        <translation>&amp;Fein</translation>
+    </message>
+    <message>
+        <source>To the last digits: takes its time</source>
+        <translation>Bis auf die letzten Stellen: braucht seine Zeit</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Newton steps</source>
+        <translation>Umriss mit &amp;Newton-Schritten</translation>
+    </message>
+    <message>
+        <source>The fast way to the outline</source>
+        <translation>Der schnelle Weg zum Umriss</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;linearly constrained steps</source>
+        <translation>Umriss mit &amp;linear gebundenen Schritten</translation>
+    </message>
+    <message>
+        <source>The published way to the same outline</source>
+        <translation>Der veröffentlichte Weg zum selben Umriss</translation>
+    </message>
+    <message>
+        <source>Flatten &amp;again</source>
+        <translation>&amp;Neu abwickeln</translation>
+    </message>
+    <message>
+        <source>Flatten every piece again</source>
+        <translation>Alle Schnittteile noch einmal abwickeln</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>Abwickeln</translation>
+    </message>
+    <message>
+        <source>Flatten after every ed&amp;it</source>
+        <translation>Nach jeder Än&amp;derung abwickeln</translation>
+    </message>
+    <message>
+        <source>Flatten what an edit has changed at once; switch it off for heavy meshes</source>
+        <translation>Was eine Änderung betrifft, sofort abwickeln; bei schweren Netzen besser ausschalten</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop what is running</source>
+        <translation>Anhalten, was gerade läuft</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the garment&apos;s files again as they are now</source>
+        <translation>Die Dateien des Kleidungsstücks noch einmal lesen, wie sie jetzt sind</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>Choose the unit that gives a garment of human size</source>
+        <translation>Die Einheit wählen, die ein Kleidungsstück in Menschengröße ergibt</translation>
+    </message>
+    <message>
+        <source>&amp;Millimetres</source>
+        <translation>&amp;Millimeter</translation>
+    </message>
+    <message>
+        <source>Read the file&apos;s numbers as millimetres</source>
+        <translation>Die Zahlen der Datei als Millimeter lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Centimetres</source>
+        <translation>&amp;Zentimeter</translation>
+    </message>
+    <message>
+        <source>Read the file&apos;s numbers as centimetres</source>
+        <translation>Die Zahlen der Datei als Zentimeter lesen</translation>
+    </message>
+    <message>
+        <source>M&amp;etres</source>
+        <translation>M&amp;eter</translation>
+    </message>
+    <message>
+        <source>Read the file&apos;s numbers as metres</source>
+        <translation>Die Zahlen der Datei als Meter lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Inches</source>
+        <translation>Z&amp;oll</translation>
+    </message>
+    <message>
+        <source>Read the file&apos;s numbers as inches</source>
+        <translation>Die Zahlen der Datei als Zoll lesen</translation>
+    </message>
+    <message>
+        <source>Choose the axis along which a garment would stand upright</source>
+        <translation>Die Achse wählen, an der das Kleidungsstück aufrecht stünde</translation>
+    </message>
+    <message>
+        <source>&amp;Y points up</source>
+        <translation>&amp;Y zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>The garment stands along the file&apos;s y axis</source>
+        <translation>Das Kleidungsstück steht an der y-Achse der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Z points up</source>
+        <translation>&amp;Z zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>The garment stands along the file&apos;s z axis</source>
+        <translation>Das Kleidungsstück steht an der z-Achse der Datei</translation>
+    </message>
+    <message>
+        <source>Divide the garment into pieces by what the file has</source>
+        <translation>Das Kleidungsstück nach dem teilen, was die Datei enthält</translation>
+    </message>
+    <message>
+        <source>&amp;Parts</source>
+        <translation>&amp;Zusammenhang</translation>
+    </message>
+    <message>
+        <source>Whatever hangs together is one piece</source>
+        <translation>Was zusammenhängt, ist ein Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;Objects</source>
+        <translation>&amp;Objekten</translation>
+    </message>
+    <message>
+        <source>Each object of the file is one piece</source>
+        <translation>Jedes Objekt der Datei ist ein Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;Groups</source>
+        <translation>&amp;Gruppen</translation>
+    </message>
+    <message>
+        <source>Each group of the file is one piece</source>
+        <translation>Jede Gruppe der Datei ist ein Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;Materials</source>
+        <translation>&amp;Materialien</translation>
+    </message>
+    <message>
+        <source>Each material of the file is one piece</source>
+        <translation>Jedes Material der Datei ist ein Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;UV islands</source>
+        <translation>&amp;UV-Inseln</translation>
+    </message>
+    <message>
+        <source>Each island of the file&apos;s UV map is one piece</source>
+        <translation>Jede Insel der UV-Karte der Datei ist ein Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;Cuts only</source>
+        <translation>Nur &amp;Einschnitten</translation>
+    </message>
+    <message>
+        <source>One piece until a cut of the seams file parts it</source>
+        <translation>Ein Schnittteil, bis ein Einschnitt der Nahtdatei es trennt</translation>
+    </message>
+    <message>
+        <source>&amp;Cut open automatically</source>
+        <translation>Von selbst &amp;aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cut open every piece that cannot lie flat as it is</source>
+        <translation>Jedes Schnittteil aufschneiden, das so nicht flach liegen kann</translation>
+    </message>
+    <message>
+        <source>&amp;Weld vertices</source>
+        <translation>Punkte &amp;verschmelzen</translation>
+    </message>
+    <message>
+        <source>Join vertices of an object that lie on each other</source>
+        <translation>Punkte eines Objekts verbinden, die aufeinander liegen</translation>
+    </message>
+    <message>
+        <source>&amp;Seams from file…</source>
+        <translation>&amp;Nähte aus Datei…</translation>
+    </message>
+    <message>
+        <source>Take cuts and ease from a seams file (JSON)</source>
+        <translation>Einschnitte und Einhalteweiten aus einer Nahtdatei (JSON) übernehmen</translation>
+    </message>
+    <message>
+        <source>Save sea&amp;ms file…</source>
+        <translation>Naht&amp;datei speichern…</translation>
+    </message>
+    <message>
+        <source>Write the cuts and the ease that were stated to a seams file (JSON)</source>
+        <translation>Die angegebenen Einschnitte und Einhalteweiten in eine Nahtdatei (JSON) schreiben</translation>
+    </message>
+    <message>
+        <source>State the &amp;ease…</source>
+        <translation>&amp;Einhalteweite angeben…</translation>
+    </message>
+    <message>
+        <source>Say how much longer the left edge of the selected seam is meant to be</source>
+        <translation>Angeben, wie viel länger die linke Kante der ausgewählten Naht sein soll</translation>
+    </message>
+    <message>
+        <source>Ease &amp;from the garment</source>
+        <translation>Einhalteweite aus dem &amp;Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Take the ease of the selected seam from its 3D lengths again</source>
+        <translation>Die Einhalteweite der ausgewählten Naht wieder aus ihren 3D-Längen nehmen</translation>
+    </message>
+    <message>
+        <source>Go to &amp;pieces</source>
+        <translation>Zu den &amp;Schnittteilen</translation>
+    </message>
+    <message>
+        <source>Show the list of pieces and move the keyboard there</source>
+        <translation>Die Liste der Schnittteile zeigen und mit der Tastatur dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Go &amp;to seams</source>
+        <translation>Zu den &amp;Nähten</translation>
+    </message>
+    <message>
+        <source>Show the list of seams and move the keyboard there</source>
+        <translation>Die Liste der Nähte zeigen und mit der Tastatur dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Go to &amp;history</source>
+        <translation>Zum &amp;Verlauf</translation>
+    </message>
+    <message>
+        <source>Show the steps done so far and move the keyboard there</source>
+        <translation>Die bisherigen Schritte zeigen und mit der Tastatur dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Reset &amp;window layout</source>
+        <translation>Fenster&amp;aufteilung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Choose units, colours, language and how the mouse moves the view</source>
+        <translation>Einheiten, Farben, Sprache und die Bewegung mit der Maus wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>&amp;Befehl suchen…</translation>
+    </message>
+    <message>
+        <source>Type a few letters to run a command or to find a piece or a seam</source>
+        <translation>Einige Buchstaben tippen, um einen Befehl auszuführen oder ein Schnittteil oder eine Naht zu finden</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard and mouse</source>
+        <translation>&amp;Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>What every key and every movement of the mouse does</source>
+        <translation>Was jede Taste und jede Bewegung der Maus bewirkt</translation>
+    </message>
+    <message>
+        <source>&amp;About Toile</source>
+        <translation>&amp;Über Toile</translation>
+    </message>
+    <message>
+        <source>Version, licence, and what Toile does</source>
+        <translation>Version, Lizenz und was Toile tut</translation>
+    </message>
+    <message>
+        <source>Piece: %1</source>
+        <translation>Schnittteil: %1</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>Select the piece and show it in both views</source>
+        <translation>Das Schnittteil auswählen und in beiden Ansichten zeigen</translation>
+    </message>
+    <message>
+        <source>Seam %1: %2</source>
+        <translation>Naht %1: %2</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>Select the seam and show both its edges in both views</source>
+        <translation>Die Naht auswählen und ihre beiden Kanten in beiden Ansichten zeigen</translation>
+    </message>
+    <message>
+        <source>In the garment view</source>
+        <translation>In der Ansicht des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>In the pattern view</source>
+        <translation>In der Ansicht des Schnittmusters</translation>
+    </message>
+    <message>
+        <source>In both views</source>
+        <translation>In beiden Ansichten</translation>
+    </message>
+    <message>
+        <source>In the lists</source>
+        <translation>In den Listen</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>Move the garment</source>
+        <translation>Das Kleidungsstück verschieben</translation>
+    </message>
+    <message>
+        <source>Move the sheet</source>
+        <translation>Den Bogen verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>Zoom towards the pointer</source>
+        <translation>Auf den Zeiger zu vergrößern</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Strg+Klick</translation>
+    </message>
+    <message>
+        <source>Add the piece to the selection, or take it out</source>
+        <translation>Das Schnittteil zur Auswahl nehmen oder aus ihr lösen</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>Select the piece or the seam in both views</source>
+        <translation>Das Schnittteil oder die Naht in beiden Ansichten auswählen</translation>
+    </message>
+    <message>
+        <source>Frame the piece or the seam in both views</source>
+        <translation>Das Schnittteil oder die Naht in beiden Ansichten einpassen</translation>
+    </message>
+    <message>
+        <source>Right click on the headings</source>
+        <translation>Rechtsklick auf die Überschriften</translation>
+    </message>
+    <message>
+        <source>Choose the columns of the list of pieces</source>
+        <translation>Die Spalten der Liste der Schnittteile wählen</translation>
+    </message>
+    <message>
+        <source>Click on a heading</source>
+        <translation>Klick auf eine Überschrift</translation>
+    </message>
+    <message>
+        <source>Sort by that column</source>
+        <translation>Nach dieser Spalte ordnen</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>Every command is also found by typing a few letters of it: Ctrl+K.</source>
+        <translation>Jeder Befehl ist auch zu finden, indem Sie einige seiner Buchstaben tippen: Strg+K.</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their length</source>
+        <translation>Nahtlinien behalten ihre Länge</translation>
+    </message>
+    <message>
+        <source>Seam lines may change</source>
+        <translation>Nahtlinien dürfen sich ändern</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Export pattern</source>
+        <translation>Schnittmuster &amp;exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Garment</source>
+        <translation>&amp;Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Einheit</translation>
+    </message>
+    <message>
+        <source>Up &amp;axis</source>
+        <translation>Achse nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>&amp;Divide by</source>
+        <translation>Teilen &amp;nach</translation>
+    </message>
+    <message>
+        <source>F&amp;latten</source>
+        <translation>Ab&amp;wickeln</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Güte</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>by parts</source>
+        <translation>nach Zusammenhang</translation>
+    </message>
+    <message>
+        <source>by objects</source>
+        <translation>nach Objekten</translation>
+    </message>
+    <message>
+        <source>by groups</source>
+        <translation>nach Gruppen</translation>
+    </message>
+    <message>
+        <source>by materials</source>
+        <translation>nach Materialien</translation>
+    </message>
+    <message>
+        <source>by UV</source>
+        <translation>nach UV</translation>
+    </message>
+    <message>
+        <source>by cuts</source>
+        <translation>nach Einschnitten</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>The garment measures %1 in height, read as %2 (largest extent %3). Is that right?</source>
+        <translation>Das Kleidungsstück ist %1 hoch, in %2 gelesen (größte Ausdehnung %3). Stimmt das?</translation>
+    </message>
+    <message>
+        <source>The garment was read as standing along y, but it may stand along z. Which axis points up?</source>
+        <translation>Das Kleidungsstück wurde an der y-Achse stehend gelesen, könnte aber an der z-Achse stehen. Welche Achse zeigt nach oben?</translation>
+    </message>
+    <message>
+        <source>The garment was read as standing along z, but it may stand along y. Which axis points up?</source>
+        <translation>Das Kleidungsstück wurde an der z-Achse stehend gelesen, könnte aber an der y-Achse stehen. Welche Achse zeigt nach oben?</translation>
+    </message>
+    <message>
+        <source>y up</source>
+        <translation>y oben</translation>
+    </message>
+    <message>
+        <source>z up</source>
+        <translation>z oben</translation>
+    </message>
+    <message>
+        <source>%1 (guessed)</source>
+        <translation>%1 (geschätzt)</translation>
+    </message>
+    <message>
+        <source>height %1 · %2 · %3 %4</source>
+        <translation>Höhe %1 · %2 · %3 %4</translation>
+    </message>
+    <message>
+        <source>1 piece</source>
+        <translation>1 Schnittteil</translation>
+    </message>
+    <message>
+        <source>%1 pieces</source>
+        <translation>%1 Schnittteile</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>%1, as stated</source>
+        <translation>%1, wie angegeben</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>y, as stated</source>
+        <translation>y, wie angegeben</translation>
+    </message>
+    <message>
+        <source>z, as stated</source>
+        <translation>z, wie angegeben</translation>
+    </message>
+    <message>
+        <source>1 seam</source>
+        <translation>1 Naht</translation>
+    </message>
+    <message>
+        <source>%1 seams</source>
+        <translation>%1 Nähte</translation>
+    </message>
+    <message>
+        <source>not measured yet</source>
+        <translation>noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>1 does not match</source>
+        <translation>1 passt nicht</translation>
+    </message>
+    <message>
+        <source>%1 do not match</source>
+        <translation>%1 passen nicht</translation>
+    </message>
+    <message>
+        <source>1 nearly matches</source>
+        <translation>1 passt fast</translation>
+    </message>
+    <message>
+        <source>%1 nearly match</source>
+        <translation>%1 passen fast</translation>
+    </message>
+    <message>
+        <source>worst %1 %2</source>
+        <translation>schlechteste %1 %2</translation>
+    </message>
+    <message>
+        <source>%1 not measured: a piece is not flat</source>
+        <translation>%1 nicht gemessen: ein Schnittteil ist nicht flach</translation>
+    </message>
+    <message>
+        <source>Open a project or a garment: one file, or several that belong together</source>
+        <translation>Ein Projekt oder ein Kleidungsstück öffnen: eine Datei, oder mehrere, die zusammengehören</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save everything done with this garment in its project file</source>
+        <translation>Alles, was mit diesem Kleidungsstück getan wurde, in seiner Projektdatei speichern</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save everything done with this garment in another project file</source>
+        <translation>Alles, was mit diesem Kleidungsstück getan wurde, in einer anderen Projektdatei speichern</translation>
+    </message>
+    <message>
+        <source>Strain along war&amp;p</source>
+        <translation>Dehnung längs der &amp;Kette</translation>
+    </message>
+    <message>
+        <source>How far the cloth must stretch or gather along the grain</source>
+        <translation>Wie weit sich der Stoff im Fadenlauf dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Warp</source>
+        <translation>Kette</translation>
+    </message>
+    <message>
+        <source>Strain along we&amp;ft</source>
+        <translation>Dehnung längs des Sch&amp;usses</translation>
+    </message>
+    <message>
+        <source>How far the cloth must stretch or gather across the grain</source>
+        <translation>Wie weit sich der Stoff quer zum Fadenlauf dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Weft</source>
+        <translation>Schuss</translation>
+    </message>
+    <message>
+        <source>Strain on the &amp;bias</source>
+        <translation>Dehnung im Sch&amp;rägen</translation>
+    </message>
+    <message>
+        <source>How far the cloth must stretch or gather at 45° to the grain, the worse of both diagonals</source>
+        <translation>Wie weit sich der Stoff unter 45° zum Fadenlauf dehnen oder stauchen muss, auf der schlechteren der beiden Diagonalen</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Schräg</translation>
+    </message>
+    <message>
+        <source>Principal s&amp;train</source>
+        <translation>&amp;Hauptdehnung</translation>
+    </message>
+    <message>
+        <source>Crosses show in which directions the cloth stretches and gathers most, and how far</source>
+        <translation>Kreuze zeigen, in welchen Richtungen sich der Stoff am meisten dehnt und staucht, und wie weit</translation>
+    </message>
+    <message>
+        <source>Principal</source>
+        <translation>Haupt</translation>
+    </message>
+    <message>
+        <source>&amp;Distortion energy</source>
+        <translation>&amp;Verzerrungsenergie</translation>
+    </message>
+    <message>
+        <source>Symmetric Dirichlet energy: one number for stretch and surplus in all directions</source>
+        <translation>Symmetrische Dirichlet-Energie: eine Zahl für Dehnung und Zuviel in allen Richtungen</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>&amp;Values per triangle</source>
+        <translation>Werte &amp;je Dreieck</translation>
+    </message>
+    <message>
+        <source>Paint every triangle in the colour of its own value, without smoothing</source>
+        <translation>Jedes Dreieck in der Farbe seines eigenen Wertes malen, ohne zu glätten</translation>
+    </message>
+    <message>
+        <source>Per triangle</source>
+        <translation>Je Dreieck</translation>
+    </message>
+    <message>
+        <source>Flag the w&amp;orst spots</source>
+        <translation>&amp;Schlimmste Stellen markieren</translation>
+    </message>
+    <message>
+        <source>Mark the places with the worst values with a number</source>
+        <translation>Die Stellen mit den schlimmsten Werten mit einer Zahl markieren</translation>
+    </message>
+    <message>
+        <source>Worst spots</source>
+        <translation>Schlimmste Stellen</translation>
+    </message>
+    <message>
+        <source>Show &amp;seams</source>
+        <translation>&amp;Nähte zeigen</translation>
+    </message>
+    <message>
+        <source>Draw the seam lines, both sides of a seam in one colour</source>
+        <translation>Die Nahtlinien zeichnen, beide Seiten einer Naht in einer Farbe</translation>
+    </message>
+    <message>
+        <source>&amp;X-ray</source>
+        <translation>&amp;Röntgenblick</translation>
+    </message>
+    <message>
+        <source>See through the cloth of the garment to what lies behind it</source>
+        <translation>Durch den Stoff des Kleidungsstücks auf das sehen, was dahinter liegt</translation>
+    </message>
+    <message>
+        <source>Light and s&amp;hade</source>
+        <translation>&amp;Licht und Schatten</translation>
+    </message>
+    <message>
+        <source>Let light fall on the garment; without it colours are as flat as in the pattern</source>
+        <translation>Licht auf das Kleidungsstück fallen lassen; ohne es sind die Farben so gleichmäßig wie im Schnittmuster</translation>
+    </message>
+    <message>
+        <source>Pieces &amp;in colour</source>
+        <translation>Schnittteile in &amp;Farbe</translation>
+    </message>
+    <message>
+        <source>Give every piece a colour of its own; else all cloth is plain cotton</source>
+        <translation>Jedem Schnittteil eine eigene Farbe geben; sonst ist aller Stoff schlichte Baumwolle</translation>
+    </message>
+    <message>
+        <source>From the &amp;front</source>
+        <translation>Von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>Look at the garment&apos;s front (1 on the number pad)</source>
+        <translation>Das Kleidungsstück von vorn ansehen (1 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>From the &amp;back</source>
+        <translation>Von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>Look at the garment&apos;s back (Ctrl+1 on the number pad)</source>
+        <translation>Das Kleidungsstück von hinten ansehen (Strg+1 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>From the &amp;right</source>
+        <translation>Von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Look at the garment from the right of the picture (3 on the number pad)</source>
+        <translation>Das Kleidungsstück von der rechten Seite des Bildes ansehen (3 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>From the &amp;left</source>
+        <translation>Von &amp;links</translation>
+    </message>
+    <message>
+        <source>Look at the garment from the left of the picture (Ctrl+3 on the number pad)</source>
+        <translation>Das Kleidungsstück von der linken Seite des Bildes ansehen (Strg+3 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>From &amp;above</source>
+        <translation>Von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Look down at the garment (7 on the number pad)</source>
+        <translation>Auf das Kleidungsstück hinabsehen (7 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>From b&amp;elow</source>
+        <translation>Von &amp;unten</translation>
+    </message>
+    <message>
+        <source>Look up at the garment (Ctrl+7 on the number pad)</source>
+        <translation>Zum Kleidungsstück hinaufsehen (Strg+7 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>Without &amp;perspective</source>
+        <translation>Ohne &amp;Perspektive</translation>
+    </message>
+    <message>
+        <source>Draw the garment so that parallel lines stay parallel (5 on the number pad)</source>
+        <translation>Das Kleidungsstück so zeichnen, dass parallele Linien parallel bleiben (5 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>Play from garment to pa&amp;ttern</source>
+        <translation>Vom Kleidungsstück zum Schnittmuster &amp;abspielen</translation>
+    </message>
+    <message>
+        <source>Watch the garment flatten, or the pattern close to the garment again</source>
+        <translation>Zusehen, wie sich das Kleidungsstück abwickelt oder das Schnittmuster wieder zum Kleidungsstück schließt</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>&amp;Auswählen</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>&amp;Einschneiden</translation>
+    </message>
+    <message>
+        <source>Cut a piece along the shortest way through points on it</source>
+        <translation>Ein Schnittteil auf dem kürzesten Weg durch Punkte darauf einschneiden</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Einschneiden</translation>
+    </message>
+    <message>
+        <source>Closed &amp;loop</source>
+        <translation>&amp;Geschlossener Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut a part out along a closed line through points on it</source>
+        <translation>Einen Teil entlang einer geschlossenen Linie durch Punkte darauf ausschneiden</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Rundschnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Dart</source>
+        <translation>A&amp;bnäher</translation>
+    </message>
+    <message>
+        <source>Cut from an edge to a tip inside the cloth</source>
+        <translation>Von einer Kante bis zu einer Spitze im Stoff einschneiden</translation>
+    </message>
+    <message>
+        <source>Dart</source>
+        <translation>Abnäher</translation>
+    </message>
+    <message>
+        <source>&amp;Join</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Measure on the garment and in the pattern, straight and along edges</source>
+        <translation>Am Kleidungsstück und im Schnittmuster messen, gerade und entlang von Kanten</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Grain</source>
+        <translation>&amp;Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Turn the grain of a piece by its arrow in the pattern view</source>
+        <translation>Den Fadenlauf eines Schnittteils an seinem Pfeil in der Schnittansicht drehen</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Turn &amp;left</source>
+        <translation>Nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces anti-clockwise by a right angle</source>
+        <translation>Die ausgewählten Schnittteile um einen rechten Winkel gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;right</source>
+        <translation>Nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces clockwise by a right angle</source>
+        <translation>Die ausgewählten Schnittteile um einen rechten Winkel im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror left to right</source>
+        <translation>&amp;Seitlich spiegeln</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces over from left to right: their wrong side faces you then</source>
+        <translation>Die ausgewählten Schnittteile seitlich umwenden: dann liegt ihre linke Stoffseite oben</translation>
+    </message>
+    <message>
+        <source>Mirror &amp;upside down</source>
+        <translation>Nach &amp;oben spiegeln</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces over from top to bottom: their wrong side faces you then</source>
+        <translation>Die ausgewählten Schnittteile von oben nach unten umwenden: dann liegt ihre linke Stoffseite oben</translation>
+    </message>
+    <message>
+        <source>&amp;Left edges</source>
+        <translation>&amp;Linke Kanten</translation>
+    </message>
+    <message>
+        <source>Line the selected pieces up along their left edges</source>
+        <translation>Die ausgewählten Schnittteile an ihren linken Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>&amp;Right edges</source>
+        <translation>&amp;Rechte Kanten</translation>
+    </message>
+    <message>
+        <source>Line the selected pieces up along their right edges</source>
+        <translation>Die ausgewählten Schnittteile an ihren rechten Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>&amp;Upper edges</source>
+        <translation>&amp;Obere Kanten</translation>
+    </message>
+    <message>
+        <source>Line the selected pieces up along their upper edges</source>
+        <translation>Die ausgewählten Schnittteile an ihren oberen Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>Lo&amp;wer edges</source>
+        <translation>&amp;Untere Kanten</translation>
+    </message>
+    <message>
+        <source>Line the selected pieces up along their lower edges</source>
+        <translation>Die ausgewählten Schnittteile an ihren unteren Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>&amp;Middles, one above the other</source>
+        <translation>&amp;Mitten übereinander</translation>
+    </message>
+    <message>
+        <source>Centre the selected pieces on one upright line</source>
+        <translation>Die ausgewählten Schnittteile auf einer senkrechten Linie mitteln</translation>
+    </message>
+    <message>
+        <source>Middles, si&amp;de by side</source>
+        <translation>Mitten &amp;nebeneinander</translation>
+    </message>
+    <message>
+        <source>Centre the selected pieces on one level line</source>
+        <translation>Die ausgewählten Schnittteile auf einer waagerechten Linie mitteln</translation>
+    </message>
+    <message>
+        <source>Same gaps &amp;across</source>
+        <translation>Gleiche Abstände &amp;quer</translation>
+    </message>
+    <message>
+        <source>Move the selected pieces between the leftmost and the rightmost until their gaps are the same</source>
+        <translation>Die ausgewählten Schnittteile zwischen dem linken und dem rechten verschieben, bis ihre Abstände gleich sind</translation>
+    </message>
+    <message>
+        <source>Same gaps u&amp;pwards</source>
+        <translation>Gleiche Abstände &amp;hoch</translation>
+    </message>
+    <message>
+        <source>Move the selected pieces between the lowest and the highest until their gaps are the same</source>
+        <translation>Die ausgewählten Schnittteile zwischen dem untersten und dem obersten verschieben, bis ihre Abstände gleich sind</translation>
+    </message>
+    <message>
+        <source>Lay &amp;out again</source>
+        <translation>Neu aus&amp;legen</translation>
+    </message>
+    <message>
+        <source>Put the selected pieces, or all where none is selected, in rows side by side</source>
+        <translation>Die ausgewählten Schnittteile, ohne Auswahl alle, in Reihen nebeneinander legen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;grain upwards</source>
+        <translation>&amp;Fadenlauf nach oben drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces, or all where none is selected, so that their grain runs upwards</source>
+        <translation>Die ausgewählten Schnittteile, ohne Auswahl alle, so drehen, dass ihr Fadenlauf nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Best grain</source>
+        <translation>&amp;Bester Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Let the grain of the selected pieces, or of all, run where it strains the fabric least</source>
+        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, so legen, dass er den Stoff am wenigsten dehnt</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Bester</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the grain</source>
+        <translation>Fadenlauf &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>Leave it open how the grain of the selected pieces, or of all, runs</source>
+        <translation>Offen lassen, wie der Fadenlauf der ausgewählten Schnittteile, sonst aller, liegt</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>&amp;Rulers</source>
+        <translation>&amp;Lineale</translation>
+    </message>
+    <message>
+        <source>Show rulers along the edges of the pattern view</source>
+        <translation>Lineale an den Rändern der Schnittansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Gri&amp;d</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Show a grid on the sheet of the pattern</source>
+        <translation>Ein Raster auf dem Bogen des Schnittmusters zeigen</translation>
+    </message>
+    <message>
+        <source>Sna&amp;pping</source>
+        <translation>&amp;Einrasten</translation>
+    </message>
+    <message>
+        <source>Let pieces catch at the grid and at each other while they are moved; Alt turns it the other way round</source>
+        <translation>Schnittteile beim Verschieben am Raster und aneinander einrasten lassen; Alt kehrt es um</translation>
+    </message>
+    <message>
+        <source>&amp;Place…</source>
+        <translation>&amp;Lage…</translation>
+    </message>
+    <message>
+        <source>Type where the selected pieces lie, how far they are turned and how the grain runs</source>
+        <translation>Eingeben, wo die ausgewählten Schnittteile liegen, wie weit sie gedreht sind und wie der Fadenlauf liegt</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Overlay</source>
+        <translation>Ü&amp;berlagerung</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k</source>
+        <translation>&amp;Blick</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>La&amp;yout</source>
+        <translation>Aus&amp;legen</translation>
+    </message>
+    <message>
+        <source>&amp;Line up</source>
+        <translation>Aus&amp;richten</translation>
+    </message>
+    <message>
+        <source>Grain upwards</source>
+        <translation>Fadenlauf nach oben</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilen</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Auslegen</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2 / %3 on the garment</source>
+        <translation>%1 · %2 / %3 am Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>%1 · %2 / %3, Δ %4</source>
+        <translation>%1 · %2 / %3, Δ %4</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>%1 · strain %2 %</source>
+        <translation>%1 · Dehnung %2 %</translation>
+    </message>
+    <message>
+        <source>%1 · %2 of its outline</source>
+        <translation>%1 · %2 seines Umrisses</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>die Datei lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>Check its name and permissions</source>
+        <translation>Prüfen Sie Namen und Rechte</translation>
+    </message>
+    <message>
+        <source>the file cannot be written</source>
+        <translation>die Datei lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>Check that the folder exists, is writable and has room</source>
+        <translation>Prüfen Sie, ob es den Ordner gibt, ob er beschreibbar ist und Platz hat</translation>
+    </message>
+    <message>
+        <source>the file&apos;s ending names no format Toile knows</source>
+        <translation>die Endung der Datei nennt kein Format, das Toile kennt</translation>
+    </message>
+    <message>
+        <source>Read .obj, .off, .ply or .stl; write .svg, .dxf, .obj or .json</source>
+        <translation>Lesen Sie .obj, .off, .ply oder .stl; schreiben Sie .svg, .dxf, .obj oder .json</translation>
+    </message>
+    <message>
+        <source>the file breaks the rules of its format</source>
+        <translation>die Datei verletzt die Regeln ihres Formats</translation>
+    </message>
+    <message>
+        <source>Export it again from the program it came from</source>
+        <translation>Exportieren Sie sie noch einmal aus dem Programm, aus dem sie kommt</translation>
+    </message>
+    <message>
+        <source>the file holds no faces</source>
+        <translation>die Datei enthält keine Flächen</translation>
+    </message>
+    <message>
+        <source>Export the garment as a mesh with faces</source>
+        <translation>Exportieren Sie das Kleidungsstück als Netz mit Flächen</translation>
+    </message>
+    <message>
+        <source>the project file breaks the rules of its format</source>
+        <translation>die Projektdatei verletzt die Regeln ihres Formats</translation>
+    </message>
+    <message>
+        <source>Open an older copy of it, or mend the place named with a text editor</source>
+        <translation>Öffnen Sie eine ältere Kopie oder bessern Sie die genannte Stelle mit einem Texteditor aus</translation>
+    </message>
+    <message>
+        <source>the project was saved by a newer version of Toile</source>
+        <translation>das Projekt wurde von einer neueren Fassung von Toile gespeichert</translation>
+    </message>
+    <message>
+        <source>Open it with that version</source>
+        <translation>Öffnen Sie es mit dieser Fassung</translation>
+    </message>
+    <message>
+        <source>the file states no unit and its size leaves doubt</source>
+        <translation>die Datei nennt keine Einheit, und ihre Größe lässt Zweifel</translation>
+    </message>
+    <message>
+        <source>State the unit if the size is wrong</source>
+        <translation>Geben Sie die Einheit an, wenn die Größe nicht stimmt</translation>
+    </message>
+    <message>
+        <source>faces name vertices that the file does not have</source>
+        <translation>Flächen nennen Punkte, die die Datei nicht hat</translation>
+    </message>
+    <message>
+        <source>They are left out; export the file again if something is missing</source>
+        <translation>Sie werden ausgelassen; exportieren Sie die Datei noch einmal, wenn etwas fehlt</translation>
+    </message>
+    <message>
+        <source>positions are not finite numbers</source>
+        <translation>Lagen sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>Faces on them are left out; export the file again if something is missing</source>
+        <translation>Flächen darauf werden ausgelassen; exportieren Sie die Datei noch einmal, wenn etwas fehlt</translation>
+    </message>
+    <message>
+        <source>faces have fewer than three different corners</source>
+        <translation>Flächen haben weniger als drei verschiedene Ecken</translation>
+    </message>
+    <message>
+        <source>They are left out</source>
+        <translation>Sie werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>polygons could not be divided by their shape</source>
+        <translation>Vielecke ließen sich nicht nach ihrer Form teilen</translation>
+    </message>
+    <message>
+        <source>They are divided as a fan, which may fold over; triangulate them in the modelling program</source>
+        <translation>Sie werden als Fächer geteilt, der sich falten kann; zerlegen Sie sie im Modellierprogramm in Dreiecke</translation>
+    </message>
+    <message>
+        <source>vertices belong to no face</source>
+        <translation>Punkte gehören zu keiner Fläche</translation>
+    </message>
+    <message>
+        <source>a mesh written from this file differs from it</source>
+        <translation>ein aus dieser Datei geschriebenes Netz weicht von ihr ab</translation>
+    </message>
+    <message>
+        <source>the file says things that this Toile does not know</source>
+        <translation>die Datei sagt Dinge, die dieses Toile nicht kennt</translation>
+    </message>
+    <message>
+        <source>They are gone once the project is saved here</source>
+        <translation>Sie sind weg, sobald das Projekt hier gespeichert wird</translation>
+    </message>
+    <message>
+        <source>the file is not as it was when the project was saved</source>
+        <translation>die Datei ist nicht mehr so wie beim Speichern des Projekts</translation>
+    </message>
+    <message>
+        <source>Cuts, ease and places are kept; look whether they still fit</source>
+        <translation>Einschnitte, Einhalteweiten und Lagen bleiben; sehen Sie nach, ob sie noch passen</translation>
+    </message>
+    <message>
+        <source>the garment has no piece of this name any more</source>
+        <translation>das Kleidungsstück hat kein Schnittteil dieses Namens mehr</translation>
+    </message>
+    <message>
+        <source>What the project says of it is left out</source>
+        <translation>Was das Projekt über es sagt, wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>edges have no length</source>
+        <translation>Kanten haben keine Länge</translation>
+    </message>
+    <message>
+        <source>Their two ends are made one vertex</source>
+        <translation>Ihre beiden Enden werden ein Punkt</translation>
+    </message>
+    <message>
+        <source>triangles have no area</source>
+        <translation>Dreiecke haben keine Fläche</translation>
+    </message>
+    <message>
+        <source>They are removed so that no hole opens</source>
+        <translation>Sie werden so entfernt, dass kein Loch entsteht</translation>
+    </message>
+    <message>
+        <source>faces lie twice on the same vertices</source>
+        <translation>Flächen liegen doppelt auf denselben Punkten</translation>
+    </message>
+    <message>
+        <source>One of each is kept</source>
+        <translation>Je eine bleibt</translation>
+    </message>
+    <message>
+        <source>faces look to the other side than their neighbours</source>
+        <translation>Flächen zeigen zur anderen Seite als ihre Nachbarn</translation>
+    </message>
+    <message>
+        <source>They are turned over to agree with the larger area</source>
+        <translation>Sie werden nach der Seite der größeren Fläche gewendet</translation>
+    </message>
+    <message>
+        <source>edges are shared by more than two faces</source>
+        <translation>Kanten gehören zu mehr als zwei Flächen</translation>
+    </message>
+    <message>
+        <source>The faces that continue each other best stay joined; the others are cut free</source>
+        <translation>Die Flächen, die einander am besten fortsetzen, bleiben verbunden; die anderen werden abgetrennt</translation>
+    </message>
+    <message>
+        <source>parts of the surface touch in a single vertex</source>
+        <translation>Teile der Oberfläche berühren sich in einem einzigen Punkt</translation>
+    </message>
+    <message>
+        <source>Each part gets a vertex of its own</source>
+        <translation>Jeder Teil bekommt einen eigenen Punkt</translation>
+    </message>
+    <message>
+        <source>different edges of the surface join the same two vertices</source>
+        <translation>verschiedene Kanten der Oberfläche verbinden dieselben zwei Punkte</translation>
+    </message>
+    <message>
+        <source>All but one of them get a vertex in their middle</source>
+        <translation>Alle außer einer bekommen einen Punkt in ihrer Mitte</translation>
+    </message>
+    <message>
+        <source>vertices lie on each other without being joined</source>
+        <translation>Punkte liegen aufeinander, ohne verbunden zu sein</translation>
+    </message>
+    <message>
+        <source>They are made one</source>
+        <translation>Sie werden eins</translation>
+    </message>
+    <message>
+        <source>holes in the cloth stay open inside the outline</source>
+        <translation>Löcher im Stoff bleiben innerhalb des Umrisses offen</translation>
+    </message>
+    <message>
+        <source>The lengths of their rims are measured, not kept</source>
+        <translation>Die Längen ihrer Ränder werden gemessen, nicht gehalten</translation>
+    </message>
+    <message>
+        <source>the flat outline crosses itself</source>
+        <translation>der flache Umriss kreuzt sich selbst</translation>
+    </message>
+    <message>
+        <source>Divide the piece by a cut before it is cut out of cloth</source>
+        <translation>Teilen Sie das Schnittteil durch einen Einschnitt, bevor es zugeschnitten wird</translation>
+    </message>
+    <message>
+        <source>the flat outline crossed itself and was moved apart, keeping its lengths</source>
+        <translation>der flache Umriss kreuzte sich selbst und wurde auseinandergeschoben, mit seinen Längen</translation>
+    </message>
+    <message>
+        <source>triangles have almost no height</source>
+        <translation>Dreiecke haben fast keine Höhe</translation>
+    </message>
+    <message>
+        <source>The pattern may be uneven next to them; merge doubled vertices or remove the slivers in the modelling program</source>
+        <translation>Das Schnittmuster kann neben ihnen uneben sein; verschmelzen Sie doppelte Punkte oder entfernen Sie die Splitter im Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s curvature asks for corners that no flat outline has</source>
+        <translation>die Krümmung der Oberfläche verlangt Ecken, die kein flacher Umriss hat</translation>
+    </message>
+    <message>
+        <source>Cut the piece where it curves most if the pattern looks folded there</source>
+        <translation>Schneiden Sie das Schnittteil dort ein, wo es sich am meisten krümmt, wenn das Schnittmuster da gefaltet aussieht</translation>
+    </message>
+    <message>
+        <source>the method ended before it reached its goal</source>
+        <translation>das Verfahren endete, bevor es sein Ziel erreichte</translation>
+    </message>
+    <message>
+        <source>The pattern can be used as it is; look for slivers in the piece, or cut it where it curves most</source>
+        <translation>Das Schnittmuster ist so verwendbar; suchen Sie nach Splittern im Schnittteil oder schneiden Sie es dort ein, wo es sich am meisten krümmt</translation>
+    </message>
+    <message>
+        <source>the piece is closed and has no outline</source>
+        <translation>das Schnittteil ist geschlossen und hat keinen Umriss</translation>
+    </message>
+    <message>
+        <source>Cut it open along a seam, or let Toile do it (--auto-cut)</source>
+        <translation>Schneiden Sie es entlang einer Naht auf, oder lassen Sie Toile das tun (--auto-cut)</translation>
+    </message>
+    <message>
+        <source>the piece has several boundary loops</source>
+        <translation>das Schnittteil hat mehrere Ränder</translation>
+    </message>
+    <message>
+        <source>Cut it from loop to loop, or let Toile do it (--auto-cut)</source>
+        <translation>Schneiden Sie es von Rand zu Rand auf, oder lassen Sie Toile das tun (--auto-cut)</translation>
+    </message>
+    <message>
+        <source>the piece has a handle, like a ring or a cup</source>
+        <translation>das Schnittteil hat einen Henkel wie ein Ring oder eine Tasse</translation>
+    </message>
+    <message>
+        <source>Cut the handle open along a seam, or let Toile do it (--auto-cut)</source>
+        <translation>Schneiden Sie den Henkel entlang einer Naht auf, oder lassen Sie Toile das tun (--auto-cut)</translation>
+    </message>
+    <message>
+        <source>Separate the layers that meet there</source>
+        <translation>Trennen Sie die Lagen, die dort aufeinandertreffen</translation>
+    </message>
+    <message>
+        <source>parts of the piece touch in a single vertex</source>
+        <translation>Teile des Schnittteils berühren sich in einem einzigen Punkt</translation>
+    </message>
+    <message>
+        <source>Separate the parts, or join them along an edge</source>
+        <translation>Trennen Sie die Teile oder verbinden Sie sie entlang einer Kante</translation>
+    </message>
+    <message>
+        <source>neighbouring faces look to opposite sides</source>
+        <translation>benachbarte Flächen zeigen zu verschiedenen Seiten</translation>
+    </message>
+    <message>
+        <source>Make the normals consistent in the modelling program</source>
+        <translation>Gleichen Sie die Normalen im Modellierprogramm an</translation>
+    </message>
+    <message>
+        <source>the piece has one side only, like a Moebius strip</source>
+        <translation>das Schnittteil hat nur eine Seite wie ein Möbiusband</translation>
+    </message>
+    <message>
+        <source>Cut it across</source>
+        <translation>Schneiden Sie es quer durch</translation>
+    </message>
+    <message>
+        <source>Remove the doubled faces in the modelling program</source>
+        <translation>Entfernen Sie die doppelten Flächen im Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>Merge doubled vertices or remove the slivers in the modelling program</source>
+        <translation>Verschmelzen Sie doppelte Punkte oder entfernen Sie die Splitter im Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>boundary edges have no length</source>
+        <translation>Randkanten haben keine Länge</translation>
+    </message>
+    <message>
+        <source>Merge the doubled vertices in the modelling program</source>
+        <translation>Verschmelzen Sie die doppelten Punkte im Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>the cut cannot be made</source>
+        <translation>der Einschnitt ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>Move its points, or mend the piece first</source>
+        <translation>Verschieben Sie seine Punkte oder bessern Sie zuerst das Schnittteil aus</translation>
+    </message>
+    <message>
+        <source>the seam cannot be taken out</source>
+        <translation>die Naht lässt sich nicht herausnehmen</translation>
+    </message>
+    <message>
+        <source>Leave it, or join the parts in the modelling program</source>
+        <translation>Lassen Sie sie oder verbinden Sie die Teile im Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>the garment has no seam of this name</source>
+        <translation>das Kleidungsstück hat keine Naht dieses Namens</translation>
+    </message>
+    <message>
+        <source>See the names with &quot;toile info&quot;</source>
+        <translation>Die Namen zeigt „toile info“</translation>
+    </message>
+    <message>
+        <source>one boundary edge is as long as all the others together, so that no flat outline has these lengths</source>
+        <translation>eine Randkante ist so lang wie alle anderen zusammen, sodass kein flacher Umriss diese Längen hat</translation>
+    </message>
+    <message>
+        <source>Refine the boundary or move the seam</source>
+        <translation>Verfeinern Sie den Rand oder verlegen Sie die Naht</translation>
+    </message>
+    <message>
+        <source>no closed outline near the surface&apos;s angles was found</source>
+        <translation>nahe den Winkeln der Oberfläche fand sich kein geschlossener Umriss</translation>
+    </message>
+    <message>
+        <source>Cut the piece where it curves most, or choose the other boundary solver</source>
+        <translation>Schneiden Sie das Schnittteil dort ein, wo es sich am meisten krümmt, oder wählen Sie den anderen Umrisslöser</translation>
+    </message>
+    <message>
+        <source>the interior&apos;s equations could not be solved</source>
+        <translation>die Gleichungen des Inneren ließen sich nicht lösen</translation>
+    </message>
+    <message>
+        <source>Look for slivers and extreme differences of edge length in the piece</source>
+        <translation>Suchen Sie im Schnittteil nach Splittern und extremen Unterschieden der Kantenlänge</translation>
+    </message>
+    <message>
+        <source>the result is not a finite number</source>
+        <translation>das Ergebnis ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>Look for extreme coordinates in the piece</source>
+        <translation>Suchen Sie im Schnittteil nach extremen Koordinaten</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>Close other programs, or flatten fewer or coarser pieces at a time</source>
+        <translation>Schließen Sie andere Programme oder wickeln Sie weniger oder gröbere Schnittteile auf einmal ab</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>Read&amp;y to cut?</source>
+        <translation>&amp;Bereit zum Zuschneiden?</translation>
+    </message>
+    <message>
+        <source>Show whether the pattern can be cut as it is, and every fault with its place</source>
+        <translation>Zeigen, ob das Schnittmuster so zugeschnitten werden kann, und jeden Fehler mit seiner Stelle</translation>
+    </message>
+    <message>
+        <source>How much area the cloth must gain by stretching, or has too much</source>
+        <translation>Wie viel Fläche der Stoff durch Dehnen gewinnen muss oder zu viel hat</translation>
+    </message>
+    <message>
+        <source>C&amp;ompare methods…</source>
+        <translation>Verfahren &amp;vergleichen…</translation>
+    </message>
+    <message>
+        <source>See one piece flattened by up to four methods side by side, with a table of figures</source>
+        <translation>Ein Schnittteil nach bis zu vier Verfahren nebeneinander sehen, mit einer Tabelle der Zahlen</translation>
+    </message>
+    <message>
+        <source>Select pieces, seams and vertices; move pieces in the pattern</source>
+        <translation>Schnittteile, Nähte und Punkte auswählen; Schnittteile im Schnittmuster verschieben</translation>
+    </message>
+    <message>
+        <source>Fa&amp;bric…</source>
+        <translation>&amp;Material…</translation>
+    </message>
+    <message>
+        <source>Choose what the garment is cut from, and type how far it gives way</source>
+        <translation>Wählen, woraus das Kleidungsstück geschnitten wird, und eingeben, wie weit es nachgibt</translation>
+    </message>
+    <message>
+        <source>Go to proble&amp;ms</source>
+        <translation>Zu den &amp;Problemen</translation>
+    </message>
+    <message>
+        <source>Show what stands against cutting and move the keyboard there</source>
+        <translation>Zeigen, was gegen das Zuschneiden spricht, und mit der Tastatur dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Put every list back below the views and every panel beside them, as at the first start</source>
+        <translation>Alle Listen wieder unter die Ansichten und alle Felder neben sie legen, wie beim ersten Start</translation>
+    </message>
+    <message>
+        <source>In the garment view, as Preferences choose</source>
+        <translation>In der Ansicht des Kleidungsstücks, wie in den Einstellungen gewählt</translation>
+    </message>
+    <message>
+        <source>With the Select tool</source>
+        <translation>Mit dem Werkzeug Auswählen</translation>
+    </message>
+    <message>
+        <source>With the Cut tool</source>
+        <translation>Mit dem Werkzeug Einschneiden</translation>
+    </message>
+    <message>
+        <source>With the Closed loop tool</source>
+        <translation>Mit dem Werkzeug Geschlossener Schnitt</translation>
+    </message>
+    <message>
+        <source>With the Dart tool</source>
+        <translation>Mit dem Werkzeug Abnäher</translation>
+    </message>
+    <message>
+        <source>With the Join tool</source>
+        <translation>Mit dem Werkzeug Verbinden</translation>
+    </message>
+    <message>
+        <source>With the Measure tool</source>
+        <translation>Mit dem Werkzeug Messen</translation>
+    </message>
+    <message>
+        <source>With the Grain tool</source>
+        <translation>Mit dem Werkzeug Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Turn the garment, where the tool does not take the drag</source>
+        <translation>Das Kleidungsstück drehen, wo das Werkzeug das Ziehen nicht braucht</translation>
+    </message>
+    <message>
+        <source>Number pad 1, 3, 7</source>
+        <translation>Ziffernblock 1, 3, 7</translation>
+    </message>
+    <message>
+        <source>Show the front, the right side, the top; with Ctrl the side opposite to it</source>
+        <translation>Vorderseite, rechte Seite, Oberseite zeigen; mit Strg die Seite gegenüber</translation>
+    </message>
+    <message>
+        <source>Number pad 9</source>
+        <translation>Ziffernblock 9</translation>
+    </message>
+    <message>
+        <source>Show the opposite side</source>
+        <translation>Die Seite gegenüber zeigen</translation>
+    </message>
+    <message>
+        <source>Number pad 2, 4, 6, 8</source>
+        <translation>Ziffernblock 2, 4, 6, 8</translation>
+    </message>
+    <message>
+        <source>Turn the garment by 15°</source>
+        <translation>Das Kleidungsstück um 15° drehen</translation>
+    </message>
+    <message>
+        <source>Number pad 5</source>
+        <translation>Ziffernblock 5</translation>
+    </message>
+    <message>
+        <source>Show it with perspective or without</source>
+        <translation>Es mit oder ohne Perspektive zeigen</translation>
+    </message>
+    <message>
+        <source>Click on the axis cross</source>
+        <translation>Klick auf das Achsenkreuz</translation>
+    </message>
+    <message>
+        <source>Show the garment from that side</source>
+        <translation>Das Kleidungsstück von dieser Seite zeigen</translation>
+    </message>
+    <message>
+        <source>Toile</source>
+        <translation>Toile</translation>
+    </message>
+    <message>
+        <source>Middle or right drag: turn; with Shift: move; with Ctrl: zoom</source>
+        <translation>Mit mittlerer oder rechter Taste ziehen: drehen; mit Umschalt: verschieben; mit Strg: vergrößern</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>Middle drag or Alt+drag: turn; with Shift: move; with Ctrl: zoom</source>
+        <translation>Mit mittlerer Taste oder Alt ziehen: drehen; mit Umschalt: verschieben; mit Strg: vergrößern</translation>
+    </message>
+    <message>
+        <source>CLO</source>
+        <translation>CLO</translation>
+    </message>
+    <message>
+        <source>Right drag: turn; middle drag: move</source>
+        <translation>Mit rechter Taste ziehen: drehen; mit mittlerer: verschieben</translation>
+    </message>
+    <message>
+        <source>Rhino</source>
+        <translation>Rhino</translation>
+    </message>
+    <message>
+        <source>Right drag: turn; with Shift: move; with Ctrl: zoom</source>
+        <translation>Mit rechter Taste ziehen: drehen; mit Umschalt: verschieben; mit Strg: vergrößern</translation>
+    </message>
+    <message>
+        <source>Space+drag, middle drag</source>
+        <translation>Leertaste+Ziehen, mittlere Taste</translation>
+    </message>
+    <message>
+        <source>Select the piece, the seam or, from near by, the vertex; beside all: select nothing</source>
+        <translation>Das Schnittteil, die Naht oder aus der Nähe den Punkt auswählen; neben allem: nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+click, Shift+click</source>
+        <translation>Strg+Klick, Umschalt+Klick</translation>
+    </message>
+    <message>
+        <source>Frame the piece; on an edge: select it from corner to corner; beside all pieces: frame everything</source>
+        <translation>Das Schnittteil einpassen; auf einer Kante: sie von Ecke zu Ecke auswählen; neben allen: alles einpassen</translation>
+    </message>
+    <message>
+        <source>Drag a piece in the pattern view</source>
+        <translation>Schnittteil in der Schnittansicht ziehen</translation>
+    </message>
+    <message>
+        <source>Move the selected pieces</source>
+        <translation>Die ausgewählten Schnittteile verschieben</translation>
+    </message>
+    <message>
+        <source>Drag the sheet</source>
+        <translation>Bogen ziehen</translation>
+    </message>
+    <message>
+        <source>Select what a box touches; with Ctrl or Shift: besides what is selected</source>
+        <translation>Auswählen, was ein Rahmen berührt; mit Strg oder Umschalt: zusätzlich</translation>
+    </message>
+    <message>
+        <source>Drag the handle above the selection</source>
+        <translation>Am Griff über der Auswahl ziehen</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces; with Shift: in steps of 15°</source>
+        <translation>Die ausgewählten Schnittteile drehen; mit Umschalt: in Schritten von 15°</translation>
+    </message>
+    <message>
+        <source>Alt while dragging</source>
+        <translation>Alt beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Snap where snapping is off, and the other way round</source>
+        <translation>Einrasten, wo es ausgeschaltet ist, und umgekehrt</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Move the selected pieces by 1 mm, with Shift by 10 mm</source>
+        <translation>Die ausgewählten Schnittteile um 1 mm verschieben, mit Umschalt um 10 mm</translation>
+    </message>
+    <message>
+        <source>Esc while dragging</source>
+        <translation>Esc beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Take the drag back</source>
+        <translation>Das Ziehen zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Set the next point; begin on an edge to open the piece there</source>
+        <translation>Den nächsten Punkt setzen; an einer Kante begonnen, öffnet der Einschnitt sie</translation>
+    </message>
+    <message>
+        <source>Go there along the edges of the mesh</source>
+        <translation>Entlang der Netzkanten dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Double click, Enter</source>
+        <translation>Doppelklick, Eingabe</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Take the last point back</source>
+        <translation>Den letzten Punkt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Throw the cut away; without one: back to selecting</source>
+        <translation>Den Einschnitt verwerfen; ohne einen: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Set the next point, of three or more</source>
+        <translation>Den nächsten Punkt setzen, von dreien oder mehr</translation>
+    </message>
+    <message>
+        <source>Click on the first point, double click, Enter</source>
+        <translation>Klick auf den ersten Punkt, Doppelklick, Eingabe</translation>
+    </message>
+    <message>
+        <source>Cut the part out</source>
+        <translation>Den Teil ausschneiden</translation>
+    </message>
+    <message>
+        <source>Drag from an edge</source>
+        <translation>Von einer Kante ziehen</translation>
+    </message>
+    <message>
+        <source>Cut a dart to where the drag ends</source>
+        <translation>Einen Abnäher bis dorthin schneiden, wo das Ziehen endet</translation>
+    </message>
+    <message>
+        <source>Click an edge, then the tip</source>
+        <translation>Kante anklicken, dann die Spitze</translation>
+    </message>
+    <message>
+        <source>The same, by two clicks</source>
+        <translation>Dasselbe mit zwei Klicks</translation>
+    </message>
+    <message>
+        <source>Cut along the edges of the mesh</source>
+        <translation>Entlang der Netzkanten schneiden</translation>
+    </message>
+    <message>
+        <source>Backspace, Esc</source>
+        <translation>Rücktaste, Esc</translation>
+    </message>
+    <message>
+        <source>Throw the dart away; Esc without one: back to selecting</source>
+        <translation>Den Abnäher verwerfen; Esc ohne einen: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Click a seam</source>
+        <translation>Naht anklicken</translation>
+    </message>
+    <message>
+        <source>Back to selecting</source>
+        <translation>Zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Measure from here, and on to the next place</source>
+        <translation>Von hier messen und weiter zur nächsten Stelle</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Hier enden</translation>
+    </message>
+    <message>
+        <source>Take the last place back</source>
+        <translation>Die letzte Stelle zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Ctrl+C</source>
+        <translation>Strg+C</translation>
+    </message>
+    <message>
+        <source>Copy what is measured</source>
+        <translation>Das Gemessene kopieren</translation>
+    </message>
+    <message>
+        <source>Forget the measure; without one: back to selecting</source>
+        <translation>Das Maß vergessen; ohne eines: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Drag on a piece in the pattern view</source>
+        <translation>Auf einem Schnittteil in der Schnittansicht ziehen</translation>
+    </message>
+    <message>
+        <source>Turn its grain</source>
+        <translation>Seinen Fadenlauf drehen</translation>
+    </message>
+    <message>
+        <source>Select the piece</source>
+        <translation>Das Schnittteil auswählen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n Schnittteil</numerusform>
+            <numerusform>%n Schnittteile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Quantity of %1: %2</source>
+        <translation>Anzahl von %1: %2</translation>
+    </message>
+    <message>
+        <source>Mirrored pair: %1</source>
+        <translation>Gespiegeltes Paar: %1</translation>
+    </message>
+    <message>
+        <source>No mirrored pair: %1</source>
+        <translation>Kein gespiegeltes Paar: %1</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>no faults</source>
+        <translation>keine Fehler</translation>
+    </message>
+    <message>
+        <source>1 fault</source>
+        <translation>1 Fehler</translation>
+    </message>
+    <message>
+        <source>%1 faults</source>
+        <translation>%1 Fehler</translation>
+    </message>
+    <message>
+        <source>no doubts</source>
+        <translation>keine Zweifel</translation>
+    </message>
+    <message>
+        <source>1 doubt</source>
+        <translation>1 Zweifel</translation>
+    </message>
+    <message>
+        <source>%1 doubts</source>
+        <translation>%1 Zweifel</translation>
+    </message>
+    <message>
+        <source>no notes</source>
+        <translation>keine Hinweise</translation>
+    </message>
+    <message>
+        <source>1 note</source>
+        <translation>1 Hinweis</translation>
+    </message>
+    <message>
+        <source>%1 notes</source>
+        <translation>%1 Hinweise</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Not flattened yet</source>
+        <translation>Noch nicht abgewickelt</translation>
+    </message>
+    <message>
+        <source>Ready to cut</source>
+        <translation>Bereit zum Zuschneiden</translation>
+    </message>
+    <message>
+        <source>Middle drag or Space+drag: move the view · Wheel: zoom</source>
+        <translation>Mittlere Taste oder Leertaste+Ziehen: Ansicht bewegen · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Drag: turn · Shift+drag: move · Wheel: zoom</source>
+        <translation>Ziehen: drehen · Umschalt+Ziehen: verschieben · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Middle drag: turn · Shift+middle drag: move · Wheel: zoom</source>
+        <translation>Mittlere Taste: drehen · Umschalt+mittlere Taste: verschieben · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Right drag: turn · Middle drag: move · Wheel: zoom</source>
+        <translation>Rechte Taste: drehen · Mittlere Taste: verschieben · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Right drag or Space+drag: move the view · Wheel: zoom</source>
+        <translation>Rechte Taste oder Leertaste+Ziehen: Ansicht bewegen · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Right drag: turn · Shift+right drag: move · Wheel: zoom</source>
+        <translation>Rechte Taste: drehen · Umschalt+rechte Taste: verschieben · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Not flattened</source>
+        <translation>Nicht abgewickelt</translation>
+    </message>
+    <message>
+        <source>the pattern does not show the garment as it is now (%1 of %2 pieces)</source>
+        <translation>das Schnittmuster zeigt das Kleidungsstück nicht, wie es jetzt ist (%1 von %2 Schnittteilen)</translation>
+    </message>
+    <message>
+        <source>Flatten it</source>
+        <translation>Wickeln Sie es ab</translation>
+    </message>
+    <message>
+        <source>Pieces that are not flat</source>
+        <translation>Schnittteile, die nicht flach sind</translation>
+    </message>
+    <message>
+        <source>Outlines that cross themselves</source>
+        <translation>Umrisse, die sich selbst kreuzen</translation>
+    </message>
+    <message>
+        <source>Cloth turned over</source>
+        <translation>Umgeklappter Stoff</translation>
+    </message>
+    <message>
+        <source>triangles lie turned over in the pattern (%1 of %2)</source>
+        <translation>Dreiecke liegen im Schnittmuster umgeklappt (%1 von %2)</translation>
+    </message>
+    <message>
+        <source>Choose another method, or cut the piece where it curves most</source>
+        <translation>Wählen Sie ein anderes Verfahren oder schneiden Sie das Schnittteil dort ein, wo es sich am meisten krümmt</translation>
+    </message>
+    <message>
+        <source>Seams that do not match</source>
+        <translation>Nähte, die nicht passen</translation>
+    </message>
+    <message>
+        <source>the flat sides of the seam differ by %1 beyond the ease (%2 and %3)</source>
+        <translation>die flachen Seiten der Naht unterscheiden sich um %1 über die Einhalteweite hinaus (%2 und %3)</translation>
+    </message>
+    <message>
+        <source>Choose a method that keeps seam lengths, or state the ease that is meant</source>
+        <translation>Wählen Sie ein Verfahren, das Nahtlängen hält, oder geben Sie die gewünschte Einhalteweite an</translation>
+    </message>
+    <message>
+        <source>Strain along the warp</source>
+        <translation>Dehnung längs der Kette</translation>
+    </message>
+    <message>
+        <source>strain along the warp reaches %1, the fabric takes %2 (%3 of the area lies beyond)</source>
+        <translation>die Dehnung längs der Kette erreicht %1, das Material erlaubt %2 (%3 der Fläche liegen darüber)</translation>
+    </message>
+    <message>
+        <source>Turn the grain, choose a fabric that gives more, or open a dart or a seam there</source>
+        <translation>Drehen Sie den Fadenlauf, wählen Sie ein nachgiebigeres Material oder öffnen Sie dort einen Abnäher oder eine Naht</translation>
+    </message>
+    <message>
+        <source>Strain along the weft</source>
+        <translation>Dehnung längs des Schusses</translation>
+    </message>
+    <message>
+        <source>strain along the weft reaches %1, the fabric takes %2 (%3 of the area lies beyond)</source>
+        <translation>die Dehnung längs des Schusses erreicht %1, das Material erlaubt %2 (%3 der Fläche liegen darüber)</translation>
+    </message>
+    <message>
+        <source>Strain on the bias</source>
+        <translation>Dehnung im Schrägen</translation>
+    </message>
+    <message>
+        <source>strain on the bias reaches %1, the fabric takes %2 (%3 of the area lies beyond)</source>
+        <translation>die Dehnung im Schrägen erreicht %1, das Material erlaubt %2 (%3 der Fläche liegen darüber)</translation>
+    </message>
+    <message>
+        <source>Pieces on each other</source>
+        <translation>Schnittteile aufeinander</translation>
+    </message>
+    <message>
+        <source>the pieces lie on each other on the sheet</source>
+        <translation>die Schnittteile liegen auf dem Bogen aufeinander</translation>
+    </message>
+    <message>
+        <source>Move them apart, or lay them out again</source>
+        <translation>Schieben Sie sie auseinander oder legen Sie sie neu aus</translation>
+    </message>
+    <message>
+        <source>Unlikely size</source>
+        <translation>Unwahrscheinliche Größe</translation>
+    </message>
+    <message>
+        <source>the garment is %1 at its largest</source>
+        <translation>das Kleidungsstück misst höchstens %1</translation>
+    </message>
+    <message>
+        <source>State the unit of its file</source>
+        <translation>Geben Sie die Einheit seiner Datei an</translation>
+    </message>
+    <message>
+        <source>Unit in doubt</source>
+        <translation>Einheit zweifelhaft</translation>
+    </message>
+    <message>
+        <source>the file states no unit, and its size leaves doubt (%0)</source>
+        <translation>die Datei nennt keine Einheit, und ihre Größe lässt Zweifel (%0)</translation>
+    </message>
+    <message>
+        <source>State the unit, or keep it if the size is right</source>
+        <translation>Geben Sie die Einheit an, oder behalten Sie sie, wenn die Größe stimmt</translation>
+    </message>
+    <message>
+        <source>Up axis in doubt</source>
+        <translation>Achse nach oben zweifelhaft</translation>
+    </message>
+    <message>
+        <source>the file does not say which axis points up (%0)</source>
+        <translation>die Datei sagt nicht, welche Achse nach oben zeigt (%0)</translation>
+    </message>
+    <message>
+        <source>State the axis, or keep it if the garment stands upright</source>
+        <translation>Geben Sie die Achse an, oder behalten Sie sie, wenn das Kleidungsstück aufrecht steht</translation>
+    </message>
+    <message>
+        <source>Grain not stated</source>
+        <translation>Fadenlauf nicht angegeben</translation>
+    </message>
+    <message>
+        <source>nobody has said how the grain runs: it is taken to run upwards</source>
+        <translation>niemand hat gesagt, wie der Fadenlauf liegt: er gilt als nach oben gerichtet</translation>
+    </message>
+    <message>
+        <source>Turn the grain arrow, or let Toile find the best grain</source>
+        <translation>Drehen Sie den Pfeil des Fadenlaufs, oder lassen Sie Toile den besten Fadenlauf finden</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Join the cloth on both sides of a seam, so that it becomes one</source>
+        <translation>Den Stoff auf beiden Seiten einer Naht verbinden, sodass er eins wird</translation>
+    </message>
+    <message>
+        <source>Select nothing; while something runs: stop it</source>
+        <translation>Nichts auswählen; während etwas läuft: es anhalten</translation>
+    </message>
+    <message>
+        <source>Join the cloth on both sides of it, so that it becomes one</source>
+        <translation>Den Stoff auf beiden Seiten verbinden, sodass er eins wird</translation>
+    </message>
+    <message>
+        <source>Take the drag back; without one: back to selecting</source>
+        <translation>Das Ziehen zurücknehmen; ohne eines: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>%1, from corner to corner · %2 / %3, Δ %4</source>
+        <translation>%1, von Ecke zu Ecke · %2 / %3, Δ %4</translation>
+    </message>
+    <message>
+        <source>%1, from corner to corner · %2 / %3 on the garment</source>
+        <translation>%1, von Ecke zu Ecke · %2 / %3 am Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>%1 · %2 not sewn</source>
+        <translation>%1 · %2 nicht vernäht</translation>
+    </message>
+    <message>
+        <source>%1 (limit %2)</source>
+        <translation>%1 (Grenze %2)</translation>
+    </message>
+</context>
+<context>
+    <name>toile::Banner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::ColourBar</name>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+</context>
+<context>
+    <name>toile::ColourButton</name>
+    <message>
+        <source>As usual</source>
+        <translation>Wie üblich</translation>
+    </message>
+    <message>
+        <source>Another colour…</source>
+        <translation>Andere Farbe…</translation>
+    </message>
+</context>
+<context>
+    <name>toile::CommandPalette</name>
+    <message>
+        <source>Type a command, a piece or a seam</source>
+        <translation>Befehl, Schnittteil oder Naht eingeben</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Nothing is called that.</source>
+        <translation>So heißt nichts.</translation>
+    </message>
+    <message>
+        <source>Not possible now: %1</source>
+        <translation>Jetzt nicht möglich: %1</translation>
+    </message>
+</context>
+<context>
+    <name>toile::CompareControls</name>
+    <message>
+        <source>&amp;Piece</source>
+        <translation>&amp;Schnittteil</translation>
+    </message>
+    <message>
+        <source>Follows what is selected in the main window</source>
+        <translation>Folgt der Auswahl im Hauptfenster</translation>
+    </message>
+    <message>
+        <source>Methods, up to four</source>
+        <translation>Verfahren, bis zu vier</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Four are compared already: take one away first</source>
+        <translation>Vier werden schon verglichen: nehmen Sie erst eines weg</translation>
+    </message>
+    <message>
+        <source>Comparing…</source>
+        <translation>Wird verglichen…</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::CompareWindow</name>
+    <message>
+        <source>Compare methods</source>
+        <translation>Verfahren vergleichen</translation>
+    </message>
+    <message>
+        <source>No pictures can be shown: %1</source>
+        <translation>Es lassen sich keine Bilder zeigen: %1</translation>
+    </message>
+    <message>
+        <source>★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to it are flattened by the same method for it. Drag a picture to move all of them, turn the wheel to zoom, double click to see everything.</source>
+        <translation>★ bester Wert der Zeile. Naht-Δ ist der der schlechtesten Naht des Schnittteils; die angenähten Schnittteile werden dafür nach demselben Verfahren abgewickelt. Ein Bild zu ziehen bewegt alle, das Mausrad vergrößert, ein Doppelklick zeigt alles.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::ComparedColumn</name>
+    <message>
+        <source>Use this method</source>
+        <translation>Dieses Verfahren nehmen</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
+    </message>
+    <message>
+        <source>The garment is flattened by this method</source>
+        <translation>Das Kleidungsstück wird nach diesem Verfahren abgewickelt</translation>
+    </message>
+    <message>
+        <source>Flatten the garment by this method from now on</source>
+        <translation>Das Kleidungsstück von nun an nach diesem Verfahren abwickeln</translation>
+    </message>
+    <message>
+        <source>%1, the flat piece</source>
+        <translation>%1, das flache Schnittteil</translation>
+    </message>
+    <message>
+        <source>Waiting…</source>
+        <translation>Wartet…</translation>
+    </message>
+    <message>
+        <source>Flattening…</source>
+        <translation>Wird abgewickelt…</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::Comparison</name>
+    <message>
+        <source>Mean strain, %</source>
+        <translation>Mittlere Dehnung, %</translation>
+    </message>
+    <message>
+        <source>How far the cloth must stretch or gather, on the mean of all edges of the mesh</source>
+        <translation>Wie weit sich der Stoff dehnen oder stauchen muss, im Mittel aller Netzkanten</translation>
+    </message>
+    <message>
+        <source>Most stretch, %</source>
+        <translation>Größte Dehnung, %</translation>
+    </message>
+    <message>
+        <source>The edge of the mesh that must stretch most to take its worn shape</source>
+        <translation>Die Netzkante, die sich am meisten dehnen muss, um ihre getragene Form anzunehmen</translation>
+    </message>
+    <message>
+        <source>Most surplus, %</source>
+        <translation>Größtes Zuviel, %</translation>
+    </message>
+    <message>
+        <source>The edge of the mesh that must gather most to take its worn shape</source>
+        <translation>Die Netzkante, die sich am meisten stauchen muss, um ihre getragene Form anzunehmen</translation>
+    </message>
+    <message>
+        <source>Seam Δ, %1</source>
+        <translation>Naht-Δ, %1</translation>
+    </message>
+    <message>
+        <source>The worst seam of this piece: by how much its two flat sides miss each other, the ease taken out</source>
+        <translation>Die schlechteste Naht dieses Schnittteils: wie weit ihre beiden flachen Seiten auseinanderliegen, ohne die Einhalteweite</translation>
+    </message>
+    <message>
+        <source>Outline length error, %</source>
+        <translation>Längenfehler des Umrisses, %</translation>
+    </message>
+    <message>
+        <source>The edge of the outline whose length has changed most</source>
+        <translation>Die Umrisskante, deren Länge sich am meisten geändert hat</translation>
+    </message>
+    <message>
+        <source>Area error, %</source>
+        <translation>Flächenfehler, %</translation>
+    </message>
+    <message>
+        <source>How much of the area has gone to other triangles: 0 where each has its share of the whole, as in the garment</source>
+        <translation>Wie viel der Fläche zu anderen Dreiecken gewandert ist: 0, wo jedes seinen Anteil am Ganzen hat wie im Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Flipped triangles</source>
+        <translation>Umgeklappte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles that are turned over: cloth cannot do that</source>
+        <translation>Umgeklappte Dreiecke: Stoff kann das nicht</translation>
+    </message>
+    <message>
+        <source>Outline crossings</source>
+        <translation>Kreuzungen des Umrisses</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself</source>
+        <translation>Wo sich der Umriss selbst kreuzt</translation>
+    </message>
+    <message>
+        <source>Time, ms</source>
+        <translation>Zeit, ms</translation>
+    </message>
+    <message>
+        <source>What the solver took for this piece, when it solved it last</source>
+        <translation>Was der Löser zuletzt für dieses Schnittteil brauchte</translation>
+    </message>
+    <message>
+        <source>To the designer’s panel, %1</source>
+        <translation>Zum Schnittteil des Entwerfers, %1</translation>
+    </message>
+    <message>
+        <source>Distance to the panel that the file carries, laid on each other as well as may be; root mean square</source>
+        <translation>Abstand zum Schnittteil in der Datei, bestmöglich aufeinandergelegt; quadratisches Mittel</translation>
+    </message>
+</context>
+<context>
+    <name>toile::ComparisonModel</name>
+    <message>
+        <source>%1, the best</source>
+        <translation>%1, der beste</translation>
+    </message>
+</context>
+<context>
+    <name>toile::ComparisonTable</name>
+    <message>
+        <source>Figures of the methods</source>
+        <translation>Zahlen der Verfahren</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>toile::CutTool</name>
+    <message>
+        <source>Click: go on · Double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
+        <translation>Klick: weiter · Doppelklick oder Eingabe: einschneiden · Rücktaste: letzten Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
+    </message>
+    <message>
+        <source>Click: next point · Ctrl+click: along the mesh&apos;s edges · Backspace: take the point back · Esc: throw the cut away</source>
+        <translation>Klick: nächster Punkt · Strg+Klick: entlang der Netzkanten · Rücktaste: Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
+    </message>
+    <message>
+        <source>Click: begin the cut, on an edge to open it there · Ctrl+click: along the mesh&apos;s edges · Esc: back to selecting</source>
+        <translation>Klick: Einschnitt beginnen, an einer Kante öffnet er sie · Strg+Klick: entlang der Netzkanten · Esc: zurück zum Auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::CutsPanel</name>
+    <message>
+        <source>Cuts</source>
+        <translation>Einschnitte</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Einschnitt</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>%1: Delete takes it back</source>
+        <translation>%1: Entf nimmt ihn zurück</translation>
+    </message>
+    <message>
+        <source>you</source>
+        <translation>Ihnen</translation>
+    </message>
+    <message>
+        <source>Toile</source>
+        <translation>Toile</translation>
+    </message>
+    <message>
+        <source>1 cut</source>
+        <translation>1 Einschnitt</translation>
+    </message>
+    <message>
+        <source>%1 cuts</source>
+        <translation>%1 Einschnitte</translation>
+    </message>
+    <message>
+        <source>you, joined</source>
+        <translation>Ihnen, verbunden</translation>
+    </message>
+    <message>
+        <source>1 join</source>
+        <translation>1 Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 joins</source>
+        <translation>%1 Verbindungen</translation>
+    </message>
+    <message>
+        <source>%1 was joined: Delete brings the seam back</source>
+        <translation>%1 wurde verbunden: Entf bringt die Naht zurück</translation>
+    </message>
+</context>
+<context>
+    <name>toile::DartTool</name>
+    <message>
+        <source>Click: the dart&apos;s tip · Ctrl+click: along the mesh&apos;s edges · Backspace or Esc: throw the dart away</source>
+        <translation>Klick: Spitze des Abnähers · Strg+Klick: entlang der Netzkanten · Rücktaste oder Esc: Abnäher verwerfen</translation>
+    </message>
+    <message>
+        <source>a dart begins at an edge</source>
+        <translation>ein Abnäher beginnt an einer Kante</translation>
+    </message>
+    <message>
+        <source>Drag from an edge to the dart&apos;s tip, or click the edge and then the tip · Esc: back to selecting</source>
+        <translation>Von einer Kante zur Spitze des Abnähers ziehen, oder die Kante und dann die Spitze anklicken · Esc: zurück zum Auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::Document</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weitere</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change of method</source>
+        <translation>Verfahren ändern</translation>
+    </message>
+    <message>
+        <source>Ease of a seam</source>
+        <translation>Einhalteweite einer Naht</translation>
+    </message>
+</context>
+<context>
+    <name>toile::FabricPanel</name>
+    <message>
+        <source>&lt; %1 %</source>
+        <translation>&lt; %1 %</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>woven</source>
+        <translation>Webstoff</translation>
+    </message>
+    <message>
+        <source>denim</source>
+        <translation>Denim</translation>
+    </message>
+    <message>
+        <source>jersey</source>
+        <translation>Jersey</translation>
+    </message>
+    <message>
+        <source>neoprene</source>
+        <translation>Neopren</translation>
+    </message>
+    <message>
+        <source>leather</source>
+        <translation>Leder</translation>
+    </message>
+    <message>
+        <source>custom</source>
+        <translation>eigenes</translation>
+    </message>
+    <message>
+        <source>Open a garment to say what it is cut from.</source>
+        <translation>Öffnen Sie ein Kleidungsstück, um zu sagen, woraus es geschnitten wird.</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>What the garment is cut from</source>
+        <translation>Woraus das Kleidungsstück geschnitten wird</translation>
+    </message>
+    <message>
+        <source>&amp;Fabric</source>
+        <translation>&amp;Material</translation>
+    </message>
+    <message>
+        <source>Presets are rules of thumb. Where it matters, measure a sample and type what it allows.</source>
+        <translation>Vorgaben sind Faustregeln. Wo es darauf ankommt, messen Sie eine Probe und geben ein, was sie zulässt.</translation>
+    </message>
+    <message>
+        <source>How much shorter the cloth can be taken in without folds; 0 or less</source>
+        <translation>Wie viel kürzer der Stoff ohne Falten werden kann; 0 oder weniger</translation>
+    </message>
+    <message>
+        <source>How far the cloth can be stretched; 0 or more</source>
+        <translation>Wie weit sich der Stoff dehnen lässt; 0 oder mehr</translation>
+    </message>
+    <message>
+        <source>Takes in</source>
+        <translation>Staucht</translation>
+    </message>
+    <message>
+        <source>Stretches</source>
+        <translation>Dehnt</translation>
+    </message>
+    <message>
+        <source>Warp</source>
+        <translation>Kette</translation>
+    </message>
+    <message>
+        <source>Along the grain</source>
+        <translation>Im Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Weft</source>
+        <translation>Schuss</translation>
+    </message>
+    <message>
+        <source>Across the grain</source>
+        <translation>Quer dazu</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Schräg</translation>
+    </message>
+    <message>
+        <source>At 45° to the grain</source>
+        <translation>Unter 45° dazu</translation>
+    </message>
+    <message>
+        <source>%1, takes in</source>
+        <translation>%1, staucht</translation>
+    </message>
+    <message>
+        <source>%1, stretches</source>
+        <translation>%1, dehnt</translation>
+    </message>
+    <message>
+        <source>Beyond the fabric</source>
+        <translation>Jenseits des Materials</translation>
+    </message>
+    <message>
+        <source>Show the strain in this direction on the cloth</source>
+        <translation>Die Dehnung in dieser Richtung auf dem Stoff zeigen</translation>
+    </message>
+    <message>
+        <source>In any</source>
+        <translation>In irgendeiner</translation>
+    </message>
+    <message>
+        <source>Nothing is flat yet.</source>
+        <translation>Noch ist nichts flach.</translation>
+    </message>
+    <message>
+        <source>The fabric can do all that is asked of it.</source>
+        <translation>Das Material kann alles, was von ihm verlangt wird.</translation>
+    </message>
+    <message>
+        <source>Worst: %1, %2 of it</source>
+        <translation>Am schlimmsten: %1, %2 davon</translation>
+    </message>
+    <message>
+        <source>Fabric: %1</source>
+        <translation>Material: %1</translation>
+    </message>
+    <message>
+        <source>Fabric limits</source>
+        <translation>Grenzen des Materials</translation>
+    </message>
+    <message>
+        <source>How much of the flat cloth is strained beyond these limits, counted by triangles: in each direction the number beside the colour bar of that overlay</source>
+        <translation>Wie viel des flachen Stoffes über diese Grenzen hinaus gedehnt ist, nach Dreiecken gezählt: in jeder Richtung die Zahl neben dem Farbbalken dieser Ansicht</translation>
+    </message>
+    <message>
+        <source>In one of the three directions at least. Edge strain is something else: there every edge is held to the tightest of these limits, whatever its direction.</source>
+        <translation>In mindestens einer der drei Richtungen. Die Kantendehnung ist etwas anderes: Dort gilt für jede Kante die engste dieser Grenzen, gleich in welcher Richtung sie liegt.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::GarmentActions</name>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>DXF drawing (*.dxf)</source>
+        <translation>DXF-Zeichnung (*.dxf)</translation>
+    </message>
+    <message>
+        <source>OBJ mesh (*.obj)</source>
+        <translation>OBJ-Netz (*.obj)</translation>
+    </message>
+    <message>
+        <source>JSON report (*.json)</source>
+        <translation>JSON-Bericht (*.json)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Seams files (*.json)</source>
+        <translation>Nahtdateien (*.json)</translation>
+    </message>
+    <message>
+        <source>%1-pattern</source>
+        <translation>%1-schnittmuster</translation>
+    </message>
+    <message>
+        <source>A project is opened by itself: choose one project, or the meshes of one garment.</source>
+        <translation>Ein Projekt wird für sich geöffnet: wählen Sie ein Projekt oder die Netze eines Kleidungsstücks.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::GarmentCard</name>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>The guess is right: do not ask again about this garment</source>
+        <translation>Die Schätzung stimmt: zu diesem Kleidungsstück nicht mehr fragen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::GrainTool</name>
+    <message>
+        <source>Grain</source>
+        <translation>Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Turn the grain in the pattern view · Esc: back to selecting</source>
+        <translation>Der Fadenlauf wird in der Schnittansicht gedreht · Esc: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Drag: turn the grain · Alt: snap the other way · Esc: take it back</source>
+        <translation>Ziehen: Fadenlauf drehen · Alt: anders einrasten · Esc: zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Drag on a piece: turn its grain · Alt: snap the other way · Click: select · Esc: back to selecting</source>
+        <translation>Auf einem Schnittteil ziehen: seinen Fadenlauf drehen · Alt: anders einrasten · Klick: auswählen · Esc: zurück zum Auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::HelpPage</name>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>Look for a key or a command</source>
+        <translation>Taste oder Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Look for</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Nothing is called that.</source>
+        <translation>So heißt nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::JobRunner</name>
+    <message>
+        <source>The program met an unexpected fault (%1). Please report it with the garment file.</source>
+        <translation>Im Programm ist ein unerwarteter Fehler aufgetreten (%1). Bitte melden Sie ihn mit der Datei des Kleidungsstücks.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::JoinTool</name>
+    <message>
+        <source>Click a seam: join the cloth on both sides of it, so that it becomes one · Esc: back to selecting</source>
+        <translation>Naht anklicken: den Stoff auf beiden Seiten verbinden, sodass er eins wird · Esc: zurück zum Auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::LayoutActions</name>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Mirroring</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Fadenlauf</translation>
+    </message>
+    <message>
+        <source>No grain is better than another here: the cloth is strained alike in all directions, or not at all. Say yourself how the grain runs.</source>
+        <translation>Hier ist kein Fadenlauf besser als ein anderer: Der Stoff ist in allen Richtungen gleich gedehnt oder gar nicht. Legen Sie den Fadenlauf selbst fest.</translation>
+    </message>
+    <message>
+        <source>Best grain</source>
+        <translation>Bester Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Pieces were flattened anew, or the fabric was changed, while their best grain was looked for. Ask for it once more.</source>
+        <translation>Während der beste Fadenlauf gesucht wurde, sind Schnittteile neu abgewickelt worden oder das Material hat sich geändert. Fragen Sie noch einmal danach.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::LoopTool</name>
+    <message>
+        <source>Click: go on · Click the first point, double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
+        <translation>Klick: weiter · Klick auf den ersten Punkt, Doppelklick oder Eingabe: schneiden · Rücktaste: letzten Punkt zurücknehmen · Esc: Schnitt verwerfen</translation>
+    </message>
+    <message>
+        <source>Click: next point, of three or more · Backspace: take the last point back · Esc: throw the cut away</source>
+        <translation>Klick: nächster Punkt, von dreien oder mehr · Rücktaste: letzten Punkt zurücknehmen · Esc: Schnitt verwerfen</translation>
+    </message>
+    <message>
+        <source>Click: begin a closed cut · Ctrl+click: along the mesh&apos;s edges · Esc: back to selecting</source>
+        <translation>Klick: geschlossenen Schnitt beginnen · Strg+Klick: entlang der Netzkanten · Esc: zurück zum Auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::MainWindow</name>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the pattern to a file</source>
+        <translation>Das Schnittmuster in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>About Toile</source>
+        <translation>Über Toile</translation>
+    </message>
+    <message>
+        <source>Sewing patterns from 3D garments, every seam line at its true length: the length-preserved natural boundary of Wang (2005).
+
+Free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Schnittmuster aus 3D-Kleidungsstücken, jede Nahtlinie in ihrer wahren Länge: der längentreue natürliche Rand nach Wang (2005).
+
+Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>%1: cancelled</source>
+        <translation>%1: abgebrochen</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>A heavy garment: edits are flattened when you ask for it, %1</source>
+        <translation>Ein schweres Kleidungsstück: Änderungen werden erst abgewickelt, wenn Sie es verlangen, %1</translation>
+    </message>
+    <message>
+        <source>Toile</source>
+        <translation>Toile</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>More overlays</source>
+        <translation>Weitere Überlagerungen</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>%1[*] – Toile</source>
+        <translation>%1[*] – Toile</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Problems (%1)</source>
+        <translation>Probleme (%1)</translation>
+    </message>
+    <message>
+        <source>Written: %1 (%2 left, see Problems)</source>
+        <translation>Geschrieben: %1 (noch %2, siehe Probleme)</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are not kept: %1</source>
+        <translation>Ungespeicherte Änderungen werden nicht gesichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>toile::MeasureTool</name>
+    <message>
+        <source>the same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>+%1 %</source>
+        <translation>+%1 %</translation>
+    </message>
+    <message>
+        <source>−%1 %</source>
+        <translation>−%1 %</translation>
+    </message>
+    <message>
+        <source>%1: %2, not flat yet</source>
+        <translation>%1: %2, noch nicht flach</translation>
+    </message>
+    <message>
+        <source>%1: %2, flat %3 (%4)</source>
+        <translation>%1: %2, flach %3 (%4)</translation>
+    </message>
+    <message>
+        <source>Click: measure anew · Ctrl+C: copy · Esc: forget the measure</source>
+        <translation>Klick: neu messen · Strg+C: kopieren · Esc: Maß vergessen</translation>
+    </message>
+    <message>
+        <source>Click: next place · Double click or Enter: end here · Backspace: take the last place back · Ctrl+C: copy · Esc: forget the measure</source>
+        <translation>Klick: nächste Stelle · Doppelklick oder Eingabe: hier enden · Rücktaste: letzte Stelle zurücknehmen · Strg+C: kopieren · Esc: Maß vergessen</translation>
+    </message>
+    <message>
+        <source>On the cloth</source>
+        <translation>Auf dem Stoff</translation>
+    </message>
+    <message>
+        <source>Along the edge</source>
+        <translation>An der Kante</translation>
+    </message>
+    <message>
+        <source>Click: measure from here · Esc: back to selecting · two places on an edge are measured along it too</source>
+        <translation>Klick: von hier messen · Esc: zurück zum Auswählen · Zwei Stellen auf einer Kante werden auch an ihr entlang gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::MorphBar</name>
+    <message>
+        <source>From the garment to the pattern</source>
+        <translation>Vom Kleidungsstück zum Schnittmuster</translation>
+    </message>
+    <message>
+        <source>Shows what flattening does: the garment on the left, flat on the right</source>
+        <translation>Zeigt, was das Abwickeln tut: links das Kleidungsstück, rechts flach</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play the way from the garment to the pattern and back</source>
+        <translation>Den Weg vom Kleidungsstück zum Schnittmuster und zurück abspielen</translation>
+    </message>
+    <message>
+        <source>Worn</source>
+        <translation>Getragen</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+</context>
+<context>
+    <name>toile::PathTool</name>
+    <message>
+        <source>another piece: a cut stays on one</source>
+        <translation>ein anderes Schnittteil: ein Einschnitt bleibt auf einem</translation>
+    </message>
+</context>
+<context>
+    <name>toile::PercentEdit</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>toile::PiecesModel</name>
+    <message>
+        <source>Not flat: %1</source>
+        <translation>Nicht flach: %1</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>Name of the piece and its colour in the views</source>
+        <translation>Name des Schnittteils und seine Farbe in den Ansichten</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Flat, or why not</source>
+        <translation>Flach, oder warum nicht</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh</source>
+        <translation>Dreiecke des Netzes</translation>
+    </message>
+    <message>
+        <source>Area %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source>Area of the flat piece</source>
+        <translation>Fläche des flachen Schnittteils</translation>
+    </message>
+    <message>
+        <source>Outline %1</source>
+        <translation>Umriss %1</translation>
+    </message>
+    <message>
+        <source>Length of the flat piece&apos;s seam line all around</source>
+        <translation>Länge der Nahtlinie rund um das flache Schnittteil</translation>
+    </message>
+    <message>
+        <source>Outline error %</source>
+        <translation>Umrissfehler %</translation>
+    </message>
+    <message>
+        <source>Largest difference of an outline edge between the flat piece and the garment</source>
+        <translation>Größter Unterschied einer Umrisskante zwischen flachem Schnittteil und Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Mean strain %</source>
+        <translation>Mittlere Dehnung %</translation>
+    </message>
+    <message>
+        <source>Mean size of what the cloth must stretch or gather</source>
+        <translation>Mittlere Größe dessen, was sich der Stoff dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Strain range %</source>
+        <translation>Dehnung von … bis %</translation>
+    </message>
+    <message>
+        <source>From most surplus to most stretch; + is stretch</source>
+        <translation>Vom größten Zuviel zur größten Dehnung; + ist Dehnung</translation>
+    </message>
+    <message>
+        <source>Flips</source>
+        <translation>Umgeklappt</translation>
+    </message>
+    <message>
+        <source>Triangles that lie upside down in the pattern: must be 0</source>
+        <translation>Dreiecke, die im Schnittmuster verkehrt herum liegen: muss 0 sein</translation>
+    </message>
+    <message>
+        <source>Crossings</source>
+        <translation>Kreuzungen</translation>
+    </message>
+    <message>
+        <source>Places where the outline crosses itself: must be 0</source>
+        <translation>Stellen, an denen sich der Umriss selbst kreuzt: muss 0 sein</translation>
+    </message>
+    <message>
+        <source>To designer rms %1</source>
+        <translation>Zum Entwurf, Mittel %1</translation>
+    </message>
+    <message>
+        <source>Distance from the designer&apos;s own panel, laid on as well as it goes: root mean square</source>
+        <translation>Abstand vom Schnittteil des Entwerfers, bestmöglich aufgelegt: quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>To designer max %1</source>
+        <translation>Zum Entwurf, größter %1</translation>
+    </message>
+    <message>
+        <source>Distance from the designer&apos;s own panel: the largest</source>
+        <translation>Abstand vom Schnittteil des Entwerfers: der größte</translation>
+    </message>
+    <message>
+        <source>How many are cut. Double-click or F2 to change it, of all selected pieces at once</source>
+        <translation>Wie viele geschnitten werden. Doppelklick oder F2 ändert es, für alle ausgewählten Schnittteile zugleich</translation>
+    </message>
+    <message>
+        <source>Each is also cut mirrored: left and right. Click or press Space to change it</source>
+        <translation>Jedes wird auch gespiegelt geschnitten: links und rechts. Klick oder Leertaste ändert es</translation>
+    </message>
+    <message>
+        <source>Not cut mirrored. Click or press Space where left and right are cut from this piece</source>
+        <translation>Nicht gespiegelt geschnitten. Klick oder Leertaste, wo links und rechts nach diesem Teil geschnitten werden</translation>
+    </message>
+    <message>
+        <source>Not flattened yet</source>
+        <translation>Noch nicht abgewickelt</translation>
+    </message>
+    <message>
+        <source>%1 – of an earlier shape or method; to be flattened anew</source>
+        <translation>%1 – von einer früheren Form oder einem früheren Verfahren; neu abzuwickeln</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>How many of the piece are cut</source>
+        <translation>Wie viele von dem Schnittteil geschnitten werden</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>Paar</translation>
+    </message>
+    <message>
+        <source>Each is also cut mirrored: left and right</source>
+        <translation>Jedes wird auch gespiegelt geschnitten: links und rechts</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>How the piece was flattened; grey until it is flattened anew</source>
+        <translation>Wie das Schnittteil abgewickelt wurde; grau, bis es neu abgewickelt ist</translation>
+    </message>
+</context>
+<context>
+    <name>toile::PiecesPanel</name>
+    <message>
+        <source>Not flattened yet.</source>
+        <translation>Noch nicht abgewickelt.</translation>
+    </message>
+    <message>
+        <source>Area, garment</source>
+        <translation>Fläche, Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Area, flat</source>
+        <translation>Fläche, flach</translation>
+    </message>
+    <message>
+        <source>Outline, garment</source>
+        <translation>Umriss, Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Outline, flat</source>
+        <translation>Umriss, flach</translation>
+    </message>
+    <message>
+        <source>Outline error</source>
+        <translation>Umrissfehler</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Strain, mean</source>
+        <translation>Dehnung, Mittel</translation>
+    </message>
+    <message>
+        <source>Strain, range</source>
+        <translation>Dehnung, von … bis</translation>
+    </message>
+    <message>
+        <source>To designer, rms / max</source>
+        <translation>Zum Entwurf, Mittel / größter</translation>
+    </message>
+    <message>
+        <source>Uneven stretch (1 = even)</source>
+        <translation>Ungleiche Dehnung (1 = gleich)</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>The whole garment</source>
+        <translation>Das ganze Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Selected pieces</source>
+        <translation>Ausgewählte Schnittteile</translation>
+    </message>
+    <message>
+        <source>Click a piece in a view or in the table to see its figures.</source>
+        <translation>Klicken Sie in einer Ansicht oder in der Liste auf ein Schnittteil, um seine Zahlen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Pieces, flat</source>
+        <translation>Schnittteile, flach</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Cloth needed at least</source>
+        <translation>Stoffbedarf mindestens</translation>
+    </message>
+    <message>
+        <source>Pieces to cut</source>
+        <translation>Zu schneiden</translation>
+    </message>
+</context>
+<context>
+    <name>toile::PositionPanel</name>
+    <message>
+        <source>Left edge</source>
+        <translation>Linke Kante</translation>
+    </message>
+    <message>
+        <source>Lower edge</source>
+        <translation>Untere Kante</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Wrong side up</source>
+        <translation>Linke Stoffseite oben</translation>
+    </message>
+    <message>
+        <source>From the sheet&apos;s origin to the left edge of what is selected</source>
+        <translation>Vom Nullpunkt des Bogens zur linken Kante des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>From the sheet&apos;s origin up to the lower edge of what is selected</source>
+        <translation>Vom Nullpunkt des Bogens hinauf zur unteren Kante des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>How far the piece is turned anti-clockwise, about its middle</source>
+        <translation>Wie weit das Schnittteil gegen den Uhrzeigersinn um seine Mitte gedreht ist</translation>
+    </message>
+    <message>
+        <source>Direction of the warp on the sheet: 90° runs upwards</source>
+        <translation>Richtung der Kette auf dem Bogen: 90° zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>Mirrored: the wrong side of the fabric faces you</source>
+        <translation>Gespiegelt: Die linke Stoffseite liegt oben</translation>
+    </message>
+    <message>
+        <source>various</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>&amp;Left edge</source>
+        <translation>&amp;Linke Kante</translation>
+    </message>
+    <message>
+        <source>Lo&amp;wer edge</source>
+        <translation>&amp;Untere Kante</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>&amp;Winkel</translation>
+    </message>
+    <message>
+        <source>&amp;Grain</source>
+        <translation>&amp;Fadenlauf</translation>
+    </message>
+    <message>
+        <source>No flat piece selected</source>
+        <translation>Kein flaches Schnittteil ausgewählt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n Schnittteil</numerusform>
+            <numerusform>%n Schnittteile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>grain not stated</source>
+        <translation>Fadenlauf nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Mirroring</source>
+        <translation>Spiegeln</translation>
+    </message>
+</context>
+<context>
+    <name>toile::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Units and language</source>
+        <translation>Einheiten und Sprache</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Arbeit</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Take what a new installation has; Cancel puts it back</source>
+        <translation>Alles wie bei einer neuen Installation; Abbrechen nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Inches, decimals</source>
+        <translation>Zoll, dezimal</translation>
+    </message>
+    <message>
+        <source>Inches, eighths</source>
+        <translation>Zoll, Achtel</translation>
+    </message>
+    <message>
+        <source>Inches, sixteenths</source>
+        <translation>Zoll, Sechzehntel</translation>
+    </message>
+    <message>
+        <source>Inches, thirty-seconds</source>
+        <translation>Zoll, Zweiunddreißigstel</translation>
+    </message>
+    <message>
+        <source>Lengths are shown in this unit; other units may be typed all the same</source>
+        <translation>Längen werden in dieser Einheit gezeigt; eingeben können Sie auch andere</translation>
+    </message>
+    <message>
+        <source>&amp;Lengths:</source>
+        <translation>&amp;Längen:</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie die Arbeitsumgebung</translation>
+    </message>
+    <message>
+        <source>L&amp;anguage:</source>
+        <translation>&amp;Sprache:</translation>
+    </message>
+    <message>
+        <source>The language changes when Toile is started again.</source>
+        <translation>Die Sprache wechselt beim nächsten Start von Toile.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Theme:</source>
+        <translation>&amp;Farbschema:</translation>
+    </message>
+    <message>
+        <source>&amp;Selected pieces:</source>
+        <translation>&amp;Ausgewählte Schnittteile:</translation>
+    </message>
+    <message>
+        <source>Selected s&amp;eam:</source>
+        <translation>Ausgewählte &amp;Naht:</translation>
+    </message>
+    <message>
+        <source>Toile</source>
+        <translation>Toile</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>CLO</source>
+        <translation>CLO</translation>
+    </message>
+    <message>
+        <source>Rhino</source>
+        <translation>Rhino</translation>
+    </message>
+    <message>
+        <source>Whose way of turning, moving and zooming the garment you know</source>
+        <translation>Wessen Art, das Kleidungsstück zu drehen, zu verschieben und zu vergrößern, Sie gewohnt sind</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse as in:</source>
+        <translation>&amp;Maus wie in:</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Nie</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>How often a copy is kept that survives a crash</source>
+        <translation>Wie oft eine Kopie gesichert wird, die einen Absturz übersteht</translation>
+    </message>
+    <message>
+        <source>&amp;Keep a copy every:</source>
+        <translation>&amp;Kopie sichern alle:</translation>
+    </message>
+    <message>
+        <source> triangles</source>
+        <translation> Dreiecke</translation>
+    </message>
+    <message>
+        <source>Garments of more triangles are flattened again only when you ask for it</source>
+        <translation>Kleidungsstücke aus mehr Dreiecken werden erst neu abgewickelt, wenn Sie es verlangen</translation>
+    </message>
+    <message>
+        <source>&amp;Flatten after edits up to:</source>
+        <translation>Nach Änderungen ab&amp;wickeln bis:</translation>
+    </message>
+</context>
+<context>
+    <name>toile::ProblemsModel</name>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>What to try</source>
+        <translation>Was hilft</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Worst: %1</source>
+        <translation>Am schlimmsten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>toile::ProblemsPanel</name>
+    <message>
+        <source>Ready to cut?</source>
+        <translation>Bereit zum Zuschneiden?</translation>
+    </message>
+    <message>
+        <source>List what must be mended before the cloth is cut</source>
+        <translation>Aufführen, was vor dem Zuschneiden behoben werden muss</translation>
+    </message>
+    <message>
+        <source>List what should be looked at before the cloth is cut</source>
+        <translation>Aufführen, was vor dem Zuschneiden angesehen werden sollte</translation>
+    </message>
+    <message>
+        <source>List what is good to know</source>
+        <translation>Aufführen, was gut zu wissen ist</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Nothing stands against cutting: seams match, no outline crosses itself, the strain is within what the fabric takes, and every grain is stated.</source>
+        <translation>Nichts spricht gegen das Zuschneiden: Nähte passen, kein Umriss kreuzt sich, die Dehnung bleibt in dem, was das Material erlaubt, und jeder Fadenlauf ist angegeben.</translation>
+    </message>
+    <message>
+        <source>What was found is hidden; the buttons above show it.</source>
+        <translation>Was gefunden wurde, ist ausgeblendet; die Knöpfe darüber zeigen es.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::ProjectSession</name>
+    <message numerus="yes">
+        <source>And %n more of this kind.</source>
+        <translation>
+            <numerusform>Und %n weitere dieser Art.</numerusform>
+            <numerusform>Und %n weitere dieser Art.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>toile::RecentFiles</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weitere</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>It is not there any more</source>
+        <translation>Es ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>Nothing opened yet</source>
+        <translation>Noch nichts geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Forget what was opened last</source>
+        <translation>Vergessen, was zuletzt geöffnet wurde</translation>
+    </message>
+</context>
+<context>
+    <name>toile::Recovery</name>
+    <message>
+        <source>Toile ended without saving your changes to %1. They were last kept on %2 at %3.</source>
+        <translation>Toile endete, ohne Ihre Änderungen an %1 zu speichern. Zuletzt gesichert wurden sie am %2 um %3.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::RecoveryCard</name>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open the garment as it was when it was last kept</source>
+        <translation>Das Kleidungsstück öffnen, wie es zuletzt gesichert wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Remove what was kept: it cannot be brought back</source>
+        <translation>Entfernen, was gesichert wurde: es lässt sich nicht zurückholen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::SeamsModel</name>
+    <message>
+        <source>seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>dart</source>
+        <translation>Abnäher</translation>
+    </message>
+    <message>
+        <source>pleat</source>
+        <translation>Falte</translation>
+    </message>
+    <message>
+        <source>free edge</source>
+        <translation>freie Kante</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1: a third layer in a seam of two</source>
+        <translation>%1: eine dritte Lage in einer Naht aus zweien</translation>
+    </message>
+    <message>
+        <source>Stated by you. Delete takes the ease from the 3D lengths again.</source>
+        <translation>Von Ihnen angegeben. Entf nimmt die Einhalteweite wieder aus den 3D-Längen.</translation>
+    </message>
+    <message>
+        <source>From the 3D lengths. Double click or press F2 to state the ease you want.</source>
+        <translation>Aus den 3D-Längen. Doppelklick oder F2, um die gewünschte Einhalteweite anzugeben.</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Number of the seam in the garment</source>
+        <translation>Nummer der Naht im Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>The pieces sewn together; the left one is named first</source>
+        <translation>Die zusammengenähten Schnittteile; das linke zuerst</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Seam, dart, pleat, or a free edge that is sewn to nothing</source>
+        <translation>Naht, Abnäher, Falte oder eine freie Kante, an die nichts genäht wird</translation>
+    </message>
+    <message>
+        <source>3D %1</source>
+        <translation>3D %1</translation>
+    </message>
+    <message>
+        <source>Length on the garment; left / right where they differ</source>
+        <translation>Länge am Kleidungsstück; links / rechts, wo sie sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>Flat left %1</source>
+        <translation>Flach links %1</translation>
+    </message>
+    <message>
+        <source>Length of the left piece&apos;s edge in the pattern</source>
+        <translation>Länge der Kante des linken Schnittteils im Schnittmuster</translation>
+    </message>
+    <message>
+        <source>Flat right %1</source>
+        <translation>Flach rechts %1</translation>
+    </message>
+    <message>
+        <source>Length of the right piece&apos;s edge in the pattern</source>
+        <translation>Länge der Kante des rechten Schnittteils im Schnittmuster</translation>
+    </message>
+    <message>
+        <source>Difference %1</source>
+        <translation>Unterschied %1</translation>
+    </message>
+    <message>
+        <source>Flat left less flat right: what must be eased in when sewing</source>
+        <translation>Flach links weniger flach rechts: was beim Nähen eingehalten werden muss</translation>
+    </message>
+    <message>
+        <source>Ease %</source>
+        <translation>Einhalteweite %</translation>
+    </message>
+    <message>
+        <source>How much longer the left edge is meant to be. Grey: as on the garment; bold: stated by you. Double click or F2 to state it, Delete to take it from the garment</source>
+        <translation>Wie viel länger die linke Kante sein soll. Grau: wie am Kleidungsstück; fett: von Ihnen angegeben. Doppelklick oder F2 zum Angeben, Entf für den Wert aus dem Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+    <message>
+        <source>What is left of the difference when the ease is taken out</source>
+        <translation>Was vom Unterschied bleibt, wenn die Einhalteweite abgezogen ist</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Passung</translation>
+    </message>
+    <message>
+        <source>Matches: up to %1; nearly: up to %2; does not match: more</source>
+        <translation>Passt: bis %1; fast: bis %2; passt nicht: mehr</translation>
+    </message>
+</context>
+<context>
+    <name>toile::SeamsPanel</name>
+    <message>
+        <source>Show free edges</source>
+        <translation>Freie Kanten zeigen</translation>
+    </message>
+    <message>
+        <source>Also list hems, openings and other edges that are sewn to nothing</source>
+        <translation>Auch Säume, Öffnungen und andere Kanten aufführen, an die nichts genäht wird</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>No seams</source>
+        <translation>Keine Nähte</translation>
+    </message>
+    <message>
+        <source>No two edges of this garment lie on each other, so nothing is sewn. “Show free edges” lists the edges there are.</source>
+        <translation>Keine zwei Kanten dieses Kleidungsstücks liegen aufeinander, also ist nichts genäht. „Freie Kanten zeigen“ führt die vorhandenen Kanten auf.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::SelectTool</name>
+    <message>
+        <source>Nudge</source>
+        <translation>Anstoßen</translation>
+    </message>
+    <message>
+        <source>Click: select a piece or a seam · Double click: frame a piece, or take an edge from corner to corner · Esc: select nothing</source>
+        <translation>Klick: Schnittteil oder Naht auswählen · Doppelklick: Schnittteil einpassen oder eine Kante von Ecke zu Ecke nehmen · Esc: nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select by a box · Alt: snap the other way · Arrow keys: 1 mm, with Shift 10 mm · Esc: select nothing</source>
+        <translation>Klick: Schnittteil oder Naht auswählen · Schnittteil ziehen: verschieben · Bogen ziehen: mit Rahmen auswählen · Alt: anders einrasten · Pfeiltasten: 1 mm, mit Umschalt 10 mm · Esc: nichts auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::WelcomePage</name>
+    <message>
+        <source>Open a garment…</source>
+        <translation>Kleidungsstück öffnen…</translation>
+    </message>
+    <message>
+        <source>From a 3D garment to a sewing pattern</source>
+        <translation>Vom 3D-Kleidungsstück zum Schnittmuster</translation>
+    </message>
+    <message>
+        <source>Toile flattens every piece of a garment so that its seam lines keep their length, and shows what the cloth has to do.</source>
+        <translation>Toile wickelt jedes Teil eines Kleidungsstücks so ab, dass seine Nahtlinien ihre Länge behalten, und zeigt, was der Stoff leisten muss.</translation>
+    </message>
+    <message>
+        <source>Or begin with a sample</source>
+        <translation>Oder mit einem Beispiel beginnen</translation>
+    </message>
+    <message>
+        <source>Opened before</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>or drop OBJ, PLY, OFF, STL or .toile files here; several meshes are taken as one garment</source>
+        <translation>oder OBJ-, PLY-, OFF-, STL- oder .toile-Dateien hier ablegen; mehrere Netze gelten als ein Kleidungsstück</translation>
+    </message>
+</context>
+<context>
+    <name>toile::Workspace</name>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>Division</source>
+        <translation>Teilung</translation>
+    </message>
+    <message>
+        <source>Automatic cuts</source>
+        <translation>Selbsttätige Einschnitte</translation>
+    </message>
+    <message>
+        <source>Welding</source>
+        <translation>Verschmelzen</translation>
+    </message>
+    <message>
+        <source>Seams from a file</source>
+        <translation>Nähte aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Removal of a cut</source>
+        <translation>Einschnitt entfernen</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Boundary solver</source>
+        <translation>Umrisslöser</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Einschnitt</translation>
+    </message>
+    <message>
+        <source>Dart</source>
+        <translation>Abnäher</translation>
+    </message>
+    <message>
+        <source>Closed loop</source>
+        <translation>Geschlossener Schnitt</translation>
+    </message>
+    <message>
+        <source>%1 is sewn to nothing: there is nothing to join.</source>
+        <translation>%1 ist mit nichts vernäht: Es gibt nichts zu verbinden.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be joined alone: Toile cut %2 open there because it could not lie flat. Switch off Garment ▸ Cut open automatically, or draw a cut of your own instead.</source>
+        <translation>%1 lässt sich nicht allein verbinden: Toile hat %2 dort aufgeschnitten, weil es nicht flach liegen konnte. Schalten Sie Kleidungsstück ▸ Von selbst aufschneiden aus oder zeichnen Sie stattdessen einen eigenen Einschnitt.</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Removal of a join</source>
+        <translation>Entfernen einer Verbindung</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window that compares methods: its figures, its pictures, and how it follows the document.
+#include "core/pipeline/compare.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <algorithm>
+#include <cmath>
+
+#include "app/compare/compare_window.h"
+#include "app/compare/compared_column.h"
+#include "app/compare/comparison_model.h"
+#include "app/render/scene.h"
+#include "app/text/figures.h"
+#include "app/views/colour_bar.h"
+#include "tests/app/support/garments.h"
+#include "tests/app/support/mouse.h"
+#include "tests/app/support/window_fixture.h"
+
+using namespace toile;
+
+namespace {
+
+using Stage = MethodComparison::Stage;
+
+/// Below the cloth, where the scale bar is.
+constexpr int kScaleBarRows = 44;
+
+/// A sheet that is raised in the middle, fine enough to keep a solver busy.
+MeshArrays makeHill(int columns) {
+    MeshArrays mesh = test::makeSheet(200, 200, columns, columns);
+    for (Eigen::Index i = 0; i < mesh.V.rows(); ++i) {
+        const double x = (mesh.V(i, 0) - 100) / 60, y = (mesh.V(i, 1) - 100) / 60;
+        mesh.V(i, 2) = 60 * std::exp(-x * x - y * y);
+    }
+    return mesh;
+}
+
+/// Around what is not backdrop, device pixels.
+QRect clothIn(const QImage& picture) {
+    QRect found;
+    for (int y = 4; y < picture.height() - kScaleBarRows; ++y) {
+        const QColor backdrop = picture.pixelColor(4, y);
+        for (int x = 5; x < picture.width() - 4; ++x) {
+            const QColor pixel = picture.pixelColor(x, y);
+            if (std::abs(pixel.red() - backdrop.red()) +
+                    std::abs(pixel.green() - backdrop.green()) +
+                    std::abs(pixel.blue() - backdrop.blue()) >
+                24) {
+                found |= QRect(x, y, 1, 1);
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+class CompareTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        SKIP_WITHOUT_GL();
+        test::writeObj(fixture_.path("sewn.obj").toStdString(), test::sewnCapParts());
+        test::writeObj(fixture_.path("sheet.obj").toStdString(),
+                       {{"sheet", test::makeSheet(200, 100, 8, 4)}});
+        test::writeObj(fixture_.path("hill.obj").toStdString(), {{"hill", makeHill(60)}});
+        test::writeObj(fixture_.path("closed.obj").toStdString(),
+                       {{"closed", test::makeTetrahedron(100)}, {"cap", test::makeCap(300)}});
+    }
+
+    void init() { fixture_.open(); }
+    void cleanup() { fixture_.close(); }
+
+    void figuresAreThoseOfTheCore() {
+        openAndCompare("sewn.obj");
+        const std::vector<Method> methods{Method::Isometric, Method::Curvature, Method::Wang2005,
+                                          Method::Lscm};
+        Progress progress;
+        const Comparison expected =
+            compareMethods(*document().garment(), methods, document().options(), progress);
+        QCOMPARE(table().model()->columnCount(), 4);
+        const std::vector<ComparisonRow> rows = comparisonRows(false);
+        QCOMPARE(table().model()->rowCount(), static_cast<int>(rows.size()));
+        for (int m = 0; m < 4; ++m) {
+            const ComparedMethod& method = expected.methods[static_cast<std::size_t>(m)];
+            const ComparedFigures& figures = method.pieceFigures.front();
+            const PieceQuality& quality = *method.results.front()->quality;
+            QCOMPARE(table().model()->headerData(m, Qt::Horizontal).toString(),
+                     methodName(method.method));
+            QCOMPARE(cell("Mean strain, %", m), percent(*quality.strainMeanAbs));
+            QCOMPARE(cell("Most stretch, %", m), signedPercent(*quality.strainMax));
+            QCOMPARE(cell("Most surplus, %", m), signedPercent(*quality.strainMin));
+            QCOMPARE(cell("Seam Δ, mm", m), fineLength(*figures.seamMismatch));
+            QCOMPARE(cell("Outline length error, %", m),
+                     boundaryError(*figures.maxBoundaryLengthError));
+            QCOMPARE(cell("Area error, %", m), percent(*figures.piA));
+            QCOMPARE(cell("Flipped triangles", m), QString::number(figures.flippedTriangles));
+            QCOMPARE(cell("Outline crossings", m), QString::number(figures.outlineCrossings));
+            QVERIFY(!cell("Time, ms", m).isEmpty());
+        }
+        // A free outline does not fit the piece beside it; the others do.
+        QVERIFY(cell("Seam Δ, mm", 3) != cell("Seam Δ, mm", 0));
+    }
+
+    void whatTheDocumentKnowsIsTakenOver() {
+        openAndCompare("sewn.obj");
+        QCOMPARE(entry(0).method, Method::Isometric);
+        QCOMPARE(entry(0).made.result.get(), document().result(0));
+    }
+
+    void theBestOfARowIsBoldAndHasAStar() {
+        openAndCompare("sewn.obj");
+        const QAbstractItemModel& model = *table().model();
+        int marked = 0;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            int best = 0;
+            for (int column = 0; column < 4; ++column) {
+                const QModelIndex index = model.index(row, column);
+                const bool bold = index.data(Qt::FontRole).value<QFont>().bold();
+                QCOMPARE(index.data().toString().startsWith(QChar(0x2605)), bold);
+                QCOMPARE(index.data(Qt::AccessibleTextRole).toString().contains("best"), bold);
+                best += bold;
+            }
+            QVERIFY(best < 4);  // where all are alike nothing is marked
+            marked += best;
+        }
+        QVERIFY(marked > 0);
+        QVERIFY(model.index(rowOf("Mean strain, %"), 0).data(Qt::FontRole).value<QFont>().bold());
+        QVERIFY(!model.index(rowOf("Flipped triangles"), 0).data(Qt::FontRole).isValid());
+    }
+
+    void picturesHaveOneScaleAndMoveTogether() {
+        document().setGrid(false);
+        openAndCompare("sheet.obj");
+        const auto extents = [this] {
+            std::vector<QRect> found;
+            for (int i = 0; i < 4; ++i) {
+                found.push_back(clothIn(picture(i).grabFramebuffer()));
+            }
+            return found;
+        };
+        const double ratio = picture(0).devicePixelRatioF();
+        const auto expected = [&](double millimetres) {
+            return millimetres * ratio *
+                   window().camera().seenIn(picture(0).size()).pixelsPerMillimetre();
+        };
+        // The reader may have taken the file's numbers for another unit.
+        const Eigen::Vector2d size = entry(0).made.scene->pieces.front().flatBox.sizes();
+        QVERIFY(std::abs(size.x() - 2 * size.y()) < 1e-3 * size.x());
+        const std::vector<QRect> before = extents();
+        for (const QRect& cloth : before) {
+            QVERIFY(std::abs(cloth.width() - expected(size.x())) <= 3);  // the outline's own width
+            QVERIFY(std::abs(cloth.height() - expected(size.y())) <= 3);
+            QVERIFY(std::abs(cloth.width() - before.front().width()) <= 1);
+            QVERIFY(std::abs(cloth.height() - before.front().height()) <= 1);
+        }
+        const QPointF middle = QRectF(picture(2).rect()).center();
+        test::turnWheel(picture(2), middle, -3);
+        const std::vector<QRect> zoomed = extents();
+        for (const QRect& cloth : zoomed) {
+            QVERIFY(cloth.width() < before.front().width() - 20);
+            QVERIFY(std::abs(cloth.width() - zoomed.front().width()) <= 1);
+        }
+        test::drag(picture(1), {60, 60}, {75, 60});
+        for (std::size_t i = 0; i < 4; ++i) {
+            QVERIFY(std::abs(extents()[i].left() - zoomed[i].left() - 15 * ratio) <= 1);
+        }
+        QTest::mouseDClick(&picture(3), Qt::LeftButton);
+        QCOMPARE(extents().front(), before.front());
+    }
+
+    void picturesShareTheColoursOfTheOverlay() {
+        openAndCompare("sewn.obj");
+        auto& legend = *window().findChild<ColourBar*>("compareLegend");
+        // The checkerboard of the main window says nothing here: strain stands in for it.
+        QVERIFY(legend.summary().startsWith("Edge strain"));
+        document().setOverlay(Overlay::Area);
+        double most = 0;
+        for (const auto& entry : window().comparison().entries()) {
+            most = std::max(most, entry.made.scene->scale(Overlay::Area).high);
+        }
+        QVERIFY(legend.summary().startsWith("Area change"));
+        QVERIFY2(legend.summary().contains(QString("+%1 %").arg(most)),
+                 qPrintable(legend.summary()));
+    }
+
+    void methodsAreTickedUpToFour() {
+        openAndCompare("sewn.obj");
+        QVERIFY(box("lscm").isChecked());
+        QVERIFY(!box("abf").isEnabled());
+        QTest::mouseClick(&box("lscm"), Qt::LeftButton, {}, {8, box("lscm").height() / 2});
+        QVERIFY(!box("lscm").isChecked());
+        QVERIFY(waitUntilDone());
+        QCOMPARE(table().model()->columnCount(), 3);
+        QVERIFY(!picture(3).isVisible());
+        QVERIFY(box("abf").isEnabled());
+        box("abf").setFocus();
+        QTest::keyClick(&box("abf"), Qt::Key_Space);
+        QVERIFY(waitUntilDone());
+        QCOMPARE(entry(3).method, Method::Abf);
+        QVERIFY(picture(3).isVisible());
+        QCOMPARE(label("compareName3").text(), methodName(Method::Abf));
+        for (const MethodTraits& known : allMethods()) {
+            auto& ticked = box(known.name.data());
+            if (ticked.isChecked()) {
+                QTest::mouseClick(&ticked, Qt::LeftButton, {}, {8, ticked.height() / 2});
+            }
+        }
+        QCOMPARE(table().model()->columnCount(), 0);
+        QVERIFY(!window().comparison().isBusy());
+    }
+
+    void pieceFollowsTheSelectionAndTheList() {
+        openAndCompare("sewn.obj");
+        auto& list = *window().findChild<QComboBox*>("comparePiece");
+        QCOMPARE(list.currentText(), QString("narrow"));
+        document().setSelection({1});
+        QVERIFY(waitUntilDone());
+        QCOMPARE(list.currentText(), QString("wide"));
+        QCOMPARE(entry(1).made.result->piece, document().garment()->pieces[1]);
+        list.setFocus();
+        QTest::keyClick(&list, Qt::Key_Up);
+        QVERIFY(waitUntilDone());
+        QCOMPARE(entry(1).made.result->piece, document().garment()->pieces[0]);
+    }
+
+    void aMethodIsTakenOverAsOneStep() {
+        openAndCompare("sewn.obj");
+        QVERIFY(!button("compareUse0").isEnabled());
+        const auto kept = entry(2).made.result;
+        const int steps = document().history().count();
+        QTest::mouseClick(&button("compareUse2"), Qt::LeftButton);
+        QCOMPARE(document().options().method, Method::Wang2005);
+        QCOMPARE(document().history().count(), steps + 1);
+        QVERIFY(!button("compareUse2").isEnabled());
+        QVERIFY(button("compareUse0").isEnabled());
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().result(0)->options.method, Method::Wang2005);
+        QVERIFY(waitUntilDone());
+        QCOMPARE(entry(2).made.result, kept);  // nothing was solved again
+        QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(document().options().method, Method::Isometric);
+        QVERIFY(!button("compareUse0").isEnabled());
+    }
+
+    void figuresAreCopied() {
+        openAndCompare("sewn.obj");
+        table().setFocus();
+        table().clearSelection();
+        QStringList lines;
+        // The clipboard is the display's: another program may fill it between two calls.
+        const auto copied = [&] {
+            QTest::keyClick(&table(), Qt::Key_C, Qt::ControlModifier);
+            lines = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
+            return lines.size();
+        };
+        QTRY_COMPARE_WITH_TIMEOUT(copied(), qsizetype(table().model()->rowCount() + 1),
+                                  test::kPatience);
+        for (const QString& line : lines) {
+            QCOMPARE(line.count('\t'), qsizetype(4));
+        }
+        QCOMPARE(lines[1].section('\t', 0, 1),
+                 "Mean strain, %\t" + percent(*document().result(0)->quality->strainMeanAbs));
+        table().selectRow(3);
+        QTRY_COMPARE_WITH_TIMEOUT(copied(), qsizetype(2), test::kPatience);
+        QVERIFY(lines[1].startsWith("Seam Δ, mm\t"));
+    }
+
+    void cancelStopsAndCanGoOn() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("hill.obj")));
+        openCompareWindow();
+        QCOMPARE(entry(0).stage, Stage::Working);
+        QTest::mouseClick(&button("compareCancel"), Qt::LeftButton);
+        QVERIFY(!window().comparison().isBusy());
+        QCOMPARE(entry(0).stage, Stage::Stopped);
+        QCOMPARE(entry(3).stage, Stage::Stopped);
+        // Nothing comes after all: no state to wait for, but a slow machine cannot fail this.
+        QTest::qWait(300);
+        QCOMPARE(entry(0).stage, Stage::Stopped);
+        QCOMPARE(label("compareMessage3").text(), QString("Cancelled."));
+        QCOMPARE(cell("Mean strain, %", 3), QString());
+        QTest::mouseClick(&button("compareCancel"), Qt::LeftButton);
+        QVERIFY(waitUntilDone());
+        QCOMPARE(entry(3).stage, Stage::Done);
+    }
+
+    void aChangeWhileItWorksIsComparedAnew() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("hill.obj")));
+        openCompareWindow();
+        QCOMPARE(entry(0).stage, Stage::Working);
+        workspace().setQuality(Quality::Draft);
+        QTRY_VERIFY_WITH_TIMEOUT(entry(0).stage == Stage::Done &&
+                                     entry(0).made.result->options.quality == Quality::Draft,
+                                 test::kPatience);
+        QVERIFY(waitUntilDone());
+        for (const auto& entry : window().comparison().entries()) {
+            QCOMPARE(entry.made.result->options.quality, Quality::Draft);
+        }
+        // The document's own flattening was neither stopped nor done twice.
+        QCOMPARE(document().result(0)->options, document().options());
+        QCOMPARE(entry(0).made.result.get(), document().result(0));
+    }
+
+    void easeChangesTheFiguresAlone() {
+        openAndCompare("sewn.obj");
+        const auto solved = entry(3).made.result;
+        const QString before = cell("Seam Δ, mm", 0);
+        int seam = 0;
+        while (document().garment()->seams.seams[std::size_t(seam)].kind == SeamKind::Free) {
+            ++seam;
+        }
+        workspace().setEase(seam, 0.1);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            cell("Seam Δ, mm", 0) != before && !cell("Seam Δ, mm", 3).isEmpty(), test::kPatience);
+        QCOMPARE(entry(3).made.result, solved);
+    }
+
+    void closingStopsAndForgets() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("hill.obj")));
+        openCompareWindow();
+        QVERIFY(window().comparison().isBusy());
+        QTest::keyClick(&window(), Qt::Key_Escape);
+        QVERIFY(!window().isVisible());
+        QVERIFY(window().comparison().entries().empty());
+        document().setSelection({0});
+        workspace().setQuality(Quality::Draft);  // is not followed any more
+        QVERIFY(window().comparison().entries().empty());
+        compare();
+        QVERIFY(waitUntilDone());
+        QCOMPARE(entry(3).stage, Stage::Done);
+    }
+
+    void aPieceThatCannotBeFlatSaysWhy() {
+        openAndCompare("closed.obj");
+        // The first that is flat was chosen.
+        QCOMPARE(window().comparison().piece(), 1);
+        document().setSelection({0});
+        QVERIFY(waitUntilDone());
+        for (int i = 0; i < 4; ++i) {
+            QVERIFY(entry(i).made.result->error);
+            QCOMPARE(label(qPrintable(QString("compareMessage%1").arg(i))).text(),
+                     QString::fromStdString(sentence(*entry(i).made.result->error)));
+            QVERIFY(!picture(i).isVisible());
+            QCOMPARE(cell("Mean strain, %", i), QString(QChar(0x2013)));
+        }
+    }
+
+    void aFailedMethodLeavesTheOthers() {
+        openAndCompare("sewn.obj");
+        std::vector<MethodComparison::Entry> entries = window().comparison().entries();
+        auto failed = std::make_shared<PieceResult>(*entries[1].made.result);
+        failed->flat.reset();
+        failed->quality.reset();
+        failed->error = Error{ErrorCode::NotFinite, "narrow", {}};
+        entries[1].made = {failed, {}, nullptr};
+        ComparisonModel model;
+        model.show(entries);
+        QCOMPARE(model.index(0, 1).data().toString(), QString(QChar(0x2013)));
+        QVERIFY(model.isBest(model.index(0, 0)));
+        LinkedCamera camera;
+        ComparedColumn column(&camera, 7);
+        column.show(entries[1], false, entries[0].made.result, {});
+        QVERIFY(column.box().isEmpty());
+        QCOMPARE(column.findChild<QLabel*>("compareMessage7")->text(),
+                 QString::fromStdString(sentence(*failed->error)));
+        column.show(entries[2], false, entries[0].made.result, {});
+        QVERIFY(!column.box().isEmpty());
+    }
+
+private:
+    void openAndCompare(const QString& file) {
+        QVERIFY(fixture_.openAndWait(fixture_.path(file)));
+        compare();
+        QVERIFY(waitUntilDone());
+    }
+
+    /// At once: no event is handled meanwhile, so that no job can be done.
+    void openCompareWindow() {
+        QApplication::setActiveWindow(&fixture_.window());
+        QTest::keyClick(&fixture_.window(), Qt::Key_M, Qt::ControlModifier);
+    }
+
+    void compare() {
+        openCompareWindow();
+        QVERIFY(QTest::qWaitForWindowExposed(&window(), test::kPatience));
+        QApplication::setActiveWindow(&window());
+    }
+
+    bool waitUntilDone() {
+        return QTest::qWaitFor([this] { return !window().comparison().isBusy(); },
+                               4 * test::kPatience);
+    }
+
+    CompareWindow& window() { return fixture_.find<CompareWindow>("compareWindow"); }
+    Document& document() { return fixture_.document(); }
+    Workspace& workspace() { return fixture_.workspace(); }
+    const MethodComparison::Entry& entry(int i) {
+        return window().comparison().entries()[static_cast<std::size_t>(i)];
+    }
+    QTableView& table() { return *window().findChild<QTableView*>("compareTable"); }
+    ComparedPicture& picture(int i) {
+        return *window().findChild<ComparedPicture*>(QString("comparePicture%1").arg(i));
+    }
+    QCheckBox& box(const char* method) {
+        return *window().findChild<QCheckBox*>(QString("compare_") + method);
+    }
+    QPushButton& button(const char* name) { return *window().findChild<QPushButton*>(name); }
+    QLabel& label(const char* name) { return *window().findChild<QLabel*>(name); }
+
+    int rowOf(const QString& title) {
+        const QAbstractItemModel& model = *table().model();
+        for (int row = 0; row < model.rowCount(); ++row) {
+            if (model.headerData(row, Qt::Vertical).toString() == title) {
+                return row;
+            }
+        }
+        return -1;
+    }
+
+    QString cell(const QString& title, int column) {
+        return table().model()->index(rowOf(title), column).data(Qt::EditRole).toString();
+    }
+
+    test::WindowFixture fixture_;
+};
+
+int main(int argc, char** argv) {
+    return test::run<CompareTest>(argc, argv);
+}
+
+#include "compare_test.moc"

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fabric panel: real key and mouse events, what they leave in the document and its history, and
+// that the overlays follow without anything being flattened again.
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QStackedWidget>
+
+#include "app/document/project_state.h"
+#include "app/panels/fabric_panel.h"
+#include "app/panels/fabric_watcher.h"
+#include "app/render/fabric_fit.h"
+#include "app/render/overlay_figures.h"
+#include "app/views/colour_bar.h"
+#include "app/widgets/percent_edit.h"
+#include "core/check/strain_check.h"
+#include "core/project/project_file.h"
+#include "tests/app/support/garments.h"
+#include "tests/app/support/window_fixture.h"
+
+using namespace toile;
+
+class FabricTest : public QObject {
+    Q_OBJECT
+
+private:
+    test::WindowFixture fixture_;
+
+    Document& document() { return fixture_.document(); }
+    int steps() { return document().history().index(); }
+    QString lastStep() { return document().history().undoText(); }
+    PercentEdit& field(const char* name) { return fixture_.find<PercentEdit>(name); }
+    QComboBox& preset() { return fixture_.find<QComboBox>("fabricPreset"); }
+    QString label(const char* name) { return fixture_.find<QLabel>(name).text(); }
+
+    void type(const char* name, const QString& text) {
+        field(name).setFocus();
+        field(name).selectAll();
+        QTest::keyClicks(&field(name), text);
+        QTest::keyClick(&field(name), Qt::Key_Return);
+    }
+
+    void undo() { fixture_.action(ActionId::Undo).trigger(); }
+
+    FabricQuestion question() {
+        return {document().scene(), placesOf(document().settings()), document().fabric()};
+    }
+
+private slots:
+    void initTestCase() {
+        test::writeObj(
+            fixture_.path("two.obj").toStdString(),
+            {{"sheet", test::makeSheet(120, 80, 6, 4, {-300, 0, 0})}, {"cap", test::makeCap(0)}});
+    }
+
+    void init() {
+        fixture_.open();
+        QVERIFY(fixture_.openAndWait(fixture_.path("two.obj")));
+    }
+
+    void cleanup() { fixture_.close(); }
+
+    void aPresetIsOneStepAndFlattensNothing() {
+        const PieceResults results = document().results();
+        const auto scene = document().scene();
+        fixture_.action(ActionId::GoToFabric).trigger();
+        QVERIFY(preset().hasFocus());
+        QCOMPARE(preset().currentText(), QString("Woven"));
+        QTest::keyClick(&preset(), Qt::Key_Down);
+        QTest::keyClick(&preset(), Qt::Key_Down);
+        QCOMPARE(document().fabric().id, std::string("jersey"));
+        QVERIFY(document().fabric() == *fabricPreset("jersey"));
+        QCOMPARE(lastStep(), QString("Fabric: jersey"));
+        QCOMPARE(field("fabricWeftMost").value(), 35.0);
+        QCOMPARE(field("fabricWeftMost").text(), QString("+35 %"));
+        QCOMPARE(steps(), 2);
+        QVERIFY(!fixture_.workspace().jobs().isBusy());
+        QVERIFY(document().results() == results);
+        QVERIFY(document().scene() == scene);
+        undo();
+        undo();
+        QVERIFY(document().fabric() == *fabricPreset("woven"));
+        QCOMPARE(preset().currentText(), QString("Woven"));
+        QCOMPARE(field("fabricWeftMost").value(), 3.0);
+    }
+
+    void typedLimitsAreACustomFabric() {
+        type("fabricWarpMost", "12,5 %");
+        QCOMPARE(document().fabric().id, std::string("custom"));
+        QCOMPARE(document().fabric().warp.most, 0.125);
+        QCOMPARE(document().fabric().warp.least, -0.01);
+        QVERIFY(document().fabric().bias == fabricPreset("woven")->bias);
+        QCOMPARE(preset().currentText(), QString("Custom"));
+        QCOMPARE(lastStep(), QString("Fabric limits"));
+        type("fabricWarpMost", "13");
+        type("fabricWarpMost", "13");
+        QTest::keyClick(&field("fabricWarpMost"), Qt::Key_Up);
+        QCOMPARE(document().fabric().warp.most, 0.135);
+        QCOMPARE(steps(), 1);  // one field, one after the other
+        type("fabricBiasLeast", "-7");
+        QCOMPARE(document().fabric().bias.least, -0.07);
+        QCOMPARE(steps(), 2);
+        undo();
+        undo();
+        QCOMPARE(steps(), 0);
+        QVERIFY(document().fabric() == *fabricPreset("woven"));
+        QCOMPARE(field("fabricWarpMost").text(), QString("+2 %"));
+    }
+
+    void limitsStayOnTheirSideOfNothing() {
+        for (const auto& [name, text] :
+             std::initializer_list<std::pair<const char*, QString>>{{"fabricWarpLeast", "5"},
+                                                                    {"fabricWarpLeast", "-50.5"},
+                                                                    {"fabricWeftMost", "-1"},
+                                                                    {"fabricWeftMost", "201"},
+                                                                    {"fabricBiasMost", "much"},
+                                                                    {"fabricBiasMost", "1e999"},
+                                                                    {"fabricBiasMost", ""}}) {
+            type(name, text);
+            QVERIFY2(document().fabric() == *fabricPreset("woven"), qPrintable(text));
+        }
+        QCOMPARE(steps(), 0);
+        type("fabricWarpLeast", "0");
+        QCOMPARE(document().fabric().warp.least, 0.0);
+        type("fabricWeftMost", "200");
+        QCOMPARE(document().fabric().weft.most, 2.0);
+    }
+
+    void theColourBarEndsAtTheNewLimits() {
+        fixture_.action(ActionId::OverlayWeft).trigger();
+        auto& bar = fixture_.find<ColourBar>("colourBar");
+        QTRY_VERIFY_WITH_TIMEOUT(bar.summary().contains("+3 %"), test::kPatience);
+        const QString woven = bar.summary();
+        type("fabricWeftMost", "1.5");
+        QTRY_VERIFY_WITH_TIMEOUT(bar.summary().contains("+1.5 %"), test::kPatience);
+        QVERIFY(bar.summary() != woven);
+        undo();
+        QTRY_COMPARE_WITH_TIMEOUT(bar.summary(), woven, test::kPatience);
+    }
+
+    void thePictureIsHatchedAnew() {
+        if (!fixture_.window().views().patternView()) {
+            QSKIP("no OpenGL here");
+        }
+        fixture_.action(ActionId::OverlayWeft).trigger();
+        const QImage woven = fixture_.patternPicture();
+        type("fabricWeftMost", "60");
+        type("fabricWeftLeast", "-40");
+        QVERIFY(fixture_.patternPicture() != woven);
+    }
+
+    void whatIsBeyondAgreesWithTheOverlays() {
+        for (const Fabric& fabric : fabricPresets()) {
+            DocumentState next = document().state();
+            next.fabric = fabric;
+            document().edit("Test", std::move(next));
+            const auto fit = fabricFit(question());
+            QVERIFY(fit);
+            const std::pair<Overlay, double> shares[] = {
+                {Overlay::Warp, fit->warp}, {Overlay::Weft, fit->weft}, {Overlay::Bias, fit->bias}};
+            for (const auto& [overlay, share] : shares) {
+                const OverlayFigures figures = overlayFigures(
+                    {document().scene(), placesOf(document().settings()), fabric, overlay});
+                QVERIFY(std::abs(figures.histogram->beyond() - share) < 1e-12);
+                QVERIFY(share <= fit->any + 1e-12);
+            }
+            QVERIFY(fit->any <= fit->warp + fit->weft + fit->bias + 1e-12);
+        }
+    }
+
+    void smoothingChangesNoFigure() {
+        auto& bar = fixture_.find<ColourBar>("colourBar");
+        const auto figures = [&] {
+            return QStringList{bar.summary(),
+                               label("fabricBeyondWarp"),
+                               label("fabricBeyondWeft"),
+                               label("fabricBeyondBias"),
+                               label("fabricBeyondAny"),
+                               label("fabricWorst")};
+        };
+        for (int overlay = 0; overlay < kOverlayCount; ++overlay) {
+            document().setOverlay(static_cast<Overlay>(overlay));
+            document().setValuesPerTriangle(false);
+            QTRY_VERIFY(fixture_.window().views().isUpToDate());
+            const QStringList smooth = figures();
+            document().setValuesPerTriangle(true);
+            QTRY_VERIFY(fixture_.window().views().isUpToDate());
+            QCOMPARE(figures(), smooth);
+        }
+    }
+
+    void readyToCutCountsWhatThePanelCounts() {
+        const Scene& scene = *document().scene();
+        double all = 0, warp = 0, weft = 0, bias = 0;
+        for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+            const StrainExcesses found = strainExcesses(
+                document().garment()->pieces[i]->mesh, document().results()[i]->flat->Q,
+                document().fabric(), grainOf(document().settings()[i]));
+            double area = 0;
+            const TriangleRun& run = scene.pieces[i].patternRun;
+            for (std::uint32_t face = run.first; face < run.first + run.count; ++face) {
+                area += double(scene.faces[face].flatArea);
+            }
+            all += area;
+            warp += area * found.warp.share;
+            weft += area * found.weft.share;
+            bias += area * found.bias.share;
+        }
+        const auto fit = fabricFit(question());
+        QVERIFY(fit && fit->any > 0);
+        QVERIFY(std::abs(warp / all - fit->warp) < 1e-5);
+        QVERIFY(std::abs(weft / all - fit->weft) < 1e-5);
+        QVERIFY(std::abs(bias / all - fit->bias) < 1e-5);
+    }
+
+    void theWorstPieceIsNamedAndShown() {
+        type("fabricWarpMost", "0.5");
+        type("fabricWarpLeast", "-0.5");
+        const auto fit = fabricFit(question());
+        QVERIFY(fit && fit->worst);
+        QCOMPARE(fit->worst->piece, 1);  // a flat sheet is not strained
+        QVERIFY(fit->worst->share > 0 && fit->worst->share <= 1);
+        QVERIFY(label("fabricWorst").contains(">cap</a>"));
+        QVERIFY(label("fabricBeyondWarp") != QString("0 %"));
+        auto& worst = fixture_.find<QLabel>("fabricWorst");
+        worst.setFocus();
+        QTest::keyClick(&worst, Qt::Key_Tab);  // to its link
+        emit worst.linkActivated("piece");
+        QCOMPARE(document().selection(), Document::Selection{1});
+        type("fabricWarpMost", "200");
+        type("fabricWarpLeast", "-50");
+        type("fabricWeftMost", "200");
+        type("fabricWeftLeast", "-50");
+        type("fabricBiasMost", "200");
+        type("fabricBiasLeast", "-50");
+        QCOMPARE(label("fabricBeyondAny"), QString("0 %"));
+        QCOMPARE(label("fabricWorst"), QString("The fabric can do all that is asked of it."));
+    }
+
+    void largeGarmentsAreLookedAtElsewhere() {
+        test::writeObj(fixture_.path("large.obj").toStdString(),
+                       {{"sheet", test::makeSheet(400, 300, 100, 80)}});
+        QVERIFY(fixture_.openAndWait(fixture_.path("large.obj")));
+        auto* watcher = fixture_.window().findChild<FabricWatcher*>();
+        QTRY_VERIFY_WITH_TIMEOUT(watcher->isUpToDate(), test::kPatience);
+        QVERIFY(watcher->fit());
+        DocumentState next = document().state();
+        next.fabric = *fabricPreset("denim");
+        document().edit("Test", std::move(next));
+        QVERIFY(!watcher->isUpToDate());
+        QTRY_VERIFY_WITH_TIMEOUT(watcher->isUpToDate(), test::kPatience);
+        QVERIFY(*watcher->fit() == *fabricFit(question()));
+    }
+
+    void typedLimitsAreSavedAndRead() {
+        type("fabricBiasMost", "17.25");
+        const Fabric typed = document().fabric();
+        const auto file = fixture_.path("typed.toile");
+        QVERIFY(writeProject(file.toStdString(), projectOf(document().state(), document().view())));
+        fixture_.close();
+        fixture_.open();
+        QVERIFY(fixture_.openAndWait(file));
+        QVERIFY(document().fabric() == typed);
+        QCOMPARE(field("fabricBiasMost").text(), QString("+17.25 %"));
+        QCOMPARE(preset().currentText(), QString("Custom"));
+        QCOMPARE(steps(), 0);
+    }
+
+    void theManualListsThePresets() {
+        QFile page(TOILE_SOURCE_DIR "/docs/overlays.md");
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(page.readAll());
+        PercentEdit edit;
+        const auto span = [&edit](const StrainLimits& limits) -> QString {
+            return QString("%1 to %2")
+                .arg(edit.textFromValue(100 * limits.least).remove(" %"),
+                     edit.textFromValue(100 * limits.most));
+        };
+        for (const Fabric& fabric : fabricPresets()) {
+            QString name = fabricName(fabric);
+            name[0] = name[0].toUpper();
+            const QString row =
+                QString("| %1 | %2 | %3 | %4 |")
+                    .arg(name, span(fabric.warp), span(fabric.weft), span(fabric.bias));
+            QVERIFY2(text.contains(row), qPrintable(row));
+        }
+    }
+
+    void withoutAGarmentThereIsAHint() {
+        Document none;
+        FabricPanel panel(none);
+        auto* pages = panel.findChild<QStackedWidget*>();
+        QCOMPARE(pages->currentWidget()->objectName(), QString("fabricEmpty"));
+        QVERIFY(!static_cast<QLabel*>(pages->currentWidget())->text().isEmpty());
+    }
+};
+
+int main(int argc, char** argv) {
+    return test::run<FabricTest>(argc, argv);
+}
+
+#include "fabric_test.moc"

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Follows docs/first-steps.md to the letter: what is not as the page says fails.
+// With TOILE_UPDATE_DOCS set, the page's pictures are taken on the way.
+#include <QLocale>
+#include <QPixmap>
+
+#include "app/render/gl_support.h"
+#include "tests/app/support/guide.h"
+
+using namespace toile;
+
+class FirstStepsTest : public QObject {
+    Q_OBJECT
+
+private:
+    static constexpr int kPictureWidth = 1200;
+
+    test::WindowFixture fixture_;
+
+private slots:
+    void initTestCase() { SKIP_WITHOUT_GL(); }
+
+    void pageCanBeFollowed() {
+        const QString docs = TOILE_SOURCE_DIR "/docs/";
+        const auto steps = test::readGuide(docs + "first-steps.md");
+        QVERIFY(steps.size() > 20);
+        fixture_.open();
+        test::GuideWalker walker(fixture_, TOILE_SOURCE_DIR);
+        for (const test::GuideStep& step : steps) {
+            if (step.kind == test::GuideStep::Kind::Do) {
+                const QString wrong = walker.follow(step.text);
+                QVERIFY2(
+                    wrong.isEmpty(),
+                    qPrintable(
+                        QString("first-steps.md:%1: %2: %3").arg(step.line).arg(step.text, wrong)));
+                continue;
+            }
+            const QString file = docs + step.text;
+            if (qEnvironmentVariableIsSet("TOILE_UPDATE_DOCS")) {
+                const QPixmap picture = fixture_.window().grab();
+                QVERIFY(picture.scaledToWidth(kPictureWidth, Qt::SmoothTransformation).save(file));
+            }
+            QVERIFY2(!QPixmap(file).isNull(), qPrintable(file));
+        }
+        fixture_.close();
+    }
+};
+
+int main(int argc, char** argv) {
+    return test::run<FirstStepsTest>(argc, argv);
+}
+
+#include "first_steps_test.moc"

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The arrow of the grain, and what turns with it.
+#include <cmath>
+#include <numbers>
+
+#include "app/views/grain_arrow.h"
+#include "app/widgets/banner.h"
+#include "tests/app/support/garments.h"
+#include "tests/app/support/sheet_bench.h"
+
+using namespace toile;
+
+namespace {
+
+constexpr double kRightAngle = std::numbers::pi / 2;
+
+}  // namespace
+
+class GrainToolTest : public test::SheetBench {
+    Q_OBJECT
+
+private slots:
+    void theGrainTurnsWithItsArrow() {
+        QTest::keyClick(&view(), Qt::Key_G);
+        QVERIFY(action(ActionId::ToolGrain).isChecked());
+        const auto arrow = grainArrow(document(), 0, view().camera().pixelsPerMillimetre());
+        QVERIFY(arrow);
+        QVERIFY((arrow->direction - Eigen::Vector2d(0, 1)).norm() < 1e-12);
+        const QPointF middle = onScreen(arrow->middle), tip = onScreen(arrow->end(0.45));
+        const double reach = middle.y() - tip.y();
+        QVERIFY(reach > 10);
+        const double angle = 70 * std::numbers::pi / 180;
+        drag(tip, middle + reach * QPointF(std::cos(angle), -std::sin(angle)));
+        QVERIFY(std::abs(*document().settings()[0].grain - angle) < 1e-9);
+        QCOMPARE(steps(), 1);
+        QVERIFY((grainArrow(document(), 0, view().camera().pixelsPerMillimetre())->middle -
+                 arrow->middle)
+                    .norm() < 1e-9);
+        document().setSnapping(true);
+        const QPointF now = middle + reach * QPointF(std::cos(angle), -std::sin(angle));
+        const double nearly = 46.5 * std::numbers::pi / 180;
+        drag(now, middle + reach * QPointF(std::cos(nearly), -std::sin(nearly)));
+        QVERIFY(std::abs(*document().settings()[0].grain - std::numbers::pi / 4) < 1e-9);
+        // The piece turns so that its grain runs upwards.
+        action(ActionId::ToolSelect).trigger();
+        document().setSelection({0});
+        action(ActionId::GrainUpwards).trigger();
+        QVERIFY(std::abs(directionOnSheet(placement(0), *document().settings()[0].grain) -
+                         kRightAngle) < 1e-9);
+        action(ActionId::ForgetGrain).trigger();
+        QVERIFY(!document().settings()[0].grain);
+    }
+
+    void escapeTakesTheGrainBack() {
+        action(ActionId::ToolGrain).trigger();
+        const QPointF tip =
+            onScreen(grainArrow(document(), 1, view().camera().pixelsPerMillimetre())->end(0.45));
+        view().setFocus();
+        press(tip);
+        move(tip + QPointF(60, 30));
+        QVERIFY(document().settings()[1].grain);
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        QVERIFY(!document().settings()[1].grain);
+        release(tip);
+        QCOMPARE(steps(), 0);
+    }
+
+    void aNarrowPieceHasAnArrowBesideItsNameToo() {
+        test::writeObj(fixture_.path("band.obj").toStdString(),
+                       {{"band", test::makeSheet(600, 12, 60, 2)},
+                        {"sheet", test::makeSheet(600, 500, 6, 5, {0, 100, 0})}});
+        QVERIFY(fixture_.openAndWait(fixture_.path("band.obj")));
+        frameAll();
+        const double scale = view().camera().pixelsPerMillimetre();
+        const auto arrow = grainArrow(document(), 0, scale);
+        QVERIFY(arrow);
+        QVERIFY(arrow->length * scale >= 28 - 1e-9);
+        QVERIFY2(arrow->length > 12, "longer than the band is wide");
+        const auto& band = document().scene()->pieces[0];
+        QVERIFY((placement(0).undone(arrow->middle) - band.label).norm() > 100);
+        QVERIFY(box(0).contains(arrow->middle));
+        // It is there to be seen: dark strokes on a light halo.
+        document().setOverlay(Overlay::None);
+        const QImage image = fixture_.patternPicture();
+        const double ratio = image.devicePixelRatio();
+        const QPoint at = (onScreen(arrow->end(0.5)) * ratio).toPoint();
+        int darkest = 255;
+        for (int y = 0; y < 8; ++y) {
+            darkest = std::min(darkest, qGray(image.pixel(at + QPoint(0, y))));
+        }
+        QVERIFY2(darkest < 90, qPrintable(QString::number(darkest)));
+        // Its end lies beside the cloth and is grabbed all the same.
+        QTest::keyClick(&view(), Qt::Key_G);
+        const QPointF middle = onScreen(arrow->middle), tip = onScreen(arrow->end(0.45));
+        QVERIFY(!box(0).contains(arrow->end(0.45)));
+        drag(tip, middle + QPointF(middle.y() - tip.y(), 0));
+        QVERIFY(document().settings()[0].grain);
+        QVERIFY(std::abs(*document().settings()[0].grain) < 1e-6);
+        const auto turned = grainArrow(document(), 0, scale);
+        QVERIFY((turned->middle - arrow->middle).norm() < 1e-9);
+    }
+
+    void aPieceThatGoesWhileItsGrainIsTurnedIsLetGo() {
+        action(ActionId::ToolGrain).trigger();
+        const QPointF tip =
+            onScreen(grainArrow(document(), 1, view().camera().pixelsPerMillimetre())->end(0.45));
+        press(tip);
+        move(tip + QPointF(60, 30));
+        auto garment = std::make_shared<Garment>(*document().garment());
+        garment->pieces.resize(1);
+        garment->seams = {};
+        DocumentState next = document().state();
+        next.garment = garment;
+        next.results.resize(1);
+        next.scene.reset();
+        document().edit("Cut", next);
+        const auto settings = document().settings();
+        move(tip + QPointF(80, 60));
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        release(tip + QPointF(80, 60));
+        QVERIFY(document().settings() == settings);
+        QVERIFY(settings.size() == 1);
+    }
+
+    void aGrainThatIsTurnedIsNotPutIntoAnotherGarment() {
+        action(ActionId::ToolGrain).trigger();
+        setGrain(document(), "Grain", {{1, 0.3}});
+        const QPointF tip =
+            onScreen(grainArrow(document(), 1, view().camera().pixelsPerMillimetre())->end(0.45));
+        press(tip);
+        move(tip + QPointF(60, 30));
+        QCOMPARE(steps(), 2);
+        // A cut is done meanwhile: piece 1 is another one now.
+        DocumentState cut = document().state();
+        cut.garment = test::makeGarment({{"a", test::makeSheet(50, 40, 5, 4)},
+                                         {"b", test::makeSheet(60, 40, 5, 4, {100, 0, 0})}});
+        cut.results = {};
+        cut.scene = nullptr;
+        cut.settings = {};
+        document().edit("Cut", cut);
+        move(tip + QPointF(70, 30));
+        release(tip + QPointF(70, 30));
+        QVERIFY(!document().settings()[1].grain);
+        QCOMPARE(steps(), 3);
+        // And taken back in the middle of a drag, history and state go together.
+        document().history().undo();
+        document().history().undo();
+        QCOMPARE(*document().settings()[1].grain, 0.3);
+        QCOMPARE(steps(), 1);
+    }
+
+    void turningTheGrainLeavesEverythingFramed() {
+        const double before = view().pixelsPerMillimetre();
+        setGrain(document(), "Grain", {{0, 0.3}});
+        fixture_.window().resize(1000, 900);
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                (void)fixture_.patternPicture();
+                return view().pixelsPerMillimetre() < before;
+            },
+            test::kPatience));
+    }
+
+    void aSearchForGrainThatAnEditEndsIsSaid() {
+        action(ActionId::BestGrain).trigger();
+        fixture_.workspace().setMethod(Method::Lscm);  // takes its place
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture_.window().banner().isHidden(), test::kPatience);
+        QVERIFY(fixture_.window().banner().sentence().contains("once more"));
+        QVERIFY(fixture_.waitForResults());
+        action(ActionId::Undo).trigger();
+        QVERIFY(fixture_.waitForResults());
+    }
+
+    void theBestGrainIsLookedForOnAWorker() {
+        action(ActionId::BestGrain).trigger();
+        QVERIFY(fixture_.waitUntilIdle());
+        // The sheet is not strained at all, so that nothing is better for it.
+        QVERIFY(!document().settings()[2].grain);
+    }
+
+    void theGrainShowsOnTheGarmentToo() {
+        const QImage before = fixture_.garmentPicture();
+        action(ActionId::ToolGrain).trigger();
+        QVERIFY(fixture_.garmentPicture() != before);
+    }
+};
+
+int main(int argc, char** argv) {
+    return test::run<GrainToolTest>(argc, argv);
+}
+
+#include "grain_tool_test.moc"

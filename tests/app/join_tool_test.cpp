@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tool that takes seams and cuts out, and what else does.
+#include "app/views/tools/join_tool.h"
+
+#include <QLineF>
+#include <QTreeWidget>
+
+#include "tests/app/support/garments.h"
+#include "tests/app/support/tool_bench.h"
+
+using namespace toile;
+
+using test::click;
+using test::doubleClick;
+using test::moveTo;
+
+class JoinToolTest : public test::ToolBench {
+    Q_OBJECT
+
+private slots:
+    void aClickTakesACutOutAgain() {
+        openSheets();
+        const auto start = document().garment();
+        tools().choose(ToolId::Cut);
+        click(garmentView(), at(garmentView(), 0, {0, 77, 0}));
+        doubleClick(garmentView(), at(garmentView(), 0, {kWidth, 77, 0}));
+        QVERIFY(waitForPieces(3));
+        tools().choose(ToolId::Join);
+        const int seam = *sewn();
+        for (SceneView* view : {&garmentView(), &patternView()}) {
+            moveTo(*view, onSeam(*view, seam));
+            const auto& join = dynamic_cast<const JoinTool&>(tools().current());
+            QCOMPARE(join.seam(), std::optional(seam));
+            moveTo(*view, {2, 2});
+            QVERIFY(!join.seam());
+        }
+        click(patternView(), onSeam(patternView(), seam));
+        QVERIFY(waitForPieces(2));
+        QCOMPARE(document().garment()->pieces, start->pieces);
+        QVERIFY(document().loading().seams.cuts.empty());
+        QCOMPARE(document().history().undoText(), QString("Removal of a cut"));
+        while (document().history().canUndo()) {
+            fixture_.workspace().undo();
+        }
+        QCOMPARE(document().garment(), start);
+    }
+
+    void aClickMakesTwoPiecesOne_data() {
+        QTest::addColumn<bool>("inPattern");
+        QTest::newRow("garment view") << false;
+        QTest::newRow("pattern view") << true;
+    }
+
+    void aClickMakesTwoPiecesOne() {
+        QFETCH(bool, inPattern);
+        openCap();
+        const DocumentState start = document().state();
+        QCOMPARE(document().pieceCount(), 2);
+        tools().choose(ToolId::Join);
+        SceneView& view = inPattern ? patternView() : garmentView();
+        click(view, onSeam(view, *sewn()));
+        QVERIFY2(waitForPieces(1), qPrintable(said()));
+        QCOMPARE(document().garment()->pieces[0]->name, std::string("narrow + wide"));
+        QCOMPARE(document().garment()->joins.size(), std::size_t{1});
+        QVERIFY(!document().garment()->pieces[0]->defect);
+        // The list of cuts has it, and takes it back.
+        auto& list = fixture_.find<QTreeWidget>("cutTable");
+        QCOMPARE(list.topLevelItemCount(), 1);
+        list.setCurrentItem(list.topLevelItem(0));
+        QTest::keyClick(&list, Qt::Key_Delete);
+        QVERIFY(waitForPieces(2));
+        QCOMPARE(document().garment()->pieces, start.garment->pieces);
+        fixture_.workspace().undo();
+        fixture_.workspace().undo();
+        QVERIFY(document().state() == start);
+    }
+
+    void theSeamThatIsSeenIsMeant_data() {
+        QTest::addColumn<bool>("orthographic");
+        QTest::addColumn<double>("way");
+        QTest::newRow("without perspective") << true << 0.0;
+        QTest::newRow("flat") << false << 1.0;
+    }
+
+    void theSeamThatIsSeenIsMeant() {
+        QFETCH(bool, orthographic);
+        QFETCH(double, way);
+        openCap();
+        tools().choose(ToolId::Join);
+        const auto& join = dynamic_cast<const JoinTool&>(tools().current());
+        GarmentView& view = fixture_.garmentView();
+        const int seam = *sewn();
+        const QPointF worn = onSeam(view, seam);
+        if (orthographic) {
+            view.look(ViewKey::Orthographic);
+        }
+        view.setMorph(way);
+        (void)fixture_.garmentPicture();
+        moveTo(view, onSeam(view, seam));
+        QCOMPARE(join.seam(), std::optional(seam));
+        if (way > 0) {
+            QVERIFY(QLineF(worn, onSeam(view, seam)).length() > 1);
+            // Where it was worn it is not any more; on the way nothing answers.
+            view.setMorph(0.5);
+            moveTo(view, onSeam(view, seam));
+            QVERIFY(!join.seam());
+        }
+    }
+
+    void anAutomaticCutStays() {
+        const QString file = fixture_.path("tetrahedron.obj");
+        test::writeObj(file.toStdString(), {{"tetrahedron", test::makeTetrahedron(100)}});
+        fixture_.open();
+        fixture_.workspace().setUnit(LengthUnit::Millimetre);
+        fixture_.workspace().setAutoCut(true);
+        QVERIFY(fixture_.openAndWait(file));
+        QVERIFY(sewn());
+        const DocumentState start = document().state();
+        fixture_.workspace().joinSeam(*sewn());
+        QVERIFY(said().contains("tetrahedron"));
+        QVERIFY(document().state() == start);
+    }
+};
+
+int main(int argc, char** argv) {
+    return test::run<JoinToolTest>(argc, argv);
+}
+
+#include "join_tool_test.moc"

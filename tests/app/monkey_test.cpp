@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/support/monkey.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <csignal>
+#include <cstdio>
+
+#include "app/actions/project_actions.h"
+#include "app/actions/recovery.h"
+#include "app/render/gl_support.h"
+#include "app/render/scene.h"
+#include "app/resources.h"
+#include "app/views/tools/tool_box.h"
+#include "tests/app/support/same_state.h"
+#include "tests/app/support/warnings.h"
+#include "tests/app/support/window_fixture.h"
+
+using namespace toile;
+
+namespace {
+
+constexpr int kActionsPerGarment = 3340;
+constexpr int kActionsPerRound = 600;  ///< then back to the start
+constexpr int kMostSteps = 440;        ///< the history forgets its beginning past 500
+constexpr int kActionsPerLook = 40;
+
+int numberFrom(const char* variable, int otherwise) {
+    const QByteArray text = qgetenv(variable);
+    return text.isEmpty() ? otherwise : text.toInt();
+}
+
+const test::Monkey* theMonkey = nullptr;
+int theSeed = 0;
+
+void tellWhatItDid() {
+    std::fprintf(stderr, "The monkey with TOILE_MONKEY_SEED=%d, after %d actions:\n", theSeed,
+                 theMonkey ? theMonkey->actionsDone() : 0);
+    if (theMonkey) {
+        for (const QString& line : theMonkey->trace()) {
+            std::fprintf(stderr, "  %s\n", qPrintable(line));
+        }
+    }
+}
+
+void onCrash(int number) {
+    std::signal(number, SIG_DFL);
+    tellWhatItDid();
+    std::raise(number);
+}
+
+}  // namespace
+
+/// Ten thousand things done without sense: nothing breaks, and undo leads back to the start, bit by
+/// bit. TOILE_MONKEY_SEED and TOILE_MONKEY_ACTIONS choose another run.
+class MonkeyTest : public QObject {
+    Q_OBJECT
+
+    test::WindowFixture fixture_;
+
+    MainWindow& window() { return fixture_.window(); }
+    Document& document() { return fixture_.document(); }
+    Workspace& workspace() { return fixture_.workspace(); }
+
+    /// What every state of the document promises; empty where it does.
+    QString brokenPromise() {
+        const DocumentState& state = document().state();
+        if (!state.garment) {
+            return "the garment is gone";
+        }
+        const auto pieces = state.garment->pieces.size();
+        if (state.settings.size() != pieces) {
+            return "settings do not fit the pieces";
+        }
+        if (!state.results.empty() && state.results.size() != pieces) {
+            return "results do not fit the pieces";
+        }
+        if (state.scene && (state.scene->pieces.size() != pieces ||
+                            state.scene->seams.size() != state.garment->seams.seams.size())) {
+            return "the scene is of another garment";
+        }
+        for (std::size_t i = 0; i < state.results.size(); ++i) {
+            const PieceResult* result = state.results[i].get();
+            if (result && result->flat &&
+                (result->flat->Q.rows() != result->piece->mesh.V.rows() ||
+                 !result->flat->Q.allFinite())) {
+                return "a result does not fit its piece";
+            }
+        }
+        for (const PieceSettings& settings : state.settings) {
+            if (settings.placement && (!settings.placement->offset.allFinite() ||
+                                       !std::isfinite(settings.placement->turn))) {
+                return "a piece lies nowhere";
+            }
+        }
+        for (const int piece : document().selection()) {
+            if (piece < 0 || piece >= document().pieceCount()) {
+                return "a selected piece is outside of the garment";
+            }
+        }
+        if (document().seam() && *document().seam() >= document().seamCount()) {
+            return "the selected seam is outside of the garment";
+        }
+        const QUndoStack& history = document().history();
+        if (history.index() < 0 || history.index() > history.count() ||
+            (history.canUndo() && !workspace().canUndo())) {
+            return "the history does not know where it is";
+        }
+        return {};
+    }
+
+    /// Until no job runs and what can be flat is; the window is to follow.
+    bool settle() {
+        return QTest::qWaitFor(
+            [this] {
+                return !workspace().jobs().isBusy() &&
+                       !window().garmentActions().project().session().isSaving();
+            },
+            test::WindowFixture::kPatience);
+    }
+
+    void undoEverything() {
+        window().tools().current().cancel();
+        workspace().jobs().cancel();
+        QVERIFY(settle());
+        while (workspace().canUndo()) {
+            workspace().undo();
+        }
+        QVERIFY(settle());
+    }
+
+    void openSample(const QString& file) {
+        const QString mesh = fixture_.path(file);
+        QFile::remove(mesh);
+        QVERIFY(QFile::copy(QString(TOILE_SOURCE_DIR "/resources/samples/") + file, mesh));
+        FlattenOptions options = document().options();
+        options.method = Method::Curvature;
+        document().setOptions(options);
+        QVERIFY(fixture_.openAndWait(mesh));
+    }
+
+    void play(std::uint64_t seed, int actions) {
+        test::Warnings warnings;
+        test::Generator random(seed);
+        test::Monkey monkey(window(), random, fixture_.path("."));
+        theMonkey = &monkey;
+        QElapsedTimer time;
+        time.start();
+        int rounds = 0;
+        while (monkey.actionsDone() < actions) {
+            playOneRound(monkey, warnings,
+                         std::min(actions - monkey.actionsDone(), kActionsPerRound));
+            if (QTest::currentTestFailed()) {
+                tellWhatItDid();
+                return;
+            }
+            ++rounds;
+        }
+        qInfo("%d actions in %d rounds, %.1f s", monkey.actionsDone(), rounds,
+              double(time.elapsed()) / 1000);
+        theMonkey = nullptr;
+    }
+
+    void playOneRound(test::Monkey& monkey, const test::Warnings& warnings, int actions) {
+        const DocumentState start = document().state();
+        const int last = monkey.actionsDone() + actions;
+        while (monkey.actionsDone() < last && document().history().count() < kMostSteps) {
+            monkey.act();
+            if (monkey.actionsDone() % kActionsPerLook == 0) {
+                const QString broken = brokenPromise();
+                QVERIFY2(broken.isEmpty(), qPrintable(broken));
+            }
+            QVERIFY2(warnings.texts().isEmpty(), qPrintable(warnings.texts().join('\n')));
+        }
+        undoEverything();
+        const QString other = test::difference(document().state(), start);
+        QVERIFY2(other.isEmpty(), qPrintable("after undo another: " + other));
+        QVERIFY2(brokenPromise().isEmpty(), qPrintable(brokenPromise()));
+    }
+
+private slots:
+    void initTestCase() {
+        if (!glProblem().isEmpty()) {
+            QSKIP(qPrintable(glProblem()));
+        }
+        theSeed = numberFrom("TOILE_MONKEY_SEED", 20240611);
+        for (const int number : {SIGSEGV, SIGABRT, SIGFPE}) {
+            std::signal(number, onCrash);
+        }
+    }
+
+    void init() {
+        fixture_.open();
+        window().resize(900, 600);
+        window().keepRecoveryFiles(fixture_.path("recovery"), {30, 200, 100});
+    }
+
+    void cleanup() {
+        theMonkey = nullptr;
+        fixture_.close();
+    }
+
+    void undoLeadsBackToTheStart_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<int>("seed");
+        QTest::addColumn<int>("megabytes");  // that old states may take
+        QTest::newRow("T-shirt") << "tshirt.obj" << 1 << 1024;
+        QTest::newRow("bodice") << "bodice.obj" << 2 << 4;
+        QTest::newRow("cap, remembering little") << "cap.obj" << 3 << 0;
+    }
+
+    void undoLeadsBackToTheStart() {
+        QFETCH(QString, file);
+        QFETCH(int, seed);
+        QFETCH(int, megabytes);
+        openSample(file);
+        workspace().historyBudget().setMostBytes(static_cast<std::size_t>(megabytes) << 20U);
+        play(static_cast<std::uint64_t>(theSeed + 1000 * seed),
+             numberFrom("TOILE_MONKEY_ACTIONS", 3 * kActionsPerGarment) / 3);
+    }
+
+    /// What was done is in the project, and a project that was opened is as good as the garment.
+    void projectsHoldWhatWasDone() {
+        const QString project = fixture_.path("kept.toile");
+        openSample("cap.obj");
+        for (int round = 0; round < 4; ++round) {
+            test::Generator random(static_cast<std::uint64_t>(theSeed + round));
+            {
+                test::Monkey monkey(window(), random, fixture_.path("."));
+                theMonkey = &monkey;
+                for (int k = 0; k < 60; ++k) {
+                    monkey.act();
+                }
+                theMonkey = nullptr;
+            }
+            window().tools().current().cancel();
+            QVERIFY(settle());
+            const DocumentState before = document().state();
+            FileDialogs& dialogs = window().garmentActions().fileDialogs();
+            dialogs.saveProject = [&](QWidget*, const QString&) { return project; };
+            dialogs.askToSave = [](QWidget*, const QString&) { return SaveAnswer::Discard; };
+            window().actions()[ActionId::SaveAs].trigger();
+            QVERIFY(settle());
+            QVERIFY(!window().garmentActions().project().session().isModified());
+            window().openFiles({project});
+            QVERIFY(settle());
+            QVERIFY(!document().history().canUndo());
+            QVERIFY(document().options() == before.options);
+            QVERIFY(document().fabric() == before.fabric);
+            QVERIFY(document().loading() == before.loading);
+            QCOMPARE(document().settings().size(), before.settings.size());
+            QVERIFY2(brokenPromise().isEmpty(), qPrintable(brokenPromise()));
+        }
+    }
+};
+
+int main(int argc, char** argv) {
+    loadResources();
+    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
+    QApplication application(argc, argv);
+    MonkeyTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "monkey_test.moc"

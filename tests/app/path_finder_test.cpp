@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/path_finder.h"
+
+#include <QTest>
+#include <cmath>
+#include <optional>
+
+#include "core/cut/nearest_surface.h"
+#include "tests/app/support/garments.h"
+#include "tests/app/support/processor_time.h"
+#include "tests/app/support/run_test.h"
+
+using namespace toile;
+
+namespace {
+
+std::shared_ptr<const Piece> sheet(int columns, int rows) {
+    return std::make_shared<const Piece>(
+        makePiece("sheet", test::makeSheet(200, 100, columns, rows)));
+}
+
+PathWish wish(const std::shared_ptr<const Piece>& piece, const Eigen::Vector3d& from,
+              const Eigen::Vector3d& to) {
+    return {piece, nearestSurfacePoint(piece->mesh, from), nearestSurfacePoint(piece->mesh, to)};
+}
+
+}  // namespace
+
+class PathFinderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void findsTheShortestWayLater() {
+        PathFinder finder;
+        const auto piece = sheet(20, 10);
+        std::optional<double> found;
+        finder.find(wish(piece, {3, 4, 0}, {183, 84, 0}),
+                    [&](const Result<PathPolyline>& path) { found = path->length; });
+        QVERIFY(!found);  // not before the event loop runs
+        QVERIFY(QTest::qWaitFor([&] { return found.has_value(); }, test::kPatience));
+        QVERIFY(std::abs(*found - std::hypot(180, 80)) < 1e-6);
+    }
+
+    void followsEdgesWhereAsked() {
+        PathFinder finder;
+        PathWish along = wish(sheet(20, 10), {1, 51, 0}, {199, 49, 0});
+        along.alongEdges = true;
+        std::optional<double> found;
+        finder.find(along, [&](const Result<PathPolyline>& path) { found = path->length; });
+        QVERIFY(QTest::qWaitFor([&] { return found.has_value(); }, test::kPatience));
+        QVERIFY(std::abs(*found - 200) < 1e-9);
+    }
+
+    void ordersAreServedInTurnOnAnyPiece() {
+        PathFinder finder;
+        const auto a = sheet(20, 10), b = sheet(7, 5);
+        std::vector<int> served;
+        for (int i = 0; i < 6; ++i) {
+            finder.find(wish(i % 2 == 0 ? a : b, {1, 1, 0}, {10.0 * i + 40, 60, 0}),
+                        [&served, i](const Result<PathPolyline>& path) {
+                            if (path) {
+                                served.push_back(i);
+                            }
+                        });
+        }
+        QVERIFY(QTest::qWaitFor([&] { return served.size() == 6; }, test::kPatience));
+        QCOMPARE(served, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+    }
+
+    void whatIsForgottenIsNeverCalled() {
+        PathFinder finder;
+        const auto piece = sheet(300, 150);
+        bool stale = false, fresh = false;
+        std::vector<PathFinder::Ticket> tickets;
+        for (int i = 0; i < 5; ++i) {
+            tickets.push_back(finder.find(wish(piece, {1, 1, 0}, {199, 99.0 - i, 0}),
+                                          [&](const Result<PathPolyline>&) { stale = true; }));
+        }
+        for (const PathFinder::Ticket ticket : tickets) {
+            finder.forget(ticket);
+        }
+        finder.forget(0);
+        finder.find(wish(piece, {1, 1, 0}, {20, 20, 0}),
+                    [&](const Result<PathPolyline>&) { fresh = true; });
+        QVERIFY(QTest::qWaitFor([&] { return fresh; }, test::kPatience));
+        QVERIFY(!stale);
+    }
+
+    void neverHoldsTheWindowUp() {
+        PathFinder finder;
+        const auto piece = sheet(700, 350);  // half a million triangles
+        const PathWish first = wish(piece, {1, 1, 0}, {199, 99, 0});
+        const PathWish last = wish(piece, {1, 1, 0}, {60, 60, 0});
+        const double start = test::processorTime();
+        finder.find(first, [](const Result<PathPolyline>&) {});
+        finder.find(last, [](const Result<PathPolyline>&) {});
+        QVERIFY(test::processorTime() - start < 50);
+    }
+};
+
+QTEST_GUILESS_MAIN(PathFinderTest)
+#include "path_finder_test.moc"

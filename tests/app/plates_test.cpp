@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where names and flags go: legible, told apart and not on each other.
+#include <QTest>
+
+#include "app/views/flags.h"
+#include "app/views/name_plates.h"
+#include "app/views/view_text.h"
+#include "tests/app/support/run_test.h"
+
+using namespace toile;
+
+namespace {
+
+const QFont kFont("Sans Serif", 9);
+const QRectF kView(20, 20, 500, 400);
+const QChar kGap(0x2026);
+
+NamedPiece pieceAt(const QString& name, const QRectF& box) {
+    return {name, {}, box.center(), box};
+}
+
+/// Strips side by side, so near that no name may stand out.
+std::vector<NamedPiece> strips(const QStringList& names, double width) {
+    std::vector<NamedPiece> pieces;
+    for (const QString& name : names) {
+        const double left = 30 + static_cast<double>(pieces.size()) * (width + 2);
+        pieces.push_back(pieceAt(name, {left, 60, width, 300}));
+    }
+    return pieces;
+}
+
+bool anyMeet(const std::vector<QRectF>& plates) {
+    for (std::size_t i = 0; i < plates.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (plates[i].intersects(plates[k])) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+std::vector<QRectF> platesOf(const std::vector<NamePlate>& names) {
+    std::vector<QRectF> plates;
+    for (const NamePlate& name : names) {
+        plates.push_back(name.plate);
+    }
+    return plates;
+}
+
+}  // namespace
+
+class PlatesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aNameIsWrittenOutWhereThereIsRoom() {
+        // Narrower than its name, with nothing beside it.
+        const auto alone = namePlates(kFont, {pieceAt("side_front_left", {200, 60, 12, 200})}, {});
+        QCOMPARE(alone.size(), std::size_t{1});
+        QCOMPARE(alone[0].text, QString("side_front_left"));
+        QVERIFY(alone[0].plate.width() > 60);
+        QCOMPARE(alone[0].plate.size(), plateSize(kFont, "side_front_left", false));
+        const auto mirrored =
+            namePlates(kFont, {{"cuff", " · wrong side up", {250, 200}, {200, 100, 100, 200}}}, {});
+        QCOMPARE(mirrored.at(0).text, QString("cuff · wrong side up"));
+    }
+
+    void whatAllNamesBeginWithGoesFirst() {
+        const auto names =
+            namePlates(kFont, strips({"panel 5", "panel 15", "panel 25", "panel 115"}, 22), {});
+        QStringList texts;
+        for (const NamePlate& name : names) {
+            texts << name.text;
+        }
+        texts.sort();
+        QCOMPARE(texts, QStringList({"115", "15", "25", "5"}));
+    }
+
+    void aShortenedNameCanBeToldFromAllOthers() {
+        const QStringList all{"side_front_left", "side_back_left", "collar_undercollar"};
+        for (double width = 4; width < 90; width += 1.5) {
+            const auto pieces = strips(all, width);
+            const auto names = namePlates(kFont, pieces, {});
+            QVERIFY(!anyMeet(platesOf(names)));
+            for (const NamePlate& name : names) {
+                QCOMPARE(name.plate.size(), plateSize(kFont, name.text, false));
+                const qsizetype gap = name.text.indexOf(kGap);
+                if (gap < 0) {
+                    QVERIFY(all.contains(name.text));
+                    continue;
+                }
+                QVERIFY2(name.text.size() > 4, qPrintable(name.text));
+                int like = 0;
+                for (const QString& other : all) {
+                    like += other.startsWith(name.text.left(gap)) &&
+                            other.endsWith(name.text.mid(gap + 1));
+                }
+                QCOMPARE(like, 1);
+            }
+        }
+    }
+
+    void platesKeepOffEachOtherAndOffOtherWords() {
+        // Both names belong in one place, and something else is written there already.
+        const QRectF box(100, 60, 200, 300);
+        const QRectF taken(150, 190, 100, 30);
+        const auto names =
+            namePlates(kFont, {pieceAt("back_left", box), pieceAt("back_right", box)}, {taken});
+        QCOMPARE(names.size(), std::size_t{2});
+        std::vector<QRectF> plates = platesOf(names);
+        for (const QRectF& plate : plates) {
+            QVERIFY(box.contains(plate));
+        }
+        plates.push_back(taken);
+        QVERIFY(!anyMeet(plates));
+    }
+
+    void theSelectedPieceChoosesFirst() {
+        auto pieces = strips({"one_name", "two_name"}, 30);
+        for (NamedPiece& piece : pieces) {
+            piece.at = {60, 200};
+            piece.box = QRectF(30, 190, 60, 20);  // room for one
+        }
+        pieces[1].selected = true;
+        const auto names = namePlates(kFont, pieces, {});
+        QCOMPARE(names.size(), std::size_t{1});
+        QCOMPARE(names[0].piece, 1);
+    }
+
+    void flagsKeepWithinTheViewAndOffOtherWords() {
+        const QRectF caption = captionPlate(kFont, {20, 20}, "Pattern", "net outlines");
+        const FlagRoom room{kView, {caption, QRectF(30, 370, 160, 40)}};
+        std::vector<Flag> flags;
+        for (const QPointF& at :
+             {QPointF(22, 22), QPointF(24, 200), QPointF(60, 40), QPointF(518, 30),
+              QPointF(519, 419), QPointF(25, 415), QPointF(100, 390), QPointF(300, 21)}) {
+            flags.push_back({at, static_cast<int>(flags.size()) + 1, "−12.5 %"});
+        }
+        flags.push_back({{10, 200}, 9, "+1.0 %"});  // under the ruler
+        const auto plates = flagPlates(kFont, room, flags);
+        QCOMPARE(plates.size(), flags.size());
+        QVERIFY(plates.back().isEmpty());
+        std::vector<QRectF> all = room.taken;
+        for (std::size_t i = 0; i + 1 < plates.size(); ++i) {
+            QVERIFY2(kView.contains(plates[i]), qPrintable(QString::number(i + 1)));
+            all.push_back(plates[i]);
+        }
+        QVERIFY(!anyMeet(all));
+    }
+};
+
+int main(int argc, char** argv) {
+    return test::run<PlatesTest>(argc, argv);
+}
+
+#include "plates_test.moc"

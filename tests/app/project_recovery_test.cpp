@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a crash leaves of a project, and how it is offered and restored.
+#include <QDir>
+#include <QLockFile>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "app/actions/recovery.h"
+#include "app/widgets/banner.h"
+#include "app/widgets/recovery_card.h"
+#include "core/base/file.h"
+#include "core/project/project_file.h"
+#include "tests/app/support/project_bench.h"
+
+using namespace toile;
+
+class ProjectRecoveryTest : public test::ProjectBench {
+    Q_OBJECT
+
+    /// A recovery file, as a crash leaves it.
+    /// @param of  the project's file; empty where it was never saved
+    QString leaveBehind(const QString& mesh, const std::filesystem::path& of = {},
+                        const QString& name = "a") {
+        (void)QDir().mkpath(path("recovery"));
+        Project project;
+        project.files = {{file(mesh)}};
+        project.recoveryOf = of;
+        const QString left = path("recovery/" + name + ".toile");
+        (void)writeProject(left.toStdU16String(), project);
+        return left;
+    }
+
+    /// Until the recovery file holds the present state.
+    void waitUntilKept(Autosave& autosave) {
+        QSignalSpy written(&autosave, &Autosave::written);
+        // The first may have been on its way since before the last edit, the second not.
+        for (int i = 0; i < 2; ++i) {
+            written.clear();
+            autosave.writeNow();
+            QTRY_VERIFY_WITH_TIMEOUT(written.count() > 0, test::kPatience);
+        }
+    }
+
+private slots:
+    void whatACrashLeavesIsRestored() {
+        const QString folder = path("recovery");
+        const AutosaveTimes soon{10, 10, 10};
+        Recovery& recovery = window().keepRecoveryFiles(folder, soon);
+        saveAs("dress.toile");
+        QSignalSpy written(&recovery.autosave(), &Autosave::written);
+        doThings();
+        QTRY_VERIFY_WITH_TIMEOUT(written.count() > 0, test::kPatience);
+        waitUntilKept(recovery.autosave());
+        const DocumentState before = document().state();
+        // The process dies: its file stays, its lock does not count any more.
+        const QString left = recovery.autosave().file();
+        QVERIFY(QFile::copy(left, path("left")));
+        reopenWindow();
+        QVERIFY(!QFile::exists(left));  // that was a clean exit
+        QVERIFY(QFile::rename(path("left"), left));
+        Recovery& next = window().keepRecoveryFiles(folder, soon);
+        auto& card = fixture_->find<RecoveryCard>("recoveryCard");
+        QVERIFY(card.isVisible());
+        QVERIFY(card.sentence().contains("dress.toile"));
+        QTest::mouseClick(&fixture_->find<QPushButton>("restoreRecovery"), Qt::LeftButton);
+        QVERIFY(fixture_->waitForResults());
+        QVERIFY(waitUntilFlat());
+        QVERIFY(card.isHidden());
+        QVERIFY(test::isSame(document().state(), before));
+        QVERIFY(session().isModified());
+        QCOMPARE(session().title(), QString("dress.toile"));
+        QCOMPARE(next.autosave().file(), left);  // safe until it is saved
+        QCOMPARE(askedAboutOthers_, 0);
+        QVERIFY(QFile::exists(left));
+        QSignalSpy saved(&session(), &ProjectSession::saved);
+        fixture_->action(ActionId::Save).trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
+        QVERIFY(!QFile::exists(left));
+        const auto read = readProject(file("dress.toile"));
+        QVERIFY(read && !read->project.recoveryOf);
+    }
+
+    void whatACrashLeavesCanBeDiscarded() {
+        const QString folder = path("recovery");
+        leaveBehind("dress.obj");
+        leaveBehind("dress.obj", {}, "b");
+        QCOMPARE(QDir(folder).entryList({"*.toile"}).size(), 2);
+        window().keepRecoveryFiles(folder);
+        auto& card = fixture_->find<RecoveryCard>("recoveryCard");
+        QVERIFY(card.sentence().contains("dress.obj"));
+        auto& discard = fixture_->find<QPushButton>("discardRecovery");
+        QTest::mouseClick(&discard, Qt::LeftButton);
+        QVERIFY(card.isVisible());
+        QTest::mouseClick(&discard, Qt::LeftButton);
+        QVERIFY(card.isHidden());
+        QVERIFY(QDir(folder).entryList({"*.toile"}).isEmpty());
+    }
+
+    void whatAnotherLivingProcessKeepsIsNotOffered() {
+        const QString left = leaveBehind("dress.obj");
+        QVERIFY(QFile::exists(left));
+        QLockFile lock(left + ".lock");
+        QVERIFY(lock.tryLock(0));
+        window().keepRecoveryFiles(path("recovery"));
+        QVERIFY(!fixture_->find<RecoveryCard>("recoveryCard").isVisible());
+    }
+
+    void recoveryFilesGoWithTheChanges() {
+        Recovery& recovery = window().keepRecoveryFiles(path("recovery"), {10, 10, 10});
+        QSignalSpy written(&recovery.autosave(), &Autosave::written);
+        edit();
+        QTRY_COMPARE_WITH_TIMEOUT(written.count(), 1, test::kPatience);
+        QVERIFY(QFile::exists(recovery.autosave().file()));
+        workspace().undo();
+        QVERIFY(recovery.autosave().file().isEmpty());
+        QVERIFY(QDir(path("recovery")).entryList({"*.toile"}).isEmpty());
+    }
+
+    void recoveryFilesFollowThePreference() {
+        QVERIFY(!autosaveTimes(0));
+        QCOMPARE(autosaveTimes(7)->apart, 7 * 60 * 1000);
+        Preferences& preferences = fixture_->preferences();
+        Choices choices = preferences.choices();
+        choices.autosaveMinutes = 0;
+        preferences.setChoices(choices);
+        Recovery& recovery = window().keepRecoveryFiles(path("recovery"));
+        QSignalSpy written(&recovery.autosave(), &Autosave::written);
+        edit();
+        recovery.autosave().writeNow();
+        QVERIFY(recovery.autosave().file().isEmpty());  // it would be named at once
+        choices.autosaveMinutes = 1;
+        preferences.setChoices(choices);
+        recovery.autosave().writeNow();
+        QTRY_COMPARE_WITH_TIMEOUT(written.count(), 1, test::kPatience);
+        const QString file = recovery.autosave().file();
+        QVERIFY(QFile::exists(file));
+        choices.autosaveMinutes = 0;
+        preferences.setChoices(choices);
+        QVERIFY(!QFile::exists(file));
+    }
+
+    void recoveryFilesAreWrittenSeldom() {
+        Recovery& recovery = window().keepRecoveryFiles(path("recovery"), {10, 3600000, 10});
+        QSignalSpy written(&recovery.autosave(), &Autosave::written);
+        edit();
+        QTRY_COMPARE_WITH_TIMEOUT(written.count(), 1, test::kPatience);
+        edit();
+        // For what does not come there is no state to wait for; a slow machine cannot fail this.
+        QTest::qWait(300);
+        QCOMPARE(written.count(), 1);
+        recovery.autosave().setTimes(AutosaveTimes{10, 10, 10});
+        QTRY_COMPARE_WITH_TIMEOUT(written.count(), 2, test::kPatience);
+    }
+
+    void aRecoveryFileThatCannotBeWrittenIsSaidAndTriedAgain() {
+        Recovery& recovery = window().keepRecoveryFiles(path("recovery"), {10, 10, 10});
+        QSignalSpy written(&recovery.autosave(), &Autosave::written);
+        QSignalSpy failed(&recovery.autosave(), &Autosave::failed);
+        edit();
+        QTRY_COMPARE_WITH_TIMEOUT(written.count(), 1, test::kPatience);
+        QVERIFY(QDir(path("recovery")).removeRecursively());
+        edit();
+        QTRY_VERIFY_WITH_TIMEOUT(failed.count() > 1, test::kPatience);
+        QVERIFY(QDir(path("")).mkdir("recovery"));
+        QTRY_COMPARE_WITH_TIMEOUT(written.count(), 2, test::kPatience);
+    }
+
+    void restoringAsksBeforeItTakesTheGarmentAway() {
+        writeMesh("other.obj");
+        leaveBehind("other.obj");
+        window().keepRecoveryFiles(path("recovery"));
+        edit();
+        const DocumentState before = document().state();
+        auto& restore = fixture_->find<QPushButton>("restoreRecovery");
+        QTest::mouseClick(&restore, Qt::LeftButton);
+        QCOMPARE(asked_, 1);
+        QVERIFY(!workspace().jobs().isBusy());
+        QVERIFY(document().state() == before);
+        QVERIFY(fixture_->find<RecoveryCard>("recoveryCard").isVisible());
+        answer_ = SaveAnswer::Discard;
+        QTest::mouseClick(&restore, Qt::LeftButton);
+        QVERIFY(!restore.isEnabled());  // nor can it be discarded meanwhile
+        QTRY_COMPARE_WITH_TIMEOUT(document().title(), QString("other.obj"), test::kPatience);
+    }
+
+    void aRestoringThatFailsCanBeTriedAgain() {
+        const QString left = leaveBehind("dress.obj");
+        window().keepRecoveryFiles(path("recovery"));
+        QVERIFY(writeFile(left.toStdU16String(), "{"));
+        auto& restore = fixture_->find<QPushButton>("restoreRecovery");
+        QTest::mouseClick(&restore, Qt::LeftButton);
+        QVERIFY(waitForBanner());
+        QTRY_VERIFY_WITH_TIMEOUT(restore.isEnabled(), test::kPatience);
+    }
+
+    void aRecoveryWhoseMeshHasMovedStaysTheRecovery() {
+        QVERIFY(QDir(path("")).mkdir("elsewhere"));
+        writeMesh("elsewhere/moved.obj");
+        const QString left = leaveBehind("moved.obj", file("coat.toile"));
+        Recovery& recovery = window().keepRecoveryFiles(path("recovery"));
+        foundMesh_ = path("elsewhere/moved.obj");
+        QTest::mouseClick(&fixture_->find<QPushButton>("restoreRecovery"), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(session().title(), QString("coat.toile"), test::kPatience);
+        QCOMPARE(recovery.autosave().file(), left);
+        QVERIFY(fixture_->find<RecoveryCard>("recoveryCard").isHidden());
+        QVERIFY(session().isModified());
+    }
+
+    void aProjectThatNamesAnotherFileGetsNoName() {
+        const QString victim = path("victim.toile");
+        QVERIFY(writeFile(victim.toStdU16String(), "mine"));
+        const QString from = leaveBehind("dress.obj", victim.toStdU16String());
+        window().openFiles({from});
+        QTRY_VERIFY_WITH_TIMEOUT(session().isModified(), test::kPatience);
+        QVERIFY(session().path().empty());
+        target_ = path("chosen.toile");
+        QSignalSpy saved(&session(), &ProjectSession::saved);
+        fixture_->action(ActionId::Save).trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
+        QCOMPARE(*readFile(victim.toStdU16String()), std::string("mine"));
+    }
+};
+
+int main(int argc, char** argv) {
+    return test::run<ProjectRecoveryTest>(argc, argv);
+}
+
+#include "project_recovery_test.moc"

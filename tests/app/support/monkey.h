@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointer>
+#include <QStringList>
+#include <QTimer>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "app/actions/action_registry.h"
+#include "tests/core/support/generator.h"
+
+class QWidget;
+
+namespace toile {
+class MainWindow;
+class SceneView;
+}  // namespace toile
+
+namespace toile::test {
+
+/// Does what a person might do with a window and a garment in it, at random and without sense:
+/// mouse and keys in the views, actions, numbers in the panels, wishes to the workspace, any of it
+/// in the middle of a drag or a job. The same seed gives the same intentions; what comes of them
+/// depends on how far jobs are.
+///
+/// It never opens another garment and never leaves: those clear the history.
+class Monkey {
+public:
+    /// @param folder  where it may write
+    Monkey(MainWindow& window, Generator& random, QString folder);
+    ~Monkey();
+
+    /// Does one thing.
+    void act();
+    /// The last things it did, the latest last.
+    QStringList trace() const;
+    int actionsDone() const { return done_; }
+
+private:
+    struct Habit {
+        int weight;
+        void (Monkey::*does)();
+    };
+
+    void note(const QString& what);
+    SceneView& someView();
+    QPoint placeIn(const QWidget& widget);
+    Qt::KeyboardModifiers someModifiers();
+    Qt::MouseButton someButton();
+    /// Most widgets of the window may be gone or hidden the next moment.
+    template <class Widget>
+    Widget* someVisible(const char* name = nullptr);
+
+    void triggerAction();
+    void flattenOtherwise();
+    void click();
+    void doubleClick();
+    void drag();
+    void drawWithTool();
+    void hover();
+    void wheel();
+    void pressKey();
+    void typeShortcut();
+    void typeNumber();
+    void clickInPanel();
+    void clickInTable();
+    void editInTable();
+    void clickInHistory();
+    void undoOrRedo();
+    void searchCommand();
+    void slideMorph();
+    void select();
+    void cutSomewhere();
+    void takeOut();
+    void stateEase();
+    void layOut();
+    void choosePreference();
+    void touchFrame();
+    void cancel();
+    void pause();
+    void settle();
+    /// Something else in the middle of a drag.
+    void interrupt();
+    void answerDialogs();
+
+    MainWindow& window_;
+    Generator& random_;
+    QString folder_;
+    QTimer closer_;  ///< of what waits for a person
+    std::vector<Habit> habits_;
+    std::vector<ActionId> ids_;
+    std::deque<QString> trace_;
+    int done_ = 0, depth_ = 0;
+};
+
+}  // namespace toile::test

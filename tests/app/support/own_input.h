@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractNativeEventFilter>
+
+namespace toile::test {
+
+/// While it lives, a program under test hears of no pointer, keyboard and focus but those that the
+/// test sends it. Several tests run on one display, without a window manager: what another one's
+/// window covers, takes the focus from or leaves the pointer on is none of this one's business.
+/// Which of its own windows is active, the test says: QApplication::setActiveWindow.
+/// Of other platforms than X11 nothing is held back. An application must be there.
+class OwnInput : public QAbstractNativeEventFilter {
+public:
+    OwnInput();
+
+    bool nativeEventFilter(const QByteArray& kind, void* message, qintptr* result) override;
+};
+
+}  // namespace toile::test

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QDirIterator>
+#include <QFile>
+#include <QMap>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+#include <algorithm>
+
+#include "app/actions/action_registry.h"
+#include "app/compare/comparison_rows.h"
+#include "app/resources.h"
+#include "app/settings/language.h"
+
+using namespace toile;
+
+namespace {
+
+/// Texts that have come in since the last translation; none in a release.
+constexpr int kMayBeUnfinished = 0;
+
+struct Message {
+    QString context, source, translation;
+    bool unfinished = false;
+};
+
+/// The text, or its first form where it depends on a number.
+QString firstForm(QXmlStreamReader& xml) {
+    QString text;
+    while (xml.readNext() != QXmlStreamReader::EndElement || xml.name() != u"translation") {
+        if (xml.isStartElement() && xml.name() == u"numerusform") {
+            const QString form = xml.readElementText();
+            text = text.isEmpty() ? form : text;
+        } else if (xml.isCharacters() && !xml.isWhitespace()) {
+            text += xml.text();
+        }
+    }
+    return text;
+}
+
+QList<Message> messagesOf(const QString& path) {
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    QXmlStreamReader xml(&file);
+    QList<Message> messages;
+    QString context;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) {
+            continue;
+        }
+        if (xml.name() == u"name") {
+            context = xml.readElementText();
+        } else if (xml.name() == u"message") {
+            messages.push_back({context, {}, {}});
+        } else if (xml.name() == u"source") {
+            messages.back().source = xml.readElementText();
+        } else if (xml.name() == u"translation") {
+            messages.back().unfinished = xml.attributes().value("type") == u"unfinished";
+            messages.back().translation = firstForm(xml);
+        }
+    }
+    return messages;
+}
+
+QStringList placeholders(const QString& text) {
+    static const QRegularExpression pattern("%(L?\\d|n)");
+    QStringList found;
+    for (auto match = pattern.globalMatch(text); match.hasNext();) {
+        found << match.next().captured();
+    }
+    found.sort();
+    return found;
+}
+
+/// What the pattern finds first in every file of the window that it fits, by the file's name.
+QMap<QString, QString> firstInFiles(const QRegularExpression& pattern) {
+    QMap<QString, QString> found;
+    QDirIterator files(TOILE_SOURCE_DIR "/app", {"*.cpp", "*.h"}, QDir::Files,
+                       QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        QFile file(files.next());
+        if (file.open(QIODevice::ReadOnly)) {
+            if (const auto match = pattern.match(QString::fromUtf8(file.readAll()));
+                match.hasMatch()) {
+                found[file.fileName()] = match.captured(1);
+            }
+        }
+    }
+    return found;
+}
+
+bool hasMnemonic(const QString& text) {
+    return withoutMnemonic(text) != text;
+}
+
+}  // namespace
+
+/// The translations as files, and one of them at work.
+class TranslationTest : public QObject {
+    Q_OBJECT
+
+private:
+    QList<Message> german_;
+
+private slots:
+    void initTestCase() {
+        loadResources();
+        german_ = messagesOf(TOILE_SOURCE_DIR "/resources/translations/toile_de.ts");
+        QVERIFY(german_.size() > 300);
+    }
+
+    void germanIsComplete() {
+        int unfinished = 0;
+        for (const Message& message : german_) {
+            if (message.unfinished || message.translation.isEmpty()) {
+                ++unfinished;
+                qInfo().noquote() << "not translated:" << message.context << message.source;
+            }
+        }
+        QVERIFY2(unfinished <= kMayBeUnfinished, qPrintable(QString::number(unfinished)));
+    }
+
+    void germanKnowsEveryTextOfTheWindow() {
+        // Collected anew: a text that the file has not met would be shown in English, unnoticed.
+        QTemporaryDir folder;
+        const QString fresh = folder.filePath("fresh.ts");
+        QProcess lupdate;
+        lupdate.setWorkingDirectory(TOILE_SOURCE_DIR);
+        lupdate.setStandardOutputFile(QProcess::nullDevice());
+        lupdate.setStandardErrorFile(QProcess::nullDevice());
+        lupdate.start(TOILE_LUPDATE,
+                      {"app", "core/base/error.cpp", "core/check", "-I", ".", "-extensions",
+                       "cpp,h", "-tr-function-alias", "QT_TR_NOOP+=TR", "-locations", "none",
+                       "-target-language", "de", "-ts", fresh});
+        QVERIFY(lupdate.waitForFinished(120000));
+        QCOMPARE(lupdate.exitCode(), 0);
+        const auto texts = [](const QList<Message>& messages) {
+            QSet<QString> set;
+            for (const Message& message : messages) {
+                set.insert(message.context + ": " + message.source);
+            }
+            return set;
+        };
+        const QSet<QString> used = texts(messagesOf(fresh)), known = texts(german_);
+        QVERIFY(used.size() > 300);
+        for (const QString& text : used - known) {
+            qInfo().noquote() << "not in toile_de.ts:" << text;
+        }
+        for (const QString& text : known - used) {
+            qInfo().noquote() << "no more in the program:" << text;
+        }
+        QVERIFY2(used == known,
+                 "bring the file up to date: cmake --build BUILD --target translations");
+    }
+
+    void freeTextsAreLookedUpWhereTheyAreCollected() {
+        // lupdate files the tr() of a free function under its namespace, whatever it calls.
+        static const QRegularExpression helper(
+            R"(QString tr\(const char\*[^{]*\{\s*return QCoreApplication::translate\("(\w+)\")");
+        const auto contexts = firstInFiles(helper);
+        for (const QString& file : contexts.keys()) {
+            QVERIFY2(contexts[file] == "toile", qPrintable(file));
+        }
+        QVERIFY(contexts.size() > 3);
+    }
+
+    void translationsKeepWhatTheProgramFillsIn() {
+        for (const Message& message : german_) {
+            if (message.translation.isEmpty()) {
+                continue;
+            }
+            QVERIFY2(placeholders(message.source) == placeholders(message.translation),
+                     qPrintable(message.source));
+            QVERIFY2(hasMnemonic(message.source) == hasMnemonic(message.translation),
+                     qPrintable(message.source));
+            QVERIFY2(message.source.endsWith(u'…') == message.translation.endsWith(u'…'),
+                     qPrintable(message.source));
+            QVERIFY2(message.source.endsWith(u' ') == message.translation.endsWith(u' '),
+                     qPrintable(message.source));
+        }
+    }
+
+    void chosenLanguageIsSpoken() {
+        QCOMPARE(ActionRegistry().title(ActionId::Wireframe), QString("Show wireframe"));
+        useLanguage(Language::German);
+        QCOMPARE(QLocale().decimalPoint(), QString(","));
+        const ActionRegistry actions;
+        QVERIFY(actions.title(ActionId::Wireframe) != QString("Show wireframe"));
+        QVERIFY(actions.title(ActionId::Undo) != QString("Undo"));
+    }
+
+    void namesAreLookedUpWhereTheyAreCollected() {
+        // The macro's name is the one asked for at run time, the class's the one collected.
+        static const QRegularExpression macro(R"(Q_DECLARE_TR_FUNCTIONS\(([\w:]+)\))");
+        QSet<QString> contexts;
+        for (const Message& message : german_) {
+            contexts.insert(message.context);
+        }
+        const auto asked = firstInFiles(macro);
+        for (const QString& file : asked.keys()) {
+            QVERIFY2(contexts.contains(asked[file]), qPrintable(file));
+        }
+        QVERIFY(asked.size() > 3);
+    }
+
+    void comparisonIsSpokenToo() {
+        useLanguage(Language::German);
+        for (const ComparisonRow& row : comparisonRows(true)) {
+            const auto is = [&row](const Message& message) -> bool {
+                return message.context == "toile::Comparison" && message.source == row.title &&
+                       message.translation != row.title;
+            };
+            QVERIFY2(std::ranges::none_of(german_, is), qPrintable(row.title));
+        }
+    }
+};
+
+QTEST_MAIN(TranslationTest)
+#include "translation_test.moc"
