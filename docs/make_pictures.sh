@@ -1,36 +1,35 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of the documentation with the program itself, on a virtual display. Needs
-# xvfb-run and ImageMagick's convert (packages xvfb and imagemagick).
+# Makes the pictures of the documentation with the program itself: those of the methods with
+# `toile render`, which needs no display, those of the whole window on a virtual one (package xvfb).
 #
 #   docs/make_pictures.sh                     every picture
 #   docs/make_pictures.sh methods             docs/images/method-NAME.png for every method
 #   docs/make_pictures.sh methods lscm abf    for these
 #   docs/make_pictures.sh readme              those of the README
+#   IMAGES=trial docs/make_pictures.sh        into another folder than docs/images
 #   TOILE=build/release/app/toile docs/make_pictures.sh    with another program than build/ci's
 set -euo pipefail
 cd "$(dirname "$0")/.."
 toile=${TOILE:-build/ci/app/toile}
 samples=resources/samples
-images=docs/images
-export QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1
+images=${IMAGES:-docs/images}
+export LIBGL_ALWAYS_SOFTWARE=1 LC_ALL=C.UTF-8
+mkdir -p "$images"
 
-picture() { # FILE.png ARGUMENTS...: the whole window
+window_picture() { # FILE.png ARGUMENTS...: the whole window
     local file=$1
     shift
-    xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX" \
+    QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX" \
         "$toile" "$@" --screenshot "$file"
     echo "$file"
 }
 
 method_picture() { # METHOD: both views and the colour bar of the bodice, which is curved both ways
-    local whole
-    whole=$(mktemp --suffix=.png)
-    picture "$whole" "$samples/bodice.obj" --unit mm --up y --method "$1" --overlay strain >/dev/null
-    convert "$whole" -crop 1600x697+0+55 +repage -resize 1200x -strip \
-        "$images/method-$1.png"
-    rm -f "$whole"
-    echo "$images/method-$1.png"
+    local file="$images/method-$1.png"
+    env -u DISPLAY "$toile" render "$samples/bodice.obj" --unit mm --up y --method "$1" \
+        --overlay strain --size 1200x523 -o "$file"
+    echo "$file"
 }
 
 method_names() { # as the program lists them
@@ -45,10 +44,10 @@ make_methods() {
 }
 
 make_readme() {
-    picture "$images/window.png" "$samples/tshirt.obj" --unit mm
-    picture "$images/strain.png" "$samples/bodice.obj" --unit mm --up y --overlay strain
-    picture "$images/area.png" "$samples/cap.obj" --unit mm --up y --overlay area
-    picture "$images/seams.png" "$samples/tshirt.obj" --unit mm \
+    window_picture "$images/window.png" "$samples/tshirt.obj" --unit mm
+    window_picture "$images/strain.png" "$samples/bodice.obj" --unit mm --up y --overlay strain
+    window_picture "$images/area.png" "$samples/cap.obj" --unit mm --up y --overlay area
+    window_picture "$images/seams.png" "$samples/tshirt.obj" --unit mm \
         --seams "$samples/tshirt.seams.json" --method natural --panel seams
 }
 
@@ -56,5 +55,5 @@ case ${1:-all} in
     methods) make_methods "${@:2}" ;;
     readme) make_readme ;;
     all) make_methods && make_readme ;;
-    *) sed -n '3,11s/^# \{0,1\}//p' "$0" && exit 2 ;;
+    *) sed -n '3,12s/^# \{0,1\}//p' "$0" && exit 2 ;;
 esac
