@@ -181,10 +181,10 @@ private slots:
         for (int overlay = 0; overlay < kOverlayCount; ++overlay) {
             document().setOverlay(static_cast<Overlay>(overlay));
             document().setValuesPerTriangle(false);
-            QTRY_VERIFY(fixture_.window().views().isUpToDate());
+            QTRY_VERIFY_WITH_TIMEOUT(fixture_.window().views().isUpToDate(), test::kPatience);
             const QStringList smooth = figures();
             document().setValuesPerTriangle(true);
-            QTRY_VERIFY(fixture_.window().views().isUpToDate());
+            QTRY_VERIFY_WITH_TIMEOUT(fixture_.window().views().isUpToDate(), test::kPatience);
             QCOMPARE(figures(), smooth);
         }
     }

@@ -274,7 +274,7 @@ private slots:
         runner.drop(first);
         QVERIFY(!runner.isUnderWay(first) && !runner.isUnderWay(second));
         QVERIFY(runner.isUnderWay(third));
-        QTRY_COMPARE(idle.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 1, test::kPatience);
         QCOMPARE(replaced, (std::vector<bool>{true, true}));
         QCOMPARE(done, (std::vector<int>{3}));
         QVERIFY(!runner.isUnderWay(third));

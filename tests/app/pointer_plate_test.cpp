@@ -55,17 +55,18 @@ private slots:
         const QPointF middle = onPatternPiece(0);
         const auto onPiece = [&](double y) { return middle + QPointF(0, y); };
         moveTo(view, onPiece(-60));
-        QTRY_VERIFY(isThere());
-        QTRY_VERIFY(platePixels() > before + 200);
+        QTRY_VERIFY_WITH_TIMEOUT(isThere(), test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(platePixels() > before + 200, test::kPatience);
         const int one = platePixels() - before;
         for (const double y : {-20.0, 20.0, 60.0}) {
             moveTo(view, onPiece(y));
             QVERIFY(plate(view).isVisible());
-            QTRY_VERIFY(isThere());
-            QTRY_VERIFY2(platePixels() - before <= 1.2 * one, "one plate, at the pointer");
+            QTRY_VERIFY_WITH_TIMEOUT(isThere(), test::kPatience);
+            QTRY_VERIFY2_WITH_TIMEOUT(platePixels() - before <= 1.2 * one,
+                                      "one plate, at the pointer", test::kPatience);
         }
         leave(view);
-        QTRY_COMPARE(platePixels(), before);
+        QTRY_COMPARE_WITH_TIMEOUT(platePixels(), before, test::kPatience);
     }
 
     void thePlateDoesNotStayWhereTheCameraMoves() {
@@ -81,7 +82,7 @@ private slots:
         QVERIFY(isGone(patternView()));
         QVERIFY(point());
         fixture_.window().resize(fixture_.window().size() - QSize(120, 60));
-        QTRY_VERIFY(isGone(patternView()));
+        QTRY_VERIFY_WITH_TIMEOUT(isGone(patternView()), test::kPatience);
         moveTo(garmentView(), garmentView().rect().center());
         QVERIFY(plate(garmentView()).isVisible());
         garmentView().look(ViewKey::Opposite);

@@ -30,7 +30,7 @@ private slots:
         edit();
         fixture_->action(ActionId::Save).trigger();
         QTRY_COMPARE_WITH_TIMEOUT(askedAboutOthers_, 1, test::kPatience);
-        QTRY_VERIFY(!session().isSaving());
+        QTRY_VERIFY_WITH_TIMEOUT(!session().isSaving(), test::kPatience);
         QCOMPARE(*readFile(file("dress.toile")), theirs);
         QVERIFY(session().isModified());
 

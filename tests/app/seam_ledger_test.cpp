@@ -203,7 +203,8 @@ private slots:
         QCOMPARE(editor->text(), QString("2"));
         QTest::keyClicks(editor, ".5");
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(document().garment()->seams.seams[0].ease, std::optional(0.025));
+        QTRY_COMPARE_WITH_TIMEOUT(document().garment()->seams.seams[0].ease, std::optional(0.025),
+                                  test::kPatience);
     }
 
     void whatIsTypedOutlivesAReadingWithTheSameSeams() {
@@ -215,7 +216,8 @@ private slots:
         QVERIFY(document().garment() != before);
         QVERIFY(editor && editor->isVisible());
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(document().garment()->seams.seams[0].ease, std::optional(0.02));
+        QTRY_COMPARE_WITH_TIMEOUT(document().garment()->seams.seams[0].ease, std::optional(0.02),
+                                  test::kPatience);
         QCOMPARE(document().history().count(), 2);
     }
 
@@ -223,7 +225,7 @@ private slots:
         const QPointer<QLineEdit> editor = typeEase("2");
         QVERIFY(editor);
         QVERIFY(fixture_.openAndWait(fixture_.path("alone.obj")));
-        QTRY_VERIFY(!editor || !editor->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!editor || !editor->isVisible(), test::kPatience);
         QVERIFY(!document().history().canUndo());
     }
 

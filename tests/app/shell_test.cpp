@@ -351,7 +351,8 @@ private slots:
         fixture_.action(ActionId::ResetLayout).trigger();
         QVERIFY(!pieces.isFloating());
         QVERIFY(!seams.isHidden());
-        QTRY_VERIFY(!pieces.visibleRegion().isEmpty());  // the tab in front
+        QTRY_VERIFY_WITH_TIMEOUT(!pieces.visibleRegion().isEmpty(),
+                                 test::kPatience);  // the tab in front
         QCOMPARE(window().dockWidgetArea(&seams), Qt::BottomDockWidgetArea);
         QVERIFY(window().tabifiedDockWidgets(&pieces).contains(&seams));
         for (QDockWidget* dock : {&position, &fabric}) {
@@ -459,7 +460,7 @@ private slots:
         QTest::keyClick(&angle, Qt::Key_Return);
         QCOMPARE(document.history().undoText(), QString("Turn"));
         QTest::keyClick(&angle, Qt::Key_Z, Qt::ControlModifier);
-        QTRY_VERIFY(!document.history().canUndo());
+        QTRY_VERIFY_WITH_TIMEOUT(!document.history().canUndo(), test::kPatience);
         QCOMPARE(angle.value(), 0.0);
     }
 

@@ -6,8 +6,8 @@
 namespace toile::test {
 
 /// While it lives, a program under test hears of no pointer, keyboard and focus but those that the
-/// test sends it. Several tests run on one display, without a window manager: what another one's
-/// window covers, takes the focus from or leaves the pointer on is none of this one's business.
+/// test sends it: not of where the display's own pointer happens to rest, and on a desktop not of
+/// what somebody does there meanwhile.
 /// Which of its own windows is active, the test says: QApplication::setActiveWindow.
 /// Of other platforms than X11 nothing is held back. An application must be there.
 class OwnInput : public QAbstractNativeEventFilter {
