@@ -100,7 +100,9 @@ Words wordsOf(ErrorCode code) {
                     TR("They are made one"), true};
         case ErrorCode::HolesKept:
             return {"holes-kept", TR("holes in the cloth stay open inside the outline"),
-                    TR("The lengths of their rims are measured, not kept"), true};
+                    TR("The isometric method keeps the lengths of their rims; the others measure "
+                       "them only"),
+                    true};
         case ErrorCode::OutlineCrosses:
             return {"outline-crosses", TR("the flat outline crosses itself"),
                     TR("Divide the piece by a cut before it is cut out of cloth"), true};
@@ -124,6 +126,9 @@ Words wordsOf(ErrorCode code) {
                     TR("The pattern can be used as it is; look for slivers in the piece, or cut it "
                        "where it curves most"),
                     true};
+        case ErrorCode::RimsNotKept:
+            return {"rims-not-kept", TR("the rims of holes are not as long as on the garment"),
+                    TR("Cut from the rim to the outline if a patch is to be sewn in"), true};
         case ErrorCode::ClosedSurface:
             return {"closed-surface", TR("the piece is closed and has no outline"),
                     TR("Cut it open along a seam, or let Toile do it (--auto-cut)")};

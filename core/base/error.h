@@ -45,6 +45,7 @@ enum class ErrorCode {
     DegenerateTriangles,
     AnglesOutOfRange,
     EndedEarly,
+    RimsNotKept,
     // Pieces
     ClosedSurface,
     SeveralLoops,

@@ -68,7 +68,7 @@ Json notesJson(const PieceResult& result) {
     return notes;
 }
 
-/// Inner loops that stay open: their rims are measured, not kept.
+/// Inner loops that stay open.
 Json holesJson(const Piece& piece, const PieceResult& result) {
     Json holes = Json::array();
     for (const auto& hole : piece.holes) {

@@ -10,6 +10,7 @@
 #include "core/flatten/flat_notes.h"
 #include "core/flatten/flatten_with.h"
 #include "core/flatten/flattening_memory.h"
+#include "core/flatten/isometric/rim_lengths.h"
 #include "core/flatten/methods/methods.h"
 #include "core/garment/garment.h"
 
@@ -19,6 +20,9 @@ namespace {
 /// A piece whose height in the garment changes by less than this per unit of flat length lies
 /// level: a waistband or the top of a cap. "Up" says nothing there.
 constexpr double kLevelSlope = 0.2;
+/// Of the time, about, that `isometric` takes on a piece with its holes filled; the rest goes to
+/// their rims.
+constexpr double kFilledShare = 0.6;
 
 Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
                             const Progress& progress, FlatteningMemory* memory) {
@@ -94,17 +98,27 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
         return Error{ErrorCode::Cancelled, piece.name, ""};
     }
     // A hole is closed for the solve and its caps are forgotten: its rim follows the cloth around.
+    // Of the methods that keep lengths, the one that moves the interior freely keeps the rim's too.
     const std::shared_ptr<const Piece> filled = piece.holes.empty() ? nullptr : filledPiece(piece);
     if (memory != nullptr && filled) {
         memory->present = filled;
     }
-    auto flat = runMethod(filled ? *filled : piece, options, progress, memory);
+    const bool keepsRims = filled && options.method == Method::Isometric;
+    auto flat = runMethod(filled ? *filled : piece, options,
+                          Progress(progress, keepsRims ? kFilledShare : 1), memory);
+    if (flat) {
+        flat->Q.conservativeResize(piece.mesh.V.rows(), 2);
+    }
+    if (flat && keepsRims) {
+        if (const auto kept = keepRimLengths(piece, options.quality, *flat, progress); !kept) {
+            flat = kept.error();
+        }
+    }
     if (!flat) {
         Error error = flat.error();
         error.where = piece.name;
         return error;
     }
-    flat->Q.conservativeResize(piece.mesh.V.rows(), 2);
     standUpright(piece.mesh.V, flat->Q);
     if (!flat->Q.allFinite()) {
         return Error{ErrorCode::NotFinite, piece.name, "flat positions"};

@@ -70,7 +70,8 @@ struct FlatPiece {
 };
 
 /// Flattens one piece. The y axis points where the 3D +y axis points as seen in the plane.
-/// Holes are filled for the solve; the lengths of their rims are not kept.
+/// Holes are filled for the solve. The lengths of their rims are kept by `isometric` alone, and
+/// where it cannot, a note says so.
 /// @param piece  a disk, holes aside (no defect), millimetres
 /// @errors the piece's own defect, NoClosedOutline, BoundaryNotConverged, FactorisationFailed,
 ///         NotFinite, Cancelled

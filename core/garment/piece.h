@@ -30,7 +30,7 @@ struct Piece {
     std::shared_ptr<const LazyTriMesh> halfedges;  ///< see `halfedgesOf`
     std::vector<int> boundary;  ///< the outline, surface on its left; starts at its least index
     std::vector<std::vector<int>> holes;  ///< loops inside the outline that stay open, surface on
-                                          ///< their left; their lengths are not kept when flat
+                                          ///< their left
     std::optional<Error> defect;          ///< why the piece cannot be flattened as it is
 };
 

@@ -26,7 +26,7 @@ struct SeamSide {
     bool reversed = false;  ///< runs against the outline: start > end
     double start = 0;
     double end = 0;
-    int loop = 0;  ///< 0: Piece::boundary; k: Piece::holes[k - 1], whose flat length is not kept
+    int loop = 0;  ///< 0: Piece::boundary; k: Piece::holes[k - 1]
 
     double length() const { return reversed ? start - end : end - start; }
 };

@@ -46,14 +46,14 @@ Eigen::VectorXd solveCyclic(const Eigen::VectorXd& beside, const Eigen::VectorXd
 
 }  // namespace
 
-LengthConstraints::LengthConstraints(std::vector<int> boundary, Eigen::VectorXd lengths)
-    : boundary_(std::move(boundary)), lengths_(std::move(lengths)) {}
+LengthConstraints::LengthConstraints(EdgeLoops loops, Eigen::VectorXd lengths)
+    : loops_(std::move(loops)), lengths_(std::move(lengths)) {}
 
 Points2 LengthConstraints::directions(const Points2& Q) const {
     const int n = count();
     Points2 u(n, 2);
     for (int i = 0; i < n; ++i) {
-        u.row(i) = (Q.row(boundary_[(i + 1) % n]) - Q.row(boundary_[i])).normalized();
+        u.row(i) = (Q.row(loops_.end(i)) - Q.row(loops_.vertex(i))).normalized();
     }
     return u;
 }
@@ -62,7 +62,7 @@ Eigen::VectorXd LengthConstraints::residual(const Points2& Q) const {
     const int n = count();
     Eigen::VectorXd c(n);
     for (int i = 0; i < n; ++i) {
-        c[i] = (Q.row(boundary_[(i + 1) % n]) - Q.row(boundary_[i])).norm() - lengths_[i];
+        c[i] = (Q.row(loops_.end(i)) - Q.row(loops_.vertex(i))).norm() - lengths_[i];
     }
     return c;
 }
@@ -71,7 +71,7 @@ Eigen::VectorXd LengthConstraints::along(const Points2& directions, const Points
     const int n = count();
     Eigen::VectorXd rates(n);
     for (int i = 0; i < n; ++i) {
-        rates[i] = directions.row(i).dot(P.row(boundary_[(i + 1) % n]) - P.row(boundary_[i]));
+        rates[i] = directions.row(i).dot(P.row(loops_.end(i)) - P.row(loops_.vertex(i)));
     }
     return rates;
 }
@@ -80,8 +80,8 @@ void LengthConstraints::addForces(const Points2& directions, const Eigen::Vector
                                   Points2& G) const {
     const int n = count();
     for (int i = 0; i < n; ++i) {
-        G.row(boundary_[i]) -= y[i] * directions.row(i);
-        G.row(boundary_[(i + 1) % n]) += y[i] * directions.row(i);
+        G.row(loops_.vertex(i)) -= y[i] * directions.row(i);
+        G.row(loops_.end(i)) += y[i] * directions.row(i);
     }
 }
 
@@ -89,8 +89,8 @@ void LengthConstraints::addHessian(const Points2& Q, const Eigen::VectorXd& stif
                                    const Eigen::VectorXd& multipliers, BlockMatrix& hessian) const {
     const int n = count();
     for (int i = 0; i < n; ++i) {
-        const int v = boundary_[i];
-        const int w = boundary_[(i + 1) % n];
+        const int v = loops_.vertex(i);
+        const int w = loops_.end(i);
         const Eigen::Vector2d edge = Q.row(w) - Q.row(v);
         const double length = edge.norm();
         const Eigen::Matrix2d onto = edge * edge.transpose() / (length * length);
@@ -106,7 +106,7 @@ void LengthConstraints::addHessian(const Points2& Q, const Eigen::VectorXd& stif
 bool LengthConstraints::restore(Points2& Q) const {
     const int n = count();
     double extent = 0;
-    for (const int v : boundary_) {
+    for (const int v : loops_.vertices()) {
         extent = std::max(extent, Q.row(v).lpNorm<Eigen::Infinity>());
     }
     // An edge much shorter than the piece is as long as the digits of its ends can say.
@@ -126,9 +126,15 @@ bool LengthConstraints::restore(Points2& Q) const {
         const Points2 u = directions(Q);
         Eigen::VectorXd beside(n);
         for (int i = 0; i < n; ++i) {
-            beside[i] = -u.row(i).dot(u.row((i + 1) % n));
+            beside[i] = -u.row(i).dot(u.row(loops_.next(i)));
         }
-        const Eigen::VectorXd y = solveCyclic(beside, -c);
+        Eigen::VectorXd y(n);
+        for (int k = 0; k < loops_.loopCount(); ++k) {
+            const int first = loops_.start(k);
+            const int size = loops_.start(k + 1) - first;
+            y.segment(first, size) =
+                solveCyclic(beside.segment(first, size), -c.segment(first, size));
+        }
         if (!y.allFinite()) {
             return false;
         }

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
+#include "core/flatten/boundary/edge_loops.h"
 #include "core/linalg/block_matrix.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 
-/// The conditions |q_(i+1) - q_i| = l_i on the boundary edges of a piece. Immutable; O(n) each.
+/// The conditions |q_(i+1) - q_i| = l_i on the boundary edges of a piece: those of the outline, and
+/// of rims of holes where these count. Immutable; O(n) each.
 class LengthConstraints {
 public:
-    /// @param boundary  loop of vertices  @param lengths  n, unit of Q, positive
-    LengthConstraints(std::vector<int> boundary, Eigen::VectorXd lengths);
+    /// @param lengths  of the loops' edges, unit of Q, positive
+    LengthConstraints(EdgeLoops loops, Eigen::VectorXd lengths);
 
-    int count() const { return static_cast<int>(boundary_.size()); }
+    int count() const { return loops_.count(); }
+    const EdgeLoops& loops() const { return loops_; }
 
     /// Unit vectors along the edges, n x 2: with them the derivative A of the lengths by Q.
     Points2 directions(const Points2& Q) const;
@@ -30,12 +31,12 @@ public:
                     const Eigen::VectorXd& multipliers, BlockMatrix& hessian) const;
 
     /// Moves the boundary to the exact lengths, by the least motion to first order (Newton steps
-    /// on the residual, one cyclic tridiagonal solve each; quadratic). False where it does not
-    /// arrive: too far away, or the outline lies in one line.
+    /// on the residual, one cyclic tridiagonal solve per loop; quadratic). False where it does
+    /// not arrive: too far away, or a loop lies in one line.
     bool restore(Points2& Q) const;
 
 private:
-    std::vector<int> boundary_;
+    EdgeLoops loops_;
     Eigen::VectorXd lengths_;
 };
 

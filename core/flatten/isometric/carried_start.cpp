@@ -177,7 +177,7 @@ std::optional<IsometricStart> CarriedStart::fromCoarse(double tolerance,
         return std::nullopt;
     }
     Piece coarse = makePiece(piece_.name, coarsening.mesh());
-    coarse.boundary = coarsening.boundary();
+    coarse.boundary = coarsening.loops().outline();
     if (coarse.defect) {
         return std::nullopt;
     }

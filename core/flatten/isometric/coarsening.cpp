@@ -48,8 +48,8 @@ double shape3d(const Points3& V, int a, int b, int c) {
 /// Takes vertices out, in rounds of vertices with no edge between them.
 class Coarsening::Thinning {
 public:
-    Thinning(const MeshArrays& mesh, const std::vector<int>& boundary, const Points2& Q,
-             Coarsening& result, const Progress& progress)
+    Thinning(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q, Coarsening& result,
+             const Progress& progress)
         : V_(mesh.V),
           Q_(Q),
           result_(result),
@@ -60,10 +60,10 @@ public:
         for (int f = 0; f < mesh.F.rows(); ++f) {
             triangles_[f] = {mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2)};
         }
-        for (const int v : boundary) {
+        for (const int v : loops.vertices()) {
             stays_[v] = 1;
         }
-        interior_ = static_cast<int>(mesh.V.rows()) - static_cast<int>(boundary.size());
+        interior_ = static_cast<int>(mesh.V.rows()) - loops.count();
     }
 
     void thinTo(int wanted) {
@@ -217,10 +217,10 @@ private:
     int interior_ = 0;
 };
 
-Coarsening::Coarsening(const MeshArrays& mesh, const std::vector<int>& boundary, const Points2& Q,
-                       int wanted, const Progress& progress)
-    : fineCount_(mesh.V.rows()) {
-    Thinning thinning(mesh, boundary, Q, *this, progress);
+Coarsening::Coarsening(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q, int wanted,
+                       const Progress& progress)
+    : loops_(loops), fineCount_(mesh.V.rows()) {
+    Thinning thinning(mesh, loops, Q, *this, progress);
     thinning.thinTo(wanted);
     std::vector<int> coarse(static_cast<std::size_t>(fineCount_), -1);
     for (int v = 0; v < fineCount_; ++v) {
@@ -240,16 +240,14 @@ Coarsening::Coarsening(const MeshArrays& mesh, const std::vector<int>& boundary,
             mesh_.F(static_cast<Eigen::Index>(f), k) = coarse[triangles[f][k]];
         }
     }
-    for (const int v : boundary) {
-        boundary_.push_back(coarse[v]);
-    }
+    loops_ = loops.renumbered(coarse);
 }
 
-Coarsening::Coarsening(const MeshArrays& mesh, const std::vector<int>& boundary, const Points2& Q,
+Coarsening::Coarsening(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q,
                        const Progress& progress)
-    : Coarsening(mesh, boundary, Q,
+    : Coarsening(mesh, loops, Q,
                  static_cast<int>(kKept * (static_cast<double>(mesh.V.rows()) -
-                                           static_cast<double>(boundary.size()))),
+                                           static_cast<double>(loops.count()))),
                  progress) {}
 
 bool Coarsening::savesWork() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/flatten/boundary/edge_loops.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -17,23 +18,23 @@ namespace toile {
 /// Immutable. Cost: linear.
 class Coarsening {
 public:
-    /// @param mesh  a disk  @param boundary  its boundary loop
+    /// @param mesh  a disk, holes aside  @param loops  its boundary, all of it
     /// @param Q  its flattening, #V x 2, no flipped triangle
     /// @param wanted  number of interior vertices to stop at; more stay where none can go
     /// @param progress  looked at only; once cancelled fewer vertices are taken out
-    Coarsening(const MeshArrays& mesh, const std::vector<int>& boundary, const Points2& Q,
-               int wanted, const Progress& progress);
+    Coarsening(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q, int wanted,
+               const Progress& progress);
 
     /// The same, with a tenth of the inner vertices wanted: the coarse piece that is solved before,
     /// or beside, the fine one.
-    Coarsening(const MeshArrays& mesh, const std::vector<int>& boundary, const Points2& Q,
+    Coarsening(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q,
                const Progress& progress);
     /// False where so many vertices had to stay that solving the coarse piece saves nothing.
     bool savesWork() const;
 
-    /// The coarse disk and its boundary loop, in the same order as the fine one's.
+    /// The coarse disk and its boundary, in the same order as the fine one's.
     const MeshArrays& mesh() const { return mesh_; }
-    const std::vector<int>& boundary() const { return boundary_; }
+    const EdgeLoops& loops() const { return loops_; }
 
     /// The coarse vertices' rows of a fine flattening.
     Points2 restricted(const Points2& fine) const;
@@ -66,7 +67,7 @@ private:
     class Thinning;
 
     MeshArrays mesh_;
-    std::vector<int> boundary_;
+    EdgeLoops loops_;
     std::vector<int> kept_;  ///< fine vertex of each coarse one, ascending
     Eigen::Index fineCount_;
     std::vector<Removal> removals_;

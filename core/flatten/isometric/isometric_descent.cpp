@@ -15,6 +15,9 @@ namespace toile {
 namespace {
 
 constexpr int kMaxCorrections = 6;
+constexpr double kExactLength = 1e-9;      // error of an edge's length, in parts of it
+constexpr int kMaxApproaches = 12;         // to exact lengths, from a start that has none
+constexpr double kLeastApproach = 0.05;    // of the way, for the next to be worth trying
 constexpr double kSmallCorrection = 1e-3;  // of an edge: the boundary alone may take it
 constexpr double kLargestCorrection = 1;   // of an edge: the quadratic model says nothing beyond
 constexpr double kSufficientDecrease = 1e-4;
@@ -39,15 +42,14 @@ double dot(const Points2& a, const Points2& b) {
 
 class Descent {
 public:
-    Descent(const MeshArrays& mesh, const EdgeTable& table, const std::vector<int>& boundary,
+    Descent(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,
             const DescentOptions& options, const Progress& progress)
         : progress_(progress),
-          boundary_(boundary),
-          lengths_(boundaryLengths3d(mesh.V, boundary)),
-          objective_(mesh, table, boundary, lengths_, options.keepOutlineSimple),
-          constraints_(boundary, lengths_),
-          kkt_(mesh, boundary, lengths_, constraints_, options.keepOutlineSimple, options.sizes,
-               progress),
+          outline_(loops.outline()),
+          lengths_(loops.lengths3d(mesh.V)),
+          objective_(mesh, table, loops, lengths_, options.keepOutlineSimple),
+          constraints_(loops, lengths_),
+          kkt_(mesh, lengths_, constraints_, options.keepOutlineSimple, options.sizes, progress),
           multipliers_(options.multipliers.size() > 0 ? options.multipliers
                                                       : Eigen::VectorXd::Zero(lengths_.size())) {
         kkt_.adopt(options.model);
@@ -92,7 +94,7 @@ public:
             }
             IsometricObjective::Value reached = objective_.evaluate(moved);
             if (reached.total < at.total - 2 * kSufficientDecrease * t * promised &&
-                (!objective_.keepsOutlineSimple() || outlineIsSimple(moved, boundary_))) {
+                mayLieSo(moved)) {
                 Points2 slope = objective_.gradient(moved, reached);
                 memory_.add(moved - Q, lagrangian(moved, slope) - lagrangian(Q, slope_));
                 slope_ = std::move(slope);
@@ -102,6 +104,41 @@ public:
             }
         }
         return 0;
+    }
+
+    bool hasLengths(const Points2& Q) const {
+        const Eigen::VectorXd c = constraints_.residual(Q);
+        return c.cwiseQuotient(lengths_).lpNorm<Eigen::Infinity>() <= kExactLength;
+    }
+
+    /// Moves a start whose lengths are only near to where they are exact, as quadratic models find
+    /// cheapest on the way; in one go, or as far at a time as no triangle loses its area.
+    Result<void> makeExact(Points2& Q, IsometricObjective::Value& at) {
+        double part = 1;
+        for (int k = 0; k < kMaxApproaches && part > kLeastApproach; ++k) {
+            if (const auto renewed = renew(Q, at); !renewed) {
+                return renewed.error();
+            }
+            Points2 exact = Q;
+            if (regainLengths(exact)) {
+                IsometricObjective::Value there = objective_.evaluate(exact);
+                if (std::isfinite(there.total) && mayLieSo(exact)) {
+                    Q = std::move(exact);
+                    at = std::move(there);
+                    return {};
+                }
+            }
+            Eigen::VectorXd y = Eigen::VectorXd::Zero(lengths_.size());
+            const auto P = kkt_.solve(Points2::Zero(Q.rows(), 2), constraints_.residual(Q), y);
+            if (!P) {
+                return P.error();
+            }
+            part = kBackOff * objective_.largestStep(Q, *P, 1 / kBackOff);
+            Q += part * *P;
+            at = objective_.evaluate(Q);
+            relax(Q, at);
+        }
+        return Error{ErrorCode::BoundaryNotConverged, "", "the lengths are too far from exact"};
     }
 
     /// After a step that single triangles stopped: gives them room.
@@ -118,6 +155,10 @@ public:
     const KktSolver& kkt() const { return kkt_; }
 
 private:
+    bool mayLieSo(const Points2& Q) const {
+        return !objective_.keepsOutlineSimple() || outlineIsSimple(Q, outline_);
+    }
+
     /// @param slope  the objective's gradient at Q
     Points2 lagrangian(const Points2& Q, const Points2& slope) const {
         Points2 g = slope;
@@ -186,7 +227,7 @@ private:
     }
 
     const Progress& progress_;
-    const std::vector<int>& boundary_;
+    std::vector<int> outline_;
     Eigen::VectorXd lengths_;
     IsometricObjective objective_;
     LengthConstraints constraints_;
@@ -198,17 +239,40 @@ private:
 
 }  // namespace
 
+DescentOptions descentOptions(Quality quality) {
+    DescentOptions options;
+    switch (quality) {
+        case Quality::Draft:
+            options.tolerance = 2e-2;
+            break;
+        case Quality::Standard:
+            options.tolerance = 1e-4;
+            break;
+        case Quality::Fine:
+            options.tolerance = 1e-7;
+            options.maxIterations = 5000;
+            break;
+    }
+    return options;
+}
+
 Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTable& table,
-                                           const std::vector<int>& boundary, const Points2& start,
+                                           const EdgeLoops& loops, const Points2& start,
                                            const DescentOptions& options,
                                            const Progress& progress) {
-    Descent descent(mesh, table, boundary, options, progress);
+    Descent descent(mesh, table, loops, options, progress);
     DescentResult result;
     result.Q = start;
     IsometricObjective::Value at = descent.objective().evaluate(start);
     if (!std::isfinite(at.total)) {
         return Error{ErrorCode::NotFinite, "", "the start has flipped triangles or touches itself"};
     }
+    if (!descent.hasLengths(start)) {
+        if (const auto exact = descent.makeExact(result.Q, at); !exact) {
+            return exact.error();
+        }
+    }
+    const Points2 exactStart = result.Q;
     double first = 0;  // promise over tolerance at the start: the way to go, by its logarithm
     DescentPace pace(options.model == nullptr);
     while (result.iterations < options.maxIterations && !progress.isCancelled()) {
@@ -261,10 +325,10 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
         return Error{ErrorCode::Cancelled, "", ""};
     }
     // The objective has fallen. Its small terms may have fallen at the cost of the distortion.
-    const double before = descent.objective().distortion(start);
+    const double before = descent.objective().distortion(exactStart);
     result.distortion = descent.objective().distortion(result.Q);
     if (result.distortion > before && !options.keepOutlineSimple) {
-        result.Q = start;
+        result.Q = exactStart;
         result.distortion = before;
     }
     return result;

@@ -6,6 +6,8 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/flatten/boundary/edge_loops.h"
+#include "core/flatten/flatten.h"
 #include "core/flatten/isometric/kkt_solver.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
@@ -28,6 +30,9 @@ struct DescentOptions {
     std::shared_ptr<const KktModel> model{};
     bool sharesModel = false;  ///< the result is to have the last model
 };
+
+/// How exactly a quality asks the descent to end.
+DescentOptions descentOptions(Quality quality);
 
 struct DescentResult {
     Points2 Q;
@@ -52,15 +57,17 @@ struct DescentResult {
 /// factorisation gives the lengths back, and the step is shortened until the objective falls, or
 /// stretched as long as it does. Where single triangles stop it, their vertices are moved first.
 ///
-/// @param mesh, table, boundary  a disk without degenerate triangles
-/// @param start  #V x 2, unit of the mesh: boundary lengths exact, no flipped triangle
+/// @param mesh, table  a disk, holes aside, without degenerate triangles
+/// @param loops  the outline alone, or all of the boundary: where rims are left out, they are free
+/// @param start  #V x 2, unit of the mesh, no flipped triangle; lengths exact, or near enough to be
+///               made so without one
 /// @param progress  told how far the tolerance is still away, on a logarithmic scale
-/// Errors: NotFinite (the start has flipped triangles), OutOfMemory, Cancelled. A step that cannot
-/// be computed ends the descent, and `converged` is false. Cost: a sparse factorisation of size 2
-/// #V per two or three iterations; for large pieces ten to twenty times some four products with
-/// the matrix per iteration. Re-entrant.
+/// Errors: NotFinite (the start has flipped triangles), BoundaryNotConverged (lengths are too far
+/// from exact), OutOfMemory, Cancelled. A step that cannot be computed ends the descent, and
+/// `converged` is false. Cost: a sparse factorisation of size 2 #V per two or three iterations; for
+/// large pieces ten to twenty times some four products with the matrix per iteration. Re-entrant.
 Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTable& table,
-                                           const std::vector<int>& boundary, const Points2& start,
+                                           const EdgeLoops& loops, const Points2& start,
                                            const DescentOptions& options, const Progress& progress);
 
 }  // namespace toile

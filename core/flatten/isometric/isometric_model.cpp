@@ -10,13 +10,11 @@ constexpr double kStiffness = 1e4;
 
 }  // namespace
 
-Eigen::VectorXd lengthStiffness(const BlockMatrix& hessian, const std::vector<int>& boundary) {
-    const std::size_t n = boundary.size();
-    Eigen::VectorXd stiffness(static_cast<Eigen::Index>(n));
-    for (std::size_t i = 0; i < n; ++i) {
-        stiffness[static_cast<Eigen::Index>(i)] =
-            kStiffness * std::max(hessian.largestOnDiagonal(boundary[i]),
-                                  hessian.largestOnDiagonal(boundary[(i + 1) % n]));
+Eigen::VectorXd lengthStiffness(const BlockMatrix& hessian, const EdgeLoops& loops) {
+    Eigen::VectorXd stiffness(loops.count());
+    for (int i = 0; i < loops.count(); ++i) {
+        stiffness[i] = kStiffness * std::max(hessian.largestOnDiagonal(loops.vertex(i)),
+                                             hessian.largestOnDiagonal(loops.end(i)));
     }
     return stiffness;
 }

@@ -16,7 +16,7 @@ struct ModelPoint {
 /// How stiff the augmented Lagrangian makes the length of each boundary edge: some ten thousand
 /// times what the objective does there, so that each back-substitution lowers the violation of the
 /// linearised lengths by about that factor. @param hessian  of the objective, one vertex held
-Eigen::VectorXd lengthStiffness(const BlockMatrix& hessian, const std::vector<int>& boundary);
+Eigen::VectorXd lengthStiffness(const BlockMatrix& hessian, const EdgeLoops& loops);
 
 /// Holds a vertex by a spring as stiff as it is itself: translations cost nothing, and this takes
 /// their freedom and no other.

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/quality/measures.h"
+#include <utility>
 
 namespace toile {
 namespace {
@@ -20,19 +19,19 @@ std::pair<int, int> ordered(int v, int w) {
 }  // namespace
 
 IsometricObjective::IsometricObjective(const MeshArrays& mesh, const EdgeTable& table,
-                                       const std::vector<int>& boundary,
-                                       const Eigen::VectorXd& lengths, bool keepOutlineSimple)
+                                       EdgeLoops loops, const Eigen::VectorXd& lengths,
+                                       bool keepOutlineSimple)
     : table_(table),
-      boundary_(boundary),
+      loops_(std::move(loops)),
       vertexCount_(static_cast<int>(mesh.V.rows())),
       onBoundary_(static_cast<std::size_t>(mesh.V.rows()), 0),
       energy_(mesh, table),
-      bending_(boundary, boundaryAngles3d(mesh, boundary), lengths, kOutlineStiffness) {
-    for (const int v : boundary) {
+      bending_(loops_, loops_.angles3d(mesh), lengths, kOutlineStiffness) {
+    for (const int v : loops_.vertices()) {
         onBoundary_[v] = 1;
     }
     if (keepOutlineSimple) {
-        barrier_.emplace(boundary, lengths);
+        barrier_.emplace(loops_.outline(), lengths.head(loops_.start(1)));
     }
 }
 
@@ -72,11 +71,11 @@ double IsometricObjective::largestStep(const Points2& Q, const Points2& P, doubl
 /// The mesh's edges, those from each boundary vertex to the next but one, and those between the
 /// vertices of contacts. True where the pattern is as before.
 bool IsometricObjective::layOut(const std::vector<OutlineBarrier::Contact>& contacts) {
-    const std::size_t n = boundary_.size();
+    const int n = loops_.count();
     std::vector<std::pair<int, int>> extra;
-    extra.reserve(n + 2 * contacts.size());
-    for (std::size_t i = 0; i < n; ++i) {
-        extra.push_back(ordered(boundary_[i], boundary_[(i + 2) % n]));
+    extra.reserve(static_cast<std::size_t>(n) + 2 * contacts.size());
+    for (int i = 0; i < n; ++i) {
+        extra.push_back(ordered(loops_.vertex(i), loops_.end(loops_.next(i))));
     }
     for (const OutlineBarrier::Contact& c : contacts) {
         extra.push_back(ordered(c.vertex, c.from));

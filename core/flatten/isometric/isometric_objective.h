@@ -16,10 +16,9 @@ namespace toile {
 /// thread at a time: the Hessian is filled in place.
 class IsometricObjective {
 public:
-    /// @param mesh, table, boundary  kept by reference  @param lengths  of the boundary edges
-    IsometricObjective(const MeshArrays& mesh, const EdgeTable& table,
-                       const std::vector<int>& boundary, const Eigen::VectorXd& lengths,
-                       bool keepOutlineSimple);
+    /// @param mesh, table  kept by reference  @param lengths  of the loops' edges
+    IsometricObjective(const MeshArrays& mesh, const EdgeTable& table, EdgeLoops loops,
+                       const Eigen::VectorXd& lengths, bool keepOutlineSimple);
 
     /// The objective at a point, with the contacts found there.
     struct Value {
@@ -54,7 +53,7 @@ private:
     bool layOut(const std::vector<OutlineBarrier::Contact>& contacts);
 
     const EdgeTable& table_;
-    const std::vector<int>& boundary_;
+    EdgeLoops loops_;
     int vertexCount_;
     std::vector<char> onBoundary_;  ///< by vertex
     SymmetricDirichlet energy_;

@@ -31,20 +31,20 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
     if (before < kLittleStrain || !std::isfinite(before) || inner < kFewVertices) {
         return unchanged;
     }
-    const Coarsening coarse(mesh, boundary, Q, progress);
+    const Coarsening coarse(mesh, EdgeLoops(boundary), Q, progress);
     if (!coarse.savesWork() || progress.isCancelled()) {
         return unchanged;
     }
     const EdgeTable coarseTable =
         buildEdgeTable(coarse.mesh().F, static_cast<int>(coarse.mesh().V.rows()));
     IsometricStart start =
-        coarseToFine(coarse.mesh(), coarseTable, coarse.boundary(), coarse.restricted(Q), tolerance,
-                     Progress(progress, kCoarserShare));
+        coarseToFine(coarse.mesh(), coarseTable, coarse.loops().outline(), coarse.restricted(Q),
+                     tolerance, Progress(progress, kCoarserShare));
     DescentOptions options;
     options.tolerance = tolerance;
     options.multipliers = std::move(start.multipliers);
-    auto lowest = lowerIsometricEnergy(coarse.mesh(), coarseTable, coarse.boundary(), start.Q,
-                                       options, Progress(progress, 1 - kCoarserShare));
+    auto lowest = lowerIsometricEnergy(coarse.mesh(), coarseTable, coarse.loops().outline(),
+                                       start.Q, options, Progress(progress, 1 - kCoarserShare));
     auto fine = lowest ? coarse.prolonged(lowest->Q) : std::nullopt;
     if (!fine || !std::isfinite(energy.energy(*fine))) {
         return unchanged;

@@ -22,16 +22,16 @@ constexpr double kCoarseningCost = 1;
 
 }  // namespace
 
-KktSolver::KktSolver(const MeshArrays& mesh, const std::vector<int>& boundary,
-                     const Eigen::VectorXd& lengths, const LengthConstraints& constraints,
-                     bool keepOutlineSimple, const KktSizes& sizes, const Progress& progress)
-    : boundary_(boundary),
-      constraints_(constraints),
+KktSolver::KktSolver(const MeshArrays& mesh, const Eigen::VectorXd& lengths,
+                     const LengthConstraints& constraints, bool keepOutlineSimple,
+                     const KktSizes& sizes, const Progress& progress)
+    : constraints_(constraints),
       progress_(progress),
       large_(mesh.V.rows() >= sizes.large),
       huge_(mesh.V.rows() >= sizes.huge) {
     if (large_) {
-        twoLevel_.emplace(mesh, boundary, lengths, keepOutlineSimple, progress, sizes.accuracy);
+        twoLevel_.emplace(mesh, constraints.loops(), lengths, keepOutlineSimple, progress,
+                          sizes.accuracy);
     }
 }
 
@@ -51,8 +51,8 @@ Result<void> KktSolver::renew(IsometricObjective& objective, const ModelPoint& p
         const auto hessian = objective.hessian(point.Q, point.at);
         laidOut_ = laidOut_ && hessian.samePattern;
         K_ = &hessian.matrix;
-        addSpring(hessian.matrix, boundary_.front());
-        stiffness_ = lengthStiffness(hessian.matrix, boundary_);
+        addSpring(hessian.matrix, constraints_.loops().vertex(0));
+        stiffness_ = lengthStiffness(hessian.matrix, constraints_.loops());
         addLengths(hessian.matrix, constraints_, point, stiffness_, regularisation);
         ready = layOut(point, regularisation);
         if (ready || ready.error().code != ErrorCode::FactorisationFailed) {

@@ -27,10 +27,10 @@ struct KktSizes {
 /// for a hundredth. One thread at a time; keeps references.
 class KktSolver {
 public:
-    /// @param mesh, boundary  a disk  @param lengths  of the boundary edges
-    KktSolver(const MeshArrays& mesh, const std::vector<int>& boundary,
-              const Eigen::VectorXd& lengths, const LengthConstraints& constraints,
-              bool keepOutlineSimple, const KktSizes& sizes, const Progress& progress);
+    /// @param mesh  a disk, holes aside  @param lengths  of the edges that `constraints` keeps
+    KktSolver(const MeshArrays& mesh, const Eigen::VectorXd& lengths,
+              const LengthConstraints& constraints, bool keepOutlineSimple, const KktSizes& sizes,
+              const Progress& progress);
 
     /// Takes over a model that was laid out for the same triangles, for the steps to come.
     void adopt(std::shared_ptr<const KktModel> model) { adopted_ = std::move(model); }
@@ -55,7 +55,6 @@ private:
     Result<void> factorise(const BlockMatrix& K);
     Result<void> solveOnce(const Points2& forces, Points2& P, double& first);
 
-    const std::vector<int>& boundary_;
     const LengthConstraints& constraints_;
     const Progress& progress_;
     bool large_, huge_;

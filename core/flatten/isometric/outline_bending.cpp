@@ -6,21 +6,19 @@
 
 namespace toile {
 
-OutlineBending::OutlineBending(std::vector<int> boundary, Eigen::VectorXd angles,
+OutlineBending::OutlineBending(EdgeLoops loops, Eigen::VectorXd angles,
                                const Eigen::VectorXd& lengths, double stiffness)
-    : boundary_(std::move(boundary)), angles_(std::move(angles)), weights_(lengths.size()) {
-    const Eigen::Index n = lengths.size();
-    for (Eigen::Index i = 0; i < n; ++i) {
-        weights_[i] = 0.5 * stiffness * (lengths[i] + lengths[(i + n - 1) % n]) / lengths.sum();
+    : loops_(std::move(loops)), angles_(std::move(angles)), weights_(lengths.size()) {
+    for (int i = 0; i < loops_.count(); ++i) {
+        weights_[i] = 0.5 * stiffness * (lengths[i] + lengths[loops_.previous(i)]) / lengths.sum();
     }
 }
 
 OutlineBending::Turn OutlineBending::turnAt(const Points2& Q, int i) const {
-    const int n = static_cast<int>(boundary_.size());
     Turn turn{};
-    turn.vertex[0] = boundary_[(i + n - 1) % n];
-    turn.vertex[1] = boundary_[i];
-    turn.vertex[2] = boundary_[(i + 1) % n];
+    turn.vertex[0] = loops_.vertex(loops_.previous(i));
+    turn.vertex[1] = loops_.vertex(i);
+    turn.vertex[2] = loops_.end(i);
     const Eigen::RowVector2d next = Q.row(turn.vertex[2]) - Q.row(turn.vertex[1]);
     const Eigen::RowVector2d back = Q.row(turn.vertex[0]) - Q.row(turn.vertex[1]);
     // The inner angle: from the next edge anti-clockwise to the one before.
@@ -39,7 +37,7 @@ OutlineBending::Turn OutlineBending::turnAt(const Points2& Q, int i) const {
 
 double OutlineBending::energy(const Points2& Q) const {
     double sum = 0;
-    for (int i = 0; i < static_cast<int>(boundary_.size()); ++i) {
+    for (int i = 0; i < loops_.count(); ++i) {
         const double excess = turnAt(Q, i).excess;
         sum += weights_[i] * excess * excess;
     }
@@ -47,7 +45,7 @@ double OutlineBending::energy(const Points2& Q) const {
 }
 
 void OutlineBending::addGradient(const Points2& Q, Points2& g) const {
-    for (int i = 0; i < static_cast<int>(boundary_.size()); ++i) {
+    for (int i = 0; i < loops_.count(); ++i) {
         const Turn turn = turnAt(Q, i);
         for (int k = 0; k < 3; ++k) {
             g.row(turn.vertex[k]) += 2 * weights_[i] * turn.excess * turn.slope[k];
@@ -56,7 +54,7 @@ void OutlineBending::addGradient(const Points2& Q, Points2& g) const {
 }
 
 void OutlineBending::addHessian(const Points2& Q, BlockMatrix& hessian) const {
-    for (int i = 0; i < static_cast<int>(boundary_.size()); ++i) {
+    for (int i = 0; i < loops_.count(); ++i) {
         const Turn turn = turnAt(Q, i);
         for (int a = 0; a < 3; ++a) {
             const Eigen::RowVector2d pull = 2 * weights_[i] * turn.slope[a];

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
+#include "core/flatten/boundary/edge_loops.h"
 #include "core/linalg/block_matrix.h"
 #include "core/mesh/mesh_arrays.h"
 
@@ -12,13 +11,14 @@ namespace toile {
 /// objective of [Wang05] eq. (9) with a weight in proportion to the edges beside the vertex. Where
 /// lengths are kept but the cloth would rather be shorter, an outline without it buckles into a
 /// zigzag of single edges, which nobody can sew. A smooth change of the outline's shape costs next
-/// to nothing: its change per vertex goes to zero with the edges' length. Immutable; O(n) each.
+/// to nothing: its change per vertex goes to zero with the edges' length. The same for rims of
+/// holes. Immutable; O(n) each.
 class OutlineBending {
 public:
     /// @param angles   alpha, radians  @param lengths  of the edges  @param stiffness  sum of all
     ///                 weights: the cost of one radian at every vertex
-    OutlineBending(std::vector<int> boundary, Eigen::VectorXd angles,
-                   const Eigen::VectorXd& lengths, double stiffness);
+    OutlineBending(EdgeLoops loops, Eigen::VectorXd angles, const Eigen::VectorXd& lengths,
+                   double stiffness);
 
     double energy(const Points2& Q) const;
     void addGradient(const Points2& Q, Points2& g) const;
@@ -37,7 +37,7 @@ private:
 
     Turn turnAt(const Points2& Q, int i) const;
 
-    std::vector<int> boundary_;
+    EdgeLoops loops_;
     Eigen::VectorXd angles_;
     Eigen::VectorXd weights_;
 };

@@ -25,12 +25,12 @@ double dot(const Points2& a, const Points2& b) {
 
 /// The coarse piece and its matrix.
 struct TwoLevelSolver::Coarse {
-    Coarse(const MeshArrays& mesh, const std::vector<int>& boundary, const Points2& Q,
+    Coarse(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q,
            const Eigen::VectorXd& lengths, bool keepOutlineSimple, const Progress& progress)
-        : piece(mesh, boundary, Q, progress),
+        : piece(mesh, loops, Q, progress),
           table(buildEdgeTable(piece.mesh().F, static_cast<int>(piece.mesh().V.rows()))),
-          objective(piece.mesh(), table, piece.boundary(), lengths, keepOutlineSimple),
-          constraints(piece.boundary(), lengths) {}
+          objective(piece.mesh(), table, piece.loops(), lengths, keepOutlineSimple),
+          constraints(piece.loops(), lengths) {}
     Coarse(const Coarse&) = delete;
     Coarse& operator=(const Coarse&) = delete;
 
@@ -41,11 +41,11 @@ struct TwoLevelSolver::Coarse {
     SparseCholesky cholesky;
 };
 
-TwoLevelSolver::TwoLevelSolver(const MeshArrays& mesh, const std::vector<int>& boundary,
+TwoLevelSolver::TwoLevelSolver(const MeshArrays& mesh, EdgeLoops loops,
                                const Eigen::VectorXd& lengths, bool keepOutlineSimple,
                                const Progress& progress, double accuracy)
     : mesh_(mesh),
-      boundary_(boundary),
+      loops_(std::move(loops)),
       lengths_(lengths),
       keepOutlineSimple_(keepOutlineSimple),
       progress_(progress),
@@ -58,8 +58,8 @@ Result<void> TwoLevelSolver::renew(const BlockMatrix& K, const ModelPoint& point
     K_ = &K;
     coarse_.reset();
     // Made anew each time: its triangles must not be flipped at this point.
-    coarse_ = std::make_unique<Coarse>(mesh_, boundary_, point.Q, lengths_, keepOutlineSimple_,
-                                       progress_);
+    coarse_ =
+        std::make_unique<Coarse>(mesh_, loops_, point.Q, lengths_, keepOutlineSimple_, progress_);
     if (progress_.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
@@ -69,7 +69,7 @@ Result<void> TwoLevelSolver::renew(const BlockMatrix& K, const ModelPoint& point
     const Points2 Q = coarse_->piece.restricted(point.Q);
     const auto at = coarse_->objective.evaluate(Q);
     BlockMatrix& coarse = coarse_->objective.hessian(Q, at).matrix;
-    addSpring(coarse, coarse_->piece.boundary().front());
+    addSpring(coarse, coarse_->piece.loops().vertex(0));
     addLengths(coarse, coarse_->constraints, {Q, at, point.multipliers}, stiffness, regularisation);
     if (progress_.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};

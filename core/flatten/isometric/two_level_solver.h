@@ -21,10 +21,10 @@ public:
     /// What is left of the first guess's error in the norm of the matrix's energy.
     static constexpr double kAccuracy = 1e-2;
 
-    /// @param mesh, boundary  a disk  @param lengths  of the boundary edges
-    TwoLevelSolver(const MeshArrays& mesh, const std::vector<int>& boundary,
-                   const Eigen::VectorXd& lengths, bool keepOutlineSimple, const Progress& progress,
-                   double accuracy = kAccuracy);
+    /// @param mesh  a disk, holes aside  @param lengths  of the loops' edges; both kept by
+    /// reference
+    TwoLevelSolver(const MeshArrays& mesh, EdgeLoops loops, const Eigen::VectorXd& lengths,
+                   bool keepOutlineSimple, const Progress& progress, double accuracy = kAccuracy);
     ~TwoLevelSolver();
 
     /// Lays out the coarse level for a matrix of the fine one.
@@ -54,7 +54,7 @@ private:
     std::optional<Points2> precondition(const Points2& residual);
 
     const MeshArrays& mesh_;
-    const std::vector<int>& boundary_;
+    EdgeLoops loops_;
     const Eigen::VectorXd& lengths_;
     bool keepOutlineSimple_;
     const Progress& progress_;

@@ -54,23 +54,6 @@ constexpr double kUncrossShare = 0.2;
 constexpr double kAgainShare = 0.1;   // of an attempt from the last one
 constexpr double kCoarseShare = 0.3;  // of the descent's
 
-DescentOptions optionsFor(Quality quality) {
-    DescentOptions options;
-    switch (quality) {
-        case Quality::Draft:
-            options.tolerance = 2e-2;
-            break;
-        case Quality::Standard:
-            options.tolerance = 1e-4;
-            break;
-        case Quality::Fine:
-            options.tolerance = 1e-7;
-            options.maxIterations = 5000;
-            break;
-    }
-    return options;
-}
-
 /// Where the descent begins: at the conformal result, which is the best start, unless it has flips
 /// (its energy is infinite then) or triangles squeezed to almost nothing. Then Tutte's embedding on
 /// a circle, which cannot have flips, if that is better.
@@ -230,7 +213,7 @@ FlatPiece figuresOf(const FlatPiece& flat) {
 Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions& options,
                                        const CarriedStart* carried, const Stopwatch& time,
                                        const Progress& progress, FlatteningMemory* memory) {
-    DescentOptions descent = optionsFor(options.quality);
+    DescentOptions descent = descentOptions(options.quality);
     descent.sharesModel = memory != nullptr;
     FlattenOptions conformal = options;
     conformal.authalic = 0;
@@ -269,7 +252,7 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
     std::optional<CarriedStart> carried;
     if (memory != nullptr && memory->Q) {
         carried.emplace(piece, *memory);
-        DescentOptions descent = optionsFor(options.quality);
+        DescentOptions descent = descentOptions(options.quality);
         descent.sharesModel = true;
         auto again = descendFromCarried(piece, descent, *carried, Progress(all, kCarriedShare));
         if (all.isCancelled()) {

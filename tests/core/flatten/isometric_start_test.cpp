@@ -44,11 +44,12 @@ TEST(Coarsening, KeepsTheBoundaryAndFlipsNothing) {
     const int inner = static_cast<int>(Q.rows()) - static_cast<int>(piece->boundary.size());
     const Coarsening coarse(piece->mesh, piece->boundary, Q, inner / 5, Progress());
     EXPECT_LT(coarse.mesh().V.rows(), Q.rows() / 2);
-    ASSERT_EQ(coarse.boundary().size(), piece->boundary.size());
+    ASSERT_EQ(coarse.loops().vertices().size(), piece->boundary.size());
     const Points2 flat = coarse.restricted(Q);
-    for (std::size_t i = 0; i < coarse.boundary().size(); ++i) {
-        EXPECT_EQ(coarse.mesh().V.row(coarse.boundary()[i]), piece->mesh.V.row(piece->boundary[i]));
-        EXPECT_EQ(flat.row(coarse.boundary()[i]), Q.row(piece->boundary[i]));
+    for (std::size_t i = 0; i < coarse.loops().vertices().size(); ++i) {
+        EXPECT_EQ(coarse.mesh().V.row(coarse.loops().vertices()[i]),
+                  piece->mesh.V.row(piece->boundary[i]));
+        EXPECT_EQ(flat.row(coarse.loops().vertices()[i]), Q.row(piece->boundary[i]));
     }
     EXPECT_EQ(flippedTriangles(triangleAreas2d(flat, coarse.mesh().F)), 0);
     // A disk still: Euler's count.

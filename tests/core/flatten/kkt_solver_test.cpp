@@ -32,7 +32,7 @@ struct Strained {
           multipliers(Eigen::VectorXd::LinSpaced(lengths.size(), -1e-3, 1e-3)) {}
 
     KktSolver solver(const KktSizes& sizes, const Progress& progress) const {
-        return {piece->mesh, piece->boundary, lengths, constraints, false, sizes, progress};
+        return {piece->mesh, lengths, constraints, false, sizes, progress};
     }
     ModelPoint point() const { return {Q, at, multipliers}; }
 

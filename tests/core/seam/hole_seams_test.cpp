@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A patch that was cut out of a piece is sewn to the rim of the hole it left.
 #include <algorithm>
-#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -17,39 +16,6 @@ namespace {
 using test::asPiece;
 using test::Pieces;
 
-using Inside = std::function<bool(const Eigen::RowVector3d&)>;
-
-/// The triangles whose middle is inside, with the vertices that they use.
-MeshArrays triangles(const MeshArrays& mesh, const Inside& inside) {
-    MeshArrays part;
-    std::vector<int> number(static_cast<std::size_t>(mesh.V.rows()), -1);
-    part.V.resize(mesh.V.rows(), 3);
-    part.F.resize(mesh.F.rows(), 3);
-    int vertices = 0;
-    Eigen::Index faces = 0;
-    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
-        Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
-        for (int k = 0; k < 3; ++k) {
-            middle += mesh.V.row(mesh.F(f, k)) / 3;
-        }
-        if (!inside(middle)) {
-            continue;
-        }
-        for (int k = 0; k < 3; ++k) {
-            int& known = number[static_cast<std::size_t>(mesh.F(f, k))];
-            if (known < 0) {
-                known = vertices++;
-                part.V.row(known) = mesh.V.row(mesh.F(f, k));
-            }
-            part.F(faces, k) = known;
-        }
-        ++faces;
-    }
-    part.V.conservativeResize(vertices, 3);
-    part.F.conservativeResize(faces, 3);
-    return part;
-}
-
 bool inPatch(const Eigen::RowVector3d& p) {
     return p.x() > 40 && p.x() < 70 && p.y() > 30 && p.y() < 80;
 }
@@ -63,11 +29,11 @@ MeshArrays sheet() {
 }
 
 MeshArrays sheetWithHole() {
-    return triangles(sheet(), [](const auto& p) -> bool { return !inPatch(p); });
+    return test::part(sheet(), [](const auto& p) -> bool { return !inPatch(p); });
 }
 
 MeshArrays patch() {
-    return triangles(sheet(), inPatch);
+    return test::part(sheet(), inPatch);
 }
 
 TEST(HoleSeams, ThePatchIsSewnToTheRimAllRound) {
@@ -115,10 +81,10 @@ TEST(HoleSeams, AHoleThatNothingIsSewnToIsNoEdgeOfTheGraph) {
 
 TEST(HoleSeams, TwoPatchesFindTheirOwnHoles) {
     const Pieces pieces = test::welded(
-        {asPiece(triangles(sheet(),
-                           [](const auto& p) -> bool { return !inPatch(p) && !inSecondPatch(p); }),
+        {asPiece(test::part(sheet(),
+                            [](const auto& p) -> bool { return !inPatch(p) && !inSecondPatch(p); }),
                  "back"),
-         asPiece(patch(), "pocket"), asPiece(triangles(sheet(), inSecondPatch), "flap")});
+         asPiece(patch(), "pocket"), asPiece(test::part(sheet(), inSecondPatch), "flap")});
     const SeamGraph graph = findSeams(pieces);
     test::expectSound(graph, pieces);
     const Seam pocket = test::named(graph, "back / pocket");
@@ -134,10 +100,12 @@ TEST(HoleSeams, TwoPatchesFindTheirOwnHoles) {
 TEST(HoleSeams, APatchOfTwoPartsLeavesTwoSeams) {
     const Pieces pieces = test::welded(
         {asPiece(sheetWithHole(), "back"),
-         asPiece(triangles(sheet(), [](const auto& p) -> bool { return inPatch(p) && p.y() < 60; }),
-                 "lower"),
-         asPiece(triangles(sheet(), [](const auto& p) -> bool { return inPatch(p) && p.y() > 60; }),
-                 "upper")});
+         asPiece(
+             test::part(sheet(), [](const auto& p) -> bool { return inPatch(p) && p.y() < 60; }),
+             "lower"),
+         asPiece(
+             test::part(sheet(), [](const auto& p) -> bool { return inPatch(p) && p.y() > 60; }),
+             "upper")});
     const SeamGraph graph = findSeams(pieces);
     test::expectSound(graph, pieces);
     EXPECT_NEAR(test::named(graph, "back / lower").length3d[0], 90, 1e-9);
@@ -148,8 +116,9 @@ TEST(HoleSeams, APatchOfTwoPartsLeavesTwoSeams) {
 TEST(HoleSeams, HalfAPatchLeavesTheRestOfTheRimFree) {
     const Pieces pieces = test::welded(
         {asPiece(sheetWithHole(), "back"),
-         asPiece(triangles(sheet(), [](const auto& p) -> bool { return inPatch(p) && p.y() < 60; }),
-                 "lower")});
+         asPiece(
+             test::part(sheet(), [](const auto& p) -> bool { return inPatch(p) && p.y() < 60; }),
+             "lower")});
     const SeamGraph graph = findSeams(pieces);
     test::expectSound(graph, pieces);
     EXPECT_NEAR(test::named(graph, "back / lower").length3d[0], 90, 1e-9);

@@ -293,6 +293,37 @@ MeshArrays piercedTorus(int around, int across) {
     return mesh;
 }
 
+MeshArrays part(const MeshArrays& mesh,
+                const std::function<bool(const Eigen::RowVector3d& middle)>& inside) {
+    MeshArrays part;
+    std::vector<int> number(static_cast<std::size_t>(mesh.V.rows()), -1);
+    part.V.resize(mesh.V.rows(), 3);
+    part.F.resize(mesh.F.rows(), 3);
+    int vertices = 0;
+    Eigen::Index faces = 0;
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+        Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+        for (int k = 0; k < 3; ++k) {
+            middle += mesh.V.row(mesh.F(f, k)) / 3;
+        }
+        if (!inside(middle)) {
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            int& known = number[static_cast<std::size_t>(mesh.F(f, k))];
+            if (known < 0) {
+                known = vertices++;
+                part.V.row(known) = mesh.V.row(mesh.F(f, k));
+            }
+            part.F(faces, k) = known;
+        }
+        ++faces;
+    }
+    part.V.conservativeResize(vertices, 3);
+    part.F.conservativeResize(faces, 3);
+    return part;
+}
+
 Renumbered renumber(const MeshArrays& mesh, unsigned seed) {
     std::mt19937 random(seed);
     const auto shuffled = [&](Eigen::Index count) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,10 @@ MeshArrays tube(int around, int along);
 MeshArrays octahedron();
 /// A torus with one triangle taken out: one loop and one handle.
 MeshArrays piercedTorus(int around, int across);
+
+/// The triangles whose middle is inside, with the vertices that they use.
+MeshArrays part(const MeshArrays& mesh,
+                const std::function<bool(const Eigen::RowVector3d& middle)>& inside);
 
 /// The same surface with vertices renumbered and faces reordered and rotated, by a fixed seed.
 struct Renumbered {
