@@ -2,15 +2,16 @@
 #pragma once
 
 #include <QLineEdit>
-#include <QStyledItemDelegate>
+
+#include "app/widgets/cell_delegate.h"
 
 namespace toile {
 
 /// Edits a percentage in a table cell: empty at first where nothing is stated, with what the cell
 /// shows as a hint behind it.
-class EaseDelegate : public QStyledItemDelegate {
+class EaseDelegate : public CellDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using CellDelegate::CellDelegate;
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
                           const QModelIndex& index) const override {
@@ -26,7 +27,7 @@ public:
     void setEditorData(QWidget* editor, const QModelIndex& index) const override {
         const auto* line = qobject_cast<const QLineEdit*>(editor);
         if (!line || !line->isModified()) {
-            QStyledItemDelegate::setEditorData(editor, index);
+            CellDelegate::setEditorData(editor, index);
         }
     }
 };

@@ -41,7 +41,7 @@ const QColor kTrouble(214, 72, 40);
 }  // namespace
 
 PiecesModel::PiecesModel(const Document& document, QObject* parent)
-    : QAbstractTableModel(parent), document_(document) {
+    : QAbstractTableModel(parent), document_(document), rows_(document.pieceCount()) {
     connect(&document_, &Document::changed, this, &PiecesModel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &PiecesModel::showAgain);
 }
@@ -49,6 +49,7 @@ PiecesModel::PiecesModel(const Document& document, QObject* parent)
 void PiecesModel::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Garment)) {
         beginResetModel();
+        rows_ = document_.pieceCount();
         endResetModel();
         return;
     }
@@ -76,7 +77,7 @@ void PiecesModel::showColumns(int first, int last) {
 }
 
 int PiecesModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : document_.pieceCount();
+    return parent.isValid() ? 0 : rows_;
 }
 
 int PiecesModel::columnCount(const QModelIndex& parent) const {
@@ -84,7 +85,8 @@ int PiecesModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant PiecesModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid() || index.row() >= rowCount()) {
+    // Between a change and the reset that follows there may be more rows than pieces.
+    if (!index.isValid() || index.row() >= std::min(rowCount(), document_.pieceCount())) {
         return {};
     }
     const int row = index.row(), column = index.column();

@@ -77,6 +77,7 @@ private:
     bool isStale(int row) const;
 
     const Document& document_;
+    int rows_ = 0;
 };
 
 }  // namespace toile

@@ -2,16 +2,16 @@
 #pragma once
 
 #include <QSpinBox>
-#include <QStyledItemDelegate>
 
 #include "app/document/piece_edits.h"
+#include "app/widgets/cell_delegate.h"
 
 namespace toile {
 
 /// Edits how many of a piece are cut, in a table cell.
-class QuantityDelegate : public QStyledItemDelegate {
+class QuantityDelegate : public CellDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using CellDelegate::CellDelegate;
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
                           const QModelIndex&) const override {

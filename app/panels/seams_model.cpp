@@ -5,6 +5,7 @@
 #include <QBrush>
 #include <QFont>
 #include <QPalette>
+#include <algorithm>
 #include <cmath>
 
 #include "app/document/document.h"
@@ -71,24 +72,19 @@ void SeamsModel::showAgain() {
 }
 
 void SeamsModel::measureAll() {
+    garment_ = document_.garment();
     measures_.clear();
-    names_.clear();
     for (int i = 0; i < document_.seamCount(); ++i) {
-        measures_.push_back(measured(*document_.garment(), document_.results(), i));
-        names_.push_back(seam(i).name);
+        measures_.push_back(measured(*garment_, document_.results(), i));
     }
 }
 
 bool SeamsModel::hasTheSameRows() const {
-    if (document_.seamCount() != rowCount()) {
-        return false;
+    if (!garment_ || !document_.garment()) {
+        return garment_ == document_.garment();
     }
-    for (int i = 0; i < rowCount(); ++i) {
-        if (seam(i).name != names_[static_cast<std::size_t>(i)]) {
-            return false;
-        }
-    }
-    return true;
+    return std::ranges::equal(garment_->seams.seams, document_.garment()->seams.seams, {},
+                              &Seam::name, &Seam::name);
 }
 
 int SeamsModel::rowCount(const QModelIndex& parent) const {
@@ -100,7 +96,7 @@ int SeamsModel::columnCount(const QModelIndex& parent) const {
 }
 
 const Seam& SeamsModel::seam(int row) const {
-    return document_.garment()->seams.seams[static_cast<std::size_t>(row)];
+    return garment_->seams.seams[static_cast<std::size_t>(row)];
 }
 
 Qt::ItemFlags SeamsModel::flags(const QModelIndex& index) const {
@@ -257,7 +253,7 @@ QVariant SeamsModel::sortValue(int row, int column) const {
 }
 
 QString SeamsModel::summary() const {
-    return measures_.empty() ? QString() : seamSummary(document_.garment()->seams, measures_);
+    return measures_.empty() ? QString() : seamSummary(garment_->seams, measures_);
 }
 
 QVariant SeamsModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/document/document_change.h"
@@ -12,6 +12,7 @@
 namespace toile {
 
 class Document;
+struct Garment;
 struct Seam;
 
 /// The document's seams and free edges as a table: row i is seam i, measured on the flat pieces.
@@ -66,8 +67,9 @@ private:
     QVariant background(int row, int column) const;
 
     const Document& document_;
+    /// Whose seams the rows are: until a reset has begun, those before the change that led to it.
+    std::shared_ptr<const Garment> garment_;
     std::vector<std::optional<SeamMeasure>> measures_;  ///< one per seam
-    std::vector<std::string> names_;                    ///< likewise
 };
 
 }  // namespace toile

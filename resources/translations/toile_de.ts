@@ -2027,10 +2027,6 @@
         <translation>Löcher im Stoff bleiben innerhalb des Umrisses offen</translation>
     </message>
     <message>
-        <source>The lengths of their rims are measured, not kept</source>
-        <translation>Die Längen ihrer Ränder werden gemessen, nicht gehalten</translation>
-    </message>
-    <message>
         <source>the flat outline crosses itself</source>
         <translation>der flache Umriss kreuzt sich selbst</translation>
     </message>
@@ -2792,6 +2788,18 @@
     <message>
         <source>%1 (limit %2)</source>
         <translation>%1 (Grenze %2)</translation>
+    </message>
+    <message>
+        <source>The isometric method keeps the lengths of their rims; the others measure them only</source>
+        <translation>Die isometrische Methode hält die Längen ihrer Ränder ein; die anderen messen sie nur</translation>
+    </message>
+    <message>
+        <source>the rims of holes are not as long as on the garment</source>
+        <translation>die Ränder von Löchern sind nicht so lang wie am Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Cut from the rim to the outline if a patch is to be sewn in</source>
+        <translation>Schneiden Sie vom Rand zum Umriss, wenn ein Flicken eingenäht werden soll</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,15 @@ private:
     QModelIndex cell(int row, int column) { return table().model()->index(row, column); }
     QPoint middleOf(const QModelIndex& index) { return table().visualRect(index).center(); }
 
+    /// With no seam, so that no row stays.
+    void showAnotherGarment() {
+        DocumentState next = document().state();
+        next.garment = test::makeGarment({{"alone", test::makeSheet(50, 40, 5, 4)}});
+        next.results = {};
+        next.scene = nullptr;
+        document().edit("Another", next);
+    }
+
     /// Opens the editor of the first seam's ease and types there.
     QPointer<QLineEdit> typeEase(const QString& text) {
         table().setFocus();
@@ -67,19 +76,30 @@ private slots:
 
     void anEditorGoesWithItsRowWhoeverHasTheKeyboard() {
         const test::Warnings warnings;
+        for (const bool elsewhere : {false, true}) {
+            const QPointer<QLineEdit> editor = typeEase("7");
+            QVERIFY(editor);
+            if (elsewhere) {  // the person looks at another window: nothing of this one has it
+                QApplication::setActiveWindow(nullptr);
+            }
+            showAnotherGarment();
+            QTRY_VERIFY_WITH_TIMEOUT(!editor, test::kPatience);
+            QApplication::setActiveWindow(&fixture_.window());
+            document().history().undo();
+            QVERIFY(fixture_.waitForResults());
+        }
+        QVERIFY2(warnings.texts().isEmpty(), qPrintable(warnings.texts().join('\n')));
+    }
+
+    void whatIsEnteredCountsBeforeWhatComesNext() {
+        const test::Warnings warnings;
         const QPointer<QLineEdit> editor = typeEase("7");
         QVERIFY(editor);
-        // The person looks at another window: nothing of this one has the focus.
-        QApplication::setActiveWindow(nullptr);
-        DocumentState next = document().state();
-        next.garment = test::makeGarment({{"alone", test::makeSheet(50, 40, 5, 4)}});
-        next.results = {};
-        next.scene = nullptr;
-        document().edit("Another", next);
+        QTest::keyClick(editor, Qt::Key_Return);
+        showAnotherGarment();  // before any other event
         QTRY_VERIFY_WITH_TIMEOUT(!editor, test::kPatience);
-        QApplication::setActiveWindow(&fixture_.window());
         document().history().undo();
-        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().garment()->seams.seams[0].ease, std::optional(0.07));
         QVERIFY2(warnings.texts().isEmpty(), qPrintable(warnings.texts().join('\n')));
     }
 

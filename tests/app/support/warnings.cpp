@@ -16,11 +16,8 @@ bool isOfThePlatform(const QString& text, const char* category) {
     if (category && QLatin1String(category).startsWith(QLatin1String("qt.qpa"))) {
         return true;
     }
-    // The last is Qt's word on an editor that loses the focus after its row has gone: what was
-    // typed is dropped, as it should be.
     for (const char* known : {"XDG_RUNTIME_DIR", "propagateSizeHints", "Mesa", "libEGL", "D-Bus",
-                              "QStandardPaths", "This plugin supports grabbing the mouse",
-                              "with an editor that does not belong to this view"}) {
+                              "QStandardPaths", "This plugin supports grabbing the mouse"}) {
         if (text.contains(QLatin1String(known))) {
             return true;
         }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractSpinBox>
+#include <QKeyEvent>
+#include <QPointer>
+#include <QStyledItemDelegate>
+
+namespace toile {
+
+/// Edits the cells of a list. Enter takes what was typed at once; Qt would do so with the next
+/// round of events, when the row may have gone already.
+class CellDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override {
+        auto* editor = qobject_cast<QWidget*>(object);
+        const bool isKey = editor && event->type() == QEvent::KeyPress;
+        const int key = isKey ? static_cast<const QKeyEvent*>(event)->key() : 0;
+        if (key != Qt::Key_Return && key != Qt::Key_Enter) {
+            return QStyledItemDelegate::eventFilter(object, event);
+        }
+        if (auto* box = qobject_cast<QAbstractSpinBox*>(editor)) {
+            box->interpretText();
+        }
+        const QPointer<QWidget> still(editor);
+        emit commitData(editor);
+        if (still && still->isVisible()) {  // else what came of it has closed it
+            emit closeEditor(editor, SubmitModelCache);
+        }
+        return true;
+    }
+};
+
+}  // namespace toile
