@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "core/garment/piece.h"
 
 namespace toile {
 
 namespace {
 
 constexpr Eigen::Index kCandidates = 250;
-constexpr std::size_t kOutlineSamples = 400;
+constexpr std::size_t kEdgeSamples = 400;
 /// Along a band every place is as far from the outline: this much settles it for the middle.
 constexpr double kPullToCentre = 0.3;
 /// A piece is narrow where the cloth about its name is less wide than this part of its extent, and
@@ -22,27 +25,40 @@ Eigen::Vector2d faceMiddle(const Points2& Q, const Triangles& F, Eigen::Index fa
     return (Q.row(F(face, 0)) + Q.row(F(face, 1)) + Q.row(F(face, 2))).transpose() / 3.0;
 }
 
-double distanceToOutline(const Points2& Q, const std::vector<int>& boundary,
-                         const Eigen::Vector2d& point) {
-    const std::size_t step = std::max<std::size_t>(1, boundary.size() / kOutlineSamples);
+/// Some vertices of the outline and the rims of holes.
+std::vector<Eigen::Vector2d> edgePoints(const Piece& piece, const Points2& Q) {
+    std::vector<int> vertices = piece.boundary;
+    for (const auto& rim : piece.holes) {
+        vertices.insert(vertices.end(), rim.begin(), rim.end());
+    }
+    const std::size_t step = std::max<std::size_t>(1, vertices.size() / kEdgeSamples);
+    std::vector<Eigen::Vector2d> points;
+    for (std::size_t i = 0; i < vertices.size(); i += step) {
+        points.emplace_back(Q.row(vertices[i]));
+    }
+    return points;
+}
+
+double distanceTo(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& place) {
     double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < boundary.size(); i += step) {
-        least = std::min(least, (Q.row(boundary[i]).transpose() - point).squaredNorm());
+    for (const Eigen::Vector2d& point : points) {
+        least = std::min(least, (point - place).squaredNorm());
     }
     return std::sqrt(least);
 }
 
 }  // namespace
 
-Eigen::Vector2d labelPoint(const Points2& Q, const Triangles& F, const std::vector<int>& boundary) {
+Eigen::Vector2d labelPoint(const Piece& piece, const Points2& Q) {
+    const Triangles& F = piece.mesh.F;
+    const auto edges = edgePoints(piece, Q);
     const Eigen::Index step = std::max<Eigen::Index>(1, F.rows() / kCandidates);
     const Eigen::Vector2d centre = Q.colwise().mean().transpose();
     Eigen::Vector2d best = Eigen::Vector2d::Zero();
     double bestScore = std::numeric_limits<double>::lowest();
     for (Eigen::Index f = 0; f < F.rows(); f += step) {
         const Eigen::Vector2d middle = faceMiddle(Q, F, f);
-        const double score =
-            distanceToOutline(Q, boundary, middle) - kPullToCentre * (middle - centre).norm();
+        const double score = distanceTo(edges, middle) - kPullToCentre * (middle - centre).norm();
         if (score > bestScore) {
             best = middle;
             bestScore = score;
@@ -51,10 +67,11 @@ Eigen::Vector2d labelPoint(const Points2& Q, const Triangles& F, const std::vect
     return best;
 }
 
-Eigen::Vector2d arrowPoint(const Points2& Q, const Triangles& F, const std::vector<int>& boundary,
-                           const Eigen::Vector2d& label) {
+Eigen::Vector2d arrowPoint(const Piece& piece, const Points2& Q, const Eigen::Vector2d& label) {
+    const Triangles& F = piece.mesh.F;
+    const auto edges = edgePoints(piece, Q);
     const double extent = (Q.colwise().maxCoeff() - Q.colwise().minCoeff()).norm();
-    if (2 * distanceToOutline(Q, boundary, label) >= kNarrow * extent) {
+    if (2 * distanceTo(edges, label) >= kNarrow * extent) {
         return label;
     }
     const Eigen::Index step = std::max<Eigen::Index>(1, F.rows() / kCandidates);
@@ -63,7 +80,7 @@ Eigen::Vector2d arrowPoint(const Points2& Q, const Triangles& F, const std::vect
     for (Eigen::Index f = 0; f < F.rows(); f += step) {
         const Eigen::Vector2d middle = faceMiddle(Q, F, f);
         const double away = (middle - label).norm();
-        const double score = distanceToOutline(Q, boundary, middle) - kPullToLabel * away;
+        const double score = distanceTo(edges, middle) - kPullToLabel * away;
         if (away >= kBeside * extent && score > bestScore) {
             best = middle;
             bestScore = score;

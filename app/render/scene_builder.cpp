@@ -138,8 +138,8 @@ private:
         entry.patternTree =
             TriangleTree<2>(buffers.vertices.front().flat, sizeof(PatternVertex) / sizeof(float),
                             std::span(buffers.triangles).subspan(indicesBefore));
-        entry.label = labelPoint(flat.Q, piece.mesh.F, piece.boundary);
-        entry.arrow = arrowPoint(flat.Q, piece.mesh.F, piece.boundary, entry.label);
+        entry.label = labelPoint(piece, flat.Q);
+        entry.arrow = arrowPoint(piece, flat.Q, entry.label);
     }
 
     void addFaces(const PieceValues& values) {

@@ -13,7 +13,7 @@ namespace toile {
 
 namespace {
 
-constexpr QChar kMinus(0x2212), kDash(0x2013), kEllipsis(0x2026);
+constexpr QChar kDash(0x2013), kEllipsis(0x2026);
 
 /// A metre of seam is then true to a micrometre.
 constexpr double kExact = 1e-6;

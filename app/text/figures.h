@@ -10,6 +10,9 @@ namespace toile {
 
 /// Figures of a piece as a person reads them: in the user's locale, with units, short.
 
+/// What numbers below zero begin with; a hyphen is what is typed.
+inline constexpr QChar kMinus(0x2212);
+
 /// Lengths and areas are in the person's unit (`LengthDisplay`), given in mm and mm².
 
 /// "412.3", "41.23", "16 1/4": without the unit.

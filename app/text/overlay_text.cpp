@@ -5,11 +5,11 @@
 #include <QLocale>
 #include <cmath>
 
+#include "app/text/figures.h"
+
 namespace toile {
 
 namespace {
-
-constexpr QChar kMinus(0x2212);
 
 /// The context of the translations.
 class OverlayText {

@@ -63,7 +63,7 @@ std::optional<GrainArrow> grainArrow(const Document& document, int piece,
     }
     const double grain = grainOf(document.settings()[at]);
     const Eigen::Vector2d direction(std::cos(grain), std::sin(grain));
-    const auto chord = chordAt(flatOutline(document, piece), drawn.arrow, direction);
+    const auto chord = chordAt(flatLoops(document, piece), drawn.arrow, direction);
     // The same to either side of its place, so that the middle stays while it is turned.
     const double room = chord ? std::min((chord->to - drawn.arrow).dot(direction),
                                          (drawn.arrow - chord->from).dot(direction))

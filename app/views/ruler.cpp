@@ -11,6 +11,7 @@
 
 #include "app/render/render_style.h"
 #include "app/settings/length_display.h"
+#include "app/text/figures.h"
 #include "app/views/tools/sheet_map.h"
 #include "core/base/length_text.h"
 
@@ -117,9 +118,10 @@ QString rulerText(double millimetres, const RulerUnit& unit) {
     const double finest = value * kFinestFraction;
     if (unit.inFractions && std::abs(finest - std::round(finest)) < 1e-6) {
         return QString::fromStdString(
-            lengthNumber(millimetres, {LengthUnit::Inch, kFinestFraction, "."}));
+                   lengthNumber(millimetres, {LengthUnit::Inch, kFinestFraction, "."}))
+            .replace('-', kMinus);
     }
-    return QLocale().toString(std::abs(value) < 1e-9 ? 0.0 : value, 'g', 7);
+    return QLocale().toString(std::abs(value) < 1e-9 ? 0.0 : value, 'g', 7).replace('-', kMinus);
 }
 
 void paintRulers(QPainter& painter, const RenderStyle& style, const QRect& view,

@@ -31,15 +31,15 @@ void keepOnPage(DrawnText& text, const Drawing& drawing) {
     text.position.y() = keep(text.position.y(), below, drawing.height - 0.5 * text.height);
 }
 
-void addGrainLine(Drawing& drawing, const PatternPiece& piece, const Points2& outline,
+void addGrainLine(Drawing& drawing, const PatternPiece& piece, const std::vector<Points2>& loops,
                   const DrawnText& name) {
     const Eigen::Vector2d size = textExtent(name.lines, name.height);
     const Eigen::Vector2d top = name.position + Eigen::Vector2d(0, 0.5 * name.height);
     const Eigen::AlignedBox2d words(Eigen::Vector2d(top.x() - 0.5 * size.x(), top.y() - size.y()),
                                     Eigen::Vector2d(top.x() + 0.5 * size.x(), top.y()));
-    auto line = grainLine(outline, *piece.grain, words);
+    auto line = grainLine(loops, *piece.grain, words);
     if (!line) {
-        line = grainLine(outline, *piece.grain, {});  // no room beside the name: through it
+        line = grainLine(loops, *piece.grain, {});  // no room beside the name: through it
     }
     if (line) {
         drawing.paths.push_back(
@@ -51,8 +51,11 @@ void addPiece(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d
     if (piece.outline.rows() == 0) {
         return;
     }
-    DrawnPath path{"piece-" + piece.id + "-cut", LayerKind::Cut, piece.outline};
-    path.points.rowwise() += offset.transpose();
+    std::vector<Points2> loops{piece.outline};
+    loops.insert(loops.end(), piece.holes.begin(), piece.holes.end());
+    for (Points2& loop : loops) {
+        loop.rowwise() += offset.transpose();
+    }
     std::vector<std::string> lines{piece.name};
     if (std::string note = cuttingNote(piece.quantity, piece.mirroredPair); !note.empty()) {
         lines.push_back(std::move(note));
@@ -61,21 +64,18 @@ void addPiece(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d
     if (piece.mirrored) {
         lines.push_back(kMirroredNote);
     }
-    const LabelPlace place = placeLabel(path.points, lines);
+    const LabelPlace place = placeLabel(loops, lines);
     DrawnText text{"piece-" + piece.id + "-name", LayerKind::Text, place.position, place.height,
                    std::move(lines)};
     keepOnPage(text, drawing);
-    const Points2 outline = path.points;
-    drawing.paths.push_back(std::move(path));
+    drawing.paths.push_back({"piece-" + piece.id + "-cut", LayerKind::Cut, loops.front()});
     if (piece.grain) {
-        addGrainLine(drawing, piece, outline, text);
+        addGrainLine(drawing, piece, loops, text);
     }
     drawing.texts.push_back(std::move(text));
-    for (std::size_t k = 0; k < piece.holes.size(); ++k) {
-        DrawnPath hole{"piece-" + piece.id + "--hole-" + std::to_string(k + 1), LayerKind::Cut,
-                       piece.holes[k]};
-        hole.points.rowwise() += offset.transpose();
-        drawing.paths.push_back(std::move(hole));
+    for (std::size_t k = 1; k < loops.size(); ++k) {
+        drawing.paths.push_back(
+            {"piece-" + piece.id + "--hole-" + std::to_string(k), LayerKind::Cut, loops[k]});
     }
     addSeamMarks(drawing, piece, offset);
 }

@@ -22,18 +22,20 @@ Eigen::Vector2d leftOf(const Eigen::Vector2d& direction) {
     return {-direction.y(), direction.x()};
 }
 
-/// Where the line enters and leaves the outline, as distances from the point, in pairs.
-std::vector<double> crossings(const Points2& outline, const Eigen::Vector2d& point,
+/// Where the line enters and leaves the cloth, as distances from the point, in pairs.
+std::vector<double> crossings(const std::vector<Points2>& loops, const Eigen::Vector2d& point,
                               const Eigen::Vector2d& direction) {
     std::vector<double> places;
     const Eigen::Vector2d normal = leftOf(direction);
-    const Eigen::Index count = outline.rows();
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Eigen::Vector2d a = outline.row(i).transpose() - point;
-        const Eigen::Vector2d b = outline.row((i + 1) % count).transpose() - point;
-        const double da = a.dot(normal), db = b.dot(normal);
-        if ((da < 0) != (db < 0)) {  // a vertex on the line counts for one of its edges
-            places.push_back((a + da / (da - db) * (b - a)).dot(direction));
+    for (const Points2& loop : loops) {
+        const Eigen::Index count = loop.rows();
+        for (Eigen::Index i = 0; i < count; ++i) {
+            const Eigen::Vector2d a = loop.row(i).transpose() - point;
+            const Eigen::Vector2d b = loop.row((i + 1) % count).transpose() - point;
+            const double da = a.dot(normal), db = b.dot(normal);
+            if ((da < 0) != (db < 0)) {  // a vertex on the line counts for one of its edges
+                places.push_back((a + da / (da - db) * (b - a)).dot(direction));
+            }
         }
     }
     std::ranges::sort(places);
@@ -72,9 +74,9 @@ Chord shortened(const Eigen::Vector2d& point, const Eigen::Vector2d& direction, 
 
 }  // namespace
 
-std::optional<Chord> chordAt(const Points2& outline, const Eigen::Vector2d& point,
+std::optional<Chord> chordAt(const std::vector<Points2>& loops, const Eigen::Vector2d& point,
                              const Eigen::Vector2d& direction) {
-    const std::vector<double> places = crossings(outline, point, direction);
+    const std::vector<double> places = crossings(loops, point, direction);
     std::optional<Chord> best;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < places.size(); i += 2) {
@@ -87,14 +89,14 @@ std::optional<Chord> chordAt(const Points2& outline, const Eigen::Vector2d& poin
     return best;
 }
 
-std::optional<Chord> grainLine(const Points2& outline, double angle,
+std::optional<Chord> grainLine(const std::vector<Points2>& loops, double angle,
                                const Eigen::AlignedBox2d& off) {
-    if (outline.rows() < 3 || !std::isfinite(angle)) {
+    if (loops.empty() || loops.front().rows() < 3 || !std::isfinite(angle)) {
         return std::nullopt;
     }
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
     const Eigen::Vector2d normal = leftOf(direction);
-    const Eigen::VectorXd across = outline * normal;
+    const Eigen::VectorXd across = loops.front() * normal;
     const double low = across.minCoeff(), high = across.maxCoeff();
     Eigen::AlignedBox2d around = off;
     if (!around.isEmpty()) {
@@ -107,7 +109,7 @@ std::optional<Chord> grainLine(const Points2& outline, double angle,
         const double side = k % 2 == 0 ? 1 : -1;
         const double place = 0.5 * (low + high) + side * (k + 1) / 2 * (high - low) / (kTrials + 2);
         const Eigen::Vector2d point = place * normal;
-        const std::vector<double> places = crossings(outline, point, direction);
+        const std::vector<double> places = crossings(loops, point, direction);
         for (std::size_t i = 0; i + 1 < places.size(); i += 2) {
             const Chord chord = shortened(point, direction, places[i], places[i + 1]);
             const double length = (chord.to - chord.from).norm();

@@ -49,14 +49,16 @@ std::optional<Blocked> blockedBy(const Eigen::Vector2d& a, const Eigen::Vector2d
     return Blocked{{std::min(x0, x1), std::max(x0, x1)}, (a.y() > middle) != (b.y() > middle)};
 }
 
-/// The widest range over which the whole band from `low` to `high` lies inside the outline.
-Range widestFree(const Points2& outline, double low, double high) {
+/// The widest range over which the whole band from `low` to `high` lies on the cloth.
+Range widestFree(const std::vector<Points2>& loops, double low, double high) {
     std::vector<Blocked> blocked;
-    const Eigen::Index n = outline.rows();
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const Eigen::Index next = i + 1 < n ? i + 1 : 0;
-        if (const auto part = blockedBy(outline.row(i), outline.row(next), low, high)) {
-            blocked.push_back(*part);
+    for (const Points2& loop : loops) {
+        const Eigen::Index n = loop.rows();
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Eigen::Index next = i + 1 < n ? i + 1 : 0;
+            if (const auto part = blockedBy(loop.row(i), loop.row(next), low, high)) {
+                blocked.push_back(*part);
+            }
         }
     }
     std::sort(blocked.begin(), blocked.end(),
@@ -80,9 +82,11 @@ double levelHeight(double low, double high, int k) {
     return low + (high - low) * k / (kLevels - 1);
 }
 
-/// Middle of a place where a block of this size lies inside the outline: of the levels at which it
+/// Middle of a place where a block of this size lies on the cloth: of the levels at which it
 /// fits, the run nearest to the outline's middle, and the middle of that run.
-std::optional<Eigen::Vector2d> findRoom(const Points2& outline, const Eigen::Vector2d& size) {
+std::optional<Eigen::Vector2d> findRoom(const std::vector<Points2>& loops,
+                                        const Eigen::Vector2d& size) {
+    const Points2& outline = loops.front();
     const double low = outline.col(1).minCoeff() + 0.5 * size.y();
     const double high = outline.col(1).maxCoeff() - 0.5 * size.y();
     if (low > high) {
@@ -92,7 +96,7 @@ std::optional<Eigen::Vector2d> findRoom(const Points2& outline, const Eigen::Vec
     const auto fits = [&](int k) { return k >= 0 && k < kLevels && free[k].width() >= size.x(); };
     for (int k = 0; k < kLevels; ++k) {
         const double y = levelHeight(low, high, k);
-        free[k] = widestFree(outline, y - 0.5 * size.y(), y + 0.5 * size.y());
+        free[k] = widestFree(loops, y - 0.5 * size.y(), y + 0.5 * size.y());
     }
     for (int distance = 0; distance <= kLevels / 2; ++distance) {
         for (const int nearest : {kLevels / 2 + distance, kLevels / 2 - distance}) {
@@ -114,7 +118,8 @@ std::optional<Eigen::Vector2d> findRoom(const Points2& outline, const Eigen::Vec
 }
 
 /// Of chords about equally wide, the one nearest to the outline's middle.
-Eigen::Vector2d middleOfWidestChord(const Points2& outline) {
+Eigen::Vector2d middleOfWidestChord(const std::vector<Points2>& loops) {
+    const Points2& outline = loops.front();
     const Eigen::Vector2d low = outline.colwise().minCoeff().transpose();
     const Eigen::Vector2d high = outline.colwise().maxCoeff().transpose();
     Eigen::Vector2d middle = 0.5 * (low + high);
@@ -122,7 +127,7 @@ Eigen::Vector2d middleOfWidestChord(const Points2& outline) {
     for (int distance = 0; distance <= kLevels / 2; ++distance) {
         for (const int k : {kLevels / 2 + distance, kLevels / 2 - distance}) {
             const double y = levelHeight(low.y(), high.y(), k);
-            const Range free = widestFree(outline, y, y);
+            const Range free = widestFree(loops, y, y);
             if (free.width() > kClearlyWider * width) {
                 width = free.width();
                 middle = {0.5 * (free.left + free.right), y};
@@ -144,13 +149,14 @@ Eigen::Vector2d textExtent(const std::vector<std::string>& lines, double height)
                                     1 + kLineSpacing * (rows - 1));
 }
 
-LabelPlace placeLabel(const Points2& outline, const std::vector<std::string>& lines) {
+LabelPlace placeLabel(const std::vector<Points2>& loops, const std::vector<std::string>& lines) {
+    const bool hasOutline = !loops.empty() && loops.front().rows() > 0;
     double height = kHeights.back();
     std::optional<Eigen::Vector2d> middle;
-    if (outline.rows() > 0) {
+    if (hasOutline) {
         for (const double trial : kHeights) {
             const Eigen::Vector2d clearance = Eigen::Vector2d::Constant(kClearance * trial);
-            middle = findRoom(outline, textExtent(lines, trial) + clearance);
+            middle = findRoom(loops, textExtent(lines, trial) + clearance);
             if (middle) {
                 height = trial;
                 break;
@@ -158,7 +164,7 @@ LabelPlace placeLabel(const Points2& outline, const std::vector<std::string>& li
         }
     }
     if (!middle) {
-        middle = outline.rows() > 0 ? middleOfWidestChord(outline) : Eigen::Vector2d(0, 0);
+        middle = hasOutline ? middleOfWidestChord(loops) : Eigen::Vector2d(0, 0);
     }
     middle->y() += 0.5 * (textExtent(lines, height).y() - height);  // to the first line's middle
     return {*middle, height};

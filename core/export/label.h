@@ -18,12 +18,12 @@ struct LabelPlace {
 /// character; never empty.
 Eigen::Vector2d textExtent(const std::vector<std::string>& lines, double height);
 
-/// Finds room for horizontal lines of text inside an outline, concave or narrow ones too: the
+/// Finds room for horizontal lines of text on the cloth of a piece, concave or narrow ones too: the
 /// largest height from 6 mm down to 1.5 mm for which the block fits, in the middle of the room that
 /// is nearest to the outline's middle. Where even the smallest does not fit it is centred on the
 /// outline's widest chord.
-/// @param outline  mm, closed, first point not repeated; either winding
-/// Cost: 41 passes over the outline per height tried, with a sort of the edges met.
-LabelPlace placeLabel(const Points2& outline, const std::vector<std::string>& lines);
+/// @param loops  mm, the outline, then holes; closed, first point not repeated; either winding
+/// Cost: 41 passes over the loops per height tried, with a sort of the edges met.
+LabelPlace placeLabel(const std::vector<Points2>& loops, const std::vector<std::string>& lines);
 
 }  // namespace toile

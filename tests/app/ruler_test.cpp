@@ -29,12 +29,12 @@ private slots:
         }
         QCOMPARE(rulerText(50, rulerUnit({100, 10}, LengthUnit::Millimetre)), QString("50"));
         QCOMPARE(rulerText(50, rulerUnit({100, 10}, LengthUnit::Centimetre)), QString("5"));
-        QCOMPARE(rulerText(-5, rulerUnit({5, 5}, LengthUnit::Centimetre)), QString("-0.5"));
+        QCOMPARE(rulerText(-5, rulerUnit({5, 5}, LengthUnit::Centimetre)), QString("−0.5"));
         QCOMPARE(rulerUnit({2000, 10}, LengthUnit::Centimetre).symbol, QString("m"));
         const RulerUnit inches = rulerUnit({25.4, 8}, LengthUnit::Inch);
         QCOMPARE(inches.symbol, QString("in"));
         QCOMPARE(rulerText(25.4 * 1.375, inches), QString("1 3/8"));
-        QCOMPARE(rulerText(-254, inches), QString("-10"));
+        QCOMPARE(rulerText(-254, inches), QString("−10"));
         // As on a tape: whole inches in eighths, then halves, quarters and eighths of their own.
         QCOMPARE(rulerSteps(60 / 25.4, LengthUnit::Inch).major, 25.4);
         QCOMPARE(rulerSteps(60 / 25.4, LengthUnit::Inch).parts, 8);

@@ -218,7 +218,10 @@ private slots:
         Q << 0, 0, 100, 0, 100, 30, 20, 30, 20, 70, 100, 70, 100, 100, 0, 100;
         Triangles F(6, 3);
         F << 0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 7, 4, 5, 6, 4, 6, 7;
-        const Eigen::Vector2d at = labelPoint(Q, F, {0, 1, 2, 3, 4, 5, 6, 7});
+        Piece frame;
+        frame.mesh.F = F;
+        frame.boundary = {0, 1, 2, 3, 4, 5, 6, 7};
+        const Eigen::Vector2d at = labelPoint(frame, Q);
         const bool inHole = at.x() > 20 && at.y() > 30 && at.y() < 70;
         QVERIFY(!inHole);
         QVERIFY(at.x() > 0 && at.x() < 100 && at.y() > 0 && at.y() < 100);

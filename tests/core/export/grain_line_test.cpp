@@ -29,7 +29,7 @@ bool isInside(const Points2& outline, const Eigen::Vector2d& point) {
 TEST(GrainLine, LiesInsideAlongItsDirection) {
     for (const PatternPiece& piece : test::sewingPattern().pieces) {
         for (const double angle : {0.0, 0.4, kPi / 2, 2.5}) {
-            const auto line = grainLine(piece.outline, angle, {});
+            const auto line = grainLine({piece.outline}, angle, {});
             if (!line) {
                 continue;  // no room for one
             }
@@ -46,22 +46,35 @@ TEST(GrainLine, LiesInsideAlongItsDirection) {
 TEST(GrainLine, KeepsOffTheName) {
     const Points2 outline = test::rectangle(0, 0, 200, 300);
     const Eigen::AlignedBox2d name(Eigen::Vector2d(60, 140), Eigen::Vector2d(140, 160));
-    const auto line = grainLine(outline, kPi / 2, name);
+    const auto line = grainLine({outline}, kPi / 2, name);
     ASSERT_TRUE(line);
     EXPECT_TRUE(line->from.x() < 60 || line->from.x() > 140);
     EXPECT_GT((line->to - line->from).norm(), 150);
-    EXPECT_FALSE(grainLine(outline, kPi / 2, {Eigen::Vector2d(-1, -1), Eigen::Vector2d(201, 301)}));
-    EXPECT_FALSE(grainLine(Points2(0, 2), 0, {}));
+    EXPECT_FALSE(
+        grainLine({outline}, kPi / 2, {Eigen::Vector2d(-1, -1), Eigen::Vector2d(201, 301)}));
+    EXPECT_FALSE(grainLine({Points2(0, 2)}, 0, {}));
+}
+
+TEST(GrainLine, KeepsOffHoles) {
+    const Points2 outline = test::rectangle(0, 0, 200, 300),
+                  hole = test::rectangle(80, 100, 40, 90);
+    const auto line = grainLine({outline, hole}, kPi / 2, {});
+    ASSERT_TRUE(line);
+    EXPECT_TRUE(line->from.x() < 80 || line->from.x() > 120);
+    EXPECT_GT((line->to - line->from).norm(), 200);
+    const auto chord = chordAt({outline, hole}, {100, 40}, {0, 1});
+    ASSERT_TRUE(chord);
+    EXPECT_NEAR(chord->to.y(), 100, 1e-9);
 }
 
 TEST(ChordAt, TakesTheStretchThatHoldsThePoint) {
     // A U: the line across its arms has two stretches inside.
     const Points2 outline = test::horseshoe(0, 0, 100, 20);
-    const auto chord = chordAt(outline, {90, 80}, {1, 0});
+    const auto chord = chordAt({outline}, {90, 80}, {1, 0});
     ASSERT_TRUE(chord);
     EXPECT_NEAR((chord->to - chord->from).norm(), 20, 1e-9);
     EXPECT_GT(chord->from.x(), 75);
-    EXPECT_FALSE(chordAt(outline, {0, 500}, {1, 0}));
+    EXPECT_FALSE(chordAt({outline}, {0, 500}, {1, 0}));
 }
 
 TEST(GrainLine, IsDrawnOnALayerOfItsOwnWhereStated) {

@@ -17,20 +17,22 @@ using test::rectangle;
 
 const std::vector<std::string> kLines{"front", "net outline, no allowance"};
 
-bool isInside(const Points2& outline, const Eigen::Vector2d& p) {
+bool isInside(const std::vector<Points2>& loops, const Eigen::Vector2d& p) {
     bool inside = false;
-    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
-        const Eigen::Vector2d a = outline.row(i), b = outline.row((i + 1) % outline.rows());
-        if ((a.y() > p.y()) != (b.y() > p.y()) &&
-            p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
-            inside = !inside;
+    for (const Points2& loop : loops) {
+        for (Eigen::Index i = 0; i < loop.rows(); ++i) {
+            const Eigen::Vector2d a = loop.row(i), b = loop.row((i + 1) % loop.rows());
+            if ((a.y() > p.y()) != (b.y() > p.y()) &&
+                p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+                inside = !inside;
+            }
         }
     }
     return inside;
 }
 
 /// Whether points all along the rim of the text block are inside.
-bool blockIsInside(const Points2& outline, const LabelPlace& place) {
+bool blockIsInside(const std::vector<Points2>& loops, const LabelPlace& place) {
     const Eigen::Vector2d size = textExtent(kLines, place.height);
     const Eigen::Vector2d topLeft =
         place.position + Eigen::Vector2d(-0.5 * size.x(), 0.5 * place.height);
@@ -39,7 +41,7 @@ bool blockIsInside(const Points2& outline, const LabelPlace& place) {
         for (const Eigen::Vector2d& p :
              {Eigen::Vector2d(t * size.x(), 0), Eigen::Vector2d(t * size.x(), -size.y()),
               Eigen::Vector2d(0, -t * size.y()), Eigen::Vector2d(size.x(), -t * size.y())}) {
-            if (!isInside(outline, topLeft + p)) {
+            if (!isInside(loops, topLeft + p)) {
                 return false;
             }
         }
@@ -67,7 +69,7 @@ Points2 arch(double radius, double width) {
 }
 
 TEST(PlaceLabel, IsFullSizeInTheMiddleOfAWidePiece) {
-    const LabelPlace place = placeLabel(rectangle(-50, 900, 400, 300), kLines);
+    const LabelPlace place = placeLabel({rectangle(-50, 900, 400, 300)}, kLines);
     EXPECT_DOUBLE_EQ(place.height, 6);
     EXPECT_DOUBLE_EQ(place.position.x(), 150);
     EXPECT_NEAR(place.position.y(), 1050, 6);
@@ -84,33 +86,44 @@ TEST(PlaceLabel, StaysInsideConcaveTurnedAndNarrowPieces) {
                                         turned(rectangle(0, 0, 500, 60), 0.7),
                                         turned(horseshoe(0, 0, 200, 45), 1.1)};
     for (std::size_t i = 0; i < outlines.size(); ++i) {
-        const LabelPlace place = placeLabel(outlines[i], kLines);
-        EXPECT_TRUE(blockIsInside(outlines[i], place)) << i << ": " << place.height;
+        const LabelPlace place = placeLabel({outlines[i]}, kLines);
+        EXPECT_TRUE(blockIsInside({outlines[i]}, place)) << i << ": " << place.height;
         EXPECT_GE(place.height, 1.5);
         EXPECT_LE(place.height, 6);
     }
 }
 
+TEST(PlaceLabel, KeepsOffHoles) {
+    // Round the middle of a wide piece, and most of a narrow one.
+    for (const auto& loops : {std::vector{rectangle(0, 0, 400, 300), rectangle(150, 100, 100, 100)},
+                              std::vector{rectangle(0, 0, 300, 60), rectangle(10, 8, 90, 44),
+                                          rectangle(200, 8, 90, 44)}}) {
+        const LabelPlace place = placeLabel(loops, kLines);
+        EXPECT_TRUE(blockIsInside(loops, place)) << place.position.transpose();
+        EXPECT_GE(place.height, 4);
+    }
+}
+
 TEST(PlaceLabel, DoesNotDependOnWinding) {
     const Points2 outline = horseshoe(10, 20, 300, 60);
-    const LabelPlace a = placeLabel(outline, kLines);
-    const LabelPlace b = placeLabel(outline.colwise().reverse(), kLines);
+    const LabelPlace a = placeLabel({outline}, kLines);
+    const LabelPlace b = placeLabel({Points2(outline.colwise().reverse())}, kLines);
     EXPECT_EQ(a.height, b.height);
     EXPECT_NEAR((a.position - b.position).norm(), 0, 1e-9);
 }
 
 TEST(PlaceLabel, IsAtLeastLegibleWhereNothingFits) {
-    const LabelPlace tiny = placeLabel(rectangle(5, 5, 1e-4, 1e-4), kLines);
+    const LabelPlace tiny = placeLabel({rectangle(5, 5, 1e-4, 1e-4)}, kLines);
     EXPECT_DOUBLE_EQ(tiny.height, 1.5);
     EXPECT_NEAR(tiny.position.x(), 5, 1e-3);
-    const LabelPlace band = placeLabel(rectangle(0, 0, 10, 400), kLines);
+    const LabelPlace band = placeLabel({rectangle(0, 0, 10, 400)}, kLines);
     EXPECT_DOUBLE_EQ(band.height, 1.5);
     EXPECT_NEAR(band.position.x(), 5, 1e-9);
     EXPECT_NEAR(band.position.y(), 200, 5);
-    const LabelPlace strap = placeLabel(horseshoe(0, 0, 90, 4), kLines);
+    const LabelPlace strap = placeLabel({horseshoe(0, 0, 90, 4)}, kLines);
     EXPECT_DOUBLE_EQ(strap.height, 1.5);
     EXPECT_TRUE(strap.position.allFinite());
-    EXPECT_TRUE(placeLabel(Points2(0, 2), kLines).position.allFinite());
+    EXPECT_TRUE(placeLabel({Points2(0, 2)}, kLines).position.allFinite());
 }
 
 }  // namespace
