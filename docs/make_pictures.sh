@@ -20,8 +20,7 @@ mkdir -p "$images"
 window_picture() { # FILE.png ARGUMENTS...: the whole window
     local file=$1
     shift
-    QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX" \
-        "$toile" "$@" --screenshot "$file"
+    QT_QPA_PLATFORM=xcb tests/app/own_display.sh "$toile" "$@" --screenshot "$file"
     echo "$file"
 }
 

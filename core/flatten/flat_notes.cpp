@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/flat_notes.h"
 
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/flatten/crossing_cut.h"
 #include "core/garment/piece.h"
+#include "core/quality/measures.h"
 #include "core/quality/outline_crossings.h"
 
 namespace toile {
@@ -124,6 +126,24 @@ std::optional<Error> anglesNote(const Piece& piece, const Eigen::VectorXd& angle
                  counted(count, "outline vertex") + ", " +
                      fixed(angles[first] * 180 / std::numbers::pi, 0) + " degrees at " +
                      place(piece.mesh.V.row(piece.boundary[first])) + " mm"};
+}
+
+Error endedEarlyNote(const Piece& piece, const std::string& how) {
+    return {ErrorCode::EndedEarly, piece.name, how};
+}
+
+Error rimsNote(const Piece& piece, const Points2& Q, const std::string& why) {
+    double furthest = -1;
+    std::string text;
+    for (const auto& rim : piece.holes) {
+        const double on = boundaryLengths3d(piece.mesh.V, rim).sum();
+        const double flat = boundaryLengths2d(Q, rim).sum();
+        if (std::abs(flat - on) > furthest) {
+            furthest = std::abs(flat - on);
+            text = fixed(flat, 1) + " mm flat, " + fixed(on, 1) + " mm on the garment";
+        }
+    }
+    return {ErrorCode::RimsNotKept, piece.name, why.empty() ? text : text + "; " + why};
 }
 
 }  // namespace toile

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <Eigen/Core>
 
@@ -32,5 +33,12 @@ std::optional<Error> degenerateNote(const Piece& piece);
 /// AnglesOutOfRange: wanted inner angles of the outline outside [0, 2 pi], rounding aside.
 /// @param angles  one per vertex of piece.boundary, radians
 std::optional<Error> anglesNote(const Piece& piece, const Eigen::VectorXd& angles);
+
+/// EndedEarly. @param how  "after 12 steps"
+Error endedEarlyNote(const Piece& piece, const std::string& how);
+
+/// RimsNotKept: how far the rim of a hole is from its length that is furthest off.
+/// @param why  said after it, or empty
+Error rimsNote(const Piece& piece, const Points2& Q, const std::string& why);
 
 }  // namespace toile

@@ -110,7 +110,9 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
         flat->Q.conservativeResize(piece.mesh.V.rows(), 2);
     }
     if (flat && keepsRims) {
-        if (const auto kept = keepRimLengths(piece, options.quality, *flat, progress); !kept) {
+        if (const auto kept =
+                keepRimLengths(piece, options.quality, *flat, Progress(progress, 1 - kFilledShare));
+            !kept) {
             flat = kept.error();
         }
     }

@@ -14,7 +14,7 @@
 namespace toile {
 namespace {
 
-/// A hole is no fault, but its rim may change its length, and that is to be said.
+/// A hole is no fault, but most methods change the length of its rim, and that is to be said.
 void noteHoles(Garment& garment) {
     for (const auto& piece : garment.pieces) {
         if (!piece->holes.empty()) {

@@ -103,18 +103,26 @@ void LengthConstraints::addHessian(const Points2& Q, const Eigen::VectorXd& stif
     }
 }
 
-bool LengthConstraints::restore(Points2& Q) const {
-    const int n = count();
+double LengthConstraints::worstError(const Points2& Q, const Eigen::VectorXd& residual) const {
     double extent = 0;
     for (const int v : loops_.vertices()) {
         extent = std::max(extent, Q.row(v).lpNorm<Eigen::Infinity>());
     }
     // An edge much shorter than the piece is as long as the digits of its ends can say.
     const Eigen::VectorXd allowed = (kExact * lengths_).cwiseMax(kDigits * extent);
+    return residual.cwiseQuotient(allowed).lpNorm<Eigen::Infinity>();
+}
+
+bool LengthConstraints::areKept(const Points2& Q) const {
+    return worstError(Q, residual(Q)) <= kNearlyExact;
+}
+
+bool LengthConstraints::restore(Points2& Q) const {
+    const int n = count();
     double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kMaxSteps; ++step) {
         const Eigen::VectorXd c = residual(Q);
-        const double worst = c.cwiseQuotient(allowed).lpNorm<Eigen::Infinity>();
+        const double worst = worstError(Q, c);
         if (worst <= 1) {
             return true;
         }

@@ -30,12 +30,18 @@ public:
     void addHessian(const Points2& Q, const Eigen::VectorXd& stiffness,
                     const Eigen::VectorXd& multipliers, BlockMatrix& hessian) const;
 
+    /// True where the lengths are exact, rounding of the positions aside.
+    bool areKept(const Points2& Q) const;
+
     /// Moves the boundary to the exact lengths, by the least motion to first order (Newton steps
     /// on the residual, one cyclic tridiagonal solve per loop; quadratic). False where it does
     /// not arrive: too far away, or a loop lies in one line.
     bool restore(Points2& Q) const;
 
 private:
+    /// The largest error of a length, in parts of what counts as none.
+    double worstError(const Points2& Q, const Eigen::VectorXd& residual) const;
+
     EdgeLoops loops_;
     Eigen::VectorXd lengths_;
 };

@@ -15,7 +15,6 @@ namespace toile {
 namespace {
 
 constexpr int kMaxCorrections = 6;
-constexpr double kExactLength = 1e-9;      // error of an edge's length, in parts of it
 constexpr int kMaxApproaches = 12;         // to exact lengths, from a start that has none
 constexpr double kLeastApproach = 0.05;    // of the way, for the next to be worth trying
 constexpr double kSmallCorrection = 1e-3;  // of an edge: the boundary alone may take it
@@ -45,7 +44,6 @@ public:
     Descent(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,
             const DescentOptions& options, const Progress& progress)
         : progress_(progress),
-          outline_(loops.outline()),
           lengths_(loops.lengths3d(mesh.V)),
           objective_(mesh, table, loops, lengths_, options.keepOutlineSimple),
           constraints_(loops, lengths_),
@@ -53,6 +51,9 @@ public:
           multipliers_(options.multipliers.size() > 0 ? options.multipliers
                                                       : Eigen::VectorXd::Zero(lengths_.size())) {
         kkt_.adopt(options.model);
+        for (int k = 0; k < loops.loopCount() && options.keepOutlineSimple; ++k) {
+            simpleLoops_.push_back(loops.loop(k));
+        }
     }
 
     const IsometricObjective& objective() const { return objective_; }
@@ -106,16 +107,16 @@ public:
         return 0;
     }
 
-    bool hasLengths(const Points2& Q) const {
-        const Eigen::VectorXd c = constraints_.residual(Q);
-        return c.cwiseQuotient(lengths_).lpNorm<Eigen::Infinity>() <= kExactLength;
-    }
+    bool hasLengths(const Points2& Q) const { return constraints_.areKept(Q); }
 
     /// Moves a start whose lengths are only near to where they are exact, as quadratic models find
     /// cheapest on the way; in one go, or as far at a time as no triangle loses its area.
     Result<void> makeExact(Points2& Q, IsometricObjective::Value& at) {
         double part = 1;
-        for (int k = 0; k < kMaxApproaches && part > kLeastApproach; ++k) {
+        for (int k = 0; k <= kMaxApproaches && part > kLeastApproach; ++k) {
+            if (progress_.isCancelled()) {
+                return Error{ErrorCode::Cancelled, "", ""};
+            }
             if (const auto renewed = renew(Q, at); !renewed) {
                 return renewed.error();
             }
@@ -156,7 +157,8 @@ public:
 
 private:
     bool mayLieSo(const Points2& Q) const {
-        return !objective_.keepsOutlineSimple() || outlineIsSimple(Q, outline_);
+        return std::ranges::all_of(
+            simpleLoops_, [&](const std::vector<int>& loop) { return outlineIsSimple(Q, loop); });
     }
 
     /// @param slope  the objective's gradient at Q
@@ -227,7 +229,7 @@ private:
     }
 
     const Progress& progress_;
-    std::vector<int> outline_;
+    std::vector<std::vector<int>> simpleLoops_;  ///< those that must stay so
     Eigen::VectorXd lengths_;
     IsometricObjective objective_;
     LengthConstraints constraints_;
@@ -254,6 +256,13 @@ DescentOptions descentOptions(Quality quality) {
             break;
     }
     return options;
+}
+
+bool isNear(double energy, double before) {
+    constexpr double kSlight = 2 * 0.05 * 0.05;
+    constexpr double kMost = 2 * 0.16 * 0.16;
+    constexpr double kShare = 10;  // of the energy, which is the square of the strain
+    return energy - before <= std::max(kSlight, std::min(kMost, kShare * (before - 1)));
 }
 
 Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTable& table,

@@ -19,7 +19,8 @@ struct DescentOptions {
     /// it, or has lowered it by less than twice that.
     double tolerance = 1e-4;
     int maxIterations = 500;
-    /// Keeps the outline from crossing itself (outline_barrier.h). The start must not cross itself.
+    /// Keeps the outline, and every rim, from crossing itself (outline_barrier.h). At the start
+    /// none may.
     bool keepOutlineSimple = false;
     KktSizes sizes{};
     /// Of the boundary lengths, as a descent of a like piece with the same outline left them; if
@@ -34,6 +35,12 @@ struct DescentOptions {
 /// How exactly a quality asks the descent to end.
 DescentOptions descentOptions(Quality quality);
 
+/// Whether a flattening with more conditions (an outline that does not cross itself, rims of exact
+/// length) is near one without, by their energies: it adds less than 5 % strain, root mean square
+/// (strain e in both directions costs 2 e^2). Cloth that cannot lie flat without strain anyway may
+/// be asked for some three times as much, up to 16 %. Beyond, a cut serves it better than force.
+bool isNear(double energy, double before);
+
 struct DescentResult {
     Points2 Q;
     double distortion = 0;  ///< symmetric Dirichlet energy, 1 where isometric
@@ -46,7 +53,8 @@ struct DescentResult {
 /// Lowers the symmetric Dirichlet energy of a flattening over interior and boundary positions while
 /// every boundary edge keeps its 3D length. Every iterate is feasible: exact lengths, no flipped
 /// triangle, objective (isometric_objective.h: the energy and small terms beside it) below the one
-/// before; ending early costs quality only, and the result is never worse than the start.
+/// before; ending early costs quality only, and the result is never worse than the start, or the
+/// exact one next to it.
 ///
 /// Each step minimises the convexified second-order model under the linearised length conditions
 /// (sequential quadratic programming): the KKT system is solved by the augmented Lagrangian, whose
@@ -58,7 +66,7 @@ struct DescentResult {
 /// stretched as long as it does. Where single triangles stop it, their vertices are moved first.
 ///
 /// @param mesh, table  a disk, holes aside, without degenerate triangles
-/// @param loops  the outline alone, or all of the boundary: where rims are left out, they are free
+/// @param loops  all of its boundary, the outline first
 /// @param start  #V x 2, unit of the mesh, no flipped triangle; lengths exact, or near enough to be
 ///               made so without one
 /// @param progress  told how far the tolerance is still away, on a logarithmic scale

@@ -30,8 +30,9 @@ IsometricObjective::IsometricObjective(const MeshArrays& mesh, const EdgeTable& 
     for (const int v : loops_.vertices()) {
         onBoundary_[v] = 1;
     }
-    if (keepOutlineSimple) {
-        barrier_.emplace(loops_.outline(), lengths.head(loops_.start(1)));
+    for (int k = 0; k < loops_.loopCount() && keepOutlineSimple; ++k) {
+        const int first = loops_.start(k);
+        barriers_.emplace_back(loops_.loop(k), lengths.segment(first, loops_.start(k + 1) - first));
     }
 }
 
@@ -39,10 +40,11 @@ IsometricObjective::Value IsometricObjective::evaluate(const Points2& Q) const {
     Value value{energy_.energy(Q), {}};
     if (std::isfinite(value.total)) {
         value.total += bending_.energy(Q);
-        if (barrier_) {
-            value.contacts = barrier_->contacts(Q);
-            value.total += OutlineBarrier::energy(value.contacts);
+        for (const OutlineBarrier& barrier : barriers_) {
+            const auto contacts = barrier.contacts(Q);
+            value.contacts.insert(value.contacts.end(), contacts.begin(), contacts.end());
         }
+        value.total += OutlineBarrier::energy(value.contacts);
     }
     return value;
 }
@@ -64,8 +66,11 @@ IsometricObjective::Hessian IsometricObjective::hessian(const Points2& Q, const 
 }
 
 double IsometricObjective::largestStep(const Points2& Q, const Points2& P, double limit) const {
-    const double step = energy_.largestStep(Q, P, limit);
-    return barrier_ ? barrier_->largestStep(Q, P, step) : step;
+    double step = energy_.largestStep(Q, P, limit);
+    for (const OutlineBarrier& barrier : barriers_) {
+        step = barrier.largestStep(Q, P, step);
+    }
+    return step;
 }
 
 /// The mesh's edges, those from each boundary vertex to the next but one, and those between the

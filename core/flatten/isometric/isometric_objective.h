@@ -47,7 +47,7 @@ public:
 
     /// How far along P, up to `limit`, no triangle loses its area and no contact comes to pass.
     double largestStep(const Points2& Q, const Points2& P, double limit) const;
-    bool keepsOutlineSimple() const { return barrier_.has_value(); }
+    bool keepsOutlineSimple() const { return !barriers_.empty(); }
 
 private:
     bool layOut(const std::vector<OutlineBarrier::Contact>& contacts);
@@ -58,7 +58,7 @@ private:
     std::vector<char> onBoundary_;  ///< by vertex
     SymmetricDirichlet energy_;
     OutlineBending bending_;
-    std::optional<OutlineBarrier> barrier_;
+    std::vector<OutlineBarrier> barriers_;  ///< one per loop, where loops must stay simple
     std::optional<BlockMatrix> matrix_;
     std::vector<std::pair<int, int>> extra_;  ///< pairs in the pattern beyond the mesh's edges
     std::vector<int> edgeOf_;                 ///< number of each mesh edge in the pattern

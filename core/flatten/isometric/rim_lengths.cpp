@@ -2,13 +2,13 @@
 #include "core/flatten/isometric/rim_lengths.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/stopwatch.h"
-#include "core/base/text.h"
+#include "core/flatten/flat_notes.h"
+#include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
@@ -17,7 +17,7 @@
 namespace toile {
 namespace {
 
-constexpr double kFirstShare = 0.5;  // of the time, as progress tells it
+constexpr double kFirstShare = 0.6;  // of the time, as progress tells it
 
 EdgeLoops allLoops(const Piece& piece) {
     std::vector<std::vector<int>> loops{piece.boundary};
@@ -30,36 +30,35 @@ bool rimsAreSimple(const Piece& piece, const Points2& Q) {
         piece.holes, [&](const std::vector<int>& rim) { return outlineIsSimple(Q, rim); });
 }
 
-/// Nothing where none is near.
-std::optional<DescentResult> descend(const Piece& piece, const Points2& Q, Quality quality,
-                                     const Progress& progress) {
+Result<DescentResult> descend(const Piece& piece, const Points2& Q, Quality quality,
+                              const Progress& progress) {
     const EdgeLoops loops = allLoops(piece);
     DescentOptions options = descentOptions(quality);
     auto found = lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options,
                                       Progress(progress, kFirstShare));
-    if (found && outlineIsSimple(Q, piece.boundary) && !outlineIsSimple(found->Q, piece.boundary)) {
+    const auto isSimple = [&](const Points2& at) -> bool {
+        return outlineIsSimple(at, piece.boundary) && rimsAreSimple(piece, at);
+    };
+    if (found && !isSimple(found->Q) && isSimple(Q)) {
         options.keepOutlineSimple = true;
-        found = lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options,
-                                     Progress(progress, 1 - kFirstShare));
-    }
-    if (!found || !rimsAreSimple(piece, found->Q)) {
-        return std::nullopt;
-    }
-    return std::move(*found);
-}
-
-Error rimsNotKept(const Piece& piece, const Points2& Q) {
-    double furthest = 0;
-    std::string text;
-    for (const auto& rim : piece.holes) {
-        const double on = boundaryLengths3d(piece.mesh.V, rim).sum();
-        const double flat = boundaryLengths2d(Q, rim).sum();
-        if (std::abs(flat - on) >= furthest) {
-            furthest = std::abs(flat - on);
-            text = fixed(flat, 1) + " mm flat, " + fixed(on, 1) + " mm on the garment";
+        if (auto apart = lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options,
+                                              Progress(progress, 1 - kFirstShare))) {
+            return apart;
         }
     }
-    return {ErrorCode::RimsNotKept, piece.name, text};
+    return found;
+}
+
+/// What speaks against it; empty where nothing does.
+std::string objection(const Piece& piece, const Points2& before, const DescentResult& kept) {
+    if (!rimsAreSimple(piece, kept.Q)) {
+        return "a rim would cross itself";
+    }
+    if (!outlineIsSimple(kept.Q, piece.boundary) && outlineIsSimple(before, piece.boundary)) {
+        return "the outline would cross itself";
+    }
+    const double energy = SymmetricDirichlet(piece.mesh, piece.table).energy(before);
+    return isNear(kept.distortion, energy) ? "" : "it would take too much strain";
 }
 
 }  // namespace
@@ -71,15 +70,24 @@ Result<void> keepRimLengths(const Piece& piece, Quality quality, FlatPiece& flat
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
-    if (!kept) {
-        flat.notes.push_back(rimsNotKept(piece, flat.Q));
+    if (!kept && kept.error().code == ErrorCode::OutOfMemory) {
+        return kept.error();
+    }
+    flat.interiorSeconds += time.seconds();
+    const std::string against = kept ? objection(piece, flat.Q, *kept) : "";
+    if (!kept || !against.empty()) {
+        flat.notes.push_back(rimsNote(piece, flat.Q, against));
         return {};
+    }
+    std::erase_if(flat.notes, [](const Error& e) { return e.code == ErrorCode::EndedEarly; });
+    if (!kept->converged) {
+        flat.notes.push_back(
+            endedEarlyNote(piece, "after " + std::to_string(kept->iterations) + " steps"));
     }
     flat.Q = std::move(kept->Q);
     flat.interiorIterations += kept->iterations;
     flat.angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
                                    boundaryAngles2d(flat.Q, piece.boundary));
-    flat.interiorSeconds += time.seconds();
     return {};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
+#include "core/flatten/flat_notes.h"
 #include "core/flatten/free/abf_angles.h"
 #include "core/flatten/free/conformal_energy.h"
 #include "core/flatten/free/free_boundary.h"
@@ -34,9 +35,9 @@ Result<FlatPiece> flattenAbf(const Piece& piece, const FlattenOptions& /*options
     if (flat) {
         flat->interiorIterations = planar->iterations;
         if (planar->residual > kUnmet) {
-            flat->notes.push_back({ErrorCode::EndedEarly, piece.name,
-                                   "angles that fit in the plane are met to " +
-                                       shortest(planar->residual) + " radians only"});
+            flat->notes.push_back(endedEarlyNote(piece, "angles that fit in the plane are met to " +
+                                                            shortest(planar->residual) +
+                                                            " radians only"));
         }
     }
     return flat;

@@ -23,17 +23,6 @@
 namespace toile {
 namespace {
 
-/// A simple outline is near where it adds less than 5 % strain, root mean square (strain e in both
-/// directions costs 2 e^2). Cloth that cannot lie flat without strain anyway may be asked for some
-/// three times as much, up to 16 %. Beyond, a cut serves it better than force.
-bool isNear(double simple, double crossing) {
-    constexpr double kSlight = 2 * 0.05 * 0.05;
-    constexpr double kMost = 2 * 0.16 * 0.16;
-    constexpr double kShare = 10;  // of the energy, which is the square of the strain
-    const double added = simple - crossing;
-    return added <= std::max(kSlight, std::min(kMost, kShare * (crossing - 1)));
-}
-
 /// Energy from which on another start may be better: the mean strain is beyond thirtyfold.
 constexpr double kSqueezed = 1e3;
 /// Steps after which a descent from carried positions has gone astray; most need two to six.
@@ -71,10 +60,6 @@ Result<Points2> startOf(const Piece& piece, const Points2* conformal, const Prog
         return *conformal;
     }
     return circle;
-}
-
-Error endedEarly(const Piece& piece, const std::string& how) {
-    return Error{ErrorCode::EndedEarly, piece.name, how};
 }
 
 Result<DescentResult> descend(const Piece& piece, const Points2& start,
@@ -148,7 +133,7 @@ Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece fla
     flat.notes.clear();  // what there was to say of the start
     if (!lowest.converged) {
         flat.notes.push_back(
-            endedEarly(piece, "after " + std::to_string(lowest.iterations) + " steps"));
+            endedEarlyNote(piece, "after " + std::to_string(lowest.iterations) + " steps"));
     }
     flat.interiorIterations = lowest.iterations;
     flat.Q = lowest.Q;
@@ -233,7 +218,8 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
     if (!lowest && lowest.error().code == ErrorCode::NotFinite && flat) {
         // In a piece much deeper than its rim is long even the circle's triangles vanish in
         // rounding. The conformal result is what there is; its flips are counted.
-        flat->notes.push_back(endedEarly(piece, "no start without flipped triangles was found"));
+        flat->notes.push_back(
+            endedEarlyNote(piece, "no start without flipped triangles was found"));
         return flat;
     }
     if (!lowest) {

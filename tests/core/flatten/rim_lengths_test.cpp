@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rims of holes are as long in the flat piece as on the garment.
+#include "core/flatten/isometric/rim_lengths.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,9 +11,12 @@
 
 #include "core/flatten/flatten.h"
 #include "core/flatten/isometric/isometric_descent.h"
+#include "core/flatten/piece_flattener.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
+#include "core/quality/outline_crossings.h"
 #include "core/quality/piece_quality.h"
+#include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
@@ -83,14 +88,13 @@ TEST(RimLengths, EveryEdgeKeepsItsLength) {
 
 TEST(RimLengths, CostLittleDistortion) {
     for (const auto& piece : curvedPieces()) {
-        const auto flat = flatten(*piece, by(Method::Isometric), Progress());
-        ASSERT_TRUE(flat);
-        // The least there is with the outline's lengths alone.
-        const auto free = lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, flat->Q,
-                                               {}, Progress());
-        ASSERT_TRUE(free);
-        const double least = free->distortion - 1;
-        EXPECT_LE(*measure(*piece, flat->Q).symmetricDirichlet - 1, 1.5 * least);
+        const Piece filled = withHolesFilled(*piece);
+        const auto kept = flatten(*piece, by(Method::Isometric), Progress());
+        const auto free = flatten(filled, by(Method::Isometric), Progress());
+        ASSERT_TRUE(kept && free);
+        const double least =
+            *measure(*piece, free->Q.topRows(piece->mesh.V.rows())).symmetricDirichlet - 1;
+        EXPECT_LE(*measure(*piece, kept->Q).symmetricDirichlet - 1, 1.5 * least);
     }
 }
 
@@ -119,39 +123,154 @@ TEST(RimLengths, LargePiecesComeToTheSame) {
         const auto lean =
             lowerIsometricEnergy(piece->mesh, piece->table, loops, start->Q, options, Progress());
         ASSERT_TRUE(direct && lean);
-        EXPECT_TRUE(lean->converged);
+        EXPECT_TRUE(direct->converged && lean->converged);
+        EXPECT_LE(worstError(*piece, lean->Q, piece->boundary), 1e-11);
         EXPECT_NEAR(lean->distortion, direct->distortion, 0.002 * (direct->distortion - 1));
         EXPECT_LE(worstRim(*piece, lean->Q), 1e-11);
     }
 }
 
-TEST(RimLengths, WhereNoneIsNearANoteSaysSo) {
-    // A sheet with a finger on it, open at its end: the deeper, the longer the way to the rim.
-    for (const double depth : {50.0, 200.0, 800.0}) {
-        MeshArrays mesh = test::planeGrid(60, 60, 10);
-        for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
-            const double r = (mesh.V.row(v).head<2>() - Eigen::RowVector2d(300, 300)).norm() / 100;
-            mesh.V(v, 2) = depth * std::exp(-4 * r * r * r * r);
+TEST(RimLengths, OfSlitsTooThatLieShut) {
+    // A grid, flat and bent, with a slit along its middle: the vertices there are doubled.
+    constexpr int kColumns = 20, kRows = 12, kFirst = 6, kLast = 14;
+    for (const double bend : {0.0, 0.002}) {
+        MeshArrays mesh = test::planeGrid(kColumns, kRows, 10);
+        for (auto vertex : mesh.V.rowwise()) {
+            vertex.z() = bend * (vertex.x() - 100) * (vertex.x() - 100) +
+                         bend * (vertex.y() - 60) * (vertex.y() - 60);
         }
-        const auto piece = test::asPiece(test::part(mesh, [](const Eigen::RowVector3d& p) -> bool {
-            return (p.head<2>() - Eigen::RowVector2d(300, 300)).norm() > 12;
-        }));
+        const auto onSlit = [](const Eigen::RowVector3d& p) -> bool {
+            return std::abs(p.y() - 60) < 1e-9 && p.x() > 10 * kFirst + 1e-9 &&
+                   p.x() < 10 * kLast - 1e-9;
+        };
+        std::vector<int> twin(static_cast<std::size_t>(mesh.V.rows()), -1);
+        const Eigen::Index before = mesh.V.rows();
+        mesh.V.conservativeResize(before + kLast - kFirst - 1, 3);
+        int added = static_cast<int>(before);
+        for (Eigen::Index v = 0; v < before; ++v) {
+            if (onSlit(mesh.V.row(v))) {
+                mesh.V.row(added) = mesh.V.row(v);
+                twin[static_cast<std::size_t>(v)] = added++;
+            }
+        }
+        ASSERT_EQ(added, mesh.V.rows());
+        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+            double height = 0;
+            for (int k = 0; k < 3; ++k) {
+                height += mesh.V(mesh.F(f, k), 1) / 3;
+            }
+            for (int k = 0; k < 3 && height > 60; ++k) {
+                const int other = twin[static_cast<std::size_t>(mesh.F(f, k))];
+                mesh.F(f, k) = other >= 0 ? other : mesh.F(f, k);
+            }
+        }
+        const auto piece = test::asPiece(mesh);
         ASSERT_FALSE(piece->defect) << sentence(*piece->defect);
         ASSERT_EQ(piece->holes.size(), 1U);
         const auto flat = flatten(*piece, by(Method::Isometric), Progress());
         ASSERT_TRUE(flat) << sentence(flat.error());
-        EXPECT_TRUE(flat->Q.allFinite());
-        EXPECT_LE(worstError(*piece, flat->Q, piece->boundary), 1e-11);
-        EXPECT_EQ(hasNote(*flat, ErrorCode::RimsNotKept), worstRim(*piece, flat->Q) > 1e-9);
+        for (const Error& note : flat->notes) {
+            ADD_FAILURE() << bend << ": " << sentence(note);
+        }
+        EXPECT_LE(worstRim(*piece, flat->Q), 1e-11);
+        EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
+        if (bend == 0) {
+            EXPECT_NEAR(*measure(*piece, flat->Q).symmetricDirichlet, 1, 1e-4);
+        }
     }
 }
 
+TEST(RimLengths, OfThreeEdgesToo) {
+    const MeshArrays panel = test::bentPanel(20);
+    const auto piece = test::asPiece(test::part(panel, [&](const Eigen::RowVector3d& p) -> bool {
+        return std::abs(p.x() - 300) > 15 || std::abs(p.y() - 300) > 15 || p.x() < p.y();
+    }));
+    ASSERT_EQ(piece->holes.size(), 1U);
+    EXPECT_EQ(piece->holes[0].size(), 3U);
+    const auto flat = flatten(*piece, by(Method::Isometric), Progress());
+    ASSERT_TRUE(flat);
+    EXPECT_LE(worstRim(*piece, flat->Q), 1e-11);
+}
+
+TEST(RimLengths, AreKeptAfterAnEditToo) {
+    const auto piece = curvedPieces()[1];
+    PieceFlattener flattener;
+    ASSERT_TRUE(flattener.flatten(piece, by(Method::Isometric), Progress()));
+    Piece edited = *piece;
+    edited.mesh.V(test::deepestVertex(edited), 2) += 3;
+    const auto after = std::make_shared<const Piece>(std::move(edited));
+    const auto flat = flattener.flatten(after, by(Method::Isometric), Progress());
+    ASSERT_TRUE(flat);
+    EXPECT_LE(worstRim(*after, flat->Q), 1e-11);
+    EXPECT_LE(worstError(*after, flat->Q, after->boundary), 1e-11);
+}
+
+/// A sheet with a finger on it, open at its end: the deeper, the longer the way to the rim.
+std::shared_ptr<const Piece> openFinger(double depth) {
+    MeshArrays mesh = test::planeGrid(60, 60, 10);
+    const Eigen::RowVector2d middle(300, 300);
+    for (auto vertex : mesh.V.rowwise()) {
+        const double r = (vertex.head<2>() - middle).norm() / 100;
+        vertex.z() = depth * std::exp(-4 * r * r * r * r);
+    }
+    return test::asPiece(test::part(mesh, [&](const Eigen::RowVector3d& p) -> bool {
+        return (p.head<2>() - middle).norm() > 12;
+    }));
+}
+
+TEST(RimLengths, OfDeepPiecesAreFoundToo) {
+    for (const double depth : {20.0, 50.0, 200.0, 800.0}) {
+        const auto piece = openFinger(depth);
+        ASSERT_FALSE(piece->defect) << sentence(*piece->defect);
+        ASSERT_EQ(piece->holes.size(), 1U);
+        const auto flat = flatten(*piece, by(Method::Isometric), Progress());
+        ASSERT_TRUE(flat) << sentence(flat.error());
+        EXPECT_FALSE(hasNote(*flat, ErrorCode::RimsNotKept)) << depth;
+        EXPECT_LE(worstRim(*piece, flat->Q), 1e-11);
+        EXPECT_LE(worstError(*piece, flat->Q, piece->boundary), 1e-11);
+        EXPECT_TRUE(outlineIsSimple(flat->Q, piece->holes[0]));
+        EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
+    }
+}
+
+TEST(RimLengths, OfCrumpledRimsToo) {
+    // The rim goes up and down by so much from vertex to vertex.
+    for (const double height : {0.5, 8.0, 60.0}) {
+        Piece piece = *curvedPieces()[0];
+        for (std::size_t i = 0; i < piece.holes[0].size(); ++i) {
+            piece.mesh.V(piece.holes[0][i], 2) += i % 2 == 0 ? height : -height;
+        }
+        const auto flat = flatten(piece, by(Method::Isometric), Progress());
+        ASSERT_TRUE(flat) << sentence(flat.error());
+        EXPECT_EQ(hasNote(*flat, ErrorCode::RimsNotKept), worstRim(piece, flat->Q) > 1e-11);
+        EXPECT_LE(worstError(piece, flat->Q, piece.boundary), 1e-11);
+    }
+}
+
+TEST(RimLengths, WhereThereIsNoWayANoteSaysSoAndThePieceStays) {
+    const auto piece = curvedPieces()[0];
+    const auto conformal = flatten(*piece, by(Method::Curvature), Progress());
+    ASSERT_TRUE(conformal);
+    FlatPiece flat = *conformal;
+    flat.Q.col(0) *= -1;  // all triangles turned over: no start for the descent
+    const Points2 before = flat.Q;
+    ASSERT_TRUE(keepRimLengths(*piece, Quality::Standard, flat, Progress()));
+    ASSERT_TRUE(hasNote(flat, ErrorCode::RimsNotKept));
+    EXPECT_NE(flat.notes.back().detail.find("mm on the garment"), std::string::npos);
+    EXPECT_EQ((flat.Q - before).cwiseAbs().maxCoeff(), 0);
+}
+
 TEST(RimLengths, AreCancelledWithTheRest) {
+    const auto piece = curvedPieces()[0];
+    const auto conformal = flatten(*piece, by(Method::Curvature), Progress());
+    ASSERT_TRUE(conformal);
+    FlatPiece flat = *conformal;
     Progress progress;
     progress.cancel();
-    const auto flat = flatten(*curvedPieces()[0], by(Method::Isometric), progress);
-    ASSERT_FALSE(flat);
-    EXPECT_EQ(flat.error().code, ErrorCode::Cancelled);
+    const auto kept = keepRimLengths(*piece, Quality::Standard, flat, progress);
+    ASSERT_FALSE(kept);
+    EXPECT_EQ(kept.error().code, ErrorCode::Cancelled);
+    EXPECT_EQ(flat.Q, conformal->Q);
 }
 
 }  // namespace
