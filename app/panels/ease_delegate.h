@@ -30,6 +30,15 @@ public:
             CellDelegate::setEditorData(editor, index);
         }
     }
+
+    /// Left as it was found it says nothing: what is shown is rounded.
+    void setModelData(QWidget* editor, QAbstractItemModel* model,
+                      const QModelIndex& index) const override {
+        const auto* line = qobject_cast<const QLineEdit*>(editor);
+        if (line && line->isModified()) {
+            CellDelegate::setModelData(editor, model, index);
+        }
+    }
 };
 
 }  // namespace toile

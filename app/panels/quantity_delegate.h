@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLineEdit>
 #include <QSpinBox>
 
 #include "app/document/piece_edits.h"
@@ -21,6 +22,17 @@ public:
         editor->setAlignment(Qt::AlignRight);
         editor->setRange(1, kMostCopies);
         return editor;
+    }
+
+    /// Left as it was found it says nothing, of other pieces that are selected neither.
+    void setModelData(QWidget* editor, QAbstractItemModel* model,
+                      const QModelIndex& index) const override {
+        const auto* box = qobject_cast<const QSpinBox*>(editor);
+        const auto* line = box ? box->findChild<const QLineEdit*>() : nullptr;
+        if ((line && line->isModified()) ||
+            (box && box->value() != index.data(Qt::EditRole).toInt())) {
+            CellDelegate::setModelData(editor, model, index);
+        }
     }
 };
 

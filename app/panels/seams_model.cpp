@@ -107,7 +107,8 @@ Qt::ItemFlags SeamsModel::flags(const QModelIndex& index) const {
 }
 
 bool SeamsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (role != Qt::EditRole || !flags(index).testFlag(Qt::ItemIsEditable)) {
+    if (role != Qt::EditRole || garment_ != document_.garment() ||
+        !flags(index).testFlag(Qt::ItemIsEditable)) {
         return false;
     }
     const std::optional<EnteredPercent> ease = parsePercent(value.toString());

@@ -13,7 +13,8 @@ namespace toile {
 namespace {
 
 constexpr Eigen::Index kCandidates = 250;
-constexpr std::size_t kEdgeSamples = 400;
+constexpr std::size_t kEdgeSamples = 400;  ///< of the outline, and of all rims
+constexpr std::size_t kRimSamples = 8;     ///< of each rim at least
 /// Along a band every place is as far from the outline: this much settles it for the middle.
 constexpr double kPullToCentre = 0.3;
 /// A piece is narrow where the cloth about its name is less wide than this part of its extent, and
@@ -27,14 +28,16 @@ Eigen::Vector2d faceMiddle(const Points2& Q, const Triangles& F, Eigen::Index fa
 
 /// Some vertices of the outline and the rims of holes.
 std::vector<Eigen::Vector2d> edgePoints(const Piece& piece, const Points2& Q) {
-    std::vector<int> vertices = piece.boundary;
-    for (const auto& rim : piece.holes) {
-        vertices.insert(vertices.end(), rim.begin(), rim.end());
-    }
-    const std::size_t step = std::max<std::size_t>(1, vertices.size() / kEdgeSamples);
     std::vector<Eigen::Vector2d> points;
-    for (std::size_t i = 0; i < vertices.size(); i += step) {
-        points.emplace_back(Q.row(vertices[i]));
+    const auto add = [&](const std::vector<int>& loop, std::size_t samples) {
+        const std::size_t step = std::max<std::size_t>(1, loop.size() / samples);
+        for (std::size_t i = 0; i < loop.size(); i += step) {
+            points.emplace_back(Q.row(loop[i]));
+        }
+    };
+    add(piece.boundary, kEdgeSamples);
+    for (const auto& rim : piece.holes) {
+        add(rim, std::max(kRimSamples, kEdgeSamples / piece.holes.size()));
     }
     return points;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QAbstractSpinBox>
+#include <QGuiApplication>
+#include <QInputMethod>
 #include <QKeyEvent>
 #include <QPointer>
 #include <QStyledItemDelegate>
@@ -22,6 +24,7 @@ protected:
         if (key != Qt::Key_Return && key != Qt::Key_Enter) {
             return QStyledItemDelegate::eventFilter(object, event);
         }
+        QGuiApplication::inputMethod()->commit();
         if (auto* box = qobject_cast<QAbstractSpinBox*>(editor)) {
             box->interpretText();
         }

@@ -102,6 +102,18 @@ private slots:
         QCOMPARE(steps(), before);
     }
 
+    void aQuantityThatIsOnlyLookedAtStaysForAll() {
+        setQuantity(document(), {2}, 4);
+        click(cell(0, PiecesModel::Name));
+        click(cell(2, PiecesModel::Name), Qt::ControlModifier);
+        const int before = steps();
+        doubleClick(cell(0, PiecesModel::Quantity));
+        typeQuantity("");
+        QCOMPARE(settings(0).quantity, 1);
+        QCOMPARE(settings(2).quantity, 4);
+        QCOMPARE(steps(), before);
+    }
+
     void anEditIsMeantForAllSelectedRows() {
         click(cell(0, PiecesModel::Name));
         click(cell(2, PiecesModel::Name), Qt::ControlModifier);

@@ -91,6 +91,17 @@ private slots:
         QVERIFY2(warnings.texts().isEmpty(), qPrintable(warnings.texts().join('\n')));
     }
 
+    void anEaseThatIsOnlyLookedAtStaysAsItIs() {
+        fixture_.workspace().setEase(0, 0.0254);  // shown as 2.5
+        const int steps = document().history().count();
+        const QPointer<QLineEdit> editor = typeEase("");
+        QVERIFY(editor);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(!editor, test::kPatience);
+        QCOMPARE(document().garment()->seams.seams[0].ease, std::optional(0.0254));
+        QCOMPARE(document().history().count(), steps);
+    }
+
     void whatIsEnteredCountsBeforeWhatComesNext() {
         const test::Warnings warnings;
         const QPointer<QLineEdit> editor = typeEase("7");
