@@ -5,7 +5,8 @@
 
 namespace toile {
 
+inline constexpr double kPi = std::numbers::pi;
 /// One degree, in radians.
-inline constexpr double kDegree = std::numbers::pi / 180;
+inline constexpr double kDegree = kPi / 180;
 
 }  // namespace toile

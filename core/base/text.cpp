@@ -8,7 +8,7 @@ namespace toile {
 namespace {
 
 // 17 significant digits, sign, point and exponent need 24; fixed notation of 1e308 needs 310 more.
-constexpr int kDigits = 400;
+constexpr int kMaxDigits = 400;
 
 bool isZero(std::string_view digits) {
     return digits.find_first_not_of("-0.") == std::string_view::npos;
@@ -17,8 +17,8 @@ bool isZero(std::string_view digits) {
 }  // namespace
 
 void appendShortest(std::string& out, double value) {
-    char buffer[kDigits];
-    const auto end = std::to_chars(buffer, buffer + kDigits, value);
+    char buffer[kMaxDigits];
+    const auto end = std::to_chars(buffer, buffer + kMaxDigits, value);
     out.append(buffer, end.ptr);
 }
 
@@ -29,9 +29,9 @@ std::string shortest(double value) {
 }
 
 void appendFixed(std::string& out, double value, int decimals) {
-    char buffer[kDigits];
+    char buffer[kMaxDigits];
     const auto end =
-        std::to_chars(buffer, buffer + kDigits, value, std::chars_format::fixed, decimals);
+        std::to_chars(buffer, buffer + kMaxDigits, value, std::chars_format::fixed, decimals);
     std::string_view digits(buffer, static_cast<std::size_t>(end.ptr - buffer));
     if (!digits.empty() && digits.front() == '-' && isZero(digits)) {
         digits.remove_prefix(1);  // a rounded -0.00001 is no negative number to a reader

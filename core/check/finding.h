@@ -55,6 +55,10 @@ struct Figure {
     bool operator==(const Figure&) const = default;
 };
 
+inline Figure count(double value) {
+    return {value, Figure::Unit::Count};
+}
+
 /// A place on the cloth.
 struct FindingPlace {
     Eigen::Vector2d flat = Eigen::Vector2d::Zero();      ///< mm, the flat piece's own coordinates

@@ -12,10 +12,6 @@
 namespace toile {
 namespace {
 
-Figure count(double value) {
-    return {value, Figure::Unit::Count};
-}
-
 Finding findingOf(const PieceToCut& piece, FindingKind kind, Severity severity) {
     Finding finding;
     finding.kind = kind;

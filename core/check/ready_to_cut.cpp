@@ -16,10 +16,6 @@
 namespace toile {
 namespace {
 
-Figure count(double value) {
-    return {value, Figure::Unit::Count};
-}
-
 Figure length(double millimetres) {
     return {millimetres, Figure::Unit::Length};
 }

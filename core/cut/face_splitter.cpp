@@ -5,15 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/mesh/segment.h"
+
 namespace toile {
 namespace {
 
 /// Where snapping would not bring the walk nearer to its end, it still takes a vertex this near.
 constexpr double kTouching = 1e-9;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// A point of the reference triangle, which is equilateral with sides of length 1.
 Eigen::Vector2d onReference(const Eigen::Vector3d& weights) {

@@ -5,14 +5,12 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/segment.h"
+
 namespace toile {
 namespace {
 
 using Flat = std::array<Eigen::Vector2d, 3>;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// The third corner of a triangle in the plane, to the left of a -> b or to its right.
 Eigen::Vector2d thirdCorner(const MeshArrays& mesh, int a, int b, int c,

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "core/cut/face_parts.h"
+#include "core/mesh/segment.h"
 
 namespace toile {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 constexpr double kTurnable = 1e-9;
 /// A part made by a turn has at least this share of the area of the two it comes from.
 constexpr double kLeastShare = 1e-6;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 double angle(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return std::abs(std::atan2(cross(a, b), a.dot(b)));

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "core/cut/funnel.h"
+#include "core/mesh/segment.h"
 
 namespace toile {
 namespace {
@@ -18,10 +19,6 @@ constexpr double kStraightAngle = 1e-8;
 /// A crossing nearer to an edge's end than this fraction of the edge goes through the vertex.
 constexpr double kThroughVertex = 1e-9;
 constexpr int kMaxPasses = 10000;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 double angleBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return std::abs(std::atan2(cross(a, b), a.dot(b)));

@@ -36,7 +36,7 @@ struct OnEdge {
 };
 
 /// What is to become one: vertices of the left piece, and of the right one in the same order.
-struct Weld {
+struct SewnChain {
     int left = 0, right = 0;
     std::vector<std::pair<int, int>> vertices;
     double length = 0;
@@ -63,7 +63,7 @@ public:
         if (!seed) {
             return seed.error();
         }
-        const Weld weld = weldAlong(chainAround(rims_, *seed), join);
+        const SewnChain weld = weldAlong(chainAround(rims_, *seed), join);
         if (pieces_[weld.left]->file != pieces_[weld.right]->file) {
             return joinError(join, pieces_[weld.left]->name + " and " + pieces_[weld.right]->name +
                                        " come from different files");
@@ -160,7 +160,7 @@ private:
     }
 
     /// The part of the chain that the join's points span, in whole edges, one at least.
-    Weld weldAlong(const PairedChain& chain, const UserJoin& join) const {
+    SewnChain weldAlong(const PairedChain& chain, const UserJoin& join) const {
         const std::vector<double> arc = arcsOf(chain);
         double at = arcAt(chain, arc, join.points.front()), low = at, high = at;
         for (std::size_t i = 1; i < join.points.size(); ++i) {
@@ -195,9 +195,9 @@ private:
         if (chain.closed) {
             last = std::min(last, first + count);
         }
-        Weld weld{rims_.edges[chain.edges[0]].piece,
-                  rims_.edges[rims_.edges[chain.edges[0]].mate].piece,
-                  {}};
+        SewnChain weld{rims_.edges[chain.edges[0]].piece,
+                       rims_.edges[rims_.edges[chain.edges[0]].mate].piece,
+                       {}};
         for (int i = first; i < last; ++i) {
             const int e = chain.edges[(i % count + count) % count];
             const RimPairs::Edge& edge = rims_.edges[e];
@@ -215,7 +215,7 @@ private:
         return weld;
     }
 
-    Result<void> apply(const UserJoin& join, const Weld& weld) {
+    Result<void> apply(const UserJoin& join, const SewnChain& weld) {
         const bool itself = weld.left == weld.right;
         const Piece& left = *pieces_[weld.left];
         const Piece& right = *pieces_[weld.right];
@@ -238,7 +238,7 @@ private:
         return {};
     }
 
-    static Piece welded(const Piece& left, const Piece& right, const Weld& weld) {
+    static Piece welded(const Piece& left, const Piece& right, const SewnChain& weld) {
         const bool itself = weld.left == weld.right;
         const auto offset = static_cast<int>(itself ? 0 : left.mesh.V.rows());
         const auto total = static_cast<int>(offset + right.mesh.V.rows());

@@ -22,7 +22,7 @@ SymmetricMatrix vertexPattern(const SymmetricMatrix& pairs) {
 }
 
 /// Unknowns from which on nested dissection takes less time in all than minimum degree.
-constexpr int kLarge = 20000;
+constexpr int kManyVertices = 20000;
 /// The same for vertices with two unknowns each.
 constexpr int kLargeInPairs = 50000;
 
@@ -77,7 +77,8 @@ CouplingGraph couplings(const SymmetricMatrix& matrix) {
 
 EliminationOrder eliminationOrder(const SymmetricMatrix& pattern) {
     if (!comesInPairs(pattern)) {
-        return pattern.size < kLarge ? EliminationOrder() : nestedDissection(couplings(pattern));
+        return pattern.size < kManyVertices ? EliminationOrder()
+                                            : nestedDissection(couplings(pattern));
     }
     if (pattern.size / 2 < kLargeInPairs) {
         return {};

@@ -15,7 +15,7 @@ constexpr double kRounding = 1e-14;
 /// What taking it apart may miss.
 constexpr double kLeft = 1e-12;
 
-Error unsuitable(const char* why) {
+Error unsuitableChange(const char* why) {
     return Error{ErrorCode::FactorisationFailed, "", why};
 }
 
@@ -72,7 +72,7 @@ Result<NearbySolver> NearbySolver::make(std::shared_ptr<const EditedCholesky> ed
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     const auto count = static_cast<Eigen::Index>(rows.size());
     if (!edited->isCheap(std::pow(static_cast<double>(count), 3) / 6)) {
-        return unsuitable("too many rows changed");
+        return unsuitableChange("too many rows changed");
     }
     solver.edited_ = std::move(edited);
     if (count == 0) {
@@ -96,7 +96,7 @@ Result<NearbySolver> NearbySolver::make(std::shared_ptr<const EditedCholesky> ed
                             .cwiseAbs()
                             .maxCoeff();
     if (!(left <= kLeft * change.cwiseAbs().maxCoeff())) {
-        return unsuitable("the change is not semidefinite");
+        return unsuitableChange("the change is not semidefinite");
     }
     solver.columns_ = std::move(taken.W);
     solver.weights_ = std::move(taken.weights);

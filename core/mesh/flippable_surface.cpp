@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/segment.h"
+
 namespace toile {
 namespace {
 
@@ -16,10 +18,6 @@ constexpr double kSineTolerance = 16 * std::numeric_limits<double>::epsilon();
 /// Negative by less than this part of its summands (and of one) a weight counts as zero: the four
 /// corners lie on a circle but for the rounding of their coordinates.
 constexpr double kWeightTolerance = 1e-12;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 }  // namespace
 

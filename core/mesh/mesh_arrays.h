@@ -14,6 +14,11 @@ using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// #E x 2 vertex indices, each undirected edge once, smaller index first, sorted.
 using Edges = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
+/// The inner product of two fields of vectors.
+inline double dot(const Points2& a, const Points2& b) {
+    return a.cwiseProduct(b).sum();
+}
+
 /// A triangle mesh as plain arrays: what the measures and solvers work on.
 struct MeshArrays {
     Points3 V;

@@ -3,7 +3,15 @@
 
 #include <algorithm>
 
+#include <Eigen/Core>
+
 namespace toile {
+
+/// The cross product of two vectors of the plane: twice the signed area between them.
+template <class A, class B>
+double cross(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
 
 /// The point of a segment that is nearest to another point, as a share of the way from `a` to `b`:
 /// 0 to 1, and 0 where both are one place. Of Eigen's vectors of any length, in columns or rows.

@@ -4,17 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "core/base/angle.h"
 #include "core/quality/metric_tensor.h"
 
 namespace toile {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kDirections = 48, kMeans = 16, kSpreads = 16;  // groups along each measure
 constexpr double kLargestSquare = 16;  // of a stretch: beyond, a triangle is as good as torn
 constexpr int kTrials = 36;            // every five degrees

@@ -12,15 +12,15 @@
 namespace toile {
 namespace {
 
-constexpr double kLargestSquare = kLargestStretch * kLargestStretch;
+constexpr double kLargestEigenvalue = kLargestStretch * kLargestStretch;
 
 MetricTensor bounded(const MetricTensor& metric) {
     // The larger eigenvalue is at most the trace.
     const double trace = metric.E + metric.G;
     if (!std::isfinite(trace) || !std::isfinite(metric.F)) {
-        return {kLargestSquare, 0, kLargestSquare};
+        return {kLargestEigenvalue, 0, kLargestEigenvalue};
     }
-    const double scale = trace > kLargestSquare ? kLargestSquare / trace : 1.0;
+    const double scale = trace > kLargestEigenvalue ? kLargestEigenvalue / trace : 1.0;
     return {scale * metric.E, scale * metric.F, scale * metric.G};
 }
 
@@ -58,7 +58,7 @@ std::vector<MetricTensor> wornFaceMetrics(const MeshArrays& mesh, const Points2&
     const Eigen::VectorXd flatAreas = triangleAreas2d(Q, mesh.F);
     for (std::size_t f = 0; f < metrics.size(); ++f) {
         if (!(flatAreas[static_cast<Eigen::Index>(f)] > 0)) {
-            metrics[f] = {kLargestSquare, 0, kLargestSquare};
+            metrics[f] = {kLargestEigenvalue, 0, kLargestEigenvalue};
         }
     }
     return metrics;
@@ -106,8 +106,8 @@ PrincipalStretch principalStretch(const MetricTensor& metric) {
 double symmetricDirichlet(const MetricTensor& metric) {
     const double trace = metric.E + metric.G;
     const double determinant = metric.E * metric.G - metric.F * metric.F;
-    const double energy = determinant > 0 ? trace * (1 + 1 / determinant) / 4 : kLargestSquare;
-    return std::min(energy, kLargestSquare);
+    const double energy = determinant > 0 ? trace * (1 + 1 / determinant) / 4 : kLargestEigenvalue;
+    return std::min(energy, kLargestEigenvalue);
 }
 
 }  // namespace toile

@@ -12,7 +12,7 @@ namespace {
 constexpr double kBridge = 2.5;
 // Runs whose sides are closer than this many local edges coincide: between two such, an edge that
 // does not coincide is not sewn, and there is nothing to bridge.
-constexpr double kCoincident = 1e-4;
+constexpr double kJoined = 1e-4;
 // Ends that differ by less than this fraction of the perimeter are one place.
 constexpr double kSamePlace = 1e-9;
 
@@ -93,9 +93,7 @@ private:
                near(run.run.outlineB, betweenB(run.run, next.run));
     }
 
-    bool coincide(const Run& run) const {
-        return run.meanGap() < kCoincident * run.spacing(outlines_);
-    }
+    bool coincide(const Run& run) const { return run.meanGap() < kJoined * run.spacing(outlines_); }
 
     bool isFree(int piece, Arc arc) const {
         double taken = arc.to - arc.from;

@@ -11,7 +11,7 @@ namespace toile {
 namespace {
 
 // Places are compared in steps of this part of the garment, so that rounding does not decide.
-constexpr double kSamePlace = 1e-6;
+constexpr double kSameCentre = 1e-6;
 
 using Key = std::tuple<bool, int, int, SeamKind, std::array<double, 3>, double>;
 
@@ -20,7 +20,7 @@ Key keyOf(const Outlines& outlines, const Seam& seam) {
     const Eigen::Vector3d middle = outline.pointAt(0.5 * (seam.left.start + seam.left.end));
     std::array<double, 3> place{};
     for (int k = 0; k < 3; ++k) {
-        place[k] = std::round(middle[k] / (kSamePlace * outlines.size));
+        place[k] = std::round(middle[k] / (kSameCentre * outlines.size));
     }
     return {seam.kind == SeamKind::Free,
             seam.left.piece,

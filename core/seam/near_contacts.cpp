@@ -20,7 +20,7 @@ constexpr double kLeastOverlap = 0.01;
 // Ends of a facing stretch this near to a vertex, relative to the edge, are the vertex.
 constexpr double kAtVertex = 1e-7;
 // Below this fraction of the edge length two sides coincide, and which side is which says nothing.
-constexpr double kCoincident = 1e-3;
+constexpr double kTouching = 1e-3;
 
 struct Segment {
     Eigen::Vector3d from, along;  ///< along is a unit vector
@@ -48,7 +48,7 @@ double snapped(double s, double length) {
 /// True where the cloth itself lies between the two edges: the two sides of a strip or a tip.
 bool acrossTheCloth(const Segment& a, const Segment& b, const Eigen::Vector3d& gap) {
     const double width = gap.norm();
-    return width > kCoincident * a.spacing && gap.dot(a.inward) > 0.5 * width &&
+    return width > kTouching * a.spacing && gap.dot(a.inward) > 0.5 * width &&
            gap.dot(b.inward) < -0.5 * width;
 }
 

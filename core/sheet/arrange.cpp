@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
+
+#include "core/base/angle.h"
 
 namespace toile {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double moveOf(const Eigen::AlignedBox2d& box, const Eigen::AlignedBox2d& all, Alignment alignment) {
     switch (alignment) {

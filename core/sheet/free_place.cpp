@@ -84,11 +84,7 @@ Shape shapeOf(const Points2& outline, double most) {
     return shape;
 }
 
-double cross(const Point& a, const Point& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-bool cross(const Point& a, const Point& b, const Point& c, const Point& d) {
+bool segmentsCross(const Point& a, const Point& b, const Point& c, const Point& d) {
     return (cross(b - a, c - a) > 0) != (cross(b - a, d - a) > 0) &&
            (cross(d - c, a - c) > 0) != (cross(d - c, b - c) > 0);
 }
@@ -146,7 +142,7 @@ bool inTheWay(const Shape& moving, const Point& move, const Shape& other, double
             if (there.intersects(reach) &&
                 (distanceToSegment(a, c, d) < gap || distanceToSegment(b, c, d) < gap ||
                  distanceToSegment(c, a, b) < gap || distanceToSegment(d, a, b) < gap ||
-                 cross(a, b, c, d))) {
+                 segmentsCross(a, b, c, d))) {
                 return true;
             }
         }

@@ -14,13 +14,13 @@ constexpr int kWidthTrials = 32;
 constexpr double kNarrowestTrial = 0.75;  // of the width a packing without waste would have
 constexpr double kTrialStep = 1.0 / 16;
 
-struct Box {
+struct Rectangle {
     Eigen::Vector2d corner = Eigen::Vector2d::Zero();  // lower left
     Eigen::Vector2d size = Eigen::Vector2d::Zero();
 };
 
-Box boundingBox(const Points2& outline) {
-    Box box;
+Rectangle boundingBox(const Points2& outline) {
+    Rectangle box;
     if (outline.rows() > 0) {
         box.corner = outline.colwise().minCoeff().transpose();
         box.size = outline.colwise().maxCoeff().transpose() - box.corner;
@@ -35,7 +35,7 @@ struct Row {
 };
 
 /// Fills rows from left to right; a row ends where the next piece would pass `limit`.
-std::vector<Row> fillRows(const std::vector<Box>& boxes, double gap, double limit) {
+std::vector<Row> fillRows(const std::vector<Rectangle>& boxes, double gap, double limit) {
     std::vector<Row> rows;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const Eigen::Vector2d& size = boxes[i].size;
@@ -72,9 +72,9 @@ double awkwardness(const Eigen::Vector2d& size) {
 }
 
 /// Tries row widths around that of a packing without waste and keeps the first of the best.
-std::vector<Row> chooseRows(const std::vector<Box>& boxes, double gap) {
+std::vector<Row> chooseRows(const std::vector<Rectangle>& boxes, double gap) {
     double area = 0, widest = 0;
-    for (const Box& box : boxes) {
+    for (const Rectangle& box : boxes) {
         area += (box.size.x() + gap) * (box.size.y() + gap);
         widest = std::max(widest, box.size.x());
     }
@@ -93,9 +93,9 @@ std::vector<Row> chooseRows(const std::vector<Box>& boxes, double gap) {
     return best;
 }
 
-Sheet layOut(const std::vector<Box>& boxes) {
+Sheet layOut(const std::vector<Rectangle>& boxes) {
     double largest = 0;
-    for (const Box& box : boxes) {
+    for (const Rectangle& box : boxes) {
         largest = std::max(largest, box.size.maxCoeff());
     }
     const double gap = gapBetweenPieces(largest);
@@ -125,7 +125,7 @@ double gapBetweenPieces(double largestSide) {
 }
 
 Sheet layOutInRows(const Pattern& pattern) {
-    std::vector<Box> boxes;
+    std::vector<Rectangle> boxes;
     boxes.reserve(pattern.pieces.size());
     for (const PatternPiece& piece : pattern.pieces) {
         boxes.push_back(boundingBox(piece.outline));
@@ -134,10 +134,10 @@ Sheet layOutInRows(const Pattern& pattern) {
 }
 
 Sheet layOutInRows(std::span<const Eigen::AlignedBox2d> placed) {
-    std::vector<Box> boxes;
+    std::vector<Rectangle> boxes;
     boxes.reserve(placed.size());
     for (const Eigen::AlignedBox2d& box : placed) {
-        boxes.push_back(box.isEmpty() ? Box{} : Box{box.min(), box.sizes()});
+        boxes.push_back(box.isEmpty() ? Rectangle{} : Rectangle{box.min(), box.sizes()});
     }
     return layOut(boxes);
 }

@@ -15,7 +15,7 @@ namespace toile {
 namespace {
 
 using Box = Eigen::AlignedBox2d;
-using Point = Eigen::RowVector2d;
+using PointRow = Eigen::RowVector2d;
 
 /// Overlaps below this are edges laid on each other, mm.
 constexpr double kTouching = 1e-3;
@@ -31,7 +31,7 @@ Box boxOf(const Points2& outline) {
     return box;
 }
 
-Point next(const Points2& outline, Eigen::Index i) {
+PointRow next(const Points2& outline, Eigen::Index i) {
     return outline.row((i + 1) % outline.rows());
 }
 
@@ -46,9 +46,9 @@ void addEdgesIn(const Box& box, const Points2& outline, std::vector<Segment2>& s
     }
 }
 
-double distanceToLine(const Point& p, const Segment2& line) {
-    const Point along = line.b - line.a;
-    const Point off = p - line.a;
+double distanceToLine(const PointRow& p, const Segment2& line) {
+    const PointRow along = line.b - line.a;
+    const PointRow off = p - line.a;
     const double length = along.norm();
     return length > 0 ? std::abs(along.x() * off.y() - along.y() * off.x()) / length : 0;
 }
@@ -62,10 +62,10 @@ bool crossWell(const Segment2& s, const Segment2& t) {
 }
 
 /// By the winding number, whichever way the outline runs.
-bool contains(const Points2& outline, const Point& p) {
+bool contains(const Points2& outline, const PointRow& p) {
     int winding = 0;
     for (Eigen::Index i = 0; i < outline.rows(); ++i) {
-        const Point a = outline.row(i), b = next(outline, i);
+        const PointRow a = outline.row(i), b = next(outline, i);
         if (a.y() <= p.y() && b.y() > p.y()) {
             winding += exactOrientation(a, b, p) > 0;
         } else if (a.y() > p.y() && b.y() <= p.y()) {
@@ -75,10 +75,10 @@ bool contains(const Points2& outline, const Point& p) {
     return winding != 0;
 }
 
-double distanceTo(const Points2& outline, const Point& p) {
+double distanceTo(const Points2& outline, const PointRow& p) {
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < outline.rows(); ++i) {
-        const Point a = outline.row(i), b = next(outline, i);
+        const PointRow a = outline.row(i), b = next(outline, i);
         least = std::min(least, distanceToSegment(p, a, b));
     }
     return least;
@@ -92,12 +92,13 @@ bool hasPlaceIn(const Points2& outer, const Points2& inner, const Box& both) {
     constexpr double kInside = 10 * kTouching;
     const Eigen::Index step = std::max<Eigen::Index>(1, inner.rows() / kProbes);
     for (Eigen::Index i = 0; i < inner.rows(); i += step) {
-        const Point a = inner.row(i), along = next(inner, i) - a;
+        const PointRow a = inner.row(i), along = next(inner, i) - a;
         if (along.norm() < kInside) {
             continue;
         }
-        const Point aside = kInside * Point(-along.y(), along.x()).normalized();
-        for (const Point& p : {Point(a + along / 2 + aside), Point(a + along / 2 - aside)}) {
+        const PointRow aside = kInside * PointRow(-along.y(), along.x()).normalized();
+        for (const PointRow& p :
+             {PointRow(a + along / 2 + aside), PointRow(a + along / 2 - aside)}) {
             if (both.contains(Eigen::Vector2d(p.transpose())) && contains(inner, p) &&
                 contains(outer, p) && distanceTo(outer, p) > kTouching) {
                 return true;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "core/base/angle.h"
@@ -13,7 +12,6 @@
 namespace toile {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kStraight = kDegree;         // that a straight stretch may turn
 constexpr double kCorner = 15 * kDegree;      // that a corner turns at least
 constexpr double kShareOfOutline = 1 / 20.0;  // that it has to be long

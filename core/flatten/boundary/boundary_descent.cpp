@@ -22,8 +22,8 @@ constexpr int kStepsPerStage = 10;
 constexpr int kStepsAtLast = 500;
 /// No edge turns by more than this in a step, radians.
 constexpr double kLongestTurn = 0.4;
-constexpr double kSufficientDecrease = 1e-4;
-constexpr int kMaxHalvings = 50;
+constexpr double kDecreaseShare = 1e-4;
+constexpr int kDescentHalvings = 50;
 /// A closing gap (of the perimeter) that counts as closed within the descent.
 constexpr double kClosed = 1e-14;
 constexpr int kMaxClosingSteps = 20;
@@ -86,9 +86,9 @@ int descend(const DirectionProblem& problem, Vector& phi, int steps, const Progr
         const double slope = std::min(gradient.dot(direction), 0.0);
         double share = std::min(1.0, kLongestTurn / direction.lpNorm<Eigen::Infinity>());
         bool accepted = false;
-        for (int halving = 0; halving < kMaxHalvings && !accepted; ++halving, share *= 0.5) {
+        for (int halving = 0; halving < kDescentHalvings && !accepted; ++halving, share *= 0.5) {
             const auto trial = closed(problem, phi + share * direction);
-            if (trial && problem.energy(*trial) < before + kSufficientDecrease * share * slope) {
+            if (trial && problem.energy(*trial) < before + kDecreaseShare * share * slope) {
                 phi = *trial;
                 accepted = true;
             }

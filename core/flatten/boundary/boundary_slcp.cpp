@@ -11,10 +11,10 @@
 namespace toile {
 namespace {
 
-constexpr int kMaxIterations = 500;
+constexpr int kMaxPrograms = 500;
 /// Size of the gradient of the Lagrangian at which the iteration stops: angles in radians, closure
 /// relative to the perimeter.
-constexpr double kGradientTolerance = 1e-11;
+constexpr double kProgramTolerance = 1e-11;
 
 using Constraints = Eigen::Vector3d;
 using Jacobian = Eigen::Matrix<double, 3, Eigen::Dynamic>;
@@ -59,7 +59,7 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
     Eigen::VectorXd theta = detail::spreadDeficit(problem.angles);
     Eigen::Vector3d lambda = Eigen::Vector3d::Zero();
     double size = 0;
-    for (int iteration = 0; iteration <= kMaxIterations; ++iteration) {
+    for (int iteration = 0; iteration <= kMaxPrograms; ++iteration) {
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled, "", ""};
         }
@@ -72,7 +72,7 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
         if (!std::isfinite(size)) {
             break;
         }
-        if (size <= kGradientTolerance) {
+        if (size <= kProgramTolerance) {
             return detail::closeOutline(problem, phi, iteration);
         }
         // Eq. (20): A A^T dlambda = A B_theta - B_lambda with B_lambda = -c. The orthogonal
@@ -83,7 +83,7 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
         lambda += step;
     }
     return Error{ErrorCode::BoundaryNotConverged, "",
-                 "not within " + counted(kMaxIterations, "step") + ", gradient " + shortest(size)};
+                 "not within " + counted(kMaxPrograms, "step") + ", gradient " + shortest(size)};
 }
 
 }  // namespace toile

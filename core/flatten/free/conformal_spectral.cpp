@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-constexpr int kMaxSteps = 200;
+constexpr int kMaxPowerSteps = 200;
 /// A step that moves the boundary by less than this part of its size is the last.
 constexpr double kConverged = 1e-13;
 /// A direction shorter than this part of what it was before its share of the others was taken out
@@ -153,7 +153,7 @@ Result<Points2> solveSpectral(const ConformalEnergy& energy, const std::vector<i
     std::vector<Eigen::VectorXcd> basis = problem.orthonormal({std::move(*first)});
     Eigen::VectorXcd last = Eigen::VectorXcd::Zero(z.size());
     double change = 1;
-    for (iterations = 1; iterations < kMaxSteps && change > kConverged && !basis.empty();
+    for (iterations = 1; iterations < kMaxPowerSteps && change > kConverged && !basis.empty();
          ++iterations) {
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled, "", ""};

@@ -38,7 +38,7 @@ constexpr double kSqueezed = 1e3;
 /// Between two sides that are parted, in parts of the barrier's reach.
 constexpr double kGap = 0.7;
 constexpr int kMostPartings = 5;
-constexpr int kRelaxingPasses = 4;
+constexpr int kCarriedPasses = 4;
 /// Part of the vertices that a small edit leaves where they were in space.
 constexpr double kMostStay = 0.9;
 /// Of a coarse piece: vertices from which one is made, times the tolerance, and of the time.
@@ -162,7 +162,7 @@ void CarriedStart::relaxInside(Points2& Q, const Progress& progress) const {
     for (const int v : piece_.boundary) {
         fixed[v] = 1;
     }
-    SymmetricDirichlet(piece_.mesh, piece_.table).relax(Q, fixed, kRelaxingPasses, progress);
+    SymmetricDirichlet(piece_.mesh, piece_.table).relax(Q, fixed, kCarriedPasses, progress);
 }
 
 std::optional<IsometricStart> CarriedStart::fromCoarse(double tolerance,

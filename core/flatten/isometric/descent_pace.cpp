@@ -9,7 +9,7 @@ constexpr double kShortStep = 0.3;
 /// A step with an old factorisation is tried if the one with the new went this far.
 constexpr double kGoodStep = 0.4;
 /// A fall between this part of the promise and its inverse: the promise was kept.
-constexpr double kKept = 0.5;
+constexpr double kKeptShare = 0.5;
 /// Hardly more than the tolerance, of a step and of all with one factorisation.
 constexpr double kOfOne = 2;
 constexpr double kOfAll = 10;
@@ -28,7 +28,7 @@ void DescentPace::count(double part, double promised, double fall, double renewi
         fallen_ += fall;
         spent_ += 1;
         went_ = went_ || part >= kShortStep;
-        const bool kept = fall > kKept * promised && fall < promised / kKept;
+        const bool kept = fall > kKeptShare * promised && fall < promised / kKeptShare;
         fresh_ = part < kShortStep || (fall < fallen_ / spent_ && !kept);
     }
 }

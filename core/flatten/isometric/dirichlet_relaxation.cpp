@@ -11,12 +11,12 @@ namespace {
 /// A move is worth while that promises to take this part off the energy of a vertex's triangles.
 constexpr double kWorthWhile = 0.02;
 constexpr int kMovesPerVisit = 3;
-constexpr int kMaxHalvings = 8;
+constexpr int kMaxVertexHalvings = 8;
 /// Newton's step is too short where triangles are squeezed: it is tried longer.
-constexpr double kStretch = 1.7;
+constexpr double kVertexStretch = 1.7;
 constexpr int kMaxStretches = 3;
 /// Vertices between two looks at the progress: some milliseconds.
-constexpr int kLookEvery = 1 << 12;
+constexpr int kVerticesPerLook = 1 << 12;
 
 }  // namespace
 
@@ -87,7 +87,7 @@ bool SymmetricDirichlet::relaxVertex(Points2& Q, const Stars& stars, int v) cons
     }
     double t = 1;
     double reached = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < kMaxHalvings; ++k, t *= 0.5) {
+    for (int k = 0; k < kMaxVertexHalvings; ++k, t *= 0.5) {
         Q.row(v) = from + t * step;
         reached = starEnergy(Q, stars, v);
         if (reached < model.energy) {
@@ -100,7 +100,7 @@ bool SymmetricDirichlet::relaxVertex(Points2& Q, const Stars& stars, int v) cons
     }
     for (int k = 0; k < kMaxStretches && t >= 1; ++k) {
         const Eigen::RowVector2d kept = Q.row(v);
-        t *= kStretch;
+        t *= kVertexStretch;
         Q.row(v) = from + t * step;
         const double further = starEnergy(Q, stars, v);
         if (!(further < reached)) {
@@ -121,7 +121,7 @@ void SymmetricDirichlet::relax(Points2& Q, const std::vector<char>& fixed, int p
     for (int pass = 0; pass < passes && any; ++pass) {
         any = false;
         for (int v = 0; v < count; ++v) {
-            if (v % kLookEvery == 0 && progress.isCancelled()) {
+            if (v % kVerticesPerLook == 0 && progress.isCancelled()) {
                 return;
             }
             if (fixed[v] != 0 || waits[v] == 0) {

@@ -35,10 +35,6 @@ constexpr double kStaleTolerance = 2;
 /// An excess of energy below this is rounding.
 constexpr double kNoExcess = 1e-10;
 
-double dot(const Points2& a, const Points2& b) {
-    return a.cwiseProduct(b).sum();
-}
-
 class Descent {
 public:
     Descent(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,

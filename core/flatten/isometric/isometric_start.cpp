@@ -13,10 +13,10 @@ namespace {
 
 /// Below this energy the descent is so short that a coarse one would not shorten it.
 constexpr double kLittleStrain = 1.2;
-constexpr int kFewVertices = 200;
-constexpr int kRelaxingPasses = 4;
+constexpr int kCoarsestVertices = 200;
+constexpr int kStartPasses = 4;
 /// Of the time for a coarse piece, about: what still coarser ones take.
-constexpr double kCoarserShare = 0.2;
+constexpr double kStartShare = 0.2;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
     const auto vertices = static_cast<int>(mesh.V.rows());
     const int inner = vertices - static_cast<int>(boundary.size());
     const double before = energy.energy(Q);
-    if (before < kLittleStrain || !std::isfinite(before) || inner < kFewVertices) {
+    if (before < kLittleStrain || !std::isfinite(before) || inner < kCoarsestVertices) {
         return unchanged;
     }
     const Coarsening coarse(mesh, EdgeLoops(boundary), Q, progress);
@@ -39,12 +39,12 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
         buildEdgeTable(coarse.mesh().F, static_cast<int>(coarse.mesh().V.rows()));
     IsometricStart start =
         coarseToFine(coarse.mesh(), coarseTable, coarse.loops().outline(), coarse.restricted(Q),
-                     tolerance, Progress(progress, kCoarserShare));
+                     tolerance, Progress(progress, kStartShare));
     DescentOptions options;
     options.tolerance = tolerance;
     options.multipliers = std::move(start.multipliers);
     auto lowest = lowerIsometricEnergy(coarse.mesh(), coarseTable, coarse.loops().outline(),
-                                       start.Q, options, Progress(progress, 1 - kCoarserShare));
+                                       start.Q, options, Progress(progress, 1 - kStartShare));
     auto fine = lowest ? coarse.prolonged(lowest->Q) : std::nullopt;
     if (!fine || !std::isfinite(energy.energy(*fine))) {
         return unchanged;
@@ -53,7 +53,7 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
     for (const int v : boundary) {
         fixed[v] = 1;
     }
-    energy.relax(*fine, fixed, kRelaxingPasses, progress);
+    energy.relax(*fine, fixed, kStartPasses, progress);
     if (!(energy.energy(*fine) < before)) {
         return unchanged;
     }

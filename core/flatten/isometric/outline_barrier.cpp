@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/mesh/segment.h"
+
 namespace toile {
 namespace {
 
@@ -58,10 +60,6 @@ void forOverlaps(const std::vector<Box>& vertices, const std::vector<Box>& edges
             }
         }
     }
-}
-
-double cross(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 }  // namespace

@@ -4,13 +4,10 @@
 #include <Eigen/LU>
 
 #include "core/flatten/isometric/coarsening.h"
+#include "core/mesh/segment.h"
 
 namespace toile {
 namespace {
-
-double cross(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// A point well inside the kernel of a ring: the middle of the polygon cut by all its edges' lines.
 std::optional<Eigen::RowVector2d> kernelPoint(const Points2& Q, const int* ring, int count) {

@@ -6,13 +6,9 @@
 namespace toile {
 namespace {
 
-constexpr std::size_t kKept = 4;
+constexpr std::size_t kKeptSteps = 4;
 /// Cosine between a step and its change of gradient from which on it tells something.
 constexpr double kLeastCosine = 1e-12;
-
-double dot(const Points2& a, const Points2& b) {
-    return a.cwiseProduct(b).sum();
-}
 
 }  // namespace
 
@@ -21,7 +17,7 @@ void StepMemory::add(Points2 moved, Points2 turned) {
     if (!(product > kLeastCosine * moved.norm() * turned.norm())) {
         return;
     }
-    if (steps_.size() == kKept) {
+    if (steps_.size() == kKeptSteps) {
         steps_.erase(steps_.begin());
     }
     steps_.push_back({std::move(moved), std::move(turned), product});

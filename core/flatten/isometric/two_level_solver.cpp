@@ -17,10 +17,6 @@ constexpr double kAccuracyAfter = 0.1;
 constexpr double kNoError = 1e-8;
 constexpr int kMaxIterations = 200;
 
-double dot(const Points2& a, const Points2& b) {
-    return a.cwiseProduct(b).sum();
-}
-
 }  // namespace
 
 /// The coarse piece and its matrix.

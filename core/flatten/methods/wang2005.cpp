@@ -12,7 +12,7 @@ namespace {
 
 /// Of the method's time, about, on a piece of a million triangles; the rest is placing.
 constexpr double kBoundaryShare = 0.02;
-constexpr double kFactorisingShare = 0.88;
+constexpr double kPaperShare = 0.88;
 
 Result<Points2> placeInterior(const Piece& piece, const FlattenOptions& options,
                               const Points2& outline, FlatPiece& flat, const Progress& progress,
@@ -21,7 +21,7 @@ Result<Points2> placeInterior(const Piece& piece, const FlattenOptions& options,
         return fillInteriorMixed(piece.mesh, piece.table, piece.boundary, outline, options.authalic,
                                  progress);
     }
-    auto interior = ConformalInterior::make(piece, Progress(progress, kFactorisingShare), memory);
+    auto interior = ConformalInterior::make(piece, Progress(progress, kPaperShare), memory);
     if (!interior) {
         return interior.error();
     }
