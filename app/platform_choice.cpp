@@ -13,7 +13,7 @@ namespace toile {
 namespace {
 
 /// The context of the translations.
-class Words {
+class PlatformWords {
     Q_DECLARE_TR_FUNCTIONS(PlatformChoice)
 };
 
@@ -61,7 +61,7 @@ QString windowProblem(const DisplayProbe& display) {
     if (display.answers()) {
         return {};
     }
-    return Words::tr(
+    return PlatformWords::tr(
         "there is no display to open the window on; \"toile flatten\" and \"toile render\" need "
         "none, and xvfb-run lends one");
 }
@@ -72,7 +72,7 @@ QString choosePicturePlatform(const DisplayProbe& display) {
         return {};
     }
     if (!canLoadPlatform("offscreen")) {
-        return Words::tr(
+        return PlatformWords::tr(
             "there is no display to draw on, and Qt's part for drawing without one is not "
             "installed; xvfb-run lends a display");
     }

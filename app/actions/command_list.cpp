@@ -2,21 +2,17 @@
 #include "app/actions/command_list.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <map>
 #include <set>
 
 #include "app/actions/action_registry.h"
 #include "app/actions/menu_table.h"
+#include "app/base/translate.h"
 #include "app/document/document.h"
 
 namespace toile {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("toile", text);
-}
 
 /// "▸" between a menu and its submenu.
 const QString kInto = QStringLiteral(" \u25b8 ");

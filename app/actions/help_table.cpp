@@ -2,20 +2,16 @@
 #include "app/actions/help_table.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QTextStream>
 
 #include "app/actions/action_registry.h"
 #include "app/actions/gestures.h"
 #include "app/actions/menu_table.h"
+#include "app/base/translate.h"
 
 namespace toile {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("toile", text);
-}
 
 void add(std::vector<HelpGroup>& groups, const QString& title, HelpRow row) {
     if (groups.empty() || groups.back().title != title) {

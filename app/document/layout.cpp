@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/layout.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <numbers>
 #include <set>
 #include <utility>
 
+#include "app/base/translate.h"
 #include "app/document/document.h"
 #include "core/sheet/sheet.h"
 #include "core/sheet/sheet_limit.h"
@@ -14,10 +14,6 @@
 namespace toile {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("toile", text);
-}
 
 std::vector<Eigen::AlignedBox2d> boxesOf(const Document& document, const std::vector<int>& pieces) {
     std::vector<Eigen::AlignedBox2d> boxes;

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/piece_edits.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <utility>
 
+#include "app/base/translate.h"
 #include "app/document/document.h"
 
 namespace toile {
 
 namespace {
-
-QString tr(const char* text, const char* comment = nullptr, int count = -1) {
-    return QCoreApplication::translate("toile", text, comment, count);
-}
 
 std::vector<int> inGarment(const Document& document, std::vector<int> pieces) {
     std::erase_if(pieces, [&](int piece) { return piece < 0 || piece >= document.pieceCount(); });

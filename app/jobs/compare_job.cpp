@@ -11,7 +11,7 @@ namespace toile {
 namespace {
 
 /// Of the job's time, about.
-constexpr double kFlatteningShare = 0.8;
+constexpr double kComparingShare = 0.8;
 
 }  // namespace
 
@@ -38,10 +38,10 @@ void CompareJob::flattenMissing(Progress& progress) {
 }
 
 Result<void> CompareJob::process(Progress& progress) {
-    progress.setShare(0, kFlatteningShare);
+    progress.setShare(0, kComparingShare);
     flattenMissing(progress);
     if (!progress.isCancelled()) {
-        progress.setShare(kFlatteningShare, 1);
+        progress.setShare(kComparingShare, 1);
         made_.result = results_[static_cast<std::size_t>(order_.piece)];
         made_.figures = comparedPiece(*order_.garment, results_, order_.piece);
         if (made_.result->flat) {

@@ -15,7 +15,7 @@ namespace toile {
 namespace {
 
 /// Of the job's time, about; the rest is the scene.
-constexpr double kReadingShare = 0.97;
+constexpr double kProjectReadingShare = 0.97;
 
 /// What will be saved to, as it is on the disk now.
 KnownFile knownOf(const std::filesystem::path& path, std::uint64_t hash, const Project& project) {
@@ -59,7 +59,7 @@ Result<void> ProjectJob::process(Progress& progress) {
     for (const MeshReference& file : project.files) {
         paths.push_back(file.path);
     }
-    progress.setShare(0, kReadingShare);
+    progress.setShare(0, kProjectReadingShare);
     Result<Garment> garment = loadGarment(paths, project.loading, progress);
     if (!garment) {
         return garment.error();
@@ -68,7 +68,7 @@ Result<void> ProjectJob::process(Progress& progress) {
     opened_.notes.insert(opened_.notes.end(), differences.begin(), differences.end());
     opened_.garment =
         sharedForDisposal(std::make_unique<const Garment>(std::move(garment).value()));
-    progress.setShare(kReadingShare, 1);
+    progress.setShare(kProjectReadingShare, 1);
     opened_.scene = buildScene(*opened_.garment, {}, progress);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, {}, {}};

@@ -21,7 +21,7 @@ namespace toile {
 
 namespace {
 
-constexpr double kPercent = 100;
+constexpr double kPercentPerShare = 100;
 constexpr double kLeast = -50, kMost = 200;  // percent
 constexpr const char* kCustom = "custom";
 constexpr int kAir = 10;
@@ -51,7 +51,7 @@ QString shareText(double share) {
     if (share > 0 && share < 0.001) {
         return FabricPanel::tr("< %1 %").arg(locale.toString(0.1, 'f', 1));
     }
-    return FabricPanel::tr("%1 %").arg(share > 0 ? locale.toString(kPercent * share, 'f', 1)
+    return FabricPanel::tr("%1 %").arg(share > 0 ? locale.toString(kPercentPerShare * share, 'f', 1)
                                                  : QString("0"));
 }
 
@@ -295,7 +295,7 @@ void FabricPanel::refresh() {
     preset_->setCurrentIndex(presetOf(fabric));
     for (const Limit& limit : limits_) {
         const QSignalBlocker quiet(limit.field);
-        limit.field->setValue(kPercent * fabric.*limit.direction.*limit.end);
+        limit.field->setValue(kPercentPerShare * fabric.*limit.direction.*limit.end);
     }
     showFit();
 }
@@ -345,7 +345,7 @@ void FabricPanel::setLimit(const Limit& limit, double percent) {
     }
     DocumentState next = document_.state();
     next.fabric.id = kCustom;
-    next.fabric.*limit.direction.*limit.end = percent / kPercent;
+    next.fabric.*limit.direction.*limit.end = percent / kPercentPerShare;
     document_.edit(tr("Fabric limits"), std::move(next), gesture_);
     refresh();
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/garment_summary.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 #include <algorithm>
 
 #include "app/base/path_text.h"
+#include "app/base/translate.h"
 #include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/text/figures.h"
@@ -19,10 +19,6 @@ constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre,
                                  LengthUnit::Inch};
 /// From here on metres are easier to read.
 constexpr double kMetresFrom = 10000;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("toile", text);
-}
 
 QString symbolOf(LengthUnit unit) {
     const std::string_view text = symbol(unit);

@@ -26,16 +26,17 @@ constexpr int kMostMinutes = 60, kMostTriangles = 10'000'000, kTriangleStep = 50
 constexpr struct {
     LengthUnit unit;
     int denominator;
-} kUnits[] = {{LengthUnit::Millimetre, 0}, {LengthUnit::Centimetre, 0}, {LengthUnit::Inch, 0},
-              {LengthUnit::Inch, 8},       {LengthUnit::Inch, 16},      {LengthUnit::Inch, 32}};
+} kUnitRows[] = {{LengthUnit::Millimetre, 0}, {LengthUnit::Centimetre, 0}, {LengthUnit::Inch, 0},
+                 {LengthUnit::Inch, 8},       {LengthUnit::Inch, 16},      {LengthUnit::Inch, 32}};
 
 int unitRow(const Choices& choices) {
     const bool fractions = choices.lengthUnit == LengthUnit::Inch;
-    const auto row = std::find_if(std::begin(kUnits), std::end(kUnits), [&](const auto& known) {
-        return known.unit == choices.lengthUnit &&
-               known.denominator == (fractions ? choices.inchDenominator : 0);
-    });
-    return row == std::end(kUnits) ? 0 : static_cast<int>(row - std::begin(kUnits));
+    const auto row =
+        std::find_if(std::begin(kUnitRows), std::end(kUnitRows), [&](const auto& known) {
+            return known.unit == choices.lengthUnit &&
+                   known.denominator == (fractions ? choices.inchDenominator : 0);
+        });
+    return row == std::end(kUnitRows) ? 0 : static_cast<int>(row - std::begin(kUnitRows));
 }
 
 }  // namespace
@@ -186,7 +187,7 @@ void PreferencesDialog::takeChoices() {
         return;
     }
     Choices choices = preferences_.choices();
-    const auto& unit = kUnits[std::max(0, unit_->currentIndex())];
+    const auto& unit = kUnitRows[std::max(0, unit_->currentIndex())];
     choices.lengthUnit = unit.unit;
     if (unit.unit == LengthUnit::Inch) {
         choices.inchDenominator = unit.denominator;

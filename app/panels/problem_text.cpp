@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/problem_text.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QPainter>
 #include <QPixmap>
 #include <cmath>
 
+#include "app/base/translate.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
 #include "core/check/finding_words.h"
@@ -16,10 +16,6 @@ namespace toile {
 namespace {
 
 constexpr int kMarkPixels = 32;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("toile", text);
-}
 
 QString withCapital(QString text) {
     if (!text.isEmpty()) {

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/seam_summary.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/translate.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
 
 namespace toile {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("toile", text);
-}
 
 struct Tally {
     int seams = 0, measured = 0, nearly = 0, differ = 0;

@@ -14,7 +14,7 @@ constexpr double kLeastSpacing = 25;
 /// A stroke leaves this much of the way to its neighbour free.
 constexpr double kStrokeShare = 0.88;
 
-constexpr VertexAttribute kAttributes[] = {
+constexpr VertexAttribute kCrossAttributes[] = {
     {0, 3, offsetof(CrossVertex, position)},  {1, 2, offsetof(CrossVertex, flat)},
     {2, 2, offsetof(CrossVertex, flatAlong)}, {3, 3, offsetof(CrossVertex, along)},
     {4, 3, offsetof(CrossVertex, across)},    {5, 2, offsetof(CrossVertex, strain)},
@@ -39,7 +39,7 @@ void CrossPainter::upload(Gl& gl, const StretchCrosses& crosses) {
     vertices_ = makeVertexBuffer(gl, crosses.vertices.data(),
                                  crosses.vertices.size() * sizeof(CrossVertex));
     counts_.uploadedBytes += crosses.vertices.size() * sizeof(CrossVertex);
-    array_ = makeVertexArray(gl, vertices_, sizeof(CrossVertex), kAttributes);
+    array_ = makeVertexArray(gl, vertices_, sizeof(CrossVertex), kCrossAttributes);
 }
 
 ShaderProgram& CrossPainter::begin() {

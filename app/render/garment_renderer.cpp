@@ -14,13 +14,13 @@ namespace {
 /// Lifts lines off the cloth, as a part of their distance from the eye: half a pixel or so.
 constexpr double kLineDepthShift = 3e-4;
 
-constexpr VertexAttribute kAttributes[] = {
+constexpr VertexAttribute kGarmentAttributes[] = {
     {0, 3, offsetof(GarmentVertex, position)}, {1, 3, offsetof(GarmentVertex, normal)},
     {2, 2, offsetof(GarmentVertex, flat)},     {3, 4, offsetof(GarmentVertex, values)},
     {4, 1, offsetof(GarmentVertex, piece)},    {5, 3, offsetof(GarmentVertex, metric)},
 };
 
-constexpr VertexAttribute kLineAttributes[] = {
+constexpr VertexAttribute kGarmentLineAttributes[] = {
     {0, 3, offsetof(GarmentLineVertex, position)},
     {2, 2, offsetof(GarmentLineVertex, flat)},
     {4, 1, offsetof(GarmentLineVertex, piece)},
@@ -48,8 +48,8 @@ SceneRenderer::ProgramFiles GarmentRenderer::programFiles() const {
 }
 
 void GarmentRenderer::upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
-    mesh.upload(gl, scene.garment, kAttributes);
-    lines.upload(gl, scene.garmentLines, kLineAttributes);
+    mesh.upload(gl, scene.garment, kGarmentAttributes);
+    lines.upload(gl, scene.garmentLines, kGarmentLineAttributes);
 }
 
 void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style,

@@ -15,14 +15,14 @@ namespace {
 constexpr double kMajorPixels = 34.0;
 constexpr double kMinorFrom = 6.0, kMinorFull = 24.0;
 
-constexpr VertexAttribute kAttributes[] = {
+constexpr VertexAttribute kPatternAttributes[] = {
     {0, 2, offsetof(PatternVertex, flat)},
     {1, 4, offsetof(PatternVertex, values)},
     {2, 1, offsetof(PatternVertex, piece)},
     {3, 3, offsetof(PatternVertex, metric)},
 };
 
-constexpr VertexAttribute kLineAttributes[] = {
+constexpr VertexAttribute kPatternLineAttributes[] = {
     {0, 2, offsetof(PatternLineVertex, flat)},
     {2, 1, offsetof(PatternLineVertex, piece)},
     {3, 1, offsetof(PatternLineVertex, along)},
@@ -54,8 +54,8 @@ SceneRenderer::ProgramFiles PatternRenderer::programFiles() const {
 }
 
 void PatternRenderer::upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
-    mesh.upload(gl, scene.pattern, kAttributes);
-    lines.upload(gl, scene.patternLines, kLineAttributes);
+    mesh.upload(gl, scene.pattern, kPatternAttributes);
+    lines.upload(gl, scene.patternLines, kPatternLineAttributes);
 }
 
 void PatternRenderer::setGrid(const Camera2D& camera, bool shown, double pixelRatio) {

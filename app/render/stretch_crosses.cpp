@@ -19,7 +19,7 @@ constexpr double kMostCrosses = 40000;
 /// Levels of density: each has half of the places of the one before, as the black squares of a
 /// chessboard are of all, and the next again upright.
 constexpr int kLevels = 24;
-constexpr double kPercent = 100;
+constexpr double kPercentPerShare = 100;
 
 /// The triangle whose middle is nearest to a point of the lattice.
 struct Nearest {
@@ -86,7 +86,7 @@ std::vector<Place> placesOf(const Scene& scene, const PieceScene& piece, double 
     return places;
 }
 
-void put(float* out, const Eigen::Vector3d& direction) {
+void putDirection(float* out, const Eigen::Vector3d& direction) {
     const double length = direction.norm();
     for (int k = 0; k < 3; ++k) {
         out[k] = length > 0 ? static_cast<float>(direction[k] / length) : 0.0F;
@@ -126,10 +126,10 @@ CrossVertex crossOf(const Scene& scene, const PieceScene& piece, std::size_t fac
         vertex.flat[k] = static_cast<float>(middle[k]);
         vertex.flatAlong[k] = static_cast<float>(along[k]);
     }
-    put(vertex.along, lifted(along));
-    put(vertex.across, lifted(across));
-    vertex.strain[0] = static_cast<float>(kPercent * (stretch.largest - 1));
-    vertex.strain[1] = static_cast<float>(kPercent * (stretch.least - 1));
+    putDirection(vertex.along, lifted(along));
+    putDirection(vertex.across, lifted(across));
+    vertex.strain[0] = static_cast<float>(kPercentPerShare * (stretch.largest - 1));
+    vertex.strain[1] = static_cast<float>(kPercentPerShare * (stretch.least - 1));
     vertex.piece = index;
     return vertex;
 }

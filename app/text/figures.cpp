@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/text/figures.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
 
+#include "app/base/translate.h"
 #include "app/settings/length_display.h"
 #include "app/text/method_text.h"
 #include "core/base/angle.h"
@@ -17,10 +17,6 @@ constexpr QChar kDash(0x2013), kEllipsis(0x2026);
 
 /// A metre of seam is then true to a micrometre.
 constexpr double kExact = 1e-6;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("toile", text);
-}
 
 /// Enough decimals for two telling digits, at most three.
 int decimalsFor(double value) {

@@ -18,11 +18,11 @@ namespace toile {
 namespace {
 
 /// The context of the translations.
-class Words {
+class LegendWords {
     Q_DECLARE_TR_FUNCTIONS(ColourBar)
 };
 
-constexpr int kMargin = 14;
+constexpr int kBarMargin = 14;
 constexpr int kTop = 7;
 constexpr int kHistogramHeight = 22;
 constexpr int kBarHeight = 12;
@@ -60,37 +60,40 @@ struct EndPercents {
 /// "12 %", and "<1 %" for what is there but rounds to nothing.
 QString shareText(double share, long percent) {
     const QString number =
-        share > 0 && percent <= 0 ? Words::tr("<1") : QLocale().toString(int(percent));
-    return Words::tr("%1 %").arg(number);
+        share > 0 && percent <= 0 ? LegendWords::tr("<1") : QLocale().toString(int(percent));
+    return LegendWords::tr("%1 %").arg(number);
 }
 
 QString beyondText(Overlay overlay, const QString& share) {
     switch (overlay) {
         case Overlay::Warp:
-            return Words::tr("%1 of the cloth is beyond the fabric along the warp").arg(share);
+            return LegendWords::tr("%1 of the cloth is beyond the fabric along the warp")
+                .arg(share);
         case Overlay::Weft:
-            return Words::tr("%1 of the cloth is beyond the fabric along the weft").arg(share);
+            return LegendWords::tr("%1 of the cloth is beyond the fabric along the weft")
+                .arg(share);
         case Overlay::Bias:
-            return Words::tr("%1 of the cloth is beyond the fabric on the bias").arg(share);
+            return LegendWords::tr("%1 of the cloth is beyond the fabric on the bias").arg(share);
         case Overlay::Strain:
-            return Words::tr("%1 of the cloth has an edge beyond the tightest limit").arg(share);
+            return LegendWords::tr("%1 of the cloth has an edge beyond the tightest limit")
+                .arg(share);
         default:
-            return Words::tr("%1 of the cloth is beyond the tightest limit").arg(share);
+            return LegendWords::tr("%1 of the cloth is beyond the tightest limit").arg(share);
     }
 }
 
 QString withinText(Overlay overlay) {
     switch (overlay) {
         case Overlay::Warp:
-            return Words::tr("all of the cloth is within the fabric along the warp");
+            return LegendWords::tr("all of the cloth is within the fabric along the warp");
         case Overlay::Weft:
-            return Words::tr("all of the cloth is within the fabric along the weft");
+            return LegendWords::tr("all of the cloth is within the fabric along the weft");
         case Overlay::Bias:
-            return Words::tr("all of the cloth is within the fabric on the bias");
+            return LegendWords::tr("all of the cloth is within the fabric on the bias");
         case Overlay::Strain:
-            return Words::tr("no edge is beyond the tightest limit");
+            return LegendWords::tr("no edge is beyond the tightest limit");
         default:
-            return Words::tr("all of the cloth is within the tightest limit");
+            return LegendWords::tr("all of the cloth is within the tightest limit");
     }
 }
 
@@ -145,18 +148,19 @@ void LegendPainter::paint() {
     strong.setWeight(QFont::DemiBold);
     const QFontMetricsF strongMetrics(strong);
     const QString title =
-        what.unit.isEmpty() ? what.title : Words::tr("%1 (%2)").arg(what.title, what.unit);
+        what.unit.isEmpty() ? what.title : LegendWords::tr("%1 (%2)").arg(what.title, what.unit);
 
     // Every title gets the same room, so that the bar keeps its place when the overlay changes.
     const double titleWidth =
         std::max(strongMetrics.horizontalAdvance(title),
-                 strongMetrics.horizontalAdvance(Words::tr("Strain on the bias (%)")));
+                 strongMetrics.horizontalAdvance(LegendWords::tr("Strain on the bias (%)")));
     painter_.setFont(strong);
     painter_.setPen(ink_);
-    painter_.drawText(QRectF(kMargin, 0, titleWidth + 4, size_.height()), Qt::AlignVCenter, title);
+    painter_.drawText(QRectF(kBarMargin, 0, titleWidth + 4, size_.height()), Qt::AlignVCenter,
+                      title);
     painter_.setFont(font_);
 
-    const double left = kMargin + titleWidth + 28;
+    const double left = kBarMargin + titleWidth + 28;
     double end = left;
     if (isMeasured(legend_.overlay)) {
         const double length = std::clamp(size_.width() * 0.36, 160.0, double(kLongestBar));
@@ -175,7 +179,7 @@ void LegendPainter::paint() {
 }
 
 void LegendPainter::paintWords(double left) {
-    const double room = size_.width() - left - kMargin;
+    const double room = size_.width() - left - kBarMargin;
     if (room < 20) {
         return;
     }
@@ -190,7 +194,7 @@ void LegendPainter::paintWords(double left) {
     write(overlayWords(legend_.overlay).meaning, top, 0.72F);
     if (!share.isEmpty()) {
         const QString hatched =
-            legend_.histogram->beyond() > 0 ? Words::tr("%1 (hatched)").arg(share) : share;
+            legend_.histogram->beyond() > 0 ? LegendWords::tr("%1 (hatched)").arg(share) : share;
         write(hatched, top + line + 2, 1.0F);
     }
 }
@@ -351,10 +355,10 @@ QString ColourLegend::summary() const {
         return what.title + ": " + what.meaning;
     }
     const QString unit = what.unit.isEmpty() ? QString() : ' ' + what.unit;
-    const QString range = Words::tr("%1: %2%4 to %3%4")
+    const QString range = LegendWords::tr("%1: %2%4 to %3%4")
                               .arg(what.title, endLabel(*this, false), endLabel(*this, true), unit);
     const QString share = shareSentence();
-    return share.isEmpty() ? range : Words::tr("%1; %2").arg(range, share);
+    return share.isEmpty() ? range : LegendWords::tr("%1; %2").arg(range, share);
 }
 
 ColourLegend legendOf(const OverlayFigures& figures) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/feature_text.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 
 #include <Eigen/Geometry>
 
+#include "app/base/translate.h"
 #include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/text/figures.h"
@@ -17,10 +17,6 @@
 namespace toile {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("toile", text);
-}
 
 QString seamText(const Document& document, int index) {
     const Garment& garment = *document.garment();

@@ -18,9 +18,9 @@ namespace toile {
 
 namespace {
 
-constexpr double kLength = 120;   // mm
-constexpr double kOfPiece = 0.4;  // of the piece's smaller side, at most
-constexpr double kShortest = 10;  // pixels
+constexpr double kLength = 120;        // mm
+constexpr double kOfPiece = 0.4;       // of the piece's smaller side, at most
+constexpr double kShortestArrow = 10;  // pixels
 
 }  // namespace
 
@@ -75,7 +75,7 @@ void GarmentArrows::paint(QPainter& painter, const RenderStyle& style, const Too
             continue;
         }
         const QPointF along = *tip - *tail;
-        if (std::hypot(along.x(), along.y()) < kShortest) {
+        if (std::hypot(along.x(), along.y()) < kShortestArrow) {
             continue;
         }
         const auto hit = view.hitAt(0.5 * (*tip + *tail));

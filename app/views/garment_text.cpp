@@ -17,7 +17,7 @@ namespace toile {
 namespace {
 
 /// The context of the translations.
-class Words {
+class GarmentWords {
     Q_DECLARE_TR_FUNCTIONS(GarmentView)
 };
 
@@ -26,7 +26,7 @@ QString noteOf(const Document& document) {
         return marked;
     }
     const auto seam = document.seam();
-    return seam ? Words::tr("seam %1: %2")
+    return seam ? GarmentWords::tr("seam %1: %2")
                       .arg(*seam + 1)
                       .arg(QString::fromStdString(
                           document.garment()->seams.seams[static_cast<std::size_t>(*seam)].name))
@@ -44,7 +44,7 @@ bool isOnCloth(const GarmentText& text, const QRectF& part) {
 }  // namespace
 
 void paintGarmentText(QPainter& painter, const RenderStyle& style, const GarmentText& text) {
-    const QString title = Words::tr("Garment"), note = noteOf(text.document);
+    const QString title = GarmentWords::tr("Garment"), note = noteOf(text.document);
     const QRectF caption = captionPlate(painter.font(), {}, title, note);
     if (text.way == 0) {
         FlagRoom room{QRectF(text.view), text.covered};

@@ -23,7 +23,7 @@ namespace toile {
 namespace {
 
 /// The context of the translations.
-class Words {
+class PatternWords {
     Q_DECLARE_TR_FUNCTIONS(PatternView)
 };
 
@@ -32,9 +32,9 @@ QString emptyText(const Document& document) {
         return {};
     }
     if (document.results().empty()) {
-        return Words::tr("The flat pieces appear here.");
+        return PatternWords::tr("The flat pieces appear here.");
     }
-    return Words::tr("None of the pieces could be flattened. The list of pieces says why.");
+    return PatternWords::tr("None of the pieces could be flattened. The list of pieces says why.");
 }
 
 void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& text,
@@ -49,7 +49,8 @@ void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& 
         }
         const Placement& placement = placeOf(text.places, static_cast<int>(i)).placement;
         const QString name = QString::fromStdString(text.document.garment()->pieces[i]->name);
-        const QString whole = placement.mirrored ? Words::tr("%1 · wrong side up").arg(name) : name;
+        const QString whole =
+            placement.mirrored ? PatternWords::tr("%1 · wrong side up").arg(name) : name;
         pieces.push_back({name, whole.mid(name.size()), onScreen(placement.applied(piece.label)),
                           onScreen(placedBox(piece.flatBox, placement)),
                           text.document.isSelected(static_cast<int>(i))});
@@ -74,8 +75,8 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     const Document& document = text.document;
     const int ruler = document.view().rulers ? kRulerBreadth : 0;
     const QPointF corner(ruler, ruler);
-    const QString title = Words::tr("Pattern");
-    const QString note = Words::tr("right side of the fabric up, net outlines");
+    const QString title = PatternWords::tr("Pattern");
+    const QString note = PatternWords::tr("right side of the fabric up, net outlines");
     if (!document.scene() || sheetBox(*document.scene(), text.places).isEmpty()) {
         paintCaption(painter, style, corner, title, note, false);
         painter.setPen(style.faintText);

@@ -22,7 +22,7 @@ namespace toile {
 namespace {
 
 /// The context of the translations.
-class Words {
+class PictureWords {
     Q_DECLARE_TR_FUNCTIONS(ViewPicture)
 };
 
@@ -86,7 +86,7 @@ void PicturePainter::drawScene(QPainter& picture, const QRect& part, const Paint
     }
     renderer.release();
     if (image.isNull()) {
-        problem_ = Words::tr(
+        problem_ = PictureWords::tr(
                        "the graphics driver has no room for a picture of %1 x %2 pixels; try a "
                        "smaller one")
                        .arg(part.width())
@@ -142,7 +142,7 @@ void PicturePainter::drawPattern(QPainter& picture, const QRect& part) {
 QImage PicturePainter::draw() {
     QImage picture(options_.size, QImage::Format_RGB32);
     if (picture.isNull() || !document_.scene()) {
-        problem_ = Words::tr("there is no memory for a picture of that size");
+        problem_ = PictureWords::tr("there is no memory for a picture of that size");
         return {};
     }
     picture.fill(options_.palette.color(QPalette::Window));

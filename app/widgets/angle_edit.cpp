@@ -11,12 +11,12 @@ namespace toile {
 
 namespace {
 
-constexpr int kDecimals = 6, kDecimalsShown = 2;
+constexpr int kAngleDecimals = 6, kAngleDecimalsShown = 2;
 
 }  // namespace
 
 AngleEdit::AngleEdit(QWidget* parent) : QDoubleSpinBox(parent) {
-    setDecimals(kDecimals);
+    setDecimals(kAngleDecimals);
     setRange(-180, 180);
     setSingleStep(1);
     setWrapping(true);
@@ -34,7 +34,7 @@ void AngleEdit::setRadians(double angle) {
 
 QString AngleEdit::textFromValue(double degrees) const {
     return QString::fromStdString(
-        angleText(degrees * kDegree, kDecimalsShown, QLocale().decimalPoint().toStdString()));
+        angleText(degrees * kDegree, kAngleDecimalsShown, QLocale().decimalPoint().toStdString()));
 }
 
 double AngleEdit::valueFromText(const QString& text) const {

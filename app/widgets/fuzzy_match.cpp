@@ -9,7 +9,7 @@ namespace toile {
 namespace {
 
 constexpr int kNone = std::numeric_limits<int>::min() / 2;
-constexpr int kLetter = 1, kFollows = 5, kWordBegins = 8, kTextBegins = 3, kGap = 4;
+constexpr int kLetter = 1, kFollows = 5, kWordBegins = 8, kTextBegins = 3, kSkipped = 4;
 
 /// One letter for each of the text: small, without accent.
 QString folded(const QString& text) {
@@ -59,7 +59,7 @@ std::optional<FuzzyMatch> fuzzyMatch(const QString& letters, const QString& text
             }
             const int own = kLetter + (beginsWordAt(given, qsizetype(j)) ? kWordBegins : 0) +
                             (j == 0 ? kTextBegins : 0);
-            int score = before == kNone ? kNone : before + own - (i > 0 ? kGap : 0);
+            int score = before == kNone ? kNone : before + own - (i > 0 ? kSkipped : 0);
             int at = beforeAt;
             if (i > 0 && j > 0 && best[i - 1][j - 1] != kNone &&
                 best[i - 1][j - 1] + kFollows + own >= score) {

@@ -10,7 +10,7 @@ namespace toile {
 namespace {
 
 /// A thousandth of a micrometre: what is typed in inches keeps its value.
-constexpr int kDecimals = 6;
+constexpr int kLengthDecimals = 6;
 constexpr double kLongest = 10'000;
 
 double stepOf(const LengthFormat& format) {
@@ -24,7 +24,7 @@ double stepOf(const LengthFormat& format) {
 }  // namespace
 
 LengthEdit::LengthEdit(QWidget* parent) : QDoubleSpinBox(parent) {
-    setDecimals(kDecimals);
+    setDecimals(kLengthDecimals);
     setRange(0, kLongest);
     setKeyboardTracking(false);
     setAlignment(Qt::AlignRight);
@@ -34,7 +34,7 @@ LengthEdit::LengthEdit(QWidget* parent) : QDoubleSpinBox(parent) {
 
 void LengthEdit::updateUnit() {
     setSingleStep(stepOf(LengthDisplay::instance().format()));
-    setDecimals(kDecimals);  // writes the text anew
+    setDecimals(kLengthDecimals);  // writes the text anew
 }
 
 QString LengthEdit::textFromValue(double value) const {

@@ -20,8 +20,8 @@ namespace toile {
 
 namespace {
 
-constexpr double kReach = 3 * kDegree;
-constexpr double kGrab = 8;  // pixels around an arrow that sticks out of the cloth
+constexpr double kSnappingAngle = 3 * kDegree;
+constexpr double kArrowGrab = 8;  // pixels around an arrow that sticks out of the cloth
 
 double distanceToArrow(const SheetMap& onScreen, const GrainArrow& arrow, const QPointF& at) {
     return distanceToSegment(pixels(at), pixels(onScreen(arrow.end(-0.5))),
@@ -48,7 +48,7 @@ std::optional<int> GrainTool::pieceAt(const ToolView& view, const QPointF& at) c
     const SheetMap onScreen(view);
     for (const int piece : allFlat(document_)) {
         const auto arrow = grainArrow(document_, piece, onScreen.pixelsPerMillimetre());
-        if (arrow && distanceToArrow(onScreen, *arrow, at) < kGrab) {
+        if (arrow && distanceToArrow(onScreen, *arrow, at) < kArrowGrab) {
             return piece;
         }
     }
@@ -108,7 +108,8 @@ void GrainTool::drag(ToolView& view, const Pointer& pointer) {
     double angle =
         turning.start + directionTo(turning.middle, view.onSheet(pointer.at)) - turning.from;
     if (document_.view().snapping != pointer.modifiers.testFlag(Qt::AltModifier)) {
-        angle = snappedAngle(wrappedAngle(angle), std::numbers::pi / 4, turning.edges, kReach);
+        angle =
+            snappedAngle(wrappedAngle(angle), std::numbers::pi / 4, turning.edges, kSnappingAngle);
     }
     turning.now = wrappedAngle(angle);
     setGrain(document_, tr("Grain"),

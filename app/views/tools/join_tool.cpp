@@ -14,7 +14,7 @@ namespace toile {
 namespace {
 
 /// Pixels within which a seam is meant.
-constexpr double kReach = 8;
+constexpr double kSeamReach = 8;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ std::optional<int> JoinTool::seamAt(const ToolView& view, const Pointer& pointer
     if (!garment) {
         return std::nullopt;
     }
-    const auto hit = view.seamHitAt(pointer.at, kReach, [&garment](int seam) -> bool {
+    const auto hit = view.seamHitAt(pointer.at, kSeamReach, [&garment](int seam) -> bool {
         const auto at = static_cast<std::size_t>(seam);
         // The scene may be of the garment before, for a moment.
         return at < garment->seams.seams.size() && garment->seams.seams[at].kind != SeamKind::Free;

@@ -18,7 +18,7 @@ namespace toile {
 namespace {
 
 constexpr double kStep = 15 * kDegree;
-constexpr double kReach = 3 * kDegree;
+constexpr double kGoodAngle = 3 * kDegree;
 
 }  // namespace
 
@@ -57,7 +57,7 @@ double RotateGesture::snapped(double turn, const Pointer& pointer) const {
     if (document_.view().snapping == pointer.modifiers.testFlag(Qt::AltModifier)) {
         return turn;
     }
-    return snappedAngle(turn, std::numbers::pi / 2, good_, kReach);
+    return snappedAngle(turn, std::numbers::pi / 2, good_, kGoodAngle);
 }
 
 void RotateGesture::drag(ToolView& view, const Pointer& pointer) {

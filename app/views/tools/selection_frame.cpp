@@ -12,10 +12,10 @@ namespace toile {
 
 namespace {
 
-constexpr double kAir = 7;     // pixels between the cloth and the box
-constexpr double kStem = 20;   // from the box to the handle's middle
-constexpr double kHandle = 6;  // radius
-constexpr double kGrab = 10;   // radius that takes a press
+constexpr double kAir = 7;          // pixels between the cloth and the box
+constexpr double kStem = 20;        // from the box to the handle's middle
+constexpr double kFrameHandle = 6;  // radius
+constexpr double kGrab = 10;        // radius that takes a press
 
 std::optional<QRectF> frameOf(const Document& document, const ToolView& view) {
     const Eigen::AlignedBox2d box = boxOnSheet(document, selectedFlat(document));
@@ -55,12 +55,12 @@ void paintSelectionFrame(QPainter& painter, const RenderStyle& style, const Docu
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(*frame);
     painter.setPen(QPen(line, 1));
-    painter.drawLine(QPointF(handle.x(), frame->top()), handle + QPointF(0, kHandle));
+    painter.drawLine(QPointF(handle.x(), frame->top()), handle + QPointF(0, kFrameHandle));
     QColor ground = style.plate;
     ground.setAlpha(255);
     painter.setPen(QPen(style.selection, 1.5));
     painter.setBrush(handleHovered ? style.selection : ground);
-    painter.drawEllipse(handle, kHandle, kHandle);
+    painter.drawEllipse(handle, kFrameHandle, kFrameHandle);
     painter.restore();
 }
 
