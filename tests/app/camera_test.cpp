@@ -7,6 +7,7 @@
 #include "app/render/camera_3d.h"
 #include "app/render/glm_eigen.h"
 #include "app/render/pattern_renderer.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -228,5 +229,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(CameraTest)
+TOILE_WINDOW_TEST(CameraTest)
 #include "camera_test.moc"

@@ -9,6 +9,7 @@
 #include "app/render/overlay_scale.h"
 #include "app/text/overlay_text.h"
 #include "app/views/colour_bar.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -249,5 +250,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(ColourTest)
+TOILE_WINDOW_TEST(ColourTest)
 #include "colour_test.moc"

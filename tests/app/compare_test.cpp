@@ -19,6 +19,7 @@
 #include "app/views/colour_bar.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
@@ -430,8 +431,5 @@ private:
     test::WindowFixture fixture_;
 };
 
-int main(int argc, char** argv) {
-    return test::run<CompareTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(CompareTest)
 #include "compare_test.moc"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
 using namespace toile;
@@ -209,8 +210,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<CutToolTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(CutToolTest)
 #include "cut_tool_test.moc"

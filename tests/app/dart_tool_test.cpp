@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/quality/measures.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
 using namespace toile;
@@ -51,8 +52,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<DartToolTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(DartToolTest)
 #include "dart_tool_test.moc"

@@ -6,6 +6,7 @@
 
 #include "app/render/scene.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -270,5 +271,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(DocumentTest)
+TOILE_WINDOW_TEST(DocumentTest)
 #include "document_test.moc"

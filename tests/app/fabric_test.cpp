@@ -16,6 +16,7 @@
 #include "core/check/strain_check.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
@@ -295,8 +296,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<FabricTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(FabricTest)
 #include "fabric_test.moc"

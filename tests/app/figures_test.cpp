@@ -6,6 +6,7 @@
 
 #include "app/views/view_text.h"
 #include "core/base/angle.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -74,5 +75,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(FiguresTest)
+TOILE_WINDOW_TEST(FiguresTest)
 #include "figures_test.moc"

@@ -6,6 +6,7 @@
 
 #include "app/render/gl_support.h"
 #include "tests/app/support/guide.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -46,8 +47,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<FirstStepsTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(FirstStepsTest)
 #include "first_steps_test.moc"

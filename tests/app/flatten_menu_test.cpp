@@ -6,6 +6,7 @@
 
 #include "app/text/figures.h"
 #include "tests/app/support/pair_bench.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -110,8 +111,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<FlattenMenuTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(FlattenMenuTest)
 #include "flatten_menu_test.moc"

@@ -14,6 +14,7 @@
 #include "app/resources.h"
 #include "core/seam/find_seams.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -22,7 +23,7 @@ namespace {
 constexpr int kSize = 256;
 
 /// Waves of cloth, so that it is not all in one plane.
-MeshArrays wavySheet(double x, int columns, int rows) {
+MeshArrays wavySheetAt(double x, int columns, int rows) {
     MeshArrays mesh = test::makeSheet(columns, rows, columns, rows, {x, 0, 0});
     for (Eigen::Index i = 0; i < mesh.V.rows(); ++i) {
         mesh.V(i, 2) = 20 * std::sin(mesh.V(i, 0) / 40) * std::cos(mesh.V(i, 1) / 50);
@@ -35,7 +36,7 @@ std::shared_ptr<const Scene> sceneOf(int pieces, int columns, int rows) {
     std::vector<std::pair<std::string, MeshArrays>> parts;
     for (int i = 0; i < pieces; ++i) {
         parts.emplace_back("piece " + std::to_string(i),
-                           wavySheet(1.5 * columns * i, columns, rows));
+                           wavySheetAt(1.5 * columns * i, columns, rows));
     }
     const auto garment = std::make_shared<Garment>(*test::makeGarment(std::move(parts)));
     garment->seams = findSeams(garment->pieces);
@@ -217,5 +218,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(FrameCostTest)
+TOILE_WINDOW_TEST(FrameCostTest)
 #include "frame_cost_test.moc"

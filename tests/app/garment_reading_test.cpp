@@ -9,6 +9,7 @@
 #include "app/render/scene.h"
 #include "app/widgets/garment_card.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
@@ -233,8 +234,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<GarmentReadingTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(GarmentReadingTest)
 #include "garment_reading_test.moc"

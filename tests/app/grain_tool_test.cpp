@@ -6,6 +6,7 @@
 #include "app/views/grain_arrow.h"
 #include "app/widgets/banner.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/sheet_bench.h"
 
 using namespace toile;
@@ -185,8 +186,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<GrainToolTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(GrainToolTest)
 #include "grain_tool_test.moc"

@@ -10,6 +10,7 @@
 #include "app/views/morph_bar.h"
 #include "app/views/tools/tool_box.h"
 #include "tests/app/support/pointer_bench.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 using test::countPixels;
@@ -253,8 +254,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<HoverTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(HoverTest)
 #include "hover_test.moc"

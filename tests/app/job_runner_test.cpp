@@ -356,5 +356,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(JobRunnerTest)
+TOILE_WINDOW_TEST(JobRunnerTest)
 #include "job_runner_test.moc"

@@ -6,6 +6,7 @@
 #include <QTreeWidget>
 
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
 using namespace toile;
@@ -122,8 +123,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<JoinToolTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(JoinToolTest)
 #include "join_tool_test.moc"

@@ -11,13 +11,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/sheet_bench.h"
 
 using namespace toile;
 
 namespace {
 
-constexpr double kRightAngle = std::numbers::pi / 2;
+constexpr double kQuarterTurn = std::numbers::pi / 2;
 
 }  // namespace
 
@@ -53,7 +54,7 @@ private slots:
         const Eigen::AlignedBox2d before = boxOnSheet(document(), {0, 1});
         const double turn = placement(0).turn;
         QTest::keyClick(&view(), Qt::Key_BracketLeft);
-        QVERIFY(std::abs(wrappedAngle(placement(0).turn - turn - kRightAngle)) < 1e-12);
+        QVERIFY(std::abs(wrappedAngle(placement(0).turn - turn - kQuarterTurn)) < 1e-12);
         const Eigen::AlignedBox2d turned = boxOnSheet(document(), {0, 1});
         QVERIFY((turned.center() - before.center()).norm() < 1e-9);
         QVERIFY(std::abs(turned.sizes().x() - before.sizes().y()) < 1e-9);
@@ -177,8 +178,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<LayoutTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(LayoutTest)
 #include "layout_test.moc"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/quality/measures.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
 using namespace toile;
@@ -34,8 +35,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<LoopToolTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(LoopToolTest)
 #include "loop_tool_test.moc"

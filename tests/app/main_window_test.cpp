@@ -15,6 +15,7 @@
 
 #include "app/widgets/banner.h"
 #include "tests/app/support/pair_bench.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -163,8 +164,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<MainWindowTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(MainWindowTest)
 #include "main_window_test.moc"

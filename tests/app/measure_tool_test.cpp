@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/settings/length_display.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
 using namespace toile;
@@ -69,8 +70,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<MeasureToolTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(MeasureToolTest)
 #include "measure_tool_test.moc"

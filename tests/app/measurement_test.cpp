@@ -5,6 +5,7 @@
 
 #include "core/cut/nearest_surface.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -66,5 +67,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MeasurementTest)
+TOILE_WINDOW_TEST(MeasurementTest)
 #include "measurement_test.moc"

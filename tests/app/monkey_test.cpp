@@ -254,12 +254,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    loadResources();
-    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
-    QApplication application(argc, argv);
-    MonkeyTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+TOILE_WINDOW_TEST(MonkeyTest)
 #include "monkey_test.moc"

@@ -4,6 +4,8 @@
 #include <QTest>
 #include <vector>
 
+#include "tests/app/support/run_test.h"
+
 using namespace toile;
 
 Q_DECLARE_METATYPE(toile::Navigation)
@@ -114,5 +116,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(NavigationTest)
+TOILE_WINDOW_TEST(NavigationTest)
 #include "navigation_test.moc"

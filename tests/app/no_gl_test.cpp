@@ -5,6 +5,7 @@
 #include <QTreeView>
 
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
@@ -59,8 +60,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<NoGlTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(NoGlTest)
 #include "no_gl_test.moc"

@@ -14,6 +14,7 @@
 #include "app/render/scene_renderer.h"
 #include "app/views/colour_bar.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
@@ -24,7 +25,7 @@ constexpr int kSameColour = 6;
 constexpr double kMost = 0.9;
 /// What the arrow of the grain may cover, which turns with it.
 constexpr double kArrow = 0.05;
-constexpr double kUp = 1.5707963267948966;
+constexpr double kUpwards = 1.5707963267948966;
 
 bool isLike(QRgb pixel, Rgb colour) {
     return std::abs(qRed(pixel) - colour.r) <= kSameColour &&
@@ -59,7 +60,7 @@ private:
         state.results = {result};
         Progress progress;
         state.scene = buildScene(*garment, state.results, progress);
-        state.settings = {PieceSettings{.placement = Placement{}, .grain = kUp}};
+        state.settings = {PieceSettings{.placement = Placement{}, .grain = kUpwards}};
         document().open(std::move(state));
         // A solver would lay the sheet flat without strain.
         fixture_.workspace().jobs().cancel();
@@ -321,8 +322,5 @@ private:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<OverlayPicturesTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(OverlayPicturesTest)
 #include "overlay_pictures_test.moc"

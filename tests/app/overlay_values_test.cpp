@@ -30,15 +30,15 @@ namespace {
 
 constexpr double kUp = std::numbers::pi / 2;
 
-struct Built {
+struct BuiltScene {
     std::shared_ptr<const Garment> garment;
     std::shared_ptr<const Scene> scene;
 };
 
 /// One result per piece as the solver would give it, with points of the test's choice.
-Built build(std::vector<std::pair<std::string, MeshArrays>> pieces,
-            const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& flatten) {
-    Built built;
+BuiltScene buildScene(std::vector<std::pair<std::string, MeshArrays>> pieces,
+                      const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& flatten) {
+    BuiltScene built;
     built.garment = test::makeGarment(std::move(pieces));
     PieceResults results;
     for (const auto& piece : built.garment->pieces) {
@@ -60,18 +60,18 @@ Built build(std::vector<std::pair<std::string, MeshArrays>> pieces,
 }
 
 /// A sheet of 100 x 60 mm as worn, whose cloth is stretched by 5 % sideways.
-Built stretchedSheet() {
-    return build({{"front", test::makeSheet(100, 60, 10, 6)}},
-                 [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
-                     return {worn.x() / 1.05, worn.y()};
-                 });
+BuiltScene stretchedSheet() {
+    return buildScene({{"front", test::makeSheet(100, 60, 10, 6)}},
+                      [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
+                          return {worn.x() / 1.05, worn.y()};
+                      });
 }
 
 SheetPlaces grainAt(double radians) {
     return {SheetPlace{Placement{}, radians}};
 }
 
-double valueOf(const Built& built, Overlay overlay, double grain, bool perTriangle = false) {
+double valueOf(const BuiltScene& built, Overlay overlay, double grain, bool perTriangle = false) {
     const OverlayScale scale = overlayScale(*built.scene, overlay, fabricPresets().front());
     return valueAt(*built.scene, grainAt(grain), {0, 17, {0.2, 0.5, 0.3}}, overlay, scale,
                    perTriangle)
@@ -89,7 +89,7 @@ class OverlayValuesTest : public QObject {
 
 private slots:
     void aStretchedSheetIsStretchedWhereItIs() {
-        const Built sheet = stretchedSheet();
+        const BuiltScene sheet = stretchedSheet();
         const double bias = 100 * (std::sqrt((1.05 * 1.05 + 1) / 2) - 1);
         for (const bool perTriangle : {false, true}) {
             QVERIFY(isNear(valueOf(sheet, Overlay::Warp, kUp, perTriangle), 0));
@@ -105,10 +105,10 @@ private slots:
 
     void clothThatIsTurnedOverIsSeenEverywhere() {
         // All edges keep their lengths.
-        const Built sheet = build({{"front", test::makeSheet(100, 60, 10, 6)}},
-                                  [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
-                                      return {-worn.x(), worn.y()};
-                                  });
+        const BuiltScene sheet = buildScene({{"front", test::makeSheet(100, 60, 10, 6)}},
+                                            [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
+                                                return {-worn.x(), worn.y()};
+                                            });
         for (const bool perTriangle : {false, true}) {
             QVERIFY(valueOf(sheet, Overlay::Area, kUp, perTriangle) < -100);
             for (const Overlay overlay : {Overlay::Warp, Overlay::Weft, Overlay::Bias,
@@ -120,10 +120,10 @@ private slots:
     }
 
     void stretchOneWayAndSurplusTheOtherDoNotCancel() {
-        const Built sheet = build({{"front", test::makeSheet(100, 60, 10, 6)}},
-                                  [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
-                                      return {worn.x() / 1.05, worn.y() / 0.95};
-                                  });
+        const BuiltScene sheet = buildScene({{"front", test::makeSheet(100, 60, 10, 6)}},
+                                            [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
+                                                return {worn.x() / 1.05, worn.y() / 0.95};
+                                            });
         for (const bool perTriangle : {false, true}) {
             // Of both the one nearer to its limit, -1 and +2 %.
             QVERIFY(isNear(valueOf(sheet, Overlay::Strain, kUp, perTriangle), -5));
@@ -132,12 +132,12 @@ private slots:
 
     void whileATriangleIsBeyondNothingSaysThatAllIsWithin() {
         // One point of many moved by a tenth of a square: a handful of triangles.
-        const Built sheet = build({{"front", test::makeSheet(1000, 1000, 100, 100)}},
-                                  [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
-                                      const bool moved =
-                                          (worn - Eigen::Vector2d(500, 500)).norm() < 1;
-                                      return moved ? Eigen::Vector2d(501, 501) : worn;
-                                  });
+        const BuiltScene sheet = buildScene({{"front", test::makeSheet(1000, 1000, 100, 100)}},
+                                            [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
+                                                const bool moved =
+                                                    (worn - Eigen::Vector2d(500, 500)).norm() < 1;
+                                                return moved ? Eigen::Vector2d(501, 501) : worn;
+                                            });
         const SheetPlaces places = grainAt(kUp);
         for (const Overlay overlay :
              {Overlay::Strain, Overlay::Warp, Overlay::Weft, Overlay::Bias, Overlay::Principal}) {
@@ -226,14 +226,14 @@ private slots:
     }
 
     void turningTheGrainExchangesWarpAndWeft() {
-        const Built sheet = stretchedSheet();
+        const BuiltScene sheet = stretchedSheet();
         QVERIFY(isNear(valueOf(sheet, Overlay::Warp, 0), valueOf(sheet, Overlay::Weft, kUp)));
         QVERIFY(isNear(valueOf(sheet, Overlay::Weft, 0), valueOf(sheet, Overlay::Warp, kUp)));
         QVERIFY(isNear(valueOf(sheet, Overlay::Bias, kUp / 2), 5));
     }
 
     void nothingIsSaidOfWhatIsNotThere() {
-        const Built sheet = stretchedSheet();
+        const BuiltScene sheet = stretchedSheet();
         const OverlayScale scale;
         const SheetPlaces places = grainAt(kUp);
         const auto value = [&](const SurfacePlace& place, Overlay overlay) {
@@ -247,7 +247,7 @@ private slots:
     }
 
     void scalesEndAtTheLimitsOfTheFabric() {
-        const Built sheet = stretchedSheet();
+        const BuiltScene sheet = stretchedSheet();
         const Fabric& woven = *fabricPreset("woven");
         const auto scale = [&](Overlay overlay, const Fabric& fabric) {
             return overlayScale(*sheet.scene, overlay, fabric);
@@ -277,11 +277,12 @@ private slots:
 
     void histogramCountsClothByItsArea() {
         // The left half of the sheet as it is, the right half stretched by 5 %.
-        const Built sheet = build({{"front", test::makeSheet(100, 60, 10, 6)}},
-                                  [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
-                                      const double beyond = std::max(0.0, worn.x() - 50);
-                                      return {worn.x() - beyond + beyond / 1.05, worn.y()};
-                                  });
+        const BuiltScene sheet =
+            buildScene({{"front", test::makeSheet(100, 60, 10, 6)}},
+                       [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
+                           const double beyond = std::max(0.0, worn.x() - 50);
+                           return {worn.x() - beyond + beyond / 1.05, worn.y()};
+                       });
         const Fabric& woven = *fabricPreset("woven");
         const OverlayScale scale = overlayScale(*sheet.scene, Overlay::Weft, woven);
         const Histogram histogram =
@@ -307,12 +308,12 @@ private slots:
         const auto hill = [](double x, double middle) {
             return std::exp(-(x - middle) * (x - middle) / 100);
         };
-        const Built sheet = build({{"front", test::makeSheet(200, 60, 80, 24)}},
-                                  [&](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
-                                      const double along = 1 - 0.08 * hill(worn.x(), 30) -
-                                                           0.12 * hill(worn.x(), 150);
-                                      return {worn.x(), 30 + (worn.y() - 30) * along};
-                                  });
+        const BuiltScene sheet = buildScene({{"front", test::makeSheet(200, 60, 80, 24)}},
+                                            [&](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
+                                                const double along = 1 - 0.08 * hill(worn.x(), 30) -
+                                                                     0.12 * hill(worn.x(), 150);
+                                                return {worn.x(), 30 + (worn.y() - 30) * along};
+                                            });
         const OverlayScale scale =
             overlayScale(*sheet.scene, Overlay::Warp, *fabricPreset("woven"));
         const auto spots = worstSpots(*sheet.scene, grainAt(kUp), Overlay::Warp, scale);
@@ -334,8 +335,8 @@ private slots:
     }
 
     void clothWithoutTroubleHasNoWorstSpots() {
-        const Built sheet = build({{"front", test::makeSheet(100, 60, 10, 6)}},
-                                  [](const Eigen::Vector2d& worn) { return worn; });
+        const BuiltScene sheet = buildScene({{"front", test::makeSheet(100, 60, 10, 6)}},
+                                            [](const Eigen::Vector2d& worn) { return worn; });
         for (int i = 0; i < kOverlayCount; ++i) {
             const auto overlay = static_cast<Overlay>(i);
             const OverlayScale scale = overlayScale(*sheet.scene, overlay, fabricPresets().front());
@@ -344,10 +345,10 @@ private slots:
     }
 
     void aMillionTrianglesAreAnsweredSoon() {
-        const Built sheet = build({{"front", test::makeSheet(1000, 1000, 710, 710)}},
-                                  [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
-                                      return {worn.x() * (1 - 2e-5 * worn.x()), worn.y()};
-                                  });
+        const BuiltScene sheet = buildScene({{"front", test::makeSheet(1000, 1000, 710, 710)}},
+                                            [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
+                                                return {worn.x() * (1 - 2e-5 * worn.x()), worn.y()};
+                                            });
         const OverlayScale scale =
             overlayScale(*sheet.scene, Overlay::Bias, *fabricPreset("woven"));
         const double start = test::processorTime();
@@ -364,7 +365,7 @@ private slots:
     }
 
     void questionsDifferOnlyWhereTheirAnswersDo() {
-        const Built sheet = stretchedSheet();
+        const BuiltScene sheet = stretchedSheet();
         OverlayQuestion one{sheet.scene, grainAt(1), fabricPresets().front(), Overlay::Warp};
         OverlayQuestion other = one;
         other.places[0].placement.offset = {5, 7};
@@ -378,10 +379,10 @@ private slots:
     }
 
     void crossesStandEvenlyWhateverTheScale() {
-        const Built sheet = build({{"front", test::makeSheet(400, 400, 60, 60)}},
-                                  [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
-                                      return {worn.x() / 1.05, worn.y()};
-                                  });
+        const BuiltScene sheet = buildScene({{"front", test::makeSheet(400, 400, 60, 60)}},
+                                            [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
+                                                return {worn.x() / 1.05, worn.y()};
+                                            });
         const StretchCrosses& crosses = sheet.scene->crosses;
         QVERIFY(crosses.vertices.size() <= sheet.scene->faces.size());
         for (const double wanted : {10.0, 40.0, 100.0}) {
@@ -403,7 +404,7 @@ private slots:
 
     void trianglesOfBothViewsHaveTheirOwnValues() {
         // The first piece is closed and stays out of the pattern.
-        Built built;
+        BuiltScene built;
         built.garment = test::makeGarment(
             {{"blob", test::makeTetrahedron(40)}, {"front", test::makeSheet(100, 60, 10, 6)}});
         auto failed = std::make_shared<PieceResult>();
@@ -423,5 +424,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(OverlayValuesTest)
+TOILE_WINDOW_TEST(OverlayValuesTest)
 #include "overlay_values_test.moc"

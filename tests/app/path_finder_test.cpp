@@ -98,5 +98,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(PathFinderTest)
+TOILE_WINDOW_TEST(PathFinderTest)
 #include "path_finder_test.moc"

@@ -12,6 +12,7 @@
 #include "app/render/scene_builder.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/processor_time.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -222,5 +223,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(PickingTest)
+TOILE_WINDOW_TEST(PickingTest)
 #include "picking_test.moc"

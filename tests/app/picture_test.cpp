@@ -11,6 +11,7 @@
 #include "app/render/seam_palette.h"
 #include "app/views/colour_bar.h"
 #include "tests/app/support/picture_bench.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
@@ -434,8 +435,5 @@ private:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<PictureTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(PictureTest)
 #include "picture_test.moc"

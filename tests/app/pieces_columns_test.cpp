@@ -12,6 +12,7 @@
 #include "app/document/piece_edits.h"
 #include "app/panels/pieces_model.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
@@ -228,8 +229,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<PiecesColumnsTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(PiecesColumnsTest)
 #include "pieces_columns_test.moc"

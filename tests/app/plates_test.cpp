@@ -150,8 +150,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<PlatesTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(PlatesTest)
 #include "plates_test.moc"

@@ -11,6 +11,7 @@
 #include "app/views/sewn_run.h"
 #include "core/seam/seam_measure.h"
 #include "tests/app/support/pointer_bench.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 using test::countPixels;
@@ -266,8 +267,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<PointerPlateTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(PointerPlateTest)
 #include "pointer_plate_test.moc"

@@ -15,6 +15,7 @@
 #include "app/render/scene_builder.h"
 #include "app/widgets/banner.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
@@ -413,8 +414,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<ProblemsTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(ProblemsTest)
 #include "problems_test.moc"

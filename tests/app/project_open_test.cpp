@@ -8,6 +8,7 @@
 #include "core/base/file.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/project_bench.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -225,8 +226,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<ProjectOpenTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(ProjectOpenTest)
 #include "project_open_test.moc"

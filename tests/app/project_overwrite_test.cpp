@@ -9,6 +9,7 @@
 #include "core/base/file.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/project_bench.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -148,8 +149,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<ProjectOverwriteTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(ProjectOverwriteTest)
 #include "project_overwrite_test.moc"

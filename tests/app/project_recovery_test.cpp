@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/project_bench.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -221,8 +222,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<ProjectRecoveryTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(ProjectRecoveryTest)
 #include "project_recovery_test.moc"

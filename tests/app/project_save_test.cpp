@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/project_bench.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -178,8 +179,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<ProjectSaveTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(ProjectSaveTest)
 #include "project_save_test.moc"

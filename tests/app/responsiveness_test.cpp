@@ -246,12 +246,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    test::prepareApplication();
-    TimedApplication timed(argc, argv);
-    test::prepareTest();
-    ResponsivenessTest test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+TOILE_WINDOW_TEST(ResponsivenessTest, TimedApplication)
 #include "responsiveness_test.moc"

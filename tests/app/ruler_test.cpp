@@ -4,6 +4,7 @@
 
 #include "app/render/pattern_renderer.h"
 #include "app/settings/length_display.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/sheet_bench.h"
 
 using namespace toile;
@@ -69,8 +70,5 @@ private:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<RulerTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(RulerTest)
 #include "ruler_test.moc"

@@ -11,6 +11,7 @@
 #include "app/render/sheet_places.h"
 #include "app/render/vertex_values.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -235,5 +236,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(SceneBuilderTest)
+TOILE_WINDOW_TEST(SceneBuilderTest)
 #include "scene_builder_test.moc"

@@ -9,6 +9,7 @@
 #include "app/render/gl_support.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -98,5 +99,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(ScreenshotTest)
+TOILE_WINDOW_TEST(ScreenshotTest)
 #include "screenshot_test.moc"

@@ -16,6 +16,7 @@
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/pixels.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/warnings.h"
 #include "tests/app/support/window_fixture.h"
 
@@ -307,8 +308,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<SeamLedgerTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(SeamLedgerTest)
 #include "seam_ledger_test.moc"

@@ -14,6 +14,7 @@
 #include "app/render/seam_picking.h"
 #include "app/settings/theme.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -247,5 +248,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SeamLinesTest)
+TOILE_WINDOW_TEST(SeamLinesTest)
 #include "seam_lines_test.moc"

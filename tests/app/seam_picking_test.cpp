@@ -8,6 +8,7 @@
 #include "app/render/scene_builder.h"
 #include "core/seam/find_seams.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -99,5 +100,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SeamPickingTest)
+TOILE_WINDOW_TEST(SeamPickingTest)
 #include "seam_picking_test.moc"

@@ -13,6 +13,7 @@
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -215,5 +216,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(SeamsModelTest)
+TOILE_WINDOW_TEST(SeamsModelTest)
 #include "seams_model_test.moc"

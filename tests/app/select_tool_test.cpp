@@ -6,13 +6,14 @@
 #include "app/render/pattern_renderer.h"
 #include "app/views/tools/selection_frame.h"
 #include "core/sheet/snapping.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/sheet_bench.h"
 
 using namespace toile;
 
 namespace {
 
-constexpr double kRightAngle = std::numbers::pi / 2;
+constexpr double kSquare = std::numbers::pi / 2;
 
 }  // namespace
 
@@ -149,7 +150,7 @@ private slots:
     }
 
     void aBoxTakesOnlyWhatItTouches() {
-        turnTogether(document(), "Turn", {2}, kRightAngle / 2);
+        turnTogether(document(), "Turn", {2}, kSquare / 2);
         frameAll();
         // The corner of the box around a sheet that stands on its corner is empty.
         const QPointF corner = onScreen(box(2).min());
@@ -201,7 +202,7 @@ private slots:
         const QPointF centre = onScreen(middle);
         const double reach = centre.y() - handle->y();
         drag(*handle, centre + QPointF(reach, 0));  // from twelve to three o'clock
-        QVERIFY(std::abs(placement(2).turn + kRightAngle) < 1e-9);
+        QVERIFY(std::abs(placement(2).turn + kSquare) < 1e-9);
         QVERIFY((box(2).center() - middle).norm() < 1e-9);
         QCOMPARE(steps(), 1);
         action(ActionId::Undo).trigger();
@@ -223,14 +224,11 @@ private slots:
         // Its straight edges lie along the sheet, or it is turned by a right angle itself.
         const double turned = std::remainder(
             directionOnSheet(placement(2), straightDirections(flatOutline(document(), 2)).front()),
-            kRightAngle);
-        const double whole = std::remainder(placement(2).turn, kRightAngle);
+            kSquare);
+        const double whole = std::remainder(placement(2).turn, kSquare);
         QVERIFY(std::min(std::abs(turned), std::abs(whole)) < 1e-9);
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<SelectToolTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(SelectToolTest)
 #include "select_tool_test.moc"

@@ -22,6 +22,7 @@
 #include "app/views/view_text.h"
 #include "app/widgets/angle_edit.h"
 #include "app/widgets/length_edit.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -29,13 +30,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-double linear(double channel) {
+double linearChannel(double channel) {
     return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
 }
 
 double luminance(const QColor& colour) {
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
-           0.0722 * linear(colour.blueF());
+    return 0.2126 * linearChannel(colour.redF()) + 0.7152 * linearChannel(colour.greenF()) +
+           0.0722 * linearChannel(colour.blueF());
 }
 
 /// As the web's accessibility guidelines define it.
@@ -282,5 +283,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(SettingsTest)
+TOILE_WINDOW_TEST(SettingsTest)
 #include "settings_test.moc"

@@ -32,6 +32,7 @@
 #include "app/widgets/fuzzy_match.h"
 #include "app/widgets/hint_label.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
@@ -474,8 +475,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<ShellTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(ShellTest)
 #include "shell_test.moc"

@@ -5,6 +5,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
 using namespace toile;
@@ -122,8 +123,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<ToolsTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(ToolsTest)
 #include "tools_test.moc"

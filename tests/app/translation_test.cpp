@@ -14,6 +14,7 @@
 #include "app/compare/comparison_rows.h"
 #include "app/resources.h"
 #include "app/settings/language.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -220,5 +221,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TranslationTest)
+TOILE_WINDOW_TEST(TranslationTest)
 #include "translation_test.moc"

@@ -11,6 +11,7 @@
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/pair_bench.h"
 #include "tests/app/support/pixels.h"
+#include "tests/app/support/run_test.h"
 
 using namespace toile;
 
@@ -182,8 +183,5 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    return test::run<ViewsTest>(argc, argv);
-}
-
+TOILE_WINDOW_TEST(ViewsTest)
 #include "views_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/workspace_fixture.h"
 
 using namespace toile;
@@ -158,5 +159,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(WorkspaceOpeningTest)
+TOILE_WINDOW_TEST(WorkspaceOpeningTest)
 #include "workspace_opening_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/grain_job.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/workspace_fixture.h"
 
 using namespace toile;
@@ -258,5 +259,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(WorkspaceTest)
+TOILE_WINDOW_TEST(WorkspaceTest)
 #include "workspace_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/workspace_fixture.h"
 
 using namespace toile;
@@ -235,5 +236,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(WorkspaceUndoTest)
+TOILE_WINDOW_TEST(WorkspaceUndoTest)
 #include "workspace_undo_test.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/export_job.h"
 #include "core/base/file.h"
+#include "tests/app/support/run_test.h"
 #include "tests/app/support/workspace_fixture.h"
 
 using namespace toile;
@@ -119,5 +120,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(WorkspaceWritingTest)
+TOILE_WINDOW_TEST(WorkspaceWritingTest)
 #include "workspace_writing_test.moc"

@@ -3,6 +3,10 @@
 
 #include <QLocale>
 #include <QSurfaceFormat>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <string_view>
 
 #include "app/resources.h"
 
@@ -12,7 +16,19 @@ namespace {
 
 constexpr char kLimit[] = "QTEST_FUNCTION_TIMEOUT";
 
+std::map<std::string, int (*)(int, char**), std::less<>>& tests() {
+    static std::map<std::string, int (*)(int, char**), std::less<>> all;
+    return all;
+}
+
 }  // namespace
+
+bool add(std::string_view file, int (*run)(int, char**)) {
+    constexpr std::string_view kEnd = "_test.cpp";
+    file.remove_prefix(file.rfind('/') + 1);
+    file.remove_suffix(kEnd.size());
+    return tests().emplace(file, run).second;
+}
 
 void prepareApplication() {
     // Qt ends a test function after five minutes, which a slow machine that does much else may
@@ -31,3 +47,18 @@ void prepareTest() {
 }
 
 }  // namespace toile::test
+
+/// toile_window_test NAME [ARGUMENTS OF QTEST...]: one test a process, so that none finds what
+/// another has left.
+int main(int argc, char** argv) {
+    const auto& tests = toile::test::tests();
+    const auto test = argc > 1 ? tests.find(std::string_view(argv[1])) : tests.end();
+    if (test == tests.end()) {
+        for (const auto& [name, run] : tests) {
+            std::puts(name.c_str());
+        }
+        return argc > 1 ? 2 : 0;
+    }
+    argv[1] = argv[0];
+    return test->second(argc - 1, argv + 1);
+}

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QTest>
+#include <string_view>
 
 #include "app/render/gl_support.h"
 
@@ -17,17 +18,26 @@ void prepareApplication();
 /// The program's own files, and the C locale.
 void prepareTest();
 
-/// Runs a test as an application like the program's own. For `main`.
-template <class Test>
+/// Runs a test as an application like the program's own.
+template <class Test, class Application = QApplication>
 int run(int argc, char** argv) {
     prepareApplication();
-    QApplication application(argc, argv);
+    Application application(argc, argv);
     prepareTest();
     Test test;
     return QTest::qExec(&test, argc, argv);
 }
 
+/// Makes a test known to the one program that holds them all, by its file: `NAME_test.cpp` is
+/// NAME. @return true
+bool add(std::string_view file, int (*run)(int argc, char** argv));
+
 }  // namespace toile::test
+
+/// `TOILE_WINDOW_TEST(Test)` or `TOILE_WINDOW_TEST(Test, Application)`, once in a file.
+#define TOILE_WINDOW_TEST(Test, ...)    \
+    static const bool is##Test##Known = \
+        toile::test::add(__FILE__, toile::test::run<Test __VA_OPT__(, ) __VA_ARGS__>);
 
 /// Skips a test by name where no OpenGL 3.3 context can be made.
 #define SKIP_WITHOUT_GL()                           \
