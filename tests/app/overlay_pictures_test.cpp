@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the overlays look like in both views, on sheets with known strain. Thresholds in words:
-// "the colour" is within kSameColour steps of 255 in each channel; "most" is nine tenths.
+// "the colour" is within kColourSteps steps of 255 in each channel; "most" is nine tenths.
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>
@@ -21,16 +21,16 @@ using namespace toile;
 
 namespace {
 
-constexpr int kSameColour = 6;
-constexpr double kMost = 0.9;
+constexpr int kColourSteps = 6;
+constexpr double kNineTenths = 0.9;
 /// What the arrow of the grain may cover, which turns with it.
 constexpr double kArrow = 0.05;
 constexpr double kUpwards = 1.5707963267948966;
 
 bool isLike(QRgb pixel, Rgb colour) {
-    return std::abs(qRed(pixel) - colour.r) <= kSameColour &&
-           std::abs(qGreen(pixel) - colour.g) <= kSameColour &&
-           std::abs(qBlue(pixel) - colour.b) <= kSameColour;
+    return std::abs(qRed(pixel) - colour.r) <= kColourSteps &&
+           std::abs(qGreen(pixel) - colour.g) <= kColourSteps &&
+           std::abs(qBlue(pixel) - colour.b) <= kColourSteps;
 }
 
 }  // namespace
@@ -151,7 +151,7 @@ private slots:
         for (const bool perTriangle : {false, true}) {
             document().setValuesPerTriangle(perTriangle);
             const double share = shareLike(mapColour(static_cast<Overlay>(overlay), value));
-            QVERIFY2(share > kMost, qPrintable(QString::number(share)));
+            QVERIFY2(share > kNineTenths, qPrintable(QString::number(share)));
         }
     }
 
@@ -159,7 +159,7 @@ private slots:
         showStretched(0.05);
         document().setOverlay(Overlay::Strain);
         document().setValuesPerTriangle(true);
-        QVERIFY(shareLike(mapColour(Overlay::Strain, 5)) > kMost);
+        QVERIFY(shareLike(mapColour(Overlay::Strain, 5)) > kNineTenths);
     }
 
     void stripesAppearBeyondTheLimitsAndGoWithAWiderFabric() {
