@@ -8,9 +8,8 @@
 
 #include "core/base/progress.h"
 #include "core/cut/cut_error.h"
-#include "core/cut/edge_path.h"
-#include "core/cut/geodesic.h"
 #include "core/cut/surface_links.h"
+#include "core/cut/user_cuts.h"
 
 namespace toile {
 
@@ -31,29 +30,6 @@ struct PathFinder::Running {
     bool isForgotten = false;
     bool keepsSurface = true;
 };
-
-namespace {
-
-int nearestVertex(const MeshArrays& mesh, const SurfacePoint& point) {
-    int heaviest = 0;
-    point.barycentric.maxCoeff(&heaviest);
-    return mesh.F(point.face, heaviest);
-}
-
-Result<PathPolyline> way(const SurfaceLinks& links, const PathWish& wish,
-                         const Progress& progress) {
-    if (!wish.alongEdges) {
-        return geodesicPath(links, wish.from, wish.to, progress);
-    }
-    const auto path = edgePath(links.mesh(), links.table(), nearestVertex(links.mesh(), wish.from),
-                               nearestVertex(links.mesh(), wish.to));
-    if (!path) {
-        return path.error();
-    }
-    return polylineOf(links, path->vertices);
-}
-
-}  // namespace
 
 PathFinder::PathFinder(QObject* parent) : QObject(parent) {
     pool_.setMaxThreadCount(1);
@@ -105,7 +81,9 @@ void PathFinder::startNext() {
             if (!running->surface) {
                 running->surface = std::make_shared<Surface>(running->order.wish.piece);
             }
-            running->outcome = way(running->surface->links, running->order.wish, running->progress);
+            const PathWish& wish = running->order.wish;
+            running->outcome = wayOfCut(running->surface->links, wish.from, wish.to,
+                                        wish.alongEdges, running->progress);
         } catch (const std::exception&) {
             // Out of memory, or a fault: the preview stays straight, and the cut itself will tell.
         }

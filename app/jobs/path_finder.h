@@ -22,9 +22,9 @@ struct PathWish {
 };
 
 /// Finds short ways over the cloth, one after the other on a thread of its own, so that a preview
-/// never holds the window up however fine the mesh. Ways are found as the cuts are
-/// (`traceUserCut`). What the search needs of a piece is made with the first way and kept while
-/// ways on the same piece follow. GUI thread only.
+/// never holds the window up however fine the mesh. Ways are found as the cuts are (`wayOfCut`),
+/// and a search that is not wanted any more ends at once. What the search needs of a piece is made
+/// with the first way and kept while ways on the same piece follow. GUI thread only.
 class PathFinder : public QObject {
     Q_OBJECT
 

@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Between two looks at whether the search is still wanted: well below a millisecond.
+constexpr int kVerticesPerPoll = 1024;
+
 /// The edges at each vertex.
 struct Stars {
     std::vector<int> start, edge;
@@ -54,7 +57,8 @@ std::vector<double> edgeLengths(const MeshArrays& mesh, const Edges& edges) {
 
 ShortestForest shortestForest(const Edges& edges, int vertexCount,
                               const std::vector<double>& weights,
-                              const std::vector<std::vector<int>>& sources, int stopAt) {
+                              const std::vector<std::vector<int>>& sources, int stopAt,
+                              const Progress& progress) {
     const Stars stars(edges, vertexCount);
     ShortestForest forest{std::vector<double>(vertexCount, kInfinity),
                           std::vector<int>(vertexCount, -1), std::vector<int>(vertexCount, -1)};
@@ -67,7 +71,10 @@ ShortestForest shortestForest(const Edges& edges, int vertexCount,
             open.emplace(0.0, v);
         }
     }
-    while (!open.empty()) {
+    for (int count = 0; !open.empty(); ++count) {
+        if (count % kVerticesPerPoll == 0 && progress.isCancelled()) {
+            break;
+        }
         const auto [distance, v] = open.top();
         open.pop();
         if (v == stopAt) {
@@ -92,10 +99,13 @@ ShortestForest shortestForest(const Edges& edges, int vertexCount,
 }
 
 Result<EdgePath> edgePath(const MeshArrays& mesh, const EdgeTable& table, int from, int to,
-                          const std::vector<double>& weights) {
-    const ShortestForest forest =
-        shortestForest(table.edges, static_cast<int>(mesh.V.rows()),
-                       weights.empty() ? edgeLengths(mesh, table.edges) : weights, {{from}}, to);
+                          const std::vector<double>& weights, const Progress& progress) {
+    const ShortestForest forest = shortestForest(
+        table.edges, static_cast<int>(mesh.V.rows()),
+        weights.empty() ? edgeLengths(mesh, table.edges) : weights, {{from}}, to, progress);
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
     if (forest.source[to] < 0) {
         return cutError("", "the points lie on parts that are not connected");
     }

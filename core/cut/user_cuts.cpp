@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cut/user_cuts.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "core/cut/cut_error.h"
@@ -68,29 +67,30 @@ bool putOnRim(const SurfaceLinks& links, std::vector<SurfacePoint>& points) {
     return true;
 }
 
-SurfacePoint ontoVertex(const SurfaceLinks& links, const SurfacePoint& point) {
+int nearestVertex(const MeshArrays& mesh, const SurfacePoint& point) {
     int heaviest = 0;
     point.barycentric.maxCoeff(&heaviest);
-    return links.atVertex(links.mesh().F(point.face, heaviest));
+    return mesh.F(point.face, heaviest);
 }
 
-Result<PathPolyline> leg(const SurfaceLinks& links, const SurfacePoint& from,
-                         const SurfacePoint& to, bool alongEdges) {
+}  // namespace
+
+Result<PathPolyline> wayOfCut(const SurfaceLinks& links, const SurfacePoint& from,
+                              const SurfacePoint& to, bool alongEdges, const Progress& progress) {
     if (!alongEdges) {
-        return geodesicPath(links, from, to);
+        return geodesicPath(links, from, to, progress);
     }
-    const auto path = edgePath(links.mesh(), links.table(), links.carrierOf(from).index,
-                               links.carrierOf(to).index);
+    const MeshArrays& mesh = links.mesh();
+    const auto path = edgePath(mesh, links.table(), nearestVertex(mesh, from),
+                               nearestVertex(mesh, to), {}, progress);
     if (!path) {
         return path.error();
     }
     return polylineOf(links, path->vertices);
 }
 
-}  // namespace
-
 Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
-                                  const UserCut& cut) {
+                                  const UserCut& cut, const Progress& progress) {
     const std::size_t needed = cut.kind == UserCut::Kind::Loop ? 3 : 2;
     if (cut.points.size() < needed) {
         return cutError(cut.name, "it needs " + std::to_string(needed) + " points or more");
@@ -110,15 +110,13 @@ Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurfac
     } else if (!putOnRim(links, points)) {
         return cutError(cut.name, "a dart starts at the rim, and the piece has none");
     }
-    if (cut.alongEdges) {
-        std::ranges::transform(points, points.begin(),
-                               [&](const SurfacePoint& point) { return ontoVertex(links, point); });
-    }
     PathPolyline whole;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const auto part = leg(links, points[i - 1], points[i], cut.alongEdges);
+        const auto part = wayOfCut(links, points[i - 1], points[i], cut.alongEdges, progress);
         if (!part) {
-            return cutError(cut.name, part.error().detail);
+            Error error = part.error();
+            error.where = cut.name;
+            return error;
         }
         whole.points.insert(whole.points.end(), part->points.begin() + (i == 1 ? 0 : 1),
                             part->points.end());

@@ -28,11 +28,18 @@ struct UserCut {
     bool operator==(const UserCut&) const = default;
 };
 
+/// The way that a cut takes between two of its points: see `geodesicPath`, or `edgePath` between
+/// the nearest vertices. @errors  a cut error where they are not connected; Cancelled
+Result<PathPolyline> wayOfCut(const SurfaceLinks& links, const SurfacePoint& from,
+                              const SurfacePoint& to, bool alongEdges,
+                              const Progress& progress = Progress());
+
 /// The cut's curve on the surface. An end of a path that lies within a tenth of a triangle from the
 /// rim reaches it.
-/// @errors  a cut error, with the cut's name: too few points, points not connected, no rim
+/// @errors  a cut error, with the cut's name: too few points, points not connected, no rim;
+///          Cancelled
 Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
-                                  const UserCut& cut);
+                                  const UserCut& cut, const Progress& progress = Progress());
 
 /// Traces all cuts and cuts the mesh along them, in order. Errors: those of the two steps.
 Result<CutResult> applyUserCuts(const MeshArrays& mesh, const std::vector<UserCut>& cuts,

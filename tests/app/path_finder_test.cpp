@@ -67,14 +67,22 @@ private slots:
         QCOMPARE(served, (std::vector<int>{0, 1, 2, 3, 4, 5}));
     }
 
+    void whatIsForgottenIsNeverCalled_data() {
+        QTest::addColumn<bool>("alongEdges");
+        QTest::newRow("through triangles") << false;
+        QTest::newRow("along edges") << true;
+    }
+
     void whatIsForgottenIsNeverCalled() {
+        QFETCH(const bool, alongEdges);
         PathFinder finder;
         const auto piece = sheet(300, 150);
         bool stale = false, fresh = false;
         std::vector<PathFinder::Ticket> tickets;
         for (int i = 0; i < 5; ++i) {
-            tickets.push_back(finder.find(wish(piece, {1, 1, 0}, {199, 99.0 - i, 0}),
-                                          [&](const Result<PathPolyline>&) { stale = true; }));
+            PathWish far = wish(piece, {1, 1, 0}, {199, 99.0 - i, 0});
+            far.alongEdges = alongEdges;
+            tickets.push_back(finder.find(far, [&](const Result<PathPolyline>&) { stale = true; }));
         }
         for (const PathFinder::Ticket ticket : tickets) {
             finder.forget(ticket);
