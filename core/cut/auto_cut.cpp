@@ -26,6 +26,9 @@ constexpr double kCreaseDiscount = 0.6;
 constexpr double kCrease = std::numbers::pi / 6;
 /// Keeps cuts off the rims of holes that are to be filled, and out of their caps.
 constexpr double kKeepOff = 1e3;
+/// Of the time, about, until the ways are found, and until they are tight.
+constexpr double kGraphShare = 0.3;
+constexpr double kTightShare = 0.6;
 
 double foldAngle(const SurfaceLinks& links, int edge) {
     const EdgeTable& table = links.table();
@@ -42,8 +45,9 @@ double foldAngle(const SurfaceLinks& links, int edge) {
 
 class Proposer {
 public:
-    Proposer(const MeshArrays& mesh, const EdgeTable& table, const AutoCutOptions& options)
-        : mesh_(mesh), links_(mesh, table), options_(options) {}
+    Proposer(const MeshArrays& mesh, const EdgeTable& table, const AutoCutOptions& options,
+             const Progress& progress)
+        : mesh_(mesh), links_(mesh, table), options_(options), progress_(progress) {}
 
     Result<AutoCut> run(ErrorCode defect) {
         if (auto error = findLoops()) {
@@ -62,14 +66,19 @@ public:
         } else {
             ways = loopsAroundHandles(links, weights);
         }
+        progress_.report(kGraphShare);
         std::vector<PathPolyline> tight;
         for (const auto& way : ways) {
+            if (progress_.isCancelled()) {
+                return Error{ErrorCode::Cancelled, "", ""};
+            }
             const PathPolyline path = polylineOf(links_, way);
             proposal_.cuts.push_back({path, path.length});
             tight.push_back(openings_.empty() && followsCrease(way)
                                 ? path
                                 : shortenedCut(links_, openings_, path));
         }
+        progress_.report(kTightShare);
         adopt(tight);
         if (const auto trouble = whatIsNoDisk()) {
             return *trouble;
@@ -157,7 +166,7 @@ private:
             return;
         }
         proposal_.cuts = safe;
-        for (std::size_t i = 0; i < tight.size(); ++i) {
+        for (std::size_t i = 0; i < tight.size() && !progress_.isCancelled(); ++i) {
             take(i);
             if (whatIsNoDisk()) {
                 proposal_.cuts[i] = safe[i];
@@ -167,7 +176,7 @@ private:
 
     /// Why the cuts do not leave one disk; the shape of its triangles is not theirs to mend.
     std::optional<Error> whatIsNoDisk() const {
-        const auto cut = applyAutoCut(mesh_, proposal_);
+        const auto cut = applyAutoCut(mesh_, proposal_, {}, progress_);
         if (!cut) {
             return cut.error();
         }
@@ -184,6 +193,7 @@ private:
     const MeshArrays& mesh_;
     const SurfaceLinks links_;
     const AutoCutOptions& options_;
+    const Progress& progress_;
     std::vector<RimLoop> openings_;
     std::vector<char> isAtHole_;
     AutoCut proposal_;
@@ -192,7 +202,7 @@ private:
 }  // namespace
 
 Result<AutoCut> proposeCuts(const MeshArrays& mesh, const EdgeTable& table,
-                            const AutoCutOptions& options) {
+                            const AutoCutOptions& options, const Progress& progress) {
     const auto defect = checkDisk(mesh, "").defect;
     if (!defect) {
         return AutoCut{};
@@ -205,17 +215,17 @@ Result<AutoCut> proposeCuts(const MeshArrays& mesh, const EdgeTable& table,
     if (*std::ranges::max_element(parts) > 0) {
         return cutError("", "the mesh has several parts");
     }
-    return Proposer(mesh, table, options).run(defect->code);
+    return Proposer(mesh, table, options, progress).run(defect->code);
 }
 
 Result<CutResult> applyAutoCut(const MeshArrays& mesh, const AutoCut& proposal,
-                               const CutOptions& options) {
+                               const CutOptions& options, const Progress& progress) {
     std::vector<PathPolyline> paths;
     for (const ProposedCut& cut : proposal.cuts) {
         paths.push_back(cut.path);
     }
     const FilledMesh filled = fillHoles(mesh, proposal.holesToFill);
-    auto result = cutAlong(filled.mesh, paths, options);
+    auto result = cutAlong(filled.mesh, paths, options, progress);
     if (!result) {
         return result;
     }

@@ -36,15 +36,18 @@ struct AutoCut {
 /// shortest seams that join them, straight along the surface. A closed piece: a short tree through
 /// its sharpest corners, along its creases. Handles: two seams each. A piece that is a disk needs
 /// nothing. Cuts are pulled tight as long as the result stays one disk; this is tried, not assumed.
+/// @param progress  reported, and polled between one cut and the next
 /// @errors  what checkDisk finds that no cut mends; SeveralLoops above the limit; a cut error for
-///          a mesh of several parts
+///          a mesh of several parts; Cancelled
 /// Cost: O(n log n), and one cutAlong per cut at worst. Deterministic. Re-entrant.
 Result<AutoCut> proposeCuts(const MeshArrays& mesh, const EdgeTable& table,
-                            const AutoCutOptions& options = {});
+                            const AutoCutOptions& options = {},
+                            const Progress& progress = Progress());
 
 /// Fills the holes and makes the cuts. Faces and vertices of caps have the source -1, and no face
 /// as their place.
 Result<CutResult> applyAutoCut(const MeshArrays& mesh, const AutoCut& proposal,
-                               const CutOptions& options = {});
+                               const CutOptions& options = {},
+                               const Progress& progress = Progress());
 
 }  // namespace toile

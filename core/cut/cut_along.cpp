@@ -28,11 +28,15 @@ std::optional<Error> whyNotCuttable(const SurfaceLinks& links) {
 }
 
 /// The path's vertices once it is part of the mesh.
-Result<std::vector<int>> embed(const SurfaceLinks& links, FaceSplitter& splitter,
-                               const PathPolyline& path) {
+Result<std::vector<int>> embed(const FaceParts& parts, FaceSplitter& splitter,
+                               const PathPolyline& path, const Progress& progress) {
+    const SurfaceLinks& links = parts.links();
     std::vector<int> vertices;
     int face = -1;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled, "", ""};
+        }
         const SurfacePoint& point = path.points[i];
         const int vertex = splitter.insert(point);
         if (i == 0) {
@@ -46,6 +50,11 @@ Result<std::vector<int>> embed(const SurfaceLinks& links, FaceSplitter& splitter
         }
         if (!splitter.connect(face, vertices.back(), vertex, vertices)) {
             return cutError("", "a path lost its way in a triangle");
+        }
+        if (parts.isCrowded(face)) {
+            return cutError("",
+                            "it crosses itself and the cuts before it so often that a triangle "
+                            "would fall into thousands of parts");
         }
     }
     return vertices;
@@ -77,10 +86,9 @@ MeshArrays assemble(const FaceParts& parts, std::vector<int>& sourceFace) {
     std::vector<FaceParts::Part> faces;
     sourceFace.clear();
     for (int f = 0; f < links.faceCount(); ++f) {
-        for (const FaceParts::Part& part : parts.partsOf(f)) {
-            faces.push_back(part);
-            sourceFace.push_back(f);
-        }
+        const auto list = parts.partsOf(f);
+        faces.insert(faces.end(), list.begin(), list.end());
+        sourceFace.resize(faces.size(), f);
     }
     mesh.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
     for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -89,21 +97,10 @@ MeshArrays assemble(const FaceParts& parts, std::vector<int>& sourceFace) {
     return mesh;
 }
 
-/// A source triangle with a part that has both vertices as corners.
-int faceWithEdge(const MeshArrays& mesh, const std::vector<int>& sourceFace, int a, int b) {
-    for (int f = 0; f < mesh.F.rows(); ++f) {
-        const auto corners = mesh.F.row(f);
-        if ((corners.array() == a).any() && (corners.array() == b).any()) {
-            return sourceFace[f];
-        }
-    }
-    return -1;
-}
-
 }  // namespace
 
 Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolyline>& paths,
-                           const CutOptions& options) {
+                           const CutOptions& options, const Progress& progress) {
     const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
     const SurfaceLinks links(mesh, table);
     if (auto error = whyNotCuttable(links)) {
@@ -112,31 +109,45 @@ Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolylin
     FaceParts parts(links);
     FaceSplitter splitter(parts, options.snap);
     std::vector<std::vector<int>> ways;
+    std::vector<std::optional<Error>> errors;
     for (const PathPolyline& path : paths) {
-        auto way = embed(links, splitter, path);
-        if (!way) {
+        parts.mark();
+        auto way = embed(parts, splitter, path, progress);
+        if (!way && (!options.leavesOut || progress.isCancelled())) {
             return way.error();
         }
-        ways.push_back(std::move(*way));
+        if (!way) {
+            parts.takeBack();
+        }
+        errors.push_back(way ? std::nullopt : std::optional(way.error()));
+        ways.push_back(way ? std::move(*way) : std::vector<int>{});
     }
-    parts.relax(edgesOf(parts, ways));
+    parts.relax(edgesOf(parts, ways), progress);
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
     CutResult result;
-    OpenedMesh opened;
-    bool isOpen = false;
-    while (!isOpen) {
+    const auto open = [&] {
         std::vector<std::vector<int>> refined;
         for (const auto& way : ways) {
             refined.push_back(parts.refined(way));
         }
-        MeshArrays whole = assemble(parts, result.sourceFace);
-        opened = openAlong(whole, refined);
-        isOpen = opened.stillShut.empty();
-        for (const auto& [a, b] : opened.stillShut) {
-            parts.splitEdge(faceWithEdge(whole, result.sourceFace, a, b), a, b, 0.5);
+        return openAlong(assemble(parts, result.sourceFace), refined);
+    };
+    OpenedMesh opened = open();
+    if (!opened.stillShut.empty()) {
+        // A new vertex has the cut on both sides and nothing else, so that it parts: once is
+        // enough.
+        for (const ShutEdge& edge : opened.stillShut) {
+            parts.splitEdge(result.sourceFace[edge.face], edge.from, edge.to, 0.5);
         }
+        opened = open();
     }
     result.mesh = std::move(opened.mesh);
     result.cuts = std::move(opened.cuts);
+    for (std::size_t c = 0; c < errors.size(); ++c) {
+        result.cuts[c].error = std::move(errors[c]);
+    }
     const int embedded = parts.vertexCount();
     for (int v = 0; v < result.mesh.V.rows(); ++v) {
         const int original = v < embedded ? v : opened.copyOf[v - embedded];

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/cut/surface_point.h"
 
@@ -12,6 +14,9 @@ struct CutOptions {
     /// A point nearer to a vertex or an edge than this fraction of a triangle's size moves onto
     /// it, so that slivers are rare. Vertices never move; the cut does, by so much.
     double snap = 0.02;
+    /// A path that cannot be made is left out, and its `OpenedCut` says why; else the first of
+    /// them is the error of all.
+    bool leavesOut = false;
 };
 
 /// The two sides of a stretch of cut, in the direction of the path: vertices of the new mesh, as
@@ -28,6 +33,7 @@ struct CutRun {
 struct OpenedCut {
     std::vector<CutRun> runs;
     double length = 0;  ///< of all runs
+    std::optional<Error> error{};
 };
 
 struct CutResult {
@@ -44,11 +50,13 @@ struct CutResult {
 /// stretches. Vertices of the source keep their numbers, copies and new ones follow; the parts of
 /// a triangle lie in the order of the source. Area and orientation are kept; no rim arises but the
 /// cut. A slit of one edge gets a vertex in its middle, since it could not open without.
-/// @param paths  see PathPolyline; each cut in turn
+/// @param paths     see PathPolyline; each cut in turn
+/// @param progress  polled, nothing is reported
 /// @errors  NonManifoldEdge, OpposedWinding; a cut error where neighbouring points of a path share
-///          no triangle
-/// Cost: linear in the mesh, plus the square of the pieces of each crossed triangle. Pure.
+///          no triangle, or where it would leave a triangle in thousands of parts; Cancelled
+/// Cost: linear in the mesh, plus the square of the parts of each crossed triangle; those are
+/// bounded. Pure.
 Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolyline>& paths,
-                           const CutOptions& options = {});
+                           const CutOptions& options = {}, const Progress& progress = Progress());
 
 }  // namespace toile

@@ -4,23 +4,63 @@
 #include <algorithm>
 
 namespace toile {
+namespace {
+
+/// A triangle in more parts than this is a tangle of lines, and no pattern: beyond it the time for
+/// each step across the triangle would be felt.
+constexpr std::size_t kMaxPartsOfFace = 10000;
+/// Likewise, for all triangles together.
+constexpr std::size_t kMaxNewVertices = 1000000;
+
+/// Asked of every part in turn: without branches.
+bool holdsBoth(const FaceParts::Part& part, int a, int b) {
+    const int hasA = (part[0] == a) | (part[1] == a) | (part[2] == a);
+    const int hasB = (part[0] == b) | (part[1] == b) | (part[2] == b);
+    return (hasA & hasB) != 0;
+}
+
+}  // namespace
+
+FaceParts::FaceParts(const SurfaceLinks& links) : links_(links), slot_(links.faceCount(), -1) {
+    const Triangles& F = links.mesh().F;
+    whole_.reserve(slot_.size());
+    for (int f = 0; f < links.faceCount(); ++f) {
+        whole_.push_back({F(f, 0), F(f, 1), F(f, 2)});
+    }
+}
 
 std::vector<FaceParts::Part>& FaceParts::parts(int face) {
     if (slot_[face] < 0) {
-        const std::vector<Part> whole = partsOf(face);
         slot_[face] = static_cast<int>(split_.size());
-        split_.push_back(whole);
+        split_.push_back({whole_[face]});
         splitFace_.push_back(face);
     }
-    return split_[slot_[face]];
+    std::vector<Part>& list = split_[slot_[face]];
+    before_.parts.try_emplace(slot_[face], list);
+    return list;
 }
 
-std::vector<FaceParts::Part> FaceParts::partsOf(int face) const {
-    if (slot_[face] >= 0) {
-        return split_[slot_[face]];
+std::span<const FaceParts::Part> FaceParts::partsOf(int face) const {
+    return slot_[face] < 0 ? std::span(&whole_[face], 1) : std::span(split_[slot_[face]]);
+}
+
+bool FaceParts::isCrowded(int face) const {
+    return partsOf(face).size() > kMaxPartsOfFace || places_.size() > kMaxNewVertices;
+}
+
+void FaceParts::mark() {
+    before_ = {places_.size(), {}, {}};
+}
+
+void FaceParts::takeBack() {
+    places_.resize(before_.places);
+    for (auto& [slot, list] : before_.parts) {
+        split_[slot] = std::move(list);
     }
-    const auto corners = links_.mesh().F.row(face);
-    return {{corners[0], corners[1], corners[2]}};
+    for (const VertexPair& edge : before_.middles) {
+        middle_.erase(edge);
+    }
+    mark();
 }
 
 SurfacePoint FaceParts::placeOf(int vertex) const {
@@ -62,6 +102,9 @@ void FaceParts::replaceEdge(int face, int a, int b, int middle) {
     std::vector<Part>& list = parts(face);
     const std::size_t count = list.size();
     for (std::size_t p = 0; p < count; ++p) {
+        if (!holdsBoth(list[p], a, b)) {
+            continue;
+        }
         for (int k = 0; k < 3; ++k) {
             const Part part = list[p];
             const int x = part[k];
@@ -81,7 +124,8 @@ int FaceParts::splitEdge(int face, int a, int b, double t) {
     const Eigen::Vector3d wb = weightsIn(face, b);
     const Eigen::Vector3d weights = (1 - t) * wa + t * wb;
     const int side = sharedSide(face, a, b);
-    middle_[std::minmax(a, b)] = vertex;
+    before_.middles.emplace_back(std::minmax(a, b));
+    middle_[before_.middles.back()] = vertex;
     if (side < 0) {
         places_.push_back({-1, face, weights / weights.sum()});
         replaceEdge(face, a, b, vertex);
@@ -112,9 +156,8 @@ int FaceParts::splitPart(int face, std::size_t part, const Eigen::Vector3d& loca
 }
 
 bool FaceParts::hasEdge(int face, int a, int b) const {
-    return std::ranges::any_of(partsOf(face), [a, b](const Part& part) {
-        return std::ranges::find(part, a) != part.end() && std::ranges::find(part, b) != part.end();
-    });
+    return std::ranges::any_of(partsOf(face),
+                               [a, b](const Part& part) { return holdsBoth(part, a, b); });
 }
 
 std::vector<int> FaceParts::refined(const std::vector<int>& path) const {

@@ -4,9 +4,11 @@
 #include <array>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/cut/surface_links.h"
 
 namespace toile {
@@ -19,7 +21,7 @@ public:
     using Part = std::array<int, 3>;         ///< vertex numbers, winding as in the source
     using VertexPair = std::pair<int, int>;  ///< the smaller number first
 
-    explicit FaceParts(const SurfaceLinks& links) : links_(links), slot_(links.faceCount(), -1) {}
+    explicit FaceParts(const SurfaceLinks& links);
 
     const SurfaceLinks& links() const { return links_; }
 
@@ -27,11 +29,17 @@ public:
     int vertexCount() const { return links_.vertexCount() + static_cast<int>(places_.size()); }
 
     SurfacePoint placeOf(int vertex) const;
-    /// Parts of a source triangle: itself where it was not split.
-    std::vector<Part> partsOf(int face) const;
+    /// Parts of a source triangle: itself where it was not split. Until the next split.
+    std::span<const Part> partsOf(int face) const;
+    /// More parts than any garment needs: of this source triangle, or of all.
+    bool isCrowded(int face) const;
     /// Weights in a source triangle that the vertex touches; zeros are exact.
     Eigen::Vector3d weightsIn(int face, int vertex) const;
     bool hasEdge(int face, int a, int b) const;
+
+    /// From here on `takeBack` undoes all splits.
+    void mark();
+    void takeBack();
 
     /// Splits an edge of the parts of `face`, on both sides. @return the new vertex
     int splitEdge(int face, int a, int b, double t);
@@ -43,7 +51,8 @@ public:
 
     /// Turns diagonals inside each split triangle towards the Delaunay triangulation of its parts,
     /// which has the fewest slivers; `kept` edges stay. Needs no new vertex and keeps the area.
-    void relax(const std::set<VertexPair>& kept);
+    /// Cancelled, it leaves the rest as it is.
+    void relax(const std::set<VertexPair>& kept, const Progress& progress);
 
 private:
     /// Where a new vertex is: on an edge of the source, or inside a triangle.
@@ -59,11 +68,19 @@ private:
     void relaxFace(int face, std::vector<Part>& list, const std::set<VertexPair>& kept) const;
 
     const SurfaceLinks& links_;
-    std::vector<int> slot_;  ///< per source triangle: index into split_, or -1
+    std::vector<Part> whole_;  ///< the source triangles
+    std::vector<int> slot_;    ///< per source triangle: index into split_, or -1
     std::vector<std::vector<Part>> split_;
     std::vector<int> splitFace_;        ///< source triangle of each entry of split_
     std::vector<Place> places_;         ///< of new vertices
     std::map<VertexPair, int> middle_;  ///< of edges that are no more
+
+    /// As it was at the mark.
+    struct {
+        std::size_t places = 0;
+        std::map<int, std::vector<Part>> parts;  ///< of the triangles split since, by slot
+        std::vector<VertexPair> middles;         ///< of the edges split since
+    } before_;
 };
 
 }  // namespace toile

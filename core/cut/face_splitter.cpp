@@ -31,7 +31,7 @@ int FaceSplitter::insert(const SurfacePoint& point) {
     }
     const int face = point.face;
     const Eigen::Vector2d at = onReference(point.barycentric);
-    const std::vector<FaceParts::Part> list = parts_.partsOf(face);
+    const std::span<const FaceParts::Part> list = parts_.partsOf(face);
     std::size_t best = 0;
     Eigen::Vector3d local = Eigen::Vector3d::Zero();
     double depth = -std::numeric_limits<double>::infinity();

@@ -141,7 +141,8 @@ private:
             run.length += length;
             cut.length += length;
             if (leftFrom == rightFrom && leftTo == rightTo) {
-                result_.stillShut.emplace_back(links_.tail(step.left), links_.head(step.left));
+                result_.stillShut.push_back({links_.tail(step.left), links_.head(step.left),
+                                             std::min(step.left, step.right) / 3});
             }
         }
         return cut;

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "core/cut/cut_along.h"
 
 namespace toile {
 
+/// An edge that a path has cut although its two sides still have both ends in common: a vertex
+/// between them is missing.
+struct ShutEdge {
+    int from, to;
+    int face;  ///< the first of the two at it
+};
+
 /// A mesh parted along edges.
 struct OpenedMesh {
     MeshArrays mesh;
     std::vector<int> copyOf;  ///< per vertex beyond those of the input: which one it copies
     std::vector<OpenedCut> cuts;
-    /// Edges whose two sides still have both ends in common: a vertex between them is missing.
-    std::vector<std::pair<int, int>> stillShut;
+    std::vector<ShutEdge> stillShut;
 };
 
 /// Parts a mesh along paths of vertices, neighbours joined by an edge. Every vertex is divided into

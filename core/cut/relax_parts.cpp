@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -16,6 +17,8 @@ namespace {
 constexpr double kTurnable = 1e-9;
 /// A part made by a turn has at least this share of the area of the two it comes from.
 constexpr double kLeastShare = 1e-6;
+/// For each part, should rounding turn edges to and fro.
+constexpr std::size_t kMostTurns = 100;
 
 double angle(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return std::abs(std::atan2(cross(a, b), a.dot(b)));
@@ -60,42 +63,49 @@ bool shouldTurn(const FlatFace& flat, int a, int b, int c, int d) {
 void FaceParts::relaxFace(int face, std::vector<Part>& list,
                           const std::set<VertexPair>& kept) const {
     const FlatFace flat(*this, face);
-    const std::size_t limit = 10 * list.size() * list.size();
-    std::size_t turns = 0;
-    for (bool again = true; again && turns < limit;) {
-        again = false;
-        std::map<VertexPair, std::size_t> sides;  // directed: the part on its left
-        for (std::size_t p = 0; p < list.size(); ++p) {
-            for (int k = 0; k < 3; ++k) {
-                sides[{list[p][k], list[p][(k + 1) % 3]}] = p;
-            }
+    std::map<VertexPair, std::size_t> partLeftOf;  // of directed sides
+    std::set<VertexPair> open;                     // those whose two parts are not known to be good
+    const auto addSidesOf = [&](std::size_t part) {
+        for (int k = 0; k < 3; ++k) {
+            const int a = list[part][k];
+            const int b = list[part][(k + 1) % 3];
+            partLeftOf[{a, b}] = part;
+            open.insert(std::minmax(a, b));
         }
-        std::set<std::size_t> changed;  // their sides are out of date until the next round
-        for (const auto& [side, p] : sides) {
-            const auto [a, b] = side;
-            const auto other = sides.find({b, a});
-            if (a > b || other == sides.end() || kept.contains(side) || changed.contains(p) ||
-                changed.contains(other->second)) {
+    };
+    for (std::size_t p = 0; p < list.size(); ++p) {
+        addSidesOf(p);
+    }
+    const std::size_t limit = kMostTurns * list.size();
+    for (std::size_t turns = 0; !open.empty() && turns < limit;) {
+        std::set<std::size_t> changed;  // in this round, and done with until the next
+        for (const auto& [a, b] : std::exchange(open, {})) {
+            const auto left = partLeftOf.find({a, b});
+            const auto right = partLeftOf.find({b, a});
+            if (left == partLeftOf.end() || right == partLeftOf.end() || kept.contains({a, b}) ||
+                changed.contains(left->second) || changed.contains(right->second)) {
                 continue;
             }
-            const auto third = [&list](std::size_t part, int x, int y) {
-                return list[part][0] + list[part][1] + list[part][2] - x - y;
-            };
-            const int c = third(p, a, b);
-            const int d = third(other->second, a, b);
+            const std::size_t p = left->second;
+            const std::size_t q = right->second;
+            const int c = list[p][0] + list[p][1] + list[p][2] - a - b;
+            const int d = list[q][0] + list[q][1] + list[q][2] - a - b;
             if (shouldTurn(flat, a, b, c, d)) {
                 list[p] = {a, d, c};
-                list[other->second] = {b, c, d};
-                changed.insert({p, other->second});
-                again = true;
+                list[q] = {b, c, d};
+                partLeftOf.erase(left);
+                partLeftOf.erase(right);
+                addSidesOf(p);
+                addSidesOf(q);
+                changed.insert({p, q});
                 ++turns;
             }
         }
     }
 }
 
-void FaceParts::relax(const std::set<VertexPair>& kept) {
-    for (std::size_t i = 0; i < split_.size(); ++i) {
+void FaceParts::relax(const std::set<VertexPair>& kept, const Progress& progress) {
+    for (std::size_t i = 0; i < split_.size() && !progress.isCancelled(); ++i) {
         relaxFace(splitFace_[i], split_[i], kept);
     }
 }

@@ -49,7 +49,7 @@ std::string faultOf(const UserCut& cut) {
 }  // namespace
 
 CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                        const std::vector<UserCut>& cuts) {
+                        const std::vector<UserCut>& cuts, const Progress& progress) {
     CutOwners owners;
     owners.cutsOf.resize(pieces.size());
     if (cuts.empty()) {
@@ -58,7 +58,7 @@ CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
     std::vector<std::pair<Distance, std::size_t>> best(
         cuts.size(), {Distance{std::numeric_limits<double>::infinity()}, pieces.size()});
     Eigen::AlignedBox3d box;
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
+    for (std::size_t p = 0; p < pieces.size() && !progress.isCancelled(); ++p) {
         const MeshArrays& mesh = pieces[p]->mesh;
         if (mesh.F.rows() == 0 || !mesh.V.allFinite()) {
             continue;  // a piece left as it was, for its defect to name

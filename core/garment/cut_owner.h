@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/cut/user_cuts.h"
 #include "core/garment/piece.h"
@@ -22,7 +23,8 @@ struct CutOwners {
 inline constexpr double kFarFromSurface = 0.1;
 
 /// Cost: a tree of boxes per piece, and one question per piece and point; nothing without cuts.
+/// @param progress  polled from piece to piece
 CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                        const std::vector<UserCut>& cuts);
+                        const std::vector<UserCut>& cuts, const Progress& progress);
 
 }  // namespace toile

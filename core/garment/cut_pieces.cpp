@@ -2,6 +2,7 @@
 #include "core/garment/cut_pieces.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -13,6 +14,10 @@ namespace toile {
 namespace {
 
 using PiecePointer = std::shared_ptr<const Piece>;
+
+/// Of a piece's time, about, for the user's cuts; and of these for tracing them.
+constexpr double kByHandShare = 0.5;
+constexpr double kTracingShare = 0.7;
 
 /// A point of the designer's flat panel by its place on the surface.
 Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const SurfacePoint& place) {
@@ -27,21 +32,23 @@ Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const Su
 struct Opened {
     double length = 0;
     std::vector<Eigen::Vector3d> middles;
+    std::optional<Error> error;  ///< why it was left out
 };
 
 /// Cuts one piece along curves. What comes of it has the old piece's file, sources and panel, and
 /// its name; several parts are the caller's to name.
 /// @param opened  gets what each curve opened
 Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPolyline>& paths,
+                                    const CutOptions& options, const Progress& progress,
                                     std::vector<Opened>& opened) {
-    auto cut = cutAlong(piece.mesh, paths);
+    auto cut = cutAlong(piece.mesh, paths, options, progress);
     if (!cut) {
         Error error = cut.error();
         error.where = piece.name;
         return error;
     }
     for (const OpenedCut& one : cut->cuts) {
-        opened.push_back({one.length, {}});
+        opened.push_back({one.length, {}, one.error});
         for (const CutRun& run : one.runs) {
             const std::size_t k = (run.left.size() - 1) / 2;
             opened.back().middles.emplace_back(
@@ -87,8 +94,9 @@ public:
         }
     }
 
-    void cut(const PiecePointer& whole, const std::vector<const UserCut*>& cuts) {
-        std::vector<Piece> parts = byHand(*whole, cuts);
+    void cut(const PiecePointer& whole, const std::vector<const UserCut*>& cuts,
+             const Progress& progress) {
+        std::vector<Piece> parts = byHand(*whole, cuts, Progress(progress, kByHandShare));
         if (parts.empty()) {  // no cut of the user's, or none that could be made
             if (!automatic_ || !whole->defect || !cutsCanMend(whole->defect->code)) {
                 made_.pieces.push_back(whole);
@@ -105,7 +113,8 @@ public:
                 }
             }
             if (automatic_ && part.defect && cutsCanMend(part.defect->code)) {
-                byItself(part);
+                byItself(part, Progress(progress,
+                                        (1 - kByHandShare) / static_cast<double>(parts.size())));
             }
             made_.pieces.push_back(std::make_shared<Piece>(std::move(part)));
         }
@@ -117,7 +126,8 @@ public:
 
 private:
     /// The parts after the user's cuts; none where no cut was made.
-    std::vector<Piece> byHand(const Piece& piece, const std::vector<const UserCut*>& cuts) {
+    std::vector<Piece> byHand(const Piece& piece, const std::vector<const UserCut*>& cuts,
+                              const Progress& progress) {
         if (cuts.empty()) {
             return {};
         }
@@ -125,29 +135,29 @@ private:
         const NearestSurface nearest(piece.mesh);
         std::vector<PathPolyline> paths;
         std::vector<const UserCut*> traced;
-        for (const UserCut* cut : cuts) {
-            auto path = traceUserCut(links, nearest, *cut);
+        for (std::size_t c = 0; c < cuts.size() && !progress.isCancelled(); ++c) {
+            auto path = traceUserCut(links, nearest, *cuts[c], progress);
             if (path) {
                 paths.push_back(std::move(*path));
-                traced.push_back(cut);
+                traced.push_back(cuts[c]);
             } else {
-                fail(cutError(cut->name, "in " + piece.name + ", " + path.error().detail));
+                failIn(piece, *cuts[c], path.error());
             }
+            progress.report(kTracingShare * static_cast<double>(c + 1) /
+                            static_cast<double>(cuts.size()));
         }
         if (paths.empty()) {
             return {};
         }
         std::vector<Opened> opened;
-        auto parts = cutPiece(piece, paths, opened);
-        if (!parts) {
-            dropBadPaths(piece, paths, traced);
-            opened.clear();
-            parts = cutPiece(piece, paths, opened);
-        }
-        if (paths.empty() || !parts) {
-            return {};
-        }
+        auto parts = cutPiece(piece, paths, {.leavesOut = true}, progress, opened);
+        bool areAllOut = true;
         for (std::size_t c = 0; c < traced.size(); ++c) {
+            if (!parts || opened[c].error) {
+                failIn(piece, *traced[c], parts ? *opened[c].error : parts.error());
+                continue;
+            }
+            areAllOut = false;
             if (opened[c].length > 0) {
                 made_.cuts.push_back({traced[c]->name, CutAuthor::User, traced[c]->kind, piece.name,
                                       opened[c].length, std::move(opened[c].middles)});
@@ -157,36 +167,18 @@ private:
                                                    "cut, and opens nothing"));
             }
         }
-        return std::move(*parts);
+        return areAllOut ? std::vector<Piece>{} : std::move(*parts);
     }
 
-    /// Keeps the paths that can be cut together, in their order, and says which cannot and why.
-    void dropBadPaths(const Piece& piece, std::vector<PathPolyline>& paths,
-                      std::vector<const UserCut*>& traced) {
-        std::vector<PathPolyline> good;
-        std::vector<const UserCut*> goodCuts;
-        for (std::size_t c = 0; c < paths.size(); ++c) {
-            good.push_back(paths[c]);
-            std::vector<Opened> ignored;
-            const auto parts = cutPiece(piece, good, ignored);
-            if (parts) {
-                goodCuts.push_back(traced[c]);
-                continue;
-            }
-            good.pop_back();
-            const Error& error = parts.error();
-            fail(cutError(
-                traced[c]->name,
-                "in " + piece.name + ", " +
-                    (error.detail.empty() ? std::string(describe(error.code)) : error.detail)));
-        }
-        paths = std::move(good);
-        traced = std::move(goodCuts);
+    void failIn(const Piece& piece, const UserCut& cut, const Error& error) {
+        fail(cutError(cut.name, "in " + piece.name + ", " +
+                                    (error.detail.empty() ? std::string(describe(error.code))
+                                                          : error.detail)));
     }
 
     /// Makes a disk of a piece, or says in its defect why that is not done.
-    void byItself(Piece& piece) {
-        const auto proposal = proposeCuts(piece.mesh, piece.table);
+    void byItself(Piece& piece, const Progress& progress) {
+        const auto proposal = proposeCuts(piece.mesh, piece.table, {}, progress);
         if (!proposal) {
             piece.defect = proposal.error();
             piece.defect->where = piece.name;
@@ -197,7 +189,7 @@ private:
             paths.push_back(cut.path);
         }
         std::vector<Opened> opened;
-        auto parts = cutPiece(piece, paths, opened);
+        auto parts = cutPiece(piece, paths, {}, progress, opened);
         if (!parts || parts->size() != 1) {
             piece.defect =
                 parts ? cutError(piece.name, "the cuts would separate the piece") : parts.error();
@@ -230,13 +222,15 @@ private:
 
 CutPieces cutPieces(const std::vector<PiecePointer>& wholes, const std::vector<UserCut>& cuts,
                     bool automatic, const Progress& progress) {
-    CutOwners owners = findCutOwners(wholes, cuts);
+    CutOwners owners = findCutOwners(wholes, cuts, progress);
     Cutter cutter(wholes, automatic);
     for (Error& problem : owners.problems) {
         cutter.fail(std::move(problem));
     }
+    const auto count = static_cast<double>(wholes.size());
     for (std::size_t p = 0; p < wholes.size() && !progress.isCancelled(); ++p) {
-        cutter.cut(wholes[p], owners.cutsOf[p]);
+        cutter.cut(wholes[p], owners.cutsOf[p], Progress(progress, 1 / count));
+        progress.report(static_cast<double>(p + 1) / count);
     }
     return cutter.take();
 }

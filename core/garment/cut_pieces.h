@@ -35,6 +35,7 @@ struct CutPieces {
 /// numbered: "leggings 1", "leggings 2". A piece without cuts is handed on as it is, by pointer. A
 /// cut that fails leaves the others, and its piece, alone; a piece that no automatic cut opens
 /// keeps its defect, with the reason. Cost: the cuts'; nothing for the pieces without.
+/// @param progress  reported; once it is cancelled, what is returned is worth nothing
 /// Deterministic. Re-entrant.
 CutPieces cutPieces(const std::vector<std::shared_ptr<const Piece>>& wholes,
                     const std::vector<UserCut>& cuts, bool automatic, const Progress& progress);

@@ -121,6 +121,43 @@ TEST(CutPieces, OneThatFailsLeavesTheOthersAlone) {
     }
 }
 
+TEST(CutPieces, ATangleIsRefusedAndTheOthersAreMade) {
+    const Pieces pieces{sourced(test::planeGrid(2, 2, 50), "front")};
+    const UserCut good{"good", UserCut::Kind::Path, {{50, 0, 0}, {50, 100, 0}}, false};
+    UserCut tangle{"tangle", UserCut::Kind::Path, {}, false};
+    for (int i = 0; i < 3000; ++i) {
+        tangle.points.emplace_back(i * 37 % 101, i * 59 % 97, 0);
+    }
+    const CutPieces made = cut(pieces, {tangle, good, tangle}, false);
+    const CutPieces expected = cut(pieces, {good}, false);
+    ASSERT_EQ(made.pieces.size(), 2U);
+    for (std::size_t p = 0; p < 2; ++p) {
+        EXPECT_EQ(made.pieces[p]->mesh.V, expected.pieces[p]->mesh.V);
+        EXPECT_EQ(made.pieces[p]->mesh.F, expected.pieces[p]->mesh.F);
+    }
+    ASSERT_EQ(made.problems.size(), 2U);
+    for (const Error& problem : made.problems) {
+        EXPECT_EQ(problem.code, ErrorCode::CutImpossible);
+        EXPECT_EQ(problem.where, "tangle");
+        EXPECT_NE(problem.detail.find("in front, it crosses itself"), std::string::npos);
+    }
+    // Alone, it leaves the very piece.
+    EXPECT_EQ(cut(pieces, {tangle}, false).pieces, pieces);
+}
+
+TEST(CutPieces, SayHowFarTheyAre) {
+    const Pieces pieces{sourced(test::planeGrid(4, 4, 10), "front"),
+                        sourced(test::tube(16, 6), "sleeve")};
+    const UserCut across{"across", UserCut::Kind::Path, {{0, 21, 0}, {40, 21, 0}}, false};
+    Progress progress;
+    EXPECT_EQ(cutPieces(pieces, {across}, true, progress).cuts.size(), 2U);
+    EXPECT_NEAR(progress.fraction(), 1, 1e-12);
+    Progress cancelled;
+    cancelled.cancel();
+    EXPECT_TRUE(cutPieces(pieces, {across}, true, cancelled).cuts.empty());
+    EXPECT_EQ(cancelled.fraction(), 0);
+}
+
 TEST(CutPieces, APieceThatNoCutOpensKeepsItsDefect) {
     const CutPieces made = cut({sourced(test::moebiusStrip(12), "strip")}, {}, true);
     ASSERT_EQ(made.pieces.size(), 1U);
