@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -58,12 +59,14 @@ public:
                                 [](const Eigen::Vector3d& p) { return !p.allFinite(); })) {
             return joinError(join, "a point is not finite");
         }
-        rims_ = pairRims(pieces_);
+        if (!rims_) {
+            rims_.emplace(pieces_);
+        }
         const Result<int> seed = findSeed(join);
         if (!seed) {
             return seed.error();
         }
-        const SewnChain weld = weldAlong(chainAround(rims_, *seed), join);
+        const SewnChain weld = weldAlong(chainAround(*rims_, *seed), join);
         if (pieces_[weld.left]->file != pieces_[weld.right]->file) {
             return joinError(join, pieces_[weld.left]->name + " and " + pieces_[weld.right]->name +
                                        " come from different files");
@@ -81,8 +84,9 @@ public:
 
 private:
     Eigen::Vector3d at(int piece, int vertex) const { return pieces_[piece]->mesh.V.row(vertex); }
-    Eigen::Vector3d tailOf(int e) const { return at(rims_.edges[e].piece, rims_.edges[e].tail); }
-    Eigen::Vector3d headOf(int e) const { return at(rims_.edges[e].piece, rims_.edges[e].head); }
+    const RimPairs::Edge& edge(int e) const { return rims_->edge(e); }
+    Eigen::Vector3d tailOf(int e) const { return at(edge(e).piece, edge(e).tail); }
+    Eigen::Vector3d headOf(int e) const { return at(edge(e).piece, edge(e).head); }
     double lengthOf(int e) const { return (headOf(e) - tailOf(e)).norm(); }
 
     OnEdge nearestOn(int e, const Eigen::Vector3d& point) const {
@@ -93,8 +97,10 @@ private:
 
     double limit() const {
         Eigen::AlignedBox3d box;
-        for (std::size_t e = 0; e < rims_.edges.size(); ++e) {
-            box.extend(tailOf(static_cast<int>(e)));
+        for (const auto& rim : rims_->rims()) {
+            for (const int e : rim) {
+                box.extend(tailOf(e));
+            }
         }
         return box.isEmpty() ? 0 : kFarFromSurface * box.diagonal().norm();
     }
@@ -104,15 +110,17 @@ private:
         const Eigen::Vector3d& middle = join.points[join.points.size() / 2];
         int nearest = -1, paired = -1;
         double toNearest = std::numeric_limits<double>::infinity(), toPaired = toNearest;
-        for (int e = 0; e < static_cast<int>(rims_.edges.size()); ++e) {
-            const double distance = nearestOn(e, middle).distance;
-            if (distance < toNearest) {
-                nearest = e;
-                toNearest = distance;
-            }
-            if (rims_.edges[e].mate >= 0 && distance < toPaired) {
-                paired = e;
-                toPaired = distance;
+        for (const auto& rim : rims_->rims()) {
+            for (const int e : rim) {
+                const double distance = nearestOn(e, middle).distance;
+                if (distance < toNearest) {
+                    nearest = e;
+                    toNearest = distance;
+                }
+                if (edge(e).mate >= 0 && distance < toPaired) {
+                    paired = e;
+                    toPaired = distance;
+                }
             }
         }
         if (nearest < 0) {
@@ -128,9 +136,9 @@ private:
         if (paired >= 0 && toPaired <= allowed) {
             return paired;
         }
-        const std::string& name = pieces_[rims_.edges[nearest].piece]->name;
+        const std::string& name = pieces_[edge(nearest).piece]->name;
         return joinError(join,
-                         rims_.edges[nearest].mate == RimPairs::kSeveral
+                         edge(nearest).mate == RimPairs::kSeveral
                              ? "more than two edges lie on each other there, one of them of " + name
                              : "the vertices of the two edges there, one of them of " + name +
                                    ", do not lie on each other one to one");
@@ -195,15 +203,14 @@ private:
         if (chain.closed) {
             last = std::min(last, first + count);
         }
-        SewnChain weld{rims_.edges[chain.edges[0]].piece,
-                       rims_.edges[rims_.edges[chain.edges[0]].mate].piece,
-                       {}};
+        const RimPairs::Edge& seed = edge(chain.edges[0]);
+        SewnChain weld{seed.piece, edge(seed.mate).piece, {}};
         for (int i = first; i < last; ++i) {
             const int e = chain.edges[(i % count + count) % count];
-            const RimPairs::Edge& edge = rims_.edges[e];
-            const RimPairs::Edge& mate = rims_.edges[edge.mate];
-            weld.vertices.emplace_back(edge.tail, mate.head);
-            weld.vertices.emplace_back(edge.head, mate.tail);
+            const RimPairs::Edge& side = edge(e);
+            const RimPairs::Edge& mate = edge(side.mate);
+            weld.vertices.emplace_back(side.tail, mate.head);
+            weld.vertices.emplace_back(side.head, mate.tail);
             weld.length += lengthOf(e);
         }
         if (weld.right < weld.left) {
@@ -231,6 +238,7 @@ private:
             }
         }
         made_.joins.push_back({join.name, made.name, weld.length});
+        rims_->replace(weld.left, weld.right, made);
         pieces_[weld.left] = std::make_shared<const Piece>(std::move(made));
         if (!itself) {
             pieces_[weld.right] = nullptr;
@@ -301,20 +309,21 @@ private:
     }
 
     std::vector<PiecePointer> pieces_;  ///< null where a piece has become part of another
-    RimPairs rims_;
+    std::optional<RimPairs> rims_;      ///< of these, once there is a join
     std::set<std::string> names_;
     JoinedPieces made_;
 };
 
 }  // namespace
 
-JoinedPieces joinPieces(const std::vector<PiecePointer>& wholes,
-                        const std::vector<UserJoin>& joins) {
+JoinedPieces joinPieces(const std::vector<PiecePointer>& wholes, const std::vector<UserJoin>& joins,
+                        const Progress& progress) {
     Joiner joiner(wholes);
-    for (const UserJoin& join : joins) {
-        if (const auto done = joiner.join(join); !done) {
+    for (std::size_t j = 0; j < joins.size() && !progress.isCancelled(); ++j) {
+        if (const auto done = joiner.join(joins[j]); !done) {
             joiner.fail(done.error());
         }
+        progress.report(static_cast<double>(j + 1) / static_cast<double>(joins.size()));
     }
     return joiner.take();
 }

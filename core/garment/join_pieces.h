@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/cut/user_join.h"
 #include "core/garment/piece.h"
 
@@ -34,8 +35,10 @@ struct JoinedPieces {
 /// Refused, each with its reason, and nothing else left out for it: points far from any rim; a rim
 /// there that has no other one with the same vertices, or more than one; pieces of two files; what
 /// would be no surface any more.
-/// Cost: for every join linear in all triangles; nothing without joins. Deterministic. Re-entrant.
+/// @param progress  reported; once it is cancelled, what is returned is worth nothing
+/// Cost: linear in all triangles, and for every join in those of its two pieces and in the edges of
+/// all rims; nothing without joins. Deterministic. Re-entrant.
 JoinedPieces joinPieces(const std::vector<std::shared_ptr<const Piece>>& wholes,
-                        const std::vector<UserJoin>& joins);
+                        const std::vector<UserJoin>& joins, const Progress& progress = Progress());
 
 }  // namespace toile

@@ -1,166 +1,181 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/garment/rim_pairs.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <map>
 #include <set>
-#include <utility>
 
 #include <Eigen/Geometry>
 
 namespace toile {
 namespace {
 
-/// Numbers places: points closer together than a tolerance share one.
-class Places {
-public:
-    explicit Places(double tolerance) : tolerance_(tolerance) {}
-
-    int of(const Eigen::Vector3d& point) {
-        const Cell cell = cellOf(point);
-        for (int dx = -1; dx <= 1; ++dx) {
-            for (int dy = -1; dy <= 1; ++dy) {
-                for (int dz = -1; dz <= 1; ++dz) {
-                    const auto found = cells_.find({cell[0] + dx, cell[1] + dy, cell[2] + dz});
-                    if (found == cells_.end()) {
-                        continue;
-                    }
-                    for (const int known : found->second) {
-                        if ((points_[known] - point).norm() <= tolerance_) {
-                            return known;
-                        }
-                    }
-                }
-            }
-        }
-        cells_[cell].push_back(static_cast<int>(points_.size()));
-        points_.push_back(point);
-        return static_cast<int>(points_.size()) - 1;
-    }
-
-private:
-    using Cell = std::array<std::int64_t, 3>;
-
-    Cell cellOf(const Eigen::Vector3d& point) const {
-        Cell cell;
-        for (int k = 0; k < 3; ++k) {
-            cell[k] = std::llround(point[k] / (2 * tolerance_));
-        }
-        return cell;
-    }
-
-    double tolerance_;
-    std::map<Cell, std::vector<int>> cells_;
-    std::vector<Eigen::Vector3d> points_;
-};
-
 bool isUsable(const std::shared_ptr<const Piece>& piece) {
     return piece && piece->mesh.F.rows() > 0 && piece->mesh.V.allFinite();
 }
 
-void collectEdges(const Piece& piece, int index, std::vector<RimPairs::Edge>& edges) {
-    const EdgeTable& table = piece.table;
-    for (std::size_t e = 0; e + 1 < table.useStart.size(); ++e) {
-        if (table.useStart[e + 1] - table.useStart[e] == 1) {
-            const int use = table.use[table.useStart[e]];
-            edges.push_back(
-                {index, piece.mesh.F(use / 3, use % 3), piece.mesh.F(use / 3, (use % 3 + 1) % 3)});
+double toleranceOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
+    Eigen::AlignedBox3d box;
+    for (const auto& piece : pieces) {
+        if (isUsable(piece)) {
+            box.extend(Eigen::Vector3d(piece->mesh.V.colwise().minCoeff().transpose()));
+            box.extend(Eigen::Vector3d(piece->mesh.V.colwise().maxCoeff().transpose()));
         }
     }
-}
-
-/// Who follows whom; at a vertex where several edges begin or end nobody does.
-void linkNeighbours(std::vector<RimPairs::Edge>& edges) {
-    std::map<std::pair<int, int>, std::vector<int>> from, to;
-    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
-        from[{edges[e].piece, edges[e].tail}].push_back(e);
-        to[{edges[e].piece, edges[e].head}].push_back(e);
-    }
-    for (const auto& [vertex, arriving] : to) {
-        const auto leaving = from.find(vertex);
-        if (arriving.size() == 1 && leaving != from.end() && leaving->second.size() == 1) {
-            edges[arriving[0]].next = leaving->second[0];
-            edges[leaving->second[0]].prev = arriving[0];
-        }
-    }
-}
-
-void findMates(const std::vector<std::shared_ptr<const Piece>>& pieces, double tolerance,
-               std::vector<RimPairs::Edge>& edges) {
-    Places places(tolerance);
-    const auto placeOf = [&](int piece, int vertex) {
-        return places.of(pieces[piece]->mesh.V.row(vertex).transpose());
-    };
-    std::map<std::pair<int, int>, std::vector<int>> between;
-    std::vector<std::pair<int, int>> ends;
-    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
-        ends.emplace_back(placeOf(edges[e].piece, edges[e].tail),
-                          placeOf(edges[e].piece, edges[e].head));
-        between[ends.back()].push_back(e);
-    }
-    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
-        const auto [tail, head] = ends[e];
-        const auto against = between.find({head, tail});
-        if (tail == head || against == between.end()) {
-            continue;
-        }
-        const bool single = against->second.size() == 1 && between[ends[e]].size() == 1;
-        edges[e].mate = single ? against->second[0] : RimPairs::kSeveral;
-    }
+    return box.isEmpty() ? 0 : kSamePlace * box.diagonal().norm();
 }
 
 }  // namespace
 
-RimPairs pairRims(const std::vector<std::shared_ptr<const Piece>>& pieces) {
-    RimPairs rims;
-    Eigen::AlignedBox3d box;
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        if (isUsable(pieces[p])) {
-            collectEdges(*pieces[p], static_cast<int>(p), rims.edges);
-            box.extend(Eigen::Vector3d(pieces[p]->mesh.V.colwise().minCoeff().transpose()));
-            box.extend(Eigen::Vector3d(pieces[p]->mesh.V.colwise().maxCoeff().transpose()));
+int Places::of(const Eigen::Vector3d& point) {
+    if (!(tolerance_ > 0)) {
+        return 0;
+    }
+    Cell cell;
+    for (int k = 0; k < 3; ++k) {
+        cell[k] = std::llround(point[k] / (2 * tolerance_));
+    }
+    for (int dx = -1; dx <= 1; ++dx) {
+        for (int dy = -1; dy <= 1; ++dy) {
+            for (int dz = -1; dz <= 1; ++dz) {
+                const auto found = cells_.find({cell[0] + dx, cell[1] + dy, cell[2] + dz});
+                if (found == cells_.end()) {
+                    continue;
+                }
+                for (const int known : found->second) {
+                    if ((points_[known] - point).norm() <= tolerance_) {
+                        return known;
+                    }
+                }
+            }
         }
     }
-    const double tolerance = box.isEmpty() ? 0 : kSamePlace * box.diagonal().norm();
-    linkNeighbours(rims.edges);
-    if (tolerance > 0) {
-        findMates(pieces, tolerance, rims.edges);
+    cells_[cell].push_back(static_cast<int>(points_.size()));
+    points_.push_back(point);
+    return static_cast<int>(points_.size()) - 1;
+}
+
+RimPairs::RimPairs(const std::vector<std::shared_ptr<const Piece>>& pieces)
+    : rims_(pieces.size()), places_(toleranceOf(pieces)) {
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        if (isUsable(pieces[p])) {
+            add(*pieces[p], static_cast<int>(p), {});
+        }
     }
-    return rims;
+    for (const auto& [ends, edges] : between_) {
+        findMates(ends);
+    }
+}
+
+void RimPairs::replace(int left, int right, const Piece& made) {
+    std::vector<int> old = std::exchange(rims_[left], {});
+    old.insert(old.end(), rims_[right].begin(), rims_[right].end());
+    rims_[right].clear();
+    std::set<Ends> changed;
+    for (const int e : old) {
+        std::erase(between_[ends_[e]], e);
+        changed.insert(ends_[e]);
+    }
+    add(made, left, std::move(old));
+    for (const int e : rims_[left]) {
+        changed.insert(ends_[e]);
+    }
+    for (const Ends& ends : changed) {
+        findMates(ends);
+    }
+}
+
+void RimPairs::add(const Piece& piece, int index, std::vector<int> numbers) {
+    const EdgeTable& table = piece.table;
+    std::vector<int>& rim = rims_[index];
+    for (std::size_t e = 0; e + 1 < table.useStart.size(); ++e) {
+        if (table.useStart[e + 1] - table.useStart[e] != 1) {
+            continue;
+        }
+        if (numbers.empty()) {
+            numbers.push_back(static_cast<int>(edges_.size()));
+            edges_.emplace_back();
+            ends_.emplace_back();
+        }
+        const int number = numbers.back();
+        numbers.pop_back();
+        const int use = table.use[table.useStart[e]];
+        const int tail = piece.mesh.F(use / 3, use % 3);
+        const int head = piece.mesh.F(use / 3, (use % 3 + 1) % 3);
+        edges_[number] = {index, tail, head};
+        const int from = places_.of(piece.mesh.V.row(tail));
+        ends_[number] = {from, places_.of(piece.mesh.V.row(head))};
+        between_[ends_[number]].push_back(number);
+        rim.push_back(number);
+    }
+    link(rim, piece.mesh.V.rows());
+}
+
+/// Who follows whom; at a vertex where several edges begin or end nobody does.
+void RimPairs::link(const std::vector<int>& rim, Eigen::Index vertexCount) {
+    std::vector<int> leaving(vertexCount, kNone), arriving(vertexCount, kNone);
+    const auto note = [](int& slot, int e) { slot = slot == kNone ? e : kSeveral; };
+    for (const int e : rim) {
+        note(leaving[edges_[e].tail], e);
+        note(arriving[edges_[e].head], e);
+    }
+    for (const int e : rim) {
+        const int next = leaving[edges_[e].head];
+        if (next >= 0 && arriving[edges_[e].head] == e) {
+            edges_[e].next = next;
+            edges_[next].prev = e;
+        }
+    }
+}
+
+/// Of all edges between two places.
+void RimPairs::findMates(const Ends& ends) {
+    const std::vector<int> none;
+    const auto edgesBetween = [&](const Ends& key) -> const std::vector<int>& {
+        const auto found = between_.find(key);
+        return found == between_.end() ? none : found->second;
+    };
+    const std::vector<int>& along = edgesBetween(ends);
+    const std::vector<int>& against = edgesBetween({ends.second, ends.first});
+    const bool areSingle = along.size() == 1 && against.size() == 1;
+    const bool areApart = along.empty() || against.empty() || ends.first == ends.second;
+    for (const auto& [edges, others] : {std::pair(&along, &against), std::pair(&against, &along)}) {
+        for (const int e : *edges) {
+            edges_[e].mate = areApart ? kNone : areSingle ? others->front() : kSeveral;
+        }
+    }
 }
 
 PairedChain chainAround(const RimPairs& rims, int seed) {
-    const std::vector<RimPairs::Edge>& edges = rims.edges;
     PairedChain chain{{seed}};
-    std::set<int> used{seed, edges[seed].mate};
+    std::set<int> used{seed, rims.edge(seed).mate};
+    const auto mateOf = [&rims](int e) { return rims.edge(e).mate; };
     for (int last = seed;;) {
-        const int next = edges[last].next;
-        if (next == seed && edges[edges[seed].mate].next == edges[last].mate) {
+        const int next = rims.edge(last).next;
+        if (next == seed && rims.edge(mateOf(seed)).next == mateOf(last)) {
             chain.closed = chain.edges.size() > 2;
             return chain;
         }
         // At the tip of a dart the edge goes on with its own mate: the seam ends there.
-        if (next < 0 || edges[next].mate < 0 || used.contains(next) ||
-            edges[edges[next].mate].next != edges[last].mate) {
+        if (next < 0 || mateOf(next) < 0 || used.contains(next) ||
+            rims.edge(mateOf(next)).next != mateOf(last)) {
             break;
         }
-        used.insert({next, edges[next].mate});
+        used.insert({next, mateOf(next)});
         chain.edges.push_back(next);
         last = next;
     }
+    std::vector<int> ahead;
     for (int first = seed;;) {
-        const int before = edges[first].prev;
-        if (before < 0 || edges[before].mate < 0 || used.contains(before) ||
-            edges[edges[first].mate].next != edges[before].mate) {
+        const int before = rims.edge(first).prev;
+        if (before < 0 || mateOf(before) < 0 || used.contains(before) ||
+            rims.edge(mateOf(first)).next != mateOf(before)) {
             break;
         }
-        used.insert({before, edges[before].mate});
-        chain.edges.insert(chain.edges.begin(), before);
+        used.insert({before, mateOf(before)});
+        ahead.push_back(before);
         first = before;
     }
+    chain.edges.insert(chain.edges.begin(), ahead.rbegin(), ahead.rend());
     return chain;
 }
 

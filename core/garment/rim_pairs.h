@@ -1,15 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "core/garment/piece.h"
 
 namespace toile {
 
-/// The rim edges of all pieces, and which of them lie on each other.
-struct RimPairs {
+/// Two vertices lie on each other when they are no farther apart than this part of the diagonal of
+/// all pieces: the rounding of a file, far below any gap between two layers.
+inline constexpr double kSamePlace = 1e-6;
+
+/// Numbers places: points closer together than a tolerance share one.
+class Places {
+public:
+    explicit Places(double tolerance) : tolerance_(tolerance) {}
+
+    int of(const Eigen::Vector3d& point);
+
+private:
+    using Cell = std::array<std::int64_t, 3>;
+
+    double tolerance_;
+    std::map<Cell, std::vector<int>> cells_;
+    std::vector<Eigen::Vector3d> points_;
+};
+
+/// The rim edges of pieces, and which of them lie on each other.
+class RimPairs {
+public:
     static constexpr int kNone = -1;
     static constexpr int kSeveral = -2;
 
@@ -23,21 +49,37 @@ struct RimPairs {
         int mate = kNone;
     };
 
-    std::vector<Edge> edges;
+    /// @param pieces  null ones are passed by
+    /// Cost: linear in the triangles, n log n in the rim edges.
+    explicit RimPairs(const std::vector<std::shared_ptr<const Piece>>& pieces);
+
+    const Edge& edge(int e) const { return edges_[e]; }
+    /// Per piece: its edges, in the order of its table.
+    const std::vector<std::vector<int>>& rims() const { return rims_; }
+
+    /// Makes one piece of two, or anew where both are the same. It has number `left`, and no other
+    /// points than the two had. Cost: as above, of these pieces only.
+    void replace(int left, int right, const Piece& made);
+
+private:
+    using Ends = std::pair<int, int>;  ///< places of tail and head
+
+    /// @param numbers  to be used first
+    void add(const Piece& piece, int index, std::vector<int> numbers);
+    void link(const std::vector<int>& rim, Eigen::Index vertexCount);
+    void findMates(const Ends& ends);
+
+    std::vector<Edge> edges_;
+    std::vector<std::vector<int>> rims_;
+    Places places_;
+    std::vector<Ends> ends_;                    ///< per edge
+    std::map<Ends, std::vector<int>> between_;  ///< edges by their ends
 };
-
-/// Two vertices lie on each other when they are no farther apart than this part of the diagonal of
-/// all pieces: the rounding of a file, far below any gap between two layers.
-inline constexpr double kSamePlace = 1e-6;
-
-/// @param pieces  null ones are passed by
-/// Cost: linear in the triangles, n log n in the rim edges. Pure.
-RimPairs pairRims(const std::vector<std::shared_ptr<const Piece>>& pieces);
 
 /// Edges one after the other on one piece whose mates are one after the other too: the stretch of
 /// seam around an edge that has a mate. Closed where the last goes on with the first.
 struct PairedChain {
-    std::vector<int> edges;  ///< indices into RimPairs::edges; each side of the seam once
+    std::vector<int> edges;  ///< each side of the seam once
     bool closed = false;
 };
 

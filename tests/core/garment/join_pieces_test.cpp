@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <random>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -244,6 +245,50 @@ TEST(JoinPieces, GrowOneAfterTheOther) {
     ASSERT_EQ(one.pieces.size(), 2U);
     EXPECT_EQ(one.pieces[0], strips[0]);
     EXPECT_EQ(one.pieces[1]->name, "abc1 + abc2");
+}
+
+/// A quilt: every join meets pieces that earlier ones have made, and the last ones close the slits
+/// that are left between them.
+TEST(JoinPieces, MakeAQuiltWholeInAnyOrder) {
+    const int side = 5;
+    const MeshArrays whole = test::planeGrid(2 * side, 2 * side, 10);
+    Pieces patches;
+    std::vector<UserJoin> joins;
+    for (int k = 0; k < side * side; ++k) {
+        const double x = 20.0 * (k % side), y = 20.0 * (k / side);
+        patches.push_back(partOf(whole, "patch " + std::to_string(k), [=](const auto& p) {
+            return p.x() > x && p.x() < x + 20 && p.y() > y && p.y() < y + 20;
+        }));
+        if (x > 0) {
+            joins.push_back({"x" + std::to_string(k), {{x, y, 0}, {x, y + 10, 0}, {x, y + 20, 0}}});
+        }
+        if (y > 0) {
+            joins.push_back({"y" + std::to_string(k), {{x, y, 0}, {x + 10, y, 0}, {x + 20, y, 0}}});
+        }
+    }
+    std::mt19937 random(4);
+    for (int round = 0; round < 5; ++round) {
+        for (std::size_t i = joins.size(); i > 1; --i) {
+            std::swap(joins[i - 1], joins[random() % i]);
+        }
+        Progress progress;
+        const JoinedPieces joined = joinPieces(patches, joins, progress);
+        EXPECT_EQ(progress.fraction(), 1);
+        ASSERT_EQ(joined.pieces.size(), 1U);
+        EXPECT_EQ(joined.pieces[0]->mesh.V.rows(), whole.V.rows());
+        EXPECT_EQ(joined.pieces[0]->boundary.size(), 8U * side);
+        expectSourcesHold(*joined.pieces[0], whole);
+    }
+}
+
+TEST(JoinPieces, CanBeCancelled) {
+    const MeshArrays whole = cap();
+    const Pieces halves{partOf(whole, "left", isLeft), partOf(whole, "right", isRight)};
+    Progress progress;
+    progress.cancel();
+    const UserJoin join{"left / right", commonRim(*halves[0], *halves[1])};
+    EXPECT_TRUE(joinPieces(halves, {join}, progress).joins.empty());
+    EXPECT_EQ(progress.fraction(), 0);
 }
 
 TEST(JoinPieces, OutliveASmallChangeOfTheMesh) {
