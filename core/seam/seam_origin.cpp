@@ -9,9 +9,6 @@
 namespace toile {
 namespace {
 
-/// A point of a cut lies on the outline but for rounding: this part of the edge's length.
-constexpr double kOnLine = 1e-6;
-
 /// Points that tell one seam from every other, and which way round a closed one goes.
 constexpr int kJoinPoints = 9;
 
@@ -21,25 +18,26 @@ bool liesOnEdge(const Eigen::RowVector3d& point, const Eigen::RowVector3d& a,
     return length > 0 && distanceToSegment(point, a, b) <= kOnLine * length;
 }
 
-bool runsThrough(const SeamSide& side, const Piece& piece, const Eigen::RowVector3d& point) {
-    const std::vector<int>& loop = loopOf(side, piece);
+}  // namespace
+
+bool runsThrough(const Seam& seam, const Piece& piece, const Eigen::Vector3d& point) {
+    const std::vector<int>& loop = loopOf(seam.left, piece);
     const int n = static_cast<int>(loop.size());
-    for (int k = side.first; k < side.first + side.count; ++k) {
-        if (liesOnEdge(point, piece.mesh.V.row(loop[k % n]), piece.mesh.V.row(loop[(k + 1) % n]))) {
+    for (int k = seam.left.first;
+         seam.kind != SeamKind::Free && k < seam.left.first + seam.left.count; ++k) {
+        if (liesOnEdge(point.transpose(), piece.mesh.V.row(loop[k % n]),
+                       piece.mesh.V.row(loop[(k + 1) % n]))) {
             return true;
         }
     }
     return false;
 }
 
-}  // namespace
-
 bool isLeftBy(const Seam& seam, const MadeCut& cut,
               const std::vector<std::shared_ptr<const Piece>>& pieces) {
-    return seam.kind != SeamKind::Free &&
-           std::ranges::any_of(cut.middles, [&](const Eigen::Vector3d& point) {
-               return runsThrough(seam.left, *pieces[seam.left.piece], point.transpose());
-           });
+    return std::ranges::any_of(cut.middles, [&](const Eigen::Vector3d& point) {
+        return runsThrough(seam, *pieces[seam.left.piece], point);
+    });
 }
 
 UserJoin joinAlong(const Seam& seam, const std::vector<std::shared_ptr<const Piece>>& pieces) {

@@ -10,6 +10,13 @@
 
 namespace toile {
 
+/// A point of a cut lies on the outline but for rounding: this part of the edge's length.
+inline constexpr double kOnLine = 1e-6;
+
+/// True where a point lies on the left side of a seam, which is no free edge. @param piece  of that
+/// side
+bool runsThrough(const Seam& seam, const Piece& piece, const Eigen::Vector3d& point);
+
 /// True where a cut left this seam. @param pieces  those that the seam was found for, mm
 /// Cost: the points of the cut times the edges of the seam.
 bool isLeftBy(const Seam& seam, const MadeCut& cut,
