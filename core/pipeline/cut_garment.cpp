@@ -14,6 +14,10 @@
 namespace toile {
 namespace {
 
+/// Of the time, about; the rest is finding the seams.
+constexpr double kJoiningShare = 0.1;
+constexpr double kCuttingShare = 0.6;
+
 /// A hole is no fault, but most methods change the length of its rim, and that is to be said.
 void noteHoles(Garment& garment) {
     for (const auto& piece : garment.pieces) {
@@ -62,16 +66,17 @@ void keepUnchanged(std::vector<std::shared_ptr<const Piece>>& pieces,
 
 }  // namespace
 
-Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, Progress& progress) {
+Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
+                           const Progress& progress) {
     Garment made;
     made.files = garment.files;
     made.wholes = garment.wholes;
-    JoinedPieces joined = joinPieces(garment.wholes, joinsInPieceSpace(options.seams, garment));
+    JoinedPieces joined = joinPieces(garment.wholes, joinsInPieceSpace(options.seams, garment),
+                                     Progress(progress, kJoiningShare));
+    progress.report(kJoiningShare);
     CutPieces cut = cutPieces(joined.pieces, cutsInPieceSpace(options.seams, garment),
-                              options.autoCut, progress);
-    if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
-    }
+                              options.autoCut, Progress(progress, kCuttingShare));
+    progress.report(kJoiningShare + kCuttingShare);
     made.pieces = std::move(cut.pieces);
     keepUnchanged(made.pieces, garment.pieces);
     made.cuts = std::move(cut.cuts);
@@ -79,9 +84,13 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, P
     made.problems = std::move(joined.problems);
     made.problems.insert(made.problems.end(), cut.problems.begin(), cut.problems.end());
     noteHoles(made);
-    made.seams = findSeams(made.pieces);
+    made.seams = findSeams(made.pieces, {}, Progress(progress, 1 - kJoiningShare - kCuttingShare));
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled, "", ""};
+    }
     nameAfterCuts(made.seams, made.pieces, made.cuts);
     setEase(made, options.seams);
+    progress.report(1);
     return made;
 }
 

@@ -17,6 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of the time, about, up to the pieces as they are in the files; the rest is joins, cuts and
+/// seams.
+constexpr double kReadingShare = 0.7;
+
 Eigen::Vector3d extentsOf(const PolygonSoup& soup) {
     Eigen::AlignedBox3d box;
     for (const int corner : soup.corners) {
@@ -140,10 +144,12 @@ Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOption
                             Progress& progress) {
     Garment garment;
     const std::vector<std::string> prefix = prefixes(paths);
-    progress.start(2.0 * static_cast<double>(paths.size()));
+    progress.start(1);
+    Progress reading(progress, kReadingShare);
+    reading.start(2.0 * static_cast<double>(paths.size()));
     for (std::size_t k = 0; k < paths.size(); ++k) {
         auto loaded = loadFile(paths[k], static_cast<int>(k),
-                               paths.size() > 1 ? prefix[k] + "/" : "", options, progress);
+                               paths.size() > 1 ? prefix[k] + "/" : "", options, reading);
         if (!loaded) {
             return loaded.error();
         }
@@ -157,7 +163,7 @@ Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOption
         return Error{ErrorCode::NoGeometry, paths.empty() ? "" : paths.front().string(),
                      "no usable face is left"};
     }
-    return cutGarment(garment, options, progress);
+    return cutGarment(garment, options, Progress(progress, 1 - kReadingShare));
 }
 
 }  // namespace toile

@@ -44,7 +44,8 @@ Result<Garment> loadGarment(const std::vector<std::filesystem::path>& paths,
 /// The same garment joined, cut and sewn anew, for an edit of joins, cuts or ease: nothing is read,
 /// and pieces that come out as they were before are the same pointers as before.
 /// Errors: Cancelled.
-Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options, Progress& progress);
+Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
+                           const Progress& progress);
 
 /// Flattens and measures every piece, in parallel over pieces; a piece that fails leaves the
 /// others alone. Same input, same bytes, whatever the number of threads.

@@ -72,22 +72,36 @@ void indexEdges(const Outlines& outlines, SeamGraph& graph) {
 }  // namespace
 
 SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                    const SeamOptions& options) {
+                    const SeamOptions& options, const Progress& progress) {
+    const auto goesOnAt = [&progress](double share) {
+        progress.report(share);
+        return !progress.isCancelled();
+    };
     const Outlines outlines = buildOutlines(pieces);
+    if (!goesOnAt(0.3)) {
+        return {};
+    }
     std::vector<char> settled(outlines.edgeCount(), 0);
     std::vector<Contact> contacts = sharedContacts(pieces, outlines, settled);
     const std::vector<Contact> near = nearContacts(outlines, options.gap, settled);
+    if (!goesOnAt(0.6)) {
+        return {};
+    }
     contacts.insert(contacts.end(), near.begin(), near.end());
     keepConsistentWinding(outlines, contacts);
 
     SeamGraph graph;
     const std::vector<Run> runs = chainContacts(outlines, contacts);
+    if (!goesOnAt(0.8)) {
+        return {};
+    }
     for (const Chosen& chosen : chooseRuns(outlines, runs, options)) {
         graph.seams.push_back(finishSeam(outlines, chosen));
     }
     addFreeEdges(outlines, graph.seams);
     orderAndName(pieces, outlines, graph.seams);
     indexEdges(outlines, graph);
+    progress.report(1);
     return graph;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/garment/piece.h"
 #include "core/garment/seam.h"
 
@@ -38,7 +39,8 @@ struct SeamOptions {
 /// @param pieces  mm, of any size and place; a piece with a defect has no outline and no seams
 /// Deterministic; does not depend on the order of vertices and faces but for the numbering of equal
 /// names. Cost: n log n in the outline edges and linear in the meshes. Re-entrant.
+/// @param progress  reported; once it is cancelled, what is returned is worth nothing
 SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                    const SeamOptions& options = {});
+                    const SeamOptions& options = {}, const Progress& progress = Progress());
 
 }  // namespace toile

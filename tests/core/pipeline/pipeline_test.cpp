@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/pipeline.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "tests/core/support/shapes.h"
+#include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
 
 namespace toile {
@@ -61,6 +63,55 @@ TEST(Pipeline, TellsWhichFileCannotBeRead) {
     ASSERT_FALSE(garment);
     EXPECT_EQ(garment.error().code, ErrorCode::FileUnreadable);
     EXPECT_NE(garment.error().where.find("no.obj"), std::string::npos);
+}
+
+TEST(Pipeline, ReadingLeavesRoomForJoinsCutsAndSeams) {
+    const test::TemporaryFolder folder;
+    Progress progress;
+    // Read to its end, and nothing to cut or to sew.
+    EXPECT_EQ(
+        loadGarment({folder.write("none.obj", "v 0 0 0\nv 1 0 0\n")}, {}, progress).error().code,
+        ErrorCode::NoGeometry);
+    EXPECT_LT(progress.fraction(), 0.9);
+    const Garment garment = load({kSamples / "tshirt.obj"});
+    ASSERT_TRUE(loadGarment({kSamples / "tshirt.obj"}, {LengthUnit::Millimetre}, progress));
+    EXPECT_NEAR(progress.fraction(), 1, 1e-9);
+    LoadOptions options;
+    options.seams.cuts = {{"across", UserCut::Kind::Path, {{-100, 1200, 0}, {100, 1200, 0}}}};
+    for (const double from : {0.0, 0.5}) {
+        Progress cutting;
+        cutting.setShare(from, from + 0.5);
+        ASSERT_TRUE(cutGarment(garment, options, cutting));
+        EXPECT_NEAR(cutting.fraction(), from + 0.5, 1e-9);
+    }
+    Progress cancelled;
+    cancelled.cancel();
+    const auto none = cutGarment(garment, options, cancelled);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::Cancelled);
+}
+
+/// Cuts that cross each other ten thousand times, and one that crosses itself a million times.
+TEST(Pipeline, AttackedByTangledCutsItEndsWithAReason) {
+    const auto mesh = test::sharedFile("attack/two.obj");
+    TOILE_NEEDS_SHARED(mesh);
+    for (const char* name : {"attack/manycuts.seams.json", "attack/manypts.seams.json"}) {
+        SCOPED_TRACE(name);
+        const auto path = test::sharedFile(name);
+        TOILE_NEEDS_SHARED(path);
+        const auto seams = readSeamsFile(path);
+        ASSERT_TRUE(seams);
+        LoadOptions options;
+        options.unit = LengthUnit::Centimetre;
+        options.seams = *seams;
+        Progress progress;
+        const auto garment = loadGarment({mesh}, options, progress);
+        ASSERT_TRUE(garment);
+        EXPECT_TRUE(std::ranges::any_of(garment->problems, [](const Error& problem) {
+            return problem.code == ErrorCode::CutImpossible &&
+                   problem.detail.find("crosses itself") != std::string::npos;
+        }));
+    }
 }
 
 TEST(Pipeline, FlattensEverySampleWithoutFlips) {

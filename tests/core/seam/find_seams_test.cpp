@@ -137,5 +137,17 @@ TEST(FindSeams, PiecesWithoutAnOutlineHaveNoSeams) {
     EXPECT_TRUE(graph.seamsOfEdge[0].empty());
 }
 
+TEST(FindSeams, SaysHowFarItIsAndCanBeCancelled) {
+    const Pieces pieces{asPiece(rectangle(0, 0, 50, 100, 5, 10), "front"),
+                        asPiece(rectangle(50, 0, 70, 100, 7, 10), "back")};
+    Progress progress;
+    EXPECT_FALSE(findSeams(pieces, {}, progress).seams.empty());
+    EXPECT_EQ(progress.fraction(), 1);
+    Progress cancelled;
+    cancelled.cancel();
+    EXPECT_TRUE(findSeams(pieces, {}, cancelled).seams.empty());
+    EXPECT_LT(cancelled.fraction(), 1);
+}
+
 }  // namespace
 }  // namespace toile
