@@ -27,8 +27,8 @@ namespace {
 
 constexpr int kPollMilliseconds = 50;
 constexpr int kQuietRounds = 6, kMostRounds = 100;  // a cursor may blink for ever
-/// Exit statuses, as the command line's.
-constexpr int kFailed = 1, kUnreadable = 3;
+/// Exit status, as the command line's: a file cannot be read or written.
+constexpr int kUnreadable = 3;
 
 QStringList toStrings(const std::vector<std::filesystem::path>& paths) {
     QStringList list;
@@ -82,7 +82,7 @@ private:
         if (!written) {
             complain(QApplication::translate("RunWindow", "could not write %1").arg(path_));
         }
-        QApplication::exit(written ? 0 : kFailed);
+        QApplication::exit(written ? 0 : kUnreadable);
     }
 
     MainWindow& window_;

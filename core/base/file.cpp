@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/file.h"
 
-#include <atomic>
+#include <cerrno>
 #include <fstream>
+#include <new>
 #include <random>
 #include <system_error>
 
-#ifdef _WIN32
+#ifndef _WIN32
 #include <fcntl.h>
-#include <io.h>
-#else
-#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
+#endif
+#ifdef __linux__
+#include <sys/xattr.h>
 #endif
 
 namespace toile {
@@ -19,44 +21,179 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A name beside the target that no other writer uses at the same time, in this process or another.
+// No reader counts farther, and what comes through a pipe may have no end.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{2} << 30;
+constexpr int kMostLinks = 40;  // as the system has it
+
+Error unreadable(const fs::path& path, std::string why) {
+    return {ErrorCode::FileUnreadable, path.string(), std::move(why)};
+}
+
+Error unwritable(const fs::path& path, std::string why) {
+    return {ErrorCode::FileUnwritable, path.string(), std::move(why)};
+}
+
+/// What the links lead to, there or not.
+fs::path throughLinks(fs::path path) {
+    std::error_code failed;
+    for (int k = 0; k < kMostLinks && fs::is_symlink(path, failed); ++k) {
+        path = path.parent_path() / fs::read_symlink(path, failed);
+    }
+    return path;
+}
+
+/// A name that no other writer uses at the same time: short, since a name may be as long as it can.
 fs::path temporaryBeside(const fs::path& path) {
-    static std::atomic<unsigned> counter{std::random_device{}()};
-    fs::path beside = path;
-    beside += ".part" + std::to_string(counter.fetch_add(1));
-    return beside;
+    std::random_device random;
+    return path.parent_path() / (".toile-" + std::to_string(random()) + std::to_string(random()));
 }
 
 Result<void> writeInPlace(const fs::path& path, std::string_view bytes) {
     std::ofstream file(path, std::ios::binary | std::ios::trunc);
     if (!file) {
-        return Error{ErrorCode::FileUnwritable, path.string(), "it cannot be created"};
+        return unwritable(path, "it cannot be created");
     }
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     file.close();  // flushes; a full disk shows here at the latest
     if (!file) {
-        return Error{ErrorCode::FileUnwritable, path.string(), "writing stopped half-way"};
+        return unwritable(path, "writing stopped half-way");
     }
     return {};
 }
 
-/// Waits until the disk has the bytes: a rename may reach it before them otherwise, and a power cut
-/// would leave an empty file in the old one's place. Where the system cannot, nothing is lost but
-/// that.
-void flushToDisk(const fs::path& path) {
 #ifdef _WIN32
-    const int file = ::_wopen(path.c_str(), _O_RDWR | _O_BINARY);
-    if (file >= 0) {
-        (void)::_commit(file);
-        (void)::_close(file);
+
+std::error_code replace(const fs::path& path, std::string_view bytes) {
+    const fs::path part = temporaryBeside(path);
+    std::error_code failed, ignored;
+    if (writeInPlace(part, bytes)) {
+        fs::rename(part, path, failed);
+    } else {
+        failed = std::make_error_code(std::errc::io_error);
     }
+    if (failed) {
+        fs::remove(part, ignored);
+    }
+    return failed;
+}
+
 #else
-    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file >= 0) {
-        (void)::fsync(file);
-        (void)::close(file);
+
+std::error_code lastFault() {
+    return {errno, std::generic_category()};
+}
+
+class Descriptor {
+public:
+    Descriptor(const fs::path& path, int flags) : fd_(::open(path.c_str(), flags, 0666)) {}
+    ~Descriptor() {
+        if (fd_ >= 0) {
+            ::close(fd_);
+        }
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    explicit operator bool() const { return fd_ >= 0; }
+    int number() const { return fd_; }
+
+    std::error_code write(std::string_view bytes) const {
+        while (!bytes.empty()) {
+            const ssize_t written = ::write(fd_, bytes.data(), bytes.size());
+            if (written < 0 && errno != EINTR) {
+                return lastFault();
+            }
+            bytes.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
+        }
+        return {};
+    }
+
+    /// Waits until the disk has it, where the file system knows such a thing: a rename may reach
+    /// it before the bytes otherwise, and a power cut would leave an empty file.
+    std::error_code flush() const {
+        return ::fsync(fd_) == 0 || errno == EINVAL || errno == ENOTSUP ? std::error_code()
+                                                                        : lastFault();
+    }
+
+private:
+    int fd_;
+};
+
+/// Owner, permissions and access list as `old` has them.
+std::error_code makeLike(const Descriptor& file, const fs::path& old) {
+    struct stat was, is;
+    if (::stat(old.c_str(), &was) != 0) {
+        return {};  // there is none
+    }
+    const bool theirs =
+        ::fstat(file.number(), &is) == 0 && (is.st_uid != was.st_uid || is.st_gid != was.st_gid);
+    if ((theirs && ::fchown(file.number(), was.st_uid, was.st_gid) != 0) ||
+        ::fchmod(file.number(), was.st_mode & 07777U) != 0) {
+        return lastFault();
+    }
+#ifdef __linux__
+    constexpr auto kAccessList = "system.posix_acl_access";
+    if (const ssize_t size = ::getxattr(old.c_str(), kAccessList, nullptr, 0); size > 0) {
+        std::string list(static_cast<std::size_t>(size), '\0');
+        if (::getxattr(old.c_str(), kAccessList, list.data(), list.size()) != size ||
+            ::fsetxattr(file.number(), kAccessList, list.data(), list.size(), 0) != 0) {
+            return lastFault();
+        }
+    } else {
+        ::fremovexattr(file.number(), kAccessList);  // the folder may give one to what is new in it
     }
 #endif
+    return {};
+}
+
+std::error_code fill(const Descriptor& file, std::string_view bytes, const fs::path& old) {
+    std::error_code failed = makeLike(file, old);
+    if (!failed) {
+        failed = file.write(bytes);
+    }
+    return failed ? failed : file.flush();
+}
+
+/// The bytes as a file called `part`. Where the system can it has no name until it is whole, so
+/// that nothing stays behind whatever ends the program.
+std::error_code makePart(const fs::path& part, std::string_view bytes, const fs::path& old) {
+#ifdef O_TMPFILE
+    const fs::path folder = part.parent_path().empty() ? fs::path(".") : part.parent_path();
+    if (const Descriptor file(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC); file) {
+        if (const std::error_code failed = fill(file, bytes, old)) {
+            return failed;
+        }
+        const std::string self = "/proc/self/fd/" + std::to_string(file.number());
+        if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, part.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+            return {};
+        }
+    }
+#endif
+    const Descriptor file(part, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC);
+    return file ? fill(file, bytes, old) : lastFault();
+}
+
+std::error_code replace(const fs::path& path, std::string_view bytes) {
+    const fs::path part = temporaryBeside(path);
+    std::error_code failed = makePart(part, bytes, path);
+    if (!failed && ::rename(part.c_str(), path.c_str()) != 0) {
+        failed = lastFault();
+    }
+    if (failed) {
+        ::unlink(part.c_str());
+        return failed;
+    }
+    const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
+    const Descriptor names(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    return names ? names.flush() : std::error_code();  // some may be written to, not read
+}
+
+#endif
+
+/// True where the folder, or the owner of the old file, lets none be put in its place.
+bool mayNotReplace(const std::error_code& failed) {
+    return failed == std::errc::permission_denied || failed == std::errc::operation_not_permitted ||
+           failed == std::errc::read_only_file_system;
 }
 
 }  // namespace
@@ -66,62 +203,64 @@ Result<std::string> readFile(const fs::path& path) {
     const auto status = fs::status(path, failed);
     if (!fs::exists(status)) {
         const bool missing = status.type() == fs::file_type::not_found;
-        return Error{ErrorCode::FileUnreadable, path.string(),
-                     missing ? "there is no such file" : failed.message()};
+        return unreadable(path, missing ? "there is no such file" : failed.message());
     }
     if (fs::is_directory(status)) {
-        return Error{ErrorCode::FileUnreadable, path.string(), "it is a folder"};
+        return unreadable(path, "it is a folder");
     }
     std::ifstream file(path, std::ios::binary);
     if (!file) {
-        return Error{ErrorCode::FileUnreadable, path.string(), "it cannot be opened"};
+        return unreadable(path, "it cannot be opened");
+    }
+    const auto size = fs::file_size(path, failed);
+    const Error tooLong = unreadable(path, "it is longer than 2 GiB");
+    if (!failed && size > kMostBytes) {
+        return tooLong;
     }
     std::string bytes;
-    const auto size = fs::file_size(path, failed);
-    if (!failed) {  // one read for a regular file, the tail loop below for anything else
-        bytes.resize(size);
-        file.read(bytes.data(), static_cast<std::streamsize>(size));
-        bytes.resize(static_cast<std::size_t>(file.gcount()));
-        file.clear(file.rdstate() & ~std::ios::failbit);
-    }
-    char block[1 << 16];
-    while (file.read(block, sizeof block) || file.gcount() > 0) {
-        bytes.append(block, static_cast<std::size_t>(file.gcount()));
+    try {
+        if (!failed) {  // one read for a regular file, the tail loop below for anything else
+            bytes.resize(size);
+            file.read(bytes.data(), static_cast<std::streamsize>(size));
+            bytes.resize(static_cast<std::size_t>(file.gcount()));
+            file.clear(file.rdstate() & ~std::ios::failbit);
+        }
+        char block[1 << 16];
+        while (file.read(block, sizeof block) || file.gcount() > 0) {
+            bytes.append(block, static_cast<std::size_t>(file.gcount()));
+            if (bytes.size() > kMostBytes) {
+                return tooLong;
+            }
+        }
+    } catch (const std::bad_alloc&) {
+        return unreadable(path, "there is not enough memory for it");
     }
     if (file.bad()) {
-        return Error{ErrorCode::FileUnreadable, path.string(), "reading stopped half-way"};
+        return unreadable(path, "reading stopped half-way");
     }
     return bytes;
 }
 
 Result<void> writeFile(const fs::path& wanted, std::string_view bytes) {
+    const fs::path path = throughLinks(wanted);
     std::error_code failed;
-    // Through a link to what it names, so that the link stays one.
-    const fs::path path = fs::is_symlink(wanted, failed) ? fs::canonical(wanted, failed) : wanted;
+    if (fs::is_symlink(path, failed)) {
+        return unwritable(wanted, "its links lead nowhere");
+    }
     const fs::file_status before = fs::status(path, failed);
-    if (fs::exists(before) && !fs::is_regular_file(before)) {
-        // A folder is an error; a pipe or terminal cannot be replaced, only written to.
-        return fs::is_directory(before)
-                   ? Error{ErrorCode::FileUnwritable, wanted.string(), "it is a folder"}
-                   : writeInPlace(path, bytes);
+    if (fs::is_directory(before)) {
+        return unwritable(wanted, "it is a folder");
     }
-    const fs::path part = temporaryBeside(path);
-    Result<void> written = writeInPlace(part, bytes);
-    if (!written) {
-        fs::remove(part, failed);
-        return Error{ErrorCode::FileUnwritable, wanted.string(), written.error().detail};
+    bool inPlace = fs::exists(before) && !fs::is_regular_file(before);
+    if (!inPlace) {
+        failed = replace(path, bytes);
+        if (!failed) {
+            return {};
+        }
+        inPlace = fs::exists(before) && mayNotReplace(failed);
     }
-    flushToDisk(part);
-    if (fs::exists(before)) {
-        fs::permissions(part, before.permissions(), failed);
-    }
-    std::error_code ignored;
-    fs::rename(part, path, failed);
-    if (failed) {
-        fs::remove(part, ignored);
-        return Error{ErrorCode::FileUnwritable, wanted.string(), failed.message()};
-    }
-    return {};
+    const auto written = inPlace ? writeInPlace(path, bytes) : unwritable(wanted, failed.message());
+    return written ? written : unwritable(wanted, written.error().detail);
 }
 
 }  // namespace toile

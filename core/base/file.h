@@ -9,12 +9,16 @@
 
 namespace toile {
 
-/// The whole file as bytes. Errors: FileUnreadable (missing, a folder, no permission).
+/// The whole file as bytes. Errors: FileUnreadable (missing, a folder, no permission, longer than 2
+/// GiB or than there is memory).
 Result<std::string> readFile(const std::filesystem::path& path);
 
 /// Writes beside the target, flushes to the disk, renames: the target is either the old file or the
-/// whole new one, whatever happens; permissions and links stay. What is no file (a pipe, a
-/// terminal) is written to directly. Errors: FileUnwritable.
+/// whole new one, whatever happens, and nothing else is left. Links lead on to what they name, also
+/// where that is not there yet; owner, permissions and access list of an old file stay.
+/// Written in place, so not in one step, is what cannot be replaced: a pipe or a terminal, a file
+/// in a folder that lets nothing be made, a file of another's that a new one would take from them.
+/// Errors: FileUnwritable.
 Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace toile

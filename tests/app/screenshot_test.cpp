@@ -84,6 +84,15 @@ private slots:
         QVERIFY(run.picture.isNull());
     }
 
+    void whatCannotBeWrittenIsStatusThree() {
+        writeProjectOfACap();
+        QProcess program;
+        program.start(TOILE_PROGRAM, {folder_.filePath("cap.toile"), "--screenshot",
+                                      folder_.filePath("missing/window.png")});
+        QVERIFY(program.waitForFinished(60000));
+        QCOMPARE(program.exitCode(), 3);
+    }
+
     void aDisplayThatDoesNotAnswerIsASentence() {
         QProcess program;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
