@@ -14,34 +14,37 @@ struct Words {
     std::string_view describe;  ///< what happened
     std::string_view advice;    ///< what to try
     bool note = false;          ///< only informs
+    bool namesPiece = true;     ///< not a file, a cut, a join or a seam
 };
 
 Words wordsOf(ErrorCode code) {
     switch (code) {
         case ErrorCode::FileUnreadable:
             return {"file-unreadable", TR("the file cannot be read"),
-                    TR("Check its name and permissions")};
+                    TR("Check its name and permissions"), false, false};
         case ErrorCode::FileUnwritable:
             return {"file-unwritable", TR("the file cannot be written"),
-                    TR("Check that the folder exists, is writable and has room")};
+                    TR("Check that the folder exists, is writable and has room"), false, false};
         case ErrorCode::UnknownFormat:
             return {"unknown-format", TR("the file's ending names no format Toile knows"),
-                    TR("Read .obj, .off, .ply or .stl; write .svg, .dxf, .obj or .json")};
+                    TR("Read .obj, .off, .ply or .stl; write .svg, .dxf, .obj or .json"), false,
+                    false};
         case ErrorCode::MalformedFile:
             return {"malformed-file", TR("the file breaks the rules of its format"),
-                    TR("Export it again from the program it came from")};
+                    TR("Export it again from the program it came from"), false, false};
         case ErrorCode::NoGeometry:
             return {"no-geometry", TR("the file holds no faces"),
-                    TR("Export the garment as a mesh with faces")};
+                    TR("Export the garment as a mesh with faces"), false, false};
         case ErrorCode::MalformedProject:
             return {"malformed-project", TR("the project file breaks the rules of its format"),
-                    TR("Open an older copy of it, or mend the place named with a text editor")};
+                    TR("Open an older copy of it, or mend the place named with a text editor"),
+                    false, false};
         case ErrorCode::NewerProject:
             return {"newer-project", TR("the project was saved by a newer version of Toile"),
-                    TR("Open it with that version")};
+                    TR("Open it with that version"), false, false};
         case ErrorCode::UnitGuessed:
             return {"unit-guessed", TR("the file states no unit and its size leaves doubt"),
-                    TR("State the unit if the size is wrong"), true};
+                    TR("State the unit if the size is wrong"), true, false};
         case ErrorCode::IndexOutOfRange:
             return {"index-out-of-range", TR("faces name vertices that the file does not have"),
                     TR("They are left out; export the file again if something is missing"), true};
@@ -64,10 +67,12 @@ Words wordsOf(ErrorCode code) {
                     true};
         case ErrorCode::UnknownKey:
             return {"unknown-key", TR("the file says things that this Toile does not know"),
-                    TR("They are gone once the project is saved here"), true};
+                    TR("They do nothing, and are gone once the project is saved here; look for a "
+                       "misspelt name"),
+                    true, false};
         case ErrorCode::FileChanged:
             return {"file-changed", TR("the file is not as it was when the project was saved"),
-                    TR("Cuts, ease and places are kept; look whether they still fit"), true};
+                    TR("Cuts, ease and places are kept; look whether they still fit"), true, false};
         case ErrorCode::PieceGone:
             return {"piece-gone", TR("the garment has no piece of this name any more"),
                     TR("What the project says of it is left out"), true};
@@ -161,13 +166,13 @@ Words wordsOf(ErrorCode code) {
                     TR("Merge the doubled vertices in the modelling program")};
         case ErrorCode::CutImpossible:
             return {"cut-impossible", TR("the cut cannot be made"),
-                    TR("Move its points, or mend the piece first")};
+                    TR("Move its points, or mend the piece first"), false, false};
         case ErrorCode::JoinImpossible:
             return {"join-impossible", TR("the seam cannot be taken out"),
-                    TR("Leave it, or join the parts in the modelling program")};
+                    TR("Leave it, or join the parts in the modelling program"), false, false};
         case ErrorCode::NoSuchSeam:
             return {"no-such-seam", TR("the garment has no seam of this name"),
-                    TR("See the names with \"toile info\"")};
+                    TR("See the names with \"toile info\""), false, false};
         case ErrorCode::NoClosedOutline:
             return {"no-closed-outline",
                     TR("one boundary edge is as long as all the others together, so that no flat "
@@ -204,6 +209,10 @@ std::string_view describe(ErrorCode code) {
 
 std::string_view advice(ErrorCode code) {
     return wordsOf(code).advice;
+}
+
+bool namesPiece(ErrorCode code) {
+    return wordsOf(code).namesPiece;
 }
 
 bool isNote(ErrorCode code) {

@@ -87,6 +87,9 @@ std::string_view name(ErrorCode code);
 std::string_view describe(ErrorCode code);
 /// What the user can do about it, as a sentence without a full stop; empty where nothing is needed.
 std::string_view advice(ErrorCode code);
+/// True where `where` names a piece, if anything; else a file, a cut, a join or a seam, which may
+/// be called like a piece.
+bool namesPiece(ErrorCode code);
 /// True where the code only informs: the data was taken in and work goes on.
 bool isNote(ErrorCode code);
 /// One sentence for a person: "front: the piece has several boundary loops (2 loops); cut it ...".

@@ -72,16 +72,12 @@ private:
             }
             for (const Error& problem : file->problems) {
                 if (problem.code != ErrorCode::UnitGuessed) {  // said above
-                    found_.add(problem, piecesNamed(problem.where));
+                    found_.add(problem, piecesOf(problem));
                 }
             }
         }
         for (const Error& problem : garment_.problems) {
-            // These name a cut or a seam, which may be called like a piece.
-            const bool ofPiece = problem.code != ErrorCode::CutImpossible &&
-                                 problem.code != ErrorCode::JoinImpossible &&
-                                 problem.code != ErrorCode::NoSuchSeam;
-            found_.add(problem, ofPiece ? piecesNamed(problem.where) : std::vector<int>{});
+            found_.add(problem, piecesOf(problem));
         }
     }
 
@@ -90,10 +86,11 @@ private:
         return {text.begin(), text.end()};
     }
 
-    std::vector<int> piecesNamed(const std::string& name) const {
-        const auto found = std::ranges::find_if(
-            garment_.pieces, [&name](const auto& piece) -> bool { return piece->name == name; });
-        if (found == garment_.pieces.end()) {
+    std::vector<int> piecesOf(const Error& problem) const {
+        const auto found =
+            std::ranges::find(garment_.pieces, problem.where,
+                              [](const auto& p) -> const std::string& { return p->name; });
+        if (found == garment_.pieces.end() || !namesPiece(problem.code)) {
             return {};
         }
         return {static_cast<int>(found - garment_.pieces.begin())};

@@ -155,10 +155,7 @@ Json problemsJson(const Garment& garment) {
     }
     Json problems = Json::array();
     for (const Error& error : garment.problems) {
-        // These name a cut or a seam, which may be called like a piece.
-        const bool ofPiece = error.code != ErrorCode::CutImpossible &&
-                             error.code != ErrorCode::JoinImpossible &&
-                             error.code != ErrorCode::NoSuchSeam && names.contains(error.where);
+        const bool ofPiece = namesPiece(error.code) && names.contains(error.where);
         problems.push_back(problemJson(error, ofPiece ? Json(error.where) : Json(nullptr)));
     }
     return problems;

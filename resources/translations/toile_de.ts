@@ -1939,8 +1939,8 @@
         <translation>die Datei sagt Dinge, die dieses Toile nicht kennt</translation>
     </message>
     <message>
-        <source>They are gone once the project is saved here</source>
-        <translation>Sie sind weg, sobald das Projekt hier gespeichert wird</translation>
+        <source>They do nothing, and are gone once the project is saved here; look for a misspelt name</source>
+        <translation>Sie bewirken nichts und sind weg, sobald das Projekt hier gespeichert wird; vielleicht ist ein Name falsch geschrieben</translation>
     </message>
     <message>
         <source>the file is not as it was when the project was saved</source>
