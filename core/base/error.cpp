@@ -76,6 +76,9 @@ Words wordsOf(ErrorCode code) {
         case ErrorCode::PieceGone:
             return {"piece-gone", TR("the garment has no piece of this name any more"),
                     TR("What the project says of it is left out"), true};
+        case ErrorCode::EdgesCrowd:
+            return {"edges-crowd", TR("the edges of outlines crowd as those of no garment do"),
+                    TR("Seams are not looked for there"), true};
         case ErrorCode::EdgesCollapsed:
             return {"edges-collapsed", TR("edges have no length"),
                     TR("Their two ends are made one vertex"), true};

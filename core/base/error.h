@@ -29,6 +29,7 @@ enum class ErrorCode {
     UnknownKey,
     FileChanged,
     PieceGone,
+    EdgesCrowd,
     // Repairs: the mesh is put right, with a note
     EdgesCollapsed,
     FlatFacesRemoved,

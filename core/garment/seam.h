@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
+
 namespace toile {
 
 /// What a stretch of outline is to the person who sews.
@@ -66,6 +68,7 @@ struct SeamGraph {
     /// Per piece: the seams that touch the rim of one of its holes, ascending. A rim that nothing
     /// is sewn to is no free edge and has none.
     std::vector<std::vector<int>> seamsOfHoles;
+    Problems notes{};  ///< EdgesCrowd: where seams were not looked for
 };
 
 }  // namespace toile

@@ -88,6 +88,7 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
+    made.problems.insert(made.problems.end(), made.seams.notes.begin(), made.seams.notes.end());
     nameAfterCuts(made.seams, made.pieces, made.cuts);
     setEase(made, options.seams);
     progress.report(1);

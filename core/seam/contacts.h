@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/garment/piece.h"
+#include "core/seam/nearby_edges.h"
 #include "core/seam/outline.h"
 
 namespace toile {
@@ -27,9 +28,10 @@ std::vector<Contact> sharedContacts(const std::vector<std::shared_ptr<const Piec
 
 /// Pairs of edges, not settled, that come closer than `gap` local edge lengths along a common
 /// stretch and run (nearly) along one line. Parallel ones only between different pieces.
-/// Cost: grid-linear and one sort.
+/// Pairs in crowded places are left out. Cost: n log n.
 std::vector<Contact> nearContacts(const Outlines& outlines, double gap,
-                                  const std::vector<char>& settled);
+                                  const std::vector<char>& settled,
+                                  std::vector<CrowdedPlace>& crowded);
 
 /// Takes out the contacts that run the wrong way: decides from the balance of contacts which pieces
 /// are wound against each other. Sorts by (a, b).

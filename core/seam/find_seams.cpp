@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/seam/find_seams.h"
 
+#include <algorithm>
+
+#include "core/base/text.h"
 #include "core/seam/choose_runs.h"
 #include "core/seam/contacts.h"
 #include "core/seam/finish_seam.h"
@@ -69,6 +72,19 @@ void indexEdges(const Outlines& outlines, SeamGraph& graph) {
     }
 }
 
+/// One note about all crowded places, which are many where there is one.
+Problems notesOf(const std::vector<CrowdedPlace>& crowded) {
+    const auto worst = std::ranges::max_element(crowded, {}, &CrowdedPlace::edges);
+    if (worst == crowded.end()) {
+        return {};
+    }
+    const Eigen::Vector3d& at = worst->middle;
+    return {{ErrorCode::EdgesCrowd, "",
+             counted(static_cast<long long>(crowded.size()), "place") + ", with up to " +
+                 std::to_string(worst->edges) + " edges, as at " + fixed(at.x(), 1) + ", " +
+                 fixed(at.y(), 1) + ", " + fixed(at.z(), 1) + " mm"}};
+}
+
 }  // namespace
 
 SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
@@ -83,7 +99,8 @@ SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
     }
     std::vector<char> settled(outlines.edgeCount(), 0);
     std::vector<Contact> contacts = sharedContacts(pieces, outlines, settled);
-    const std::vector<Contact> near = nearContacts(outlines, options.gap, settled);
+    std::vector<CrowdedPlace> crowded;
+    const std::vector<Contact> near = nearContacts(outlines, options.gap, settled, crowded);
     if (!goesOnAt(0.6)) {
         return {};
     }
@@ -91,6 +108,7 @@ SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
     keepConsistentWinding(outlines, contacts);
 
     SeamGraph graph;
+    graph.notes = notesOf(crowded);
     const std::vector<Run> runs = chainContacts(outlines, contacts);
     if (!goesOnAt(0.8)) {
         return {};

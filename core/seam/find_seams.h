@@ -37,6 +37,7 @@ struct SeamOptions {
 /// narrow strip of cloth are not sewn to each other, however near.
 ///
 /// @param pieces  mm, of any size and place; a piece with a defect has no outline and no seams
+/// Where edges crowd (`nearbyEdges`) none are found by nearness; `SeamGraph::notes` says so.
 /// Deterministic; does not depend on the order of vertices and faces but for the numbering of equal
 /// names. Cost: n log n in the outline edges and linear in the meshes. Re-entrant.
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing

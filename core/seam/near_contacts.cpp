@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "core/seam/contacts.h"
-#include "core/seam/edge_grid.h"
+#include "core/seam/nearby_edges.h"
 
 namespace toile {
 namespace {
@@ -91,7 +91,8 @@ std::optional<Contact> contactOf(const Outlines& outlines, int ea, int eb, doubl
 }  // namespace
 
 std::vector<Contact> nearContacts(const Outlines& outlines, double gap,
-                                  const std::vector<char>& settled) {
+                                  const std::vector<char>& settled,
+                                  std::vector<CrowdedPlace>& crowded) {
     const double most = kGapOfGarment * outlines.size;
     std::vector<double> reach;  // so that two edges together reach as far as their tolerance
     for (const Outline& outline : outlines.list) {
@@ -99,8 +100,10 @@ std::vector<Contact> nearContacts(const Outlines& outlines, double gap,
             reach.push_back(std::min(0.5 * gap * spacing, most));
         }
     }
+    NearbyEdges nearby = nearbyEdges(outlines, settled, reach);
+    crowded = std::move(nearby.crowded);
     std::vector<Contact> contacts;
-    for (const auto& [a, b] : nearbyEdges(outlines, settled, reach)) {
+    for (const auto& [a, b] : nearby.pairs) {
         if (const auto contact = contactOf(outlines, a, b, gap)) {
             contacts.push_back(*contact);
         }

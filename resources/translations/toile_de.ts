@@ -1959,6 +1959,14 @@
         <translation>Was das Projekt über es sagt, wird ausgelassen</translation>
     </message>
     <message>
+        <source>the edges of outlines crowd as those of no garment do</source>
+        <translation>die Kanten von Umrissen drängen sich wie bei keinem Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Seams are not looked for there</source>
+        <translation>Nähte werden dort nicht gesucht</translation>
+    </message>
+    <message>
         <source>edges have no length</source>
         <translation>Kanten haben keine Länge</translation>
     </message>
