@@ -7,6 +7,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
+#include "core/base/characters.h"
 #include "core/check/check_writer.h"
 #include "core/check/finding_words.h"
 #include "core/project/project.h"
@@ -35,12 +36,13 @@ void printFindings(const Readiness& readiness, std::ostream& out) {
     const auto& findings = readiness.findings;
     for (std::size_t i = 0; i < findings.size();) {
         Finding told = findings[i];
+        told.where = shownText(told.where, kMostOfPlace);
         for (++i; i < findings.size() && findings[i].severity == told.severity &&
                   findings[i].kind == told.kind && !told.where.empty() &&
                   description(findings[i]) == description(told) &&
                   adviceFor(findings[i]) == adviceFor(told);
              ++i) {
-            told.where += ", " + findings[i].where;
+            told.where += ", " + shownText(findings[i].where, kMostOfPlace);
         }
         out << name(told.severity) << ": " << sentence(told) << '\n';
     }

@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/table.h"
+#include "core/base/characters.h"
 #include "core/export/comparison_writer.h"
 #include "core/pipeline/compare.h"
 
@@ -13,7 +14,7 @@ namespace toile {
 namespace {
 
 void print(const ComparisonTable& compared, std::ostream& out) {
-    out << compared.title << '\n';
+    out << readableName(compared.title) << '\n';
     Table table(compared.head);
     for (const auto& row : compared.rows) {
         table.add(row);

@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/table.h"
+#include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/export/writers.h"
 #include "core/seam/seam_measure.h"
@@ -15,7 +16,8 @@ namespace toile {
 namespace {
 
 void printFile(const SourceFile& file, std::ostream& out) {
-    out << file.path.string() << ": " << counted(file.soup.faceCount(), "face") << ", "
+    out << shownText(file.path.string(), kMostOfPlace) << ": "
+        << counted(file.soup.faceCount(), "face") << ", "
         << counted(static_cast<long long>(file.soup.positions.size()), "vertex") << ", unit "
         << symbol(file.unit);
     if (!file.unitReason.empty()) {

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "app/cli/table.h"
+#include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/seam/seam_measure.h"
 
@@ -61,8 +62,8 @@ void printSeamSummary(const Garment& garment, const PieceResults& results, std::
         return;
     }
     out << counted(static_cast<long long>(rows.size()), "seam") << ", largest error "
-        << fixed(std::abs(rows.front().measure.errorMm), 2) << " mm (" << rows.front().seam->name
-        << ")\n";
+        << fixed(std::abs(rows.front().measure.errorMm), 2) << " mm ("
+        << shownText(rows.front().seam->name) << ")\n";
 }
 
 }  // namespace toile

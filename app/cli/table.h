@@ -7,11 +7,12 @@
 
 namespace toile {
 
-/// A plain text table: first column flush left, the others flush right.
+/// A plain text table: first column flush left, the others flush right. Cells are shown as
+/// `shownText`.
 class Table {
 public:
     explicit Table(std::vector<std::string> head) { rows_.push_back(std::move(head)); }
-    void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+    void add(std::vector<std::string> row);
     void print(std::ostream& out) const;
 
 private:

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "core/base/characters.h"
 #include "core/base/error.h"
 
 namespace toile {
@@ -19,11 +20,11 @@ QString translated(std::string_view text) {
 QString errorText(const Error& error) {
     QString text;
     if (!error.where.empty()) {
-        text += QString::fromStdString(error.where) + ": ";
+        text += QString::fromStdString(shownText(error.where, kMostOfPlace)) + ": ";
     }
     text += translated(describe(error.code));
     if (!error.detail.empty()) {
-        text += " (" + QString::fromStdString(error.detail) + ')';
+        text += " (" + QString::fromStdString(shownText(error.detail, kMostOfDetail)) + ')';
     }
     if (QString advised = translated(advice(error.code)); !advised.isEmpty()) {
         advised[0] = advised[0].toLower();

@@ -3,6 +3,9 @@
 
 #include <cctype>
 
+#include "core/base/characters.h"
+#include "core/base/text.h"
+
 /// Marks what a window translates: its collector of texts looks for this. Says the text as it is.
 #define TR(text) text
 
@@ -226,11 +229,11 @@ std::string sentence(const Error& error) {
     const Words words = wordsOf(error.code);
     std::string text;
     if (!error.where.empty()) {
-        text += error.where + ": ";
+        text += shownText(error.where, kMostOfPlace) + ": ";
     }
     text += words.describe;
     if (!error.detail.empty()) {
-        text += " (" + error.detail + ")";
+        text += " (" + shownText(error.detail, kMostOfDetail) + ")";
     }
     if (!words.advice.empty()) {
         text += "; ";

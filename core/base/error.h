@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -93,6 +94,8 @@ std::string_view advice(ErrorCode code);
 bool namesPiece(ErrorCode code);
 /// True where the code only informs: the data was taken in and work goes on.
 bool isNote(ErrorCode code);
+/// Characters of `where` and `detail` that a sentence shows: a path, and a list of particulars.
+inline constexpr std::size_t kMostOfPlace = 300, kMostOfDetail = 1000;
 /// One sentence for a person: "front: the piece has several boundary loops (2 loops); cut it ...".
 std::string sentence(const Error& error);
 

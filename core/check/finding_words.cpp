@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/base/characters.h"
 #include "core/base/text.h"
 
 namespace toile {
@@ -73,7 +74,9 @@ const FindingWords& findingWords(FindingKind kind) {
 std::string description(const Finding& finding) {
     if (finding.error) {
         std::string text(describe(finding.error->code));
-        return finding.error->detail.empty() ? text : text + " (" + finding.error->detail + ")";
+        return finding.error->detail.empty()
+                   ? text
+                   : text + " (" + shownText(finding.error->detail, kMostOfDetail) + ")";
     }
     std::string text;
     for (const char* at = findingWords(finding.kind).describe; *at != '\0'; ++at) {
@@ -98,7 +101,7 @@ std::string adviceFor(const Finding& finding) {
 }
 
 std::string sentence(const Finding& finding) {
-    std::string text = finding.where.empty() ? "" : finding.where + ": ";
+    std::string text = finding.where.empty() ? "" : readableName(finding.where) + ": ";
     text += description(finding);
     std::string help = adviceFor(finding);
     if (!help.empty()) {

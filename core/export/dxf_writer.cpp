@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/text.h"
-#include "core/export/characters.h"
+#include "core/base/characters.h"
 #include "core/export/label.h"
 #include "core/export/writers.h"
 

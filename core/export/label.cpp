@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "core/export/characters.h"
+#include "core/base/characters.h"
 #include "core/export/drawing.h"
 
 namespace toile {

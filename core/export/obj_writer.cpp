@@ -4,7 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/export/characters.h"
+#include "core/base/characters.h"
 #include "core/export/obj_faces.h"
 #include "core/export/problems.h"
 #include "core/export/writers.h"

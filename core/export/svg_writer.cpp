@@ -5,7 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/export/characters.h"
+#include "core/base/characters.h"
 #include "core/export/writers.h"
 
 namespace toile {

@@ -15,7 +15,7 @@
 #include "core/io/assimp_unit.h"
 #include "core/io/face_names.h"
 #include "core/io/position_merger.h"
-#include "core/io/readable_name.h"
+#include "core/base/characters.h"
 #include "core/io/soup_builder.h"
 
 namespace toile {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/io/readable_name.h"
+#include "core/base/characters.h"
 
 namespace toile {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
-#include "core/io/readable_name.h"
+#include "core/base/characters.h"
 #include "core/io/text_cursor.h"
 #ifdef TOILE_ASSIMP
 #include "core/io/assimp_reader.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -29,6 +30,24 @@ TEST(Error, ASentenceNamesPlacePieceAndNextStep) {
               "sleeve: the piece has several boundary loops (2 loops); cut it from loop to loop, "
               "or let Toile do it (--auto-cut).");
     EXPECT_EQ(sentence({ErrorCode::Cancelled, "", ""}), "cancelled.");
+}
+
+TEST(Error, ASentenceIsReadableAndShortWhateverTheNames) {
+    const std::string text =
+        sentence({ErrorCode::CutImpossible, "a\x1B[31m\n" + std::string(2000000, 'x'),
+                  std::string(9999, '"')});
+    EXPECT_LT(text.size(), 2000U);
+    EXPECT_EQ(std::ranges::count_if(text, [](char c) { return c >= 0 && c < ' '; }), 0);
+}
+
+TEST(Error, OnlyCodesAboutPiecesNameThem) {
+    for (const auto code : {ErrorCode::CutImpossible, ErrorCode::JoinImpossible,
+                            ErrorCode::NoSuchSeam, ErrorCode::UnitGuessed, ErrorCode::UnknownKey}) {
+        EXPECT_FALSE(namesPiece(code)) << name(code);
+    }
+    for (const auto code : {ErrorCode::SeveralLoops, ErrorCode::HolesKept, ErrorCode::EndedEarly}) {
+        EXPECT_TRUE(namesPiece(code)) << name(code);
+    }
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/characters.h"
+#include "core/base/characters.h"
 
 #include <array>
 
@@ -33,7 +33,8 @@ char32_t takeCharacter(std::string_view& text) {
 }
 
 bool isControl(char32_t c) {
-    return c < 0x20 || (c >= 0x7F && c < 0xA0);
+    return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x2028 && c <= 0x202E) ||
+           (c >= 0x2066 && c <= 0x2069);
 }
 
 /// Plain letters for U+00C0 to U+017F, one each; '*' where several or none are needed.
@@ -109,6 +110,36 @@ std::string cleanText(std::string_view text) {
         }
     }
     return out;
+}
+
+std::string readableName(std::string_view bytes) {
+    for (std::string_view rest = bytes; !rest.empty();) {
+        const std::size_t before = rest.size();
+        if (takeCharacter(rest) == kUnknown && before - rest.size() == 1) {
+            std::string latin1;
+            for (const char c : bytes) {
+                const auto byte = static_cast<unsigned char>(c);
+                if (byte >= 0x80) {
+                    latin1 += static_cast<char>(0xC0 | (byte >> 6));
+                }
+                latin1 += static_cast<char>(byte < 0x80 ? byte : 0x80 | (byte & 0x3F));
+            }
+            return cleanText(latin1);
+        }
+    }
+    return cleanText(bytes);
+}
+
+std::string shownText(std::string_view bytes, std::size_t most) {
+    std::string name = readableName(bytes);
+    std::string_view rest = name;
+    for (std::size_t count = 0; !rest.empty(); ++count) {
+        if (count == most) {
+            return name.substr(0, name.size() - rest.size()) + "…";
+        }
+        takeCharacter(rest);
+    }
+    return name;
 }
 
 std::string asciiText(std::string_view text) {

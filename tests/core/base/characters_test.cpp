@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/characters.h"
+#include "core/base/characters.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +27,23 @@ TEST(CleanText, KeepsValidTextAndReplacesTheRest) {
     EXPECT_EQ(cleanText("\xC0\xAF"), "\xEF\xBF\xBD\xEF\xBF\xBD");       // longer than needed
     EXPECT_EQ(cleanText("\xED\xA0\x80").substr(0, 3), "\xEF\xBF\xBD");  // half a surrogate pair
     EXPECT_EQ(cleanText("\xEF\xBF\xBF").substr(0, 3), "\xEF\xBF\xBD");  // no character for XML
+}
+
+TEST(CleanText, TurnsNoWritingAround) {
+    EXPECT_EQ(cleanText("a\u202Eb\u2066c\u2028d\u0085e"), "a b c d e");
+    EXPECT_EQ(cleanText("ab\u200Dc"), "ab\u200Dc");  // joins letters
+}
+
+TEST(ReadableName, TakesOtherBytesForLatin1) {
+    EXPECT_EQ(readableName("\xC4rmel"), "Ärmel");
+    EXPECT_EQ(readableName("Ärmel \u202E\x1B[31m"), "Ärmel   [31m");
+    EXPECT_EQ(readableName("\xEF\xBF\xBD"), "\xEF\xBF\xBD");
+}
+
+TEST(ShownText, IsShort) {
+    EXPECT_EQ(shownText("前身頃", 3), "前身頃");
+    EXPECT_EQ(shownText("前身頃x", 3), "前身頃…");
+    EXPECT_EQ(characterCount(shownText(std::string(2000000, 'x'))), kMostShown + 1);
 }
 
 TEST(CharacterCount, CountsCharactersNotBytes) {

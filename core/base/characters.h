@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace toile {
+
+/// Names of people and files, made fit for a format or a person. All take UTF-8 and never fail: a
+/// byte that is no UTF-8 counts as one unknown character. Controls are also those that turn the
+/// direction of writing, or break lines. Pure functions, linear.
+
+/// Number of characters (code points).
+std::size_t characterCount(std::string_view text);
+
+/// Valid UTF-8 without control characters; unknown characters become U+FFFD, controls a blank.
+std::string cleanText(std::string_view text);
+
+/// A name from a file as cleanText. Where it is no UTF-8 it is taken as Latin-1, the likeliest of
+/// the old encodings.
+std::string readableName(std::string_view bytes);
+
+/// At most so many characters of the readable name, for a sentence or a table; "…" for the rest.
+inline constexpr std::size_t kMostShown = 120;
+std::string shownText(std::string_view bytes, std::size_t most = kMostShown);
+
+/// Printable ASCII: Latin letters lose their accents ("Rücken" becomes "Rucken", "ß" becomes
+/// "ss"), every other character becomes '_'.
+std::string asciiText(std::string_view text);
+
+}  // namespace toile
