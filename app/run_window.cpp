@@ -155,9 +155,12 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     }
     LoadOptions load = options.load;
     if (!options.seams.empty()) {
-        auto seams = readSeamsFile(options.seams);
+        Problems notes;
+        auto seams = readSeamsFile(options.seams, &notes);
+        for (const Error& said : seams ? notes : Problems{seams.error()}) {
+            complain(QString::fromStdString(sentence(said)));
+        }
         if (!seams) {
-            complain(QString::fromStdString(sentence(seams.error())));
             return kUnreadable;
         }
         load.seams = std::move(*seams);

@@ -205,8 +205,8 @@ void GarmentActions::askAndReadSeams() {
         return;
     }
     const auto read = workspace_.readSeams(pathOf(path));
-    if (!read) {
-        emit failed(errorText(read.error()));
+    for (const Error& said : read ? *read : Problems{read.error()}) {
+        emit failed(errorText(said));
     }
 }
 

@@ -88,7 +88,8 @@ public:
     /// @param text  what was done, for the undo menu
     void changeSeams(const QString& text, std::function<void(SeamsFile&)> change);
     /// Takes cuts and ease from a seams file. Nothing changes where it cannot be read.
-    Result<void> readSeams(const std::filesystem::path& path);
+    /// @return notes: what of it is not known
+    Result<Problems> readSeams(const std::filesystem::path& path);
     /// Writes the cuts and the ease that were stated as a seams file.
     Result<void> writeSeams(const std::filesystem::path& path) const;
     /// Makes a cut, the name aside, which it gets here: "cut 3", "dart 1". One that cannot be made,

@@ -48,14 +48,15 @@ void Workspace::changeSeams(const QString& text, std::function<void(SeamsFile&)>
           false});
 }
 
-Result<void> Workspace::readSeams(const std::filesystem::path& path) {
-    auto read = readSeamsFile(path);
+Result<Problems> Workspace::readSeams(const std::filesystem::path& path) {
+    Problems notes;
+    auto read = readSeamsFile(path, &notes);
     if (!read) {
         return read.error();
     }
     changeSeams(tr("Seams from a file"),
                 [read = std::move(*read)](SeamsFile& seams) { seams = read; });
-    return {};
+    return notes;
 }
 
 Result<void> Workspace::writeSeams(const std::filesystem::path& path) const {

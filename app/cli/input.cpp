@@ -12,12 +12,16 @@ namespace toile {
 
 namespace {
 
-Result<Garment> read(const Arguments& arguments, Progress& progress) {
+Result<Garment> read(const Arguments& arguments, Progress& progress, std::ostream& err) {
     LoadOptions options = arguments.load;
     if (!arguments.seams.empty()) {
-        auto seams = readSeamsFile(arguments.seams);
+        Problems notes;
+        auto seams = readSeamsFile(arguments.seams, &notes);
         if (!seams) {
             return seams.error();
+        }
+        for (const Error& note : notes) {
+            err << "toile: " << sentence(note) << '\n';
         }
         options.seams = std::move(*seams);
     }
@@ -28,7 +32,7 @@ Result<Garment> read(const Arguments& arguments, Progress& progress) {
 
 std::optional<Garment> readInput(const Arguments& arguments, Progress& progress,
                                  std::ostream& err) {
-    auto garment = read(arguments, progress);
+    auto garment = read(arguments, progress, err);
     if (!garment) {
         err << "toile: " << sentence(garment.error()) << '\n';
         return std::nullopt;

@@ -205,6 +205,19 @@ Words wordsOf(ErrorCode code) {
 
 }  // namespace
 
+Problems aboutEach(ErrorCode code, const std::vector<std::string>& places,
+                   const std::string& detail) {
+    constexpr std::size_t kFew = 10, kNamed = 3;
+    if (places.size() > kFew) {
+        return {{code, quotedList(places, kNamed), detail}};
+    }
+    Problems problems;
+    for (const std::string& place : places) {
+        problems.push_back({code, place, detail});
+    }
+    return problems;
+}
+
 std::string_view name(ErrorCode code) {
     return wordsOf(code).name;
 }

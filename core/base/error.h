@@ -83,6 +83,10 @@ struct Error {
 
 using Problems = std::vector<Error>;
 
+/// What is to be said alike of several places: of each where they are few, else in one.
+Problems aboutEach(ErrorCode code, const std::vector<std::string>& places,
+                   const std::string& detail = {});
+
 /// Stable kebab-case name, for example "several-loops".
 std::string_view name(ErrorCode code);
 /// What happened, in plain words, without a full stop.

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/characters.h"
+
 namespace toile {
 namespace {
 
@@ -55,6 +57,15 @@ std::string counted(long long count, std::string_view noun) {
         return out;
     }
     return out + "s";
+}
+
+std::string quotedList(const std::vector<std::string>& texts, std::size_t most) {
+    std::string out;
+    for (std::size_t i = 0; i < texts.size() && i < most; ++i) {
+        out += (i == 0 ? "\"" : ", \"") + shownText(texts[i]) + '"';
+    }
+    return texts.size() > most ? out + " and " + std::to_string(texts.size() - most) + " more"
+                               : out;
 }
 
 std::string slug(std::string_view text) {

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace toile {
 
@@ -17,6 +18,8 @@ std::string fixed(double value, int decimals);
 void appendFixed(std::string& out, double value, int decimals);
 /// "1 face", "2 faces": the noun gets an s where the count asks for it.
 std::string counted(long long count, std::string_view noun);
+/// The first `most` texts in quotes, and how many more there are: "\"a\", \"b\" and 3 more".
+std::string quotedList(const std::vector<std::string>& texts, std::size_t most);
 /// Lower case ASCII letters, digits and single hyphens, for ids and file names; never empty.
 std::string slug(std::string_view text);
 

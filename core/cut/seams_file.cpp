@@ -3,201 +3,50 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-
-#include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
-#include "core/base/json_depth.h"
+#include "core/base/text.h"
 #include "core/cut/ease_limit.h"
+#include "core/cut/seams_fields.h"
 
 namespace toile {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
 constexpr int kIndent = 2;
 constexpr double kPercent = 100;
 constexpr std::array kKinds{UserCut::Kind::Path, UserCut::Kind::Loop, UserCut::Kind::Dart};
 
-/// Reads the fields one by one; the first thing that is wrong ends it, as a sentence's middle.
-class Parser {
-public:
-    explicit Parser(SeamsFile& file) : file_(file) {}
+std::optional<UserCut::Kind> parseKind(const std::string& text) {
+    const auto known = std::ranges::find(kKinds, text, [](UserCut::Kind k) { return name(k); });
+    return known == kKinds.end() ? std::nullopt : std::optional(*known);
+}
 
-    const std::string& fault() const { return fault_; }
+std::optional<bool> parseAlong(const std::string& text) {
+    return text == "edges"     ? std::optional(true)
+           : text == "surface" ? std::optional(false)
+                               : std::nullopt;
+}
 
-    bool run(const Json& json) {
-        if (!json.is_object()) {
-            return fail("the file is no JSON object");
-        }
-        if (!onlyFields(json, {"version", "unit", "cuts", "joins", "ease"}, "the file")) {
-            return false;
-        }
-        const auto version = json.find("version");
-        if (version == json.end() || *version != kVersion) {
-            return fail("\"version\" must be 1");
-        }
-        return unit(json) && cuts(json) && joins(json) && ease(json);
+/// @param name  what the entry is called where it does not say
+void readNameAndPoints(JsonFields& fields, std::string& name,
+                       std::vector<Eigen::Vector3d>& points) {
+    fields.read("name", name);
+    if (name.empty()) {
+        fields.fail("name", "must not be empty");
     }
+    fields.need("points");
+    fields.readEach("points", [&](const JsonDocument& json, const std::string& place) {
+        if (const auto numbers = numbersOf(json, 3)) {
+            points.emplace_back((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+        } else {
+            fields.failAt(place, "must be a list of 3 numbers");
+        }
+    });
+}
 
-private:
-    bool fail(std::string what) {
-        fault_ = std::move(what);
-        return false;
-    }
-
-    /// A misspelt field would be a silent loss.
-    bool onlyFields(const Json& json, std::initializer_list<const char*> known,
-                    const std::string& where) {
-        for (const auto& [key, value] : json.items()) {
-            if (std::find(known.begin(), known.end(), key) == known.end()) {
-                return fail(where + " has an unknown field \"" + key + "\"");
-            }
-        }
-        return true;
-    }
-
-    bool unit(const Json& json) {
-        const auto unit = json.find("unit");
-        if (unit == json.end()) {
-            return true;
-        }
-        file_.unit = unit->is_string() ? parseLengthUnit(unit->get<std::string>()) : std::nullopt;
-        return file_.unit || fail(R"("unit" must be "mm", "cm", "m" or "in")");
-    }
-
-    bool cuts(const Json& json) {
-        const auto cuts = json.find("cuts");
-        if (cuts == json.end()) {
-            return true;
-        }
-        if (!cuts->is_array()) {
-            return fail("\"cuts\" must be a list");
-        }
-        for (const Json& entry : *cuts) {
-            if (!cut(entry)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    bool cut(const Json& json) {
-        UserCut cut;
-        cut.name = "cut " + std::to_string(file_.cuts.size() + 1);
-        if (!json.is_object()) {
-            return fail(cut.name + " is no object");
-        }
-        if (!onlyFields(json, {"name", "kind", "along", "points"}, cut.name)) {
-            return false;
-        }
-        if (!named(json, cut.name)) {
-            return false;
-        }
-        if (const auto kind = json.find("kind"); kind != json.end()) {
-            const auto known = std::ranges::find_if(
-                kKinds, [&kind](UserCut::Kind k) { return *kind == std::string(name(k)); });
-            if (known == kKinds.end()) {
-                return fail(cut.name + R"(: "kind" must be "path", "loop" or "dart")");
-            }
-            cut.kind = *known;
-        }
-        if (const auto along = json.find("along"); along != json.end()) {
-            if (*along != "surface" && *along != "edges") {
-                return fail(cut.name + R"(: "along" must be "surface" or "edges")");
-            }
-            cut.alongEdges = *along == "edges";
-        }
-        if (!points(json, cut.name, cut.points)) {
-            return false;
-        }
-        file_.cuts.push_back(std::move(cut));
-        return true;
-    }
-
-    bool joins(const Json& json) {
-        const auto joins = json.find("joins");
-        if (joins == json.end()) {
-            return true;
-        }
-        if (!joins->is_array()) {
-            return fail("\"joins\" must be a list");
-        }
-        for (const Json& entry : *joins) {
-            UserJoin join;
-            join.name = "join " + std::to_string(file_.joins.size() + 1);
-            if (!entry.is_object()) {
-                return fail(join.name + " is no object");
-            }
-            if (!onlyFields(entry, {"name", "points"}, join.name) || !named(entry, join.name) ||
-                !points(entry, join.name, join.points)) {
-                return false;
-            }
-            file_.joins.push_back(std::move(join));
-        }
-        return true;
-    }
-
-    /// Takes an entry's name where it has one.
-    bool named(const Json& json, std::string& name) {
-        const auto given = json.find("name");
-        if (given == json.end()) {
-            return true;
-        }
-        if (!given->is_string() || given->get<std::string>().empty()) {
-            return fail(name + ": \"name\" must be a text");
-        }
-        name = given->get<std::string>();
-        return true;
-    }
-
-    bool points(const Json& json, const std::string& name, std::vector<Eigen::Vector3d>& out) {
-        const auto points = json.find("points");
-        if (points == json.end() || !points->is_array()) {
-            return fail(name + ": \"points\" must be a list");
-        }
-        for (const Json& point : *points) {
-            const bool three =
-                point.is_array() && point.size() == 3 &&
-                std::ranges::all_of(point, [](const Json& x) { return x.is_number(); });
-            if (!three) {
-                return fail(name + ": point " + std::to_string(out.size() + 1) +
-                            " must be three numbers");
-            }
-            out.emplace_back(point[0].get<double>(), point[1].get<double>(),
-                             point[2].get<double>());
-        }
-        return true;
-    }
-
-    bool ease(const Json& json) {
-        const auto ease = json.find("ease");
-        if (ease == json.end()) {
-            return true;
-        }
-        if (!ease->is_object()) {
-            return fail("\"ease\" must give a number of percent for each seam's name");
-        }
-        for (const auto& [seam, percent] : ease->items()) {
-            const bool usable = percent.is_number() && percent.get<double>() > -kPercent &&
-                                percent.get<double>() <= kPercent * kMostEase;
-            if (!usable) {
-                return fail("the ease of \"" + seam +
-                            "\" must be a number above -100, 1000 at most");
-            }
-            file_.ease[seam] = percent.get<double>() / kPercent;
-        }
-        return true;
-    }
-
-    SeamsFile& file_;
-    std::string fault_;
-};
-
-Json pointsJson(const std::vector<Eigen::Vector3d>& points) {
-    Json list = Json::array();
+OrderedJson pointsJson(const std::vector<Eigen::Vector3d>& points) {
+    OrderedJson list = OrderedJson::array();
     for (const Eigen::Vector3d& point : points) {
         list.push_back({point.x(), point.y(), point.z()});
     }
@@ -206,54 +55,103 @@ Json pointsJson(const std::vector<Eigen::Vector3d>& points) {
 
 }  // namespace
 
-Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name) {
-    SeamsFile file;
-    if (jsonDepth(text) > kMostJsonDepth) {
-        return Error{ErrorCode::MalformedFile, name, "its lists lie too deep in each other"};
-    }
-    try {
-        Parser parser(file);
-        if (!parser.run(Json::parse(text))) {
-            return Error{ErrorCode::MalformedFile, name, parser.fault()};
+void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit) {
+    fields.read("unit", seams.unit);
+    fields.readObjects("cuts", [&seams](JsonFields& at) {
+        UserCut& cut = seams.cuts.emplace_back();
+        cut.name = "cut " + std::to_string(seams.cuts.size());
+        at.readWord("kind", cut.kind, R"("path", "loop" or "dart")", parseKind);
+        at.readWord("along", cut.alongEdges, R"("surface" or "edges")", parseAlong);
+        readNameAndPoints(at, cut.name, cut.points);
+    });
+    fields.readObjects("joins", [&seams](JsonFields& at) {
+        UserJoin& join = seams.joins.emplace_back();
+        join.name = "join " + std::to_string(seams.joins.size());
+        readNameAndPoints(at, join.name, join.points);
+    });
+    fields.readObject("ease", [&seams, easeUnit](JsonFields& at) {
+        for (const auto& item : at.all().items()) {
+            double ease = 0;
+            at.read(item.key(), ease, -easeUnit, kMostEase * easeUnit);
+            if (ease <= -easeUnit) {
+                at.fail(item.key(), "must be more than " + shortest(-easeUnit));
+            }
+            seams.ease[item.key()] = ease / easeUnit;
         }
-    } catch (const Json::parse_error& error) {
-        return Error{ErrorCode::MalformedFile, name,
-                     "no JSON: trouble at byte " + std::to_string(error.byte)};
-    } catch (const Json::exception&) {  // a number that no double holds
-        return Error{ErrorCode::MalformedFile, name, "a number is out of range"};
+    });
+}
+
+Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name, Problems* notes) {
+    const auto json = parseJson(text, name, ErrorCode::MalformedFile);
+    if (!json) {
+        return json.error();
+    }
+    SeamsFile file;
+    JsonFaults faults;
+    {
+        JsonFields fields(*json, "", faults);
+        int version = 0;
+        fields.need("version");
+        fields.read("version", version, kVersion, kVersion);
+        readSeams(fields, file, kPercent);
+    }
+    if (!faults.first.empty()) {
+        return Error{ErrorCode::MalformedFile, name, faults.first};
+    }
+    if (notes) {
+        *notes = faults.notes(name);
     }
     return file;
 }
 
-Result<SeamsFile> readSeamsFile(const std::filesystem::path& path) {
+Result<SeamsFile> readSeamsFile(const std::filesystem::path& path, Problems* notes) {
     const auto text = readFile(path);
     if (!text) {
         return text.error();
     }
-    return parseSeamsFile(*text, path.filename().string());
+    return parseSeamsFile(*text, path.filename().string(), notes);
+}
+
+OrderedJson cutsJson(const SeamsFile& seams) {
+    OrderedJson list = OrderedJson::array();
+    for (const UserCut& cut : seams.cuts) {
+        list.push_back({{"name", cut.name},
+                        {"kind", std::string(name(cut.kind))},
+                        {"along", cut.alongEdges ? "edges" : "surface"},
+                        {"points", pointsJson(cut.points)}});
+    }
+    return list;
+}
+
+OrderedJson joinsJson(const SeamsFile& seams) {
+    OrderedJson list = OrderedJson::array();
+    for (const UserJoin& join : seams.joins) {
+        list.push_back({{"name", join.name}, {"points", pointsJson(join.points)}});
+    }
+    return list;
+}
+
+OrderedJson easeJson(const SeamsFile& seams, double easeUnit) {
+    OrderedJson::object_t fields;
+    for (const auto& [seam, ease] : seams.ease) {
+        fields.emplace_back(seam, easeUnit * ease);  // in place of a search for the key
+    }
+    return fields;
 }
 
 std::string writeSeamsFile(const SeamsFile& file) {
-    Json json{{"version", kVersion}};
+    OrderedJson json{{"version", kVersion}};
     if (file.unit) {
         json["unit"] = std::string(symbol(*file.unit));
     }
-    json["cuts"] = Json::array();
-    for (const UserCut& cut : file.cuts) {
-        json["cuts"].push_back({{"name", cut.name},
-                                {"kind", std::string(name(cut.kind))},
-                                {"along", cut.alongEdges ? "edges" : "surface"},
-                                {"points", pointsJson(cut.points)}});
-    }
-    for (const UserJoin& join : file.joins) {
-        json["joins"].push_back({{"name", join.name}, {"points", pointsJson(join.points)}});
+    json["cuts"] = cutsJson(file);
+    if (!file.joins.empty()) {
+        json["joins"] = joinsJson(file);
     }
     if (!file.ease.empty()) {
-        for (const auto& [seam, ease] : file.ease) {
-            json["ease"][seam] = kPercent * ease;
-        }
+        json["ease"] = easeJson(file, kPercent);
     }
-    return json.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(kIndent, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string_view name(UserCut::Kind kind) {

@@ -31,9 +31,11 @@ struct SeamsFile {
 };
 
 /// Errors: FileUnreadable; MalformedFile, naming the entry and what is wrong with it. Linear.
-Result<SeamsFile> readSeamsFile(const std::filesystem::path& path);
+/// @param notes  where there is one: what the file says that is not known (UnknownKey)
+Result<SeamsFile> readSeamsFile(const std::filesystem::path& path, Problems* notes = nullptr);
 /// The same for a text in memory. `name` is used in messages only.
-Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name);
+Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name,
+                                 Problems* notes = nullptr);
 /// The file's text; reads back to the same values.
 std::string writeSeamsFile(const SeamsFile& file);
 

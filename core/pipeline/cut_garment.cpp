@@ -36,16 +36,22 @@ void noteHoles(Garment& garment) {
 }
 
 void setEase(Garment& garment, const SeamsFile& seams) {
+    std::unordered_map<std::string_view, Seam*> byName;
+    for (Seam& seam : garment.seams.seams) {
+        byName.emplace(seam.name, &seam);
+    }
+    std::vector<std::string> unknown;
     for (const auto& [name, ease] : seams.ease) {
-        const auto seam = std::find_if(garment.seams.seams.begin(), garment.seams.seams.end(),
-                                       [&name = name](const Seam& s) { return s.name == name; });
-        if (seam == garment.seams.seams.end() || seam->kind == SeamKind::Free) {
-            garment.problems.push_back(
-                {ErrorCode::NoSuchSeam, name, "the seams file gives it an ease"});
+        const auto seam = byName.find(name);
+        if (seam == byName.end() || seam->second->kind == SeamKind::Free) {
+            unknown.push_back(name);
         } else {
-            seam->ease = ease;
+            seam->second->ease = ease;
         }
     }
+    const Problems problems =
+        aboutEach(ErrorCode::NoSuchSeam, unknown, "the seams file gives it an ease");
+    garment.problems.insert(garment.problems.end(), problems.begin(), problems.end());
 }
 
 /// Cuts and joins are made anew each time; what comes out as it was before is the same piece, so

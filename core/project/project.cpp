@@ -30,13 +30,12 @@ std::vector<PieceSettings> settingsFor(const Project& project, const Garment& ga
 }
 
 Problems differencesTo(const Project& project, const Garment& garment) {
-    Problems problems;
+    std::vector<std::string> changed, gone;
     for (std::size_t k = 0; k < project.files.size() && k < garment.files.size(); ++k) {
         const auto& wanted = project.files[k].hash;
         const auto& found = garment.files[k]->soup.contentHash;
         if (wanted && found && *wanted != *found) {
-            problems.push_back(
-                {ErrorCode::FileChanged, project.files[k].path.filename().string(), ""});
+            changed.push_back(project.files[k].path.filename().string());
         }
     }
     std::set<std::string> there;
@@ -45,9 +44,12 @@ Problems differencesTo(const Project& project, const Garment& garment) {
     }
     for (const auto& entry : project.pieces) {
         if (!there.contains(entry.first)) {
-            problems.push_back({ErrorCode::PieceGone, entry.first, ""});
+            gone.push_back(entry.first);
         }
     }
+    Problems problems = aboutEach(ErrorCode::FileChanged, changed);
+    const Problems more = aboutEach(ErrorCode::PieceGone, gone);
+    problems.insert(problems.end(), more.begin(), more.end());
     return problems;
 }
 

@@ -7,10 +7,9 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
-#include "core/base/json_depth.h"
-#include "core/cut/ease_limit.h"
+#include "core/base/json_fields.h"
+#include "core/cut/seams_fields.h"
 #include "core/flatten/option_words.h"
-#include "core/project/json_fields.h"
 #include "core/project/project_upgrades.h"
 #include "core/sheet/sheet_limit.h"
 
@@ -20,18 +19,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto kFormat = "toile-project";
-constexpr auto kUnits = R"("mm", "cm", "m" or "in")";
 constexpr int kMostCopies = 1000000;
 constexpr double kMostStrain = 10;
-constexpr double kMostTurn = 1e6;         ///< radians: beyond, the sine of a double is no direction
-constexpr std::size_t kUnknownNamed = 3;  ///< unknown keys that a note names
+constexpr double kMostTurn = 1e6;  ///< radians: beyond, the sine of a double is no direction
 
-fs::path pathOf(const std::string& text) {
+/// Empty where it is not there.
+fs::path readPath(JsonFields& fields, std::string_view key) {
+    std::string text;
+    fields.read(key, text);
+    if (text.find('\0') != std::string::npos) {  // the system would take what stands before it
+        fields.fail(key, "is no path");
+    }
     return std::u8string(text.begin(), text.end());
-}
-
-std::string indexed(const std::string& place, std::size_t index) {
-    return place + "[" + std::to_string(index) + "]";
 }
 
 /// Reads a document of the present version.
@@ -39,69 +38,41 @@ class Reader {
 public:
     Reader(fs::path folder, JsonFaults& faults) : folder_(std::move(folder)), faults_(faults) {}
 
-    Project run(const Json& json) {
+    Project run(const JsonDocument& json) {
         Project project;
         JsonFields fields(json, "", faults_);
         for (const char* stated : {"format", "version", "program"}) {
             fields.find(stated);
         }
         files(fields, project);
-        with(fields, "reading", [&](JsonFields& at) { reading(at, project.loading); });
-        with(fields, "seams", [&](JsonFields& at) { seams(at, project.loading.seams); });
-        with(fields, "flattening", [&](JsonFields& at) { flattening(at, project.options); });
-        with(fields, "fabric", [&](JsonFields& at) { fabric(at, project.fabric); });
-        with(fields, "pieces", [&](JsonFields& at) { pieces(at, project); });
-        with(fields, "view", [&](JsonFields& at) { view(at, project.view); });
+        fields.readObject("reading", [&](JsonFields& at) { reading(at, project.loading); });
+        fields.readObject("seams",
+                          [&](JsonFields& at) { readSeams(at, project.loading.seams, 1); });
+        fields.readObject("flattening", [&](JsonFields& at) { flattening(at, project.options); });
+        fields.readObject("fabric", [&](JsonFields& at) { fabric(at, project.fabric); });
+        fields.readObject("pieces", [&](JsonFields& at) { pieces(at, project); });
+        fields.readObject("view", [&](JsonFields& at) { view(at, project.view); });
         if (fields.find("recoveryOf")) {
-            std::string text;
-            fields.read("recoveryOf", text);
-            project.recoveryOf = pathOf(text);
+            project.recoveryOf = readPath(fields, "recoveryOf");
         }
         return project;
     }
 
 private:
-    template <class Read>
-    void with(JsonFields& fields, std::string_view key, const Read& read) {
-        if (const Json* json = fields.find(key)) {
-            JsonFields at(*json, fields.placeOf(key), faults_);
-            read(at);
-        }
-    }
-
-    /// Each entry of a list.
-    template <class Read>
-    void each(JsonFields& fields, std::string_view key, const Json* list, const Read& read) {
-        if (!list) {
-            return;
-        }
-        if (!list->is_array()) {
-            fields.fail(key, "must be a list");
-            return;
-        }
-        for (std::size_t i = 0; i < list->size() && !fields.failed(); ++i) {
-            read((*list)[i], indexed(fields.placeOf(key), i));
-        }
-    }
-
     void files(JsonFields& fields, Project& project) {
-        const Json* list = fields.need("files");
+        const JsonDocument* list = fields.need("files");
         if (list && list->is_array() && list->empty()) {
             fields.fail("files", "must name a file");
         }
-        each(fields, "files", list, [&](const Json& json, const std::string& place) {
-            JsonFields at(json, place, faults_);
-            std::string relative, absolute;
-            at.read("path", relative);
-            at.read("absolute", absolute);
+        fields.readObjects("files", [&](JsonFields& at) {
+            const fs::path relative = readPath(at, "path"), absolute = readPath(at, "absolute");
             if (relative.empty() && absolute.empty()) {
                 at.fail("path", "is missing");
             }
             MeshReference file;
-            file.path = relative.empty() ? pathOf(absolute)
-                                         : (folder_ / pathOf(relative)).lexically_normal();
-            if (!relative.empty() && pathOf(absolute) != file.path) {
-                file.elsewhere = pathOf(absolute);
+            file.path = relative.empty() ? absolute : (folder_ / relative).lexically_normal();
+            if (!relative.empty() && absolute != file.path) {
+                file.elsewhere = absolute;
             }
             if (at.find("hash")) {
                 std::uint64_t hash = 0;
@@ -112,16 +83,8 @@ private:
         });
     }
 
-    static void unit(JsonFields& fields, std::optional<LengthUnit>& unit) {
-        LengthUnit stated{};
-        if (fields.find("unit")) {
-            fields.readWord("unit", stated, kUnits, parseLengthUnit);
-            unit = stated;
-        }
-    }
-
     static void reading(JsonFields& fields, LoadOptions& loading) {
-        unit(fields, loading.unit);
+        fields.read("unit", loading.unit);
         if (fields.find("up")) {
             UpAxis up{};
             fields.readWord("up", up, R"("y" or "z")", parseUpAxis);
@@ -134,67 +97,6 @@ private:
         fields.read("weld", loading.weld);
         fields.read("strict", loading.strict);
         fields.read("autoCut", loading.autoCut);
-    }
-
-    void seams(JsonFields& fields, SeamsFile& seams) {
-        unit(fields, seams.unit);
-        each(fields, "cuts", fields.find("cuts"), [&](const Json& json, const std::string& place) {
-            JsonFields at(json, place, faults_);
-            seams.cuts.push_back(cut(at));
-        });
-        each(fields, "joins", fields.find("joins"),
-             [&](const Json& json, const std::string& place) {
-                 JsonFields at(json, place, faults_);
-                 UserJoin& join = seams.joins.emplace_back();
-                 at.need("name");
-                 at.read("name", join.name);
-                 points(at, join.points);
-             });
-        with(fields, "ease", [&](JsonFields& at) {
-            for (const auto& item : at.all().items()) {
-                double ease = 0;
-                at.read(item.key(), ease, -1, kMostEase);
-                if (ease <= -1) {
-                    at.fail(item.key(), "must be more than -1");
-                }
-                seams.ease[item.key()] = ease;
-            }
-        });
-    }
-
-    UserCut cut(JsonFields& fields) {
-        UserCut cut;
-        fields.need("name");
-        fields.read("name", cut.name);
-        fields.readWord("kind", cut.kind, R"("path", "loop" or "dart")",
-                        [](const std::string& text) -> std::optional<UserCut::Kind> {
-                            for (const auto kind :
-                                 {UserCut::Kind::Path, UserCut::Kind::Loop, UserCut::Kind::Dart}) {
-                                if (text == name(kind)) {
-                                    return kind;
-                                }
-                            }
-                            return std::nullopt;
-                        });
-        fields.readWord("along", cut.alongEdges, R"("surface" or "edges")",
-                        [](const std::string& text) -> std::optional<bool> {
-                            return text == "edges"     ? std::optional(true)
-                                   : text == "surface" ? std::optional(false)
-                                                       : std::nullopt;
-                        });
-        points(fields, cut.points);
-        return cut;
-    }
-
-    void points(JsonFields& fields, std::vector<Eigen::Vector3d>& points) {
-        const Json* list = fields.need("points");
-        each(fields, "points", list, [&](const Json& json, const std::string& place) {
-            if (const auto numbers = numbersOf(json, 3)) {
-                points.emplace_back((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-            } else {
-                faults_.first = '"' + place + "\" must be a list of 3 numbers";
-            }
-        });
     }
 
     static void flattening(JsonFields& fields, FlattenOptions& options) {
@@ -241,7 +143,7 @@ private:
 
     PieceSettings piece(JsonFields& fields) {
         PieceSettings settings;
-        with(fields, "placement", [&](JsonFields& at) {
+        fields.readObject("placement", [&](JsonFields& at) {
             Placement placement;
             at.need("offset");
             placement.offset = point(at, "offset").value_or(placement.offset);
@@ -254,16 +156,14 @@ private:
         fields.read("grain", settings.grain, -kMostTurn, kMostTurn);
         fields.read("quantity", settings.quantity, 0, kMostCopies);
         fields.read("mirroredPair", settings.mirroredPair);
-        each(fields, "anchors", fields.find("anchors"),
-             [&](const Json& json, const std::string& place) {
-                 JsonFields at(json, place, faults_);
-                 Anchor anchor;
-                 at.need("vertex");
-                 at.need("at");
-                 at.read("vertex", anchor.vertex, 0, INT_MAX);
-                 anchor.flat = point(at, "at").value_or(anchor.flat);
-                 settings.anchors.push_back(anchor);
-             });
+        fields.readObjects("anchors", [&settings](JsonFields& at) {
+            Anchor anchor;
+            at.need("vertex");
+            at.need("at");
+            at.read("vertex", anchor.vertex, 0, INT_MAX);
+            anchor.flat = point(at, "at").value_or(anchor.flat);
+            settings.anchors.push_back(anchor);
+        });
         return settings;
     }
 
@@ -278,7 +178,7 @@ private:
 };
 
 /// The version that a document states; what is wrong with it is a fault.
-int versionOf(const Json& json, JsonFaults& faults) {
+int versionOf(const JsonDocument& json, JsonFaults& faults) {
     JsonFaults here;
     int version = 0;
     {
@@ -296,21 +196,8 @@ int versionOf(const Json& json, JsonFaults& faults) {
     return version;
 }
 
-Problems notesOf(const JsonFaults& faults, const std::string& name) {
-    if (faults.unknown.empty()) {
-        return {};
-    }
-    std::string list;
-    for (std::size_t i = 0; i < faults.unknown.size() && i < kUnknownNamed; ++i) {
-        list += (i == 0 ? "\"" : ", \"") + faults.unknown[i] + '"';
-    }
-    if (faults.unknown.size() > kUnknownNamed) {
-        list += " and " + std::to_string(faults.unknown.size() - kUnknownNamed) + " more";
-    }
-    return {{ErrorCode::UnknownKey, name, list}};
-}
-
-Result<ReadProject> readDocument(Json json, const std::string& name, const fs::path& folder) {
+Result<ReadProject> readDocument(JsonDocument json, const std::string& name,
+                                 const fs::path& folder) {
     JsonFaults faults;
     const int version = versionOf(json, faults);
     if (!faults.first.empty()) {
@@ -326,7 +213,7 @@ Result<ReadProject> readDocument(Json json, const std::string& name, const fs::p
     if (!faults.first.empty()) {
         return Error{ErrorCode::MalformedProject, name, faults.first};
     }
-    read.notes = notesOf(faults, name);
+    read.notes = faults.notes(name);
     return read;
 }
 
@@ -342,17 +229,8 @@ bool isProjectFile(const fs::path& path) {
 
 Result<ReadProject> parseProject(std::string_view text, const std::string& name,
                                  const fs::path& folder) {
-    if (jsonDepth(text) > kMostJsonDepth) {
-        return Error{ErrorCode::MalformedProject, name, "its lists lie too deep in each other"};
-    }
-    try {
-        return readDocument(Json::parse(text), name, folder);
-    } catch (const Json::parse_error& error) {
-        return Error{ErrorCode::MalformedProject, name,
-                     "no JSON: trouble at byte " + std::to_string(error.byte)};
-    } catch (const Json::exception&) {  // a number that no double holds
-        return Error{ErrorCode::MalformedProject, name, "a number is out of range"};
-    }
+    auto json = parseJson(text, name, ErrorCode::MalformedProject);
+    return json ? readDocument(std::move(*json), name, folder) : json.error();
 }
 
 Result<ReadProject> readProject(const fs::path& path) {

@@ -9,7 +9,7 @@ std::span<const ProjectUpgrade> projectUpgrades() {
     return {};
 }
 
-void upgradeProject(Json& document, int version, std::span<const ProjectUpgrade> upgrades) {
+void upgradeProject(JsonDocument& document, int version, std::span<const ProjectUpgrade> upgrades) {
     for (;; ++version) {
         const auto next = std::ranges::find(upgrades, version, &ProjectUpgrade::from);
         if (next == upgrades.end()) {

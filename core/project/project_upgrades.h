@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/project/json_fields.h"
+#include "core/base/json_fields.h"
 
 namespace toile {
 
@@ -14,13 +14,13 @@ inline constexpr int kProjectVersion = 1;
 /// wrong in it is found when it is read.
 struct ProjectUpgrade {
     int from;
-    void (*apply)(Json& document);
+    void (*apply)(JsonDocument& document);
 };
 
 /// One for each version before the present one. There are none yet.
 std::span<const ProjectUpgrade> projectUpgrades();
 
 /// Applies, one after the other, the upgrades from `version` on; each says its new "version".
-void upgradeProject(Json& document, int version, std::span<const ProjectUpgrade> upgrades);
+void upgradeProject(JsonDocument& document, int version, std::span<const ProjectUpgrade> upgrades);
 
 }  // namespace toile

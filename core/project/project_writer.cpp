@@ -2,6 +2,7 @@
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/base/version.h"
+#include "core/cut/seams_fields.h"
 #include "core/flatten/option_words.h"
 #include "core/project/project_file.h"
 #include "core/project/project_upgrades.h"
@@ -19,14 +20,14 @@ std::string textOf(const fs::path& path) {
     return {text.begin(), text.end()};
 }
 
-Json pairOf(const Eigen::Vector2d& point) {
-    return Json::array({point.x(), point.y()});
+OrderedJson pairOf(const Eigen::Vector2d& point) {
+    return OrderedJson::array({point.x(), point.y()});
 }
 
-Json filesOf(const Project& project, const fs::path& folder) {
-    Json list = Json::array();
+OrderedJson filesOf(const Project& project, const fs::path& folder) {
+    OrderedJson list = OrderedJson::array();
     for (const MeshReference& file : project.files) {
-        Json entry = Json::object();
+        OrderedJson entry = OrderedJson::object();
         const fs::path relative =
             folder.empty() ? fs::path() : file.path.lexically_relative(folder);
         if (!relative.empty()) {
@@ -41,27 +42,8 @@ Json filesOf(const Project& project, const fs::path& folder) {
     return list;
 }
 
-Json pointsOf(const std::vector<Eigen::Vector3d>& points) {
-    Json list = Json::array();
-    for (const Eigen::Vector3d& point : points) {
-        list.push_back({point.x(), point.y(), point.z()});
-    }
-    return list;
-}
-
-Json cutsOf(const SeamsFile& seams) {
-    Json list = Json::array();
-    for (const UserCut& cut : seams.cuts) {
-        list.push_back({{"name", cut.name},
-                        {"kind", std::string(name(cut.kind))},
-                        {"along", cut.alongEdges ? "edges" : "surface"},
-                        {"points", pointsOf(cut.points)}});
-    }
-    return list;
-}
-
-Json readingOf(const LoadOptions& loading) {
-    Json reading = Json::object();
+OrderedJson readingOf(const LoadOptions& loading) {
+    OrderedJson reading = OrderedJson::object();
     if (loading.unit) {
         reading["unit"] = std::string(symbol(*loading.unit));
     }
@@ -75,24 +57,18 @@ Json readingOf(const LoadOptions& loading) {
     return reading;
 }
 
-Json seamsOf(const SeamsFile& seams) {
-    Json json = Json::object();
+OrderedJson seamsOf(const SeamsFile& seams) {
+    OrderedJson json = OrderedJson::object();
     if (seams.unit) {
         json["unit"] = std::string(symbol(*seams.unit));
     }
-    json["cuts"] = cutsOf(seams);
-    json["joins"] = Json::array();
-    for (const UserJoin& join : seams.joins) {
-        json["joins"].push_back({{"name", join.name}, {"points", pointsOf(join.points)}});
-    }
-    json["ease"] = Json::object();
-    for (const auto& [seam, ease] : seams.ease) {
-        json["ease"][seam] = ease;
-    }
+    json["cuts"] = cutsJson(seams);
+    json["joins"] = joinsJson(seams);
+    json["ease"] = easeJson(seams, 1);
     return json;
 }
 
-Json flatteningOf(const FlattenOptions& options) {
+OrderedJson flatteningOf(const FlattenOptions& options) {
     return {{"method", std::string(name(options.method))},
             {"quality", std::string(wordOf(kQualityWords, options.quality))},
             {"boundarySolver", std::string(name(options.boundarySolver))},
@@ -101,9 +77,9 @@ Json flatteningOf(const FlattenOptions& options) {
             {"authalic", options.authalic}};
 }
 
-Json fabricOf(const Fabric& fabric) {
-    const auto limits = [](const StrainLimits& strain) -> Json {
-        return Json::array({strain.least, strain.most});
+OrderedJson fabricOf(const Fabric& fabric) {
+    const auto limits = [](const StrainLimits& strain) -> OrderedJson {
+        return OrderedJson::array({strain.least, strain.most});
     };
     return {{"id", fabric.id},
             {"warp", limits(fabric.warp)},
@@ -111,8 +87,8 @@ Json fabricOf(const Fabric& fabric) {
             {"bias", limits(fabric.bias)}};
 }
 
-Json pieceOf(const PieceSettings& settings) {
-    Json piece = Json::object();
+OrderedJson pieceOf(const PieceSettings& settings) {
+    OrderedJson piece = OrderedJson::object();
     if (settings.placement) {
         piece["placement"] = {{"offset", pairOf(settings.placement->offset)},
                               {"turn", settings.placement->turn},
@@ -125,7 +101,7 @@ Json pieceOf(const PieceSettings& settings) {
     piece["quantity"] = settings.quantity;
     piece["mirroredPair"] = settings.mirroredPair;
     if (!settings.anchors.empty()) {
-        piece["anchors"] = Json::array();
+        piece["anchors"] = OrderedJson::array();
         for (const Anchor& anchor : settings.anchors) {
             piece["anchors"].push_back({{"vertex", anchor.vertex}, {"at", pairOf(anchor.flat)}});
         }
@@ -133,8 +109,16 @@ Json pieceOf(const PieceSettings& settings) {
     return piece;
 }
 
-Json viewOf(const ProjectView& view) {
-    Json json = Json::object();
+OrderedJson piecesOf(const Project& project) {
+    OrderedJson::object_t fields;
+    for (const auto& [piece, settings] : project.pieces) {
+        fields.emplace_back(piece, pieceOf(settings));  // in place of a search for the key
+    }
+    return fields;
+}
+
+OrderedJson viewOf(const ProjectView& view) {
+    OrderedJson json = OrderedJson::object();
     if (!view.overlay.empty()) {
         json["overlay"] = view.overlay;
     }
@@ -146,23 +130,20 @@ Json viewOf(const ProjectView& view) {
 }  // namespace
 
 std::string projectText(const Project& project, const fs::path& folder) {
-    Json json{{"format", "toile-project"},
-              {"version", kProjectVersion},
-              {"program", "Toile " + std::string(version())},
-              {"files", filesOf(project, folder)},
-              {"reading", readingOf(project.loading)},
-              {"seams", seamsOf(project.loading.seams)},
-              {"flattening", flatteningOf(project.options)},
-              {"fabric", fabricOf(project.fabric)},
-              {"pieces", Json::object()},
-              {"view", viewOf(project.view)}};
-    for (const auto& [piece, settings] : project.pieces) {
-        json["pieces"][piece] = pieceOf(settings);
-    }
+    OrderedJson json{{"format", "toile-project"},
+                     {"version", kProjectVersion},
+                     {"program", "Toile " + std::string(version())},
+                     {"files", filesOf(project, folder)},
+                     {"reading", readingOf(project.loading)},
+                     {"seams", seamsOf(project.loading.seams)},
+                     {"flattening", flatteningOf(project.options)},
+                     {"fabric", fabricOf(project.fabric)},
+                     {"pieces", piecesOf(project)},
+                     {"view", viewOf(project.view)}};
     if (project.recoveryOf) {
         json["recoveryOf"] = textOf(*project.recoveryOf);
     }
-    return json.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(kIndent, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 Result<std::uint64_t> writeProject(const fs::path& path, const Project& project) {

@@ -62,7 +62,6 @@ TEST(SeamsFile, SaysWhatIsWrongInOneSentence) {
                               "[]",
                               "{}",
                               R"({"version": 2})",
-                              R"({"version": 1, "cut": []})",
                               R"({"version": 1, "cuts": {}})",
                               R"({"version": 1, "unit": "ell"})",
                               R"({"version": 1, "cuts": [1]})",
@@ -78,7 +77,6 @@ TEST(SeamsFile, SaysWhatIsWrongInOneSentence) {
                               R"({"version": 1, "joins": [{"name": "a"}]})",
                               R"({"version": 1, "joins": [{"name": 1, "points": []}]})",
                               R"({"version": 1, "joins": [{"points": [[0, 0]]}]})",
-                              R"({"version": 1, "joins": [{"points": [], "kind": "path"}]})",
                               R"({"version": 1, "ease": {"a": "much"}})",
                               R"({"version": 1, "ease": {"a": -100}})",
                               R"({"version": 1, "ease": {"a": 1e999}})"}) {
@@ -89,6 +87,21 @@ TEST(SeamsFile, SaysWhatIsWrongInOneSentence) {
         EXPECT_FALSE(file.error().detail.empty()) << wrong;
     }
     EXPECT_EQ(readSeamsFile("/no/such/file.json").error().code, ErrorCode::FileUnreadable);
+}
+
+TEST(SeamsFile, WhatIsNotKnownIsNotedAndNotFatal) {
+    Problems notes;
+    const auto file = parseSeamsFile(
+        R"({"version": 1, "cut": [], "joins": [{"points": [], "kind": "path"}],
+            "cuts": [{"name": "a", "points": [], "\u001b[31m": 1}]})",
+        "a.json", &notes);
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->cuts.size(), 1U);
+    EXPECT_EQ(file->joins.size(), 1U);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes[0].code, ErrorCode::UnknownKey);
+    EXPECT_EQ(notes[0].where, "a.json");
+    EXPECT_EQ(notes[0].detail, R"("cuts[0]. [31m", "joins[0].kind", "cut")");
 }
 
 }  // namespace

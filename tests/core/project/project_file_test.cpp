@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/project/json_fields.h"
+#include "core/base/json_fields.h"
 #include "core/project/project_upgrades.h"
 #include "tests/core/support/temporary_folder.h"
 
@@ -14,6 +14,8 @@ namespace toile {
 namespace {
 
 namespace fs = std::filesystem;
+
+using Json = JsonDocument;
 
 const fs::path kFolder = "/garments/patterns";
 constexpr double kFarthest = 1e9, kMostTurn = 1e6;
@@ -330,6 +332,25 @@ TEST(ProjectFile, PathsAreRelativeToTheFileWithTheWholePathBeside) {
     ASSERT_TRUE(moved);
     EXPECT_EQ(moved->project.files[0].path, "/home/dress.obj");
     EXPECT_EQ(moved->project.files[0].elsewhere, "/garments/dress.obj");
+}
+
+TEST(ProjectFile, APathThatTheSystemWouldCutOffIsRefused) {
+    for (const char* key : {"path", "absolute"}) {
+        Json document = someDocument();
+        document["files"][0][key] = std::string("a\0b.obj", 7);
+        EXPECT_NE(faultOf(document).find(std::string("files[0].") + key), std::string::npos);
+    }
+}
+
+TEST(ProjectFile, HundredThousandEntriesAreReadAndWrittenLikeFew) {
+    Project project = someProject();
+    for (int k = 0; k < 100000; ++k) {
+        project.pieces["piece " + std::to_string(k)].quantity = k;
+        project.loading.seams.ease["seam " + std::to_string(k)] = 0.5;
+    }
+    const auto read = parseProject(projectText(project, kFolder), "p", kFolder);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->project, project);
 }
 
 TEST(ProjectFile, AMeshIsFoundByEitherPath) {

@@ -52,6 +52,16 @@ TEST(Project, APieceThatIsGoneIsNamed) {
     EXPECT_EQ(problems[0].where, "collar");
 }
 
+TEST(Project, ManyPiecesThatAreGoneAreNamedInOneSentence) {
+    Project project;
+    for (int k = 0; k < 1000; ++k) {
+        project.pieces["sleeve " + std::to_string(k)];
+    }
+    const Problems problems = differencesTo(project, garmentOfFile({}));
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].where, R"("sleeve 0", "sleeve 1", "sleeve 10" and 997 more)");
+}
+
 TEST(Project, ReadersRememberTheHashOfWhatTheyRead) {
     const test::TemporaryFolder folder;
     const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

@@ -11,17 +11,30 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/length_unit.h"
+#include "core/base/result.h"
+
 namespace toile {
 
-using Json = nlohmann::ordered_json;
+/// A document that is read: its keys are looked up in log n, however many there are.
+using JsonDocument = nlohmann::json;
+/// One that is written: its keys stay in order.
+using OrderedJson = nlohmann::ordered_json;
+
+/// The document of a text. Linear.
+/// @param name, malformed  of the file and of what is wrong with it, for the error
+Result<JsonDocument> parseJson(std::string_view text, const std::string& name, ErrorCode malformed);
 
 /// The numbers of a list; none where it is anything but so many finite numbers.
-std::optional<std::vector<double>> numbersOf(const Json& json, std::size_t count);
+std::optional<std::vector<double>> numbersOf(const JsonDocument& json, std::size_t count);
 
 /// What was found wrong in a document while it was read.
 struct JsonFaults {
     std::string first;                 ///< what is wrong and where; empty: nothing
     std::vector<std::string> unknown;  ///< places that nobody asked for
+
+    /// The UnknownKey of the file of this name, where there is one.
+    Problems notes(const std::string& name) const;
 };
 
 /// Reads the fields of one JSON object, each with its type: the first thing that is wrong is kept
@@ -30,7 +43,7 @@ struct JsonFaults {
 class JsonFields {
 public:
     /// `json` and `faults` must outlive this. Anything but an object is a fault.
-    JsonFields(const Json& json, std::string place, JsonFaults& faults);
+    JsonFields(const JsonDocument& json, std::string place, JsonFaults& faults);
     ~JsonFields();
     JsonFields(const JsonFields&) = delete;
     JsonFields& operator=(const JsonFields&) = delete;
@@ -38,15 +51,14 @@ public:
     bool failed() const { return !faults_.first.empty(); }
     const std::string& place() const { return place_; }
     std::string placeOf(std::string_view key) const;
-    void fail(std::string_view key, std::string_view what);
-    JsonFaults& faults() { return faults_; }
-
+    void fail(std::string_view key, std::string_view what) { failAt(placeOf(key), what); }
+    void failAt(const std::string& place, std::string_view what);
     /// The field; null where it is not there or something is wrong already.
-    const Json* find(std::string_view key);
+    const JsonDocument* find(std::string_view key);
     /// The same; not to be there is a fault.
-    const Json* need(std::string_view key);
+    const JsonDocument* need(std::string_view key);
     /// Every field, whatever its name.
-    const Json& all();
+    const JsonDocument& all();
 
     void read(std::string_view key, bool& value);
     void read(std::string_view key, std::string& value);
@@ -56,16 +68,47 @@ public:
               double most = std::numeric_limits<double>::max());
     void read(std::string_view key, int& value, int least, int most);
     void read(std::string_view key, std::optional<double>& value, double least, double most);
+    void read(std::string_view key, std::optional<LengthUnit>& unit);
     /// `count` numbers.
     /// @param most  of what size each may be, either sign
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count,
                                                double most = std::numeric_limits<double>::max());
 
+    /// Each entry of a list, with its place; read(entry, place).
+    template <class Read>
+    void readEach(std::string_view key, const Read& read) {
+        const JsonDocument* list = find(key);
+        if (list && !list->is_array()) {
+            fail(key, "must be a list");
+        }
+        for (std::size_t i = 0; list && i < list->size() && !failed(); ++i) {
+            read((*list)[i], placeOf(key) + "[" + std::to_string(i) + "]");
+        }
+    }
+
+    /// Each entry of a list of objects; read(fields).
+    template <class Read>
+    void readObjects(std::string_view key, const Read& read) {
+        readEach(key, [&](const JsonDocument& json, const std::string& place) {
+            JsonFields fields(json, place, faults_);
+            read(fields);
+        });
+    }
+
+    /// The object, where there is one; read(fields).
+    template <class Read>
+    void readObject(std::string_view key, const Read& read) {
+        if (const JsonDocument* json = find(key)) {
+            JsonFields fields(*json, placeOf(key), faults_);
+            read(fields);
+        }
+    }
+
     /// A word that `parse` knows.
     /// @param words  for the message: "\"mm\" or \"cm\""
     template <class Value, class Parse>
     void readWord(std::string_view key, Value& value, std::string_view words, const Parse& parse) {
-        if (const Json* json = find(key)) {
+        if (const JsonDocument* json = find(key)) {
             const auto known = json->is_string() ? parse(json->template get<std::string>())
                                                  : decltype(parse(std::string())){};
             if (known) {
@@ -77,7 +120,7 @@ public:
     }
 
 private:
-    const Json& json_;
+    const JsonDocument& json_;
     std::string place_;
     JsonFaults& faults_;
     std::set<std::string, std::less<>> known_;

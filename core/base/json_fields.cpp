@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/json_fields.h"
+#include "core/base/json_fields.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,25 +9,72 @@
 namespace toile {
 namespace {
 
-const Json& emptyObject() {
-    static const Json kEmpty = Json::object();
+// Deeper than any file of ours. The JSON library copies values by recursion, so that a text of
+// brackets alone would use the stack up.
+constexpr int kMostDepth = 64;
+constexpr std::size_t kUnknownNamed = 3;
+constexpr auto kUnits = R"("mm", "cm", "m" or "in")";
+
+/// How deep lists and objects lie in each other; of a text that is no JSON, any number.
+int depthOf(std::string_view text) {
+    int depth = 0, deepest = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (inString) {
+            i += c == '\\' ? 1 : 0;  // whatever follows ends nothing
+            inString = c != '"';
+        } else if (c == '"') {
+            inString = true;
+        } else if (c == '[' || c == '{') {
+            deepest = std::max(deepest, ++depth);
+        } else if (c == ']' || c == '}') {
+            --depth;
+        }
+    }
+    return deepest;
+}
+
+const JsonDocument& emptyObject() {
+    static const JsonDocument kEmpty = JsonDocument::object();
     return kEmpty;
 }
 
-bool isFiniteNumber(const Json& json) {
+bool isFiniteNumber(const JsonDocument& json) {
     return json.is_number() && std::isfinite(json.get<double>());
 }
 
 }  // namespace
 
-std::optional<std::vector<double>> numbersOf(const Json& json, std::size_t count) {
+Result<JsonDocument> parseJson(std::string_view text, const std::string& name,
+                               ErrorCode malformed) {
+    if (depthOf(text) > kMostDepth) {
+        return Error{malformed, name, "its lists lie too deep in each other"};
+    }
+    try {
+        return JsonDocument::parse(text);
+    } catch (const JsonDocument::parse_error& error) {
+        return Error{malformed, name, "no JSON: trouble at byte " + std::to_string(error.byte)};
+    } catch (const JsonDocument::exception&) {  // a number that no double holds
+        return Error{malformed, name, "a number is out of range"};
+    }
+}
+
+Problems JsonFaults::notes(const std::string& name) const {
+    if (unknown.empty()) {
+        return {};
+    }
+    return {{ErrorCode::UnknownKey, name, quotedList(unknown, kUnknownNamed)}};
+}
+
+std::optional<std::vector<double>> numbersOf(const JsonDocument& json, std::size_t count) {
     if (!json.is_array() || json.size() != count || !std::ranges::all_of(json, isFiniteNumber)) {
         return std::nullopt;
     }
     return json.get<std::vector<double>>();
 }
 
-JsonFields::JsonFields(const Json& json, std::string place, JsonFaults& faults)
+JsonFields::JsonFields(const JsonDocument& json, std::string place, JsonFaults& faults)
     : json_(json.is_object() ? json : emptyObject()), place_(std::move(place)), faults_(faults) {
     if (!json.is_object() && !failed()) {
         faults_.first = (place_.empty() ? "the file" : '"' + place_ + '"') + " must be an object";
@@ -49,13 +96,13 @@ std::string JsonFields::placeOf(std::string_view key) const {
     return place_.empty() ? std::string(key) : place_ + "." + std::string(key);
 }
 
-void JsonFields::fail(std::string_view key, std::string_view what) {
+void JsonFields::failAt(const std::string& place, std::string_view what) {
     if (!failed()) {
-        faults_.first = '"' + placeOf(key) + "\" " + std::string(what);
+        faults_.first = '"' + place + "\" " + std::string(what);
     }
 }
 
-const Json* JsonFields::find(std::string_view key) {
+const JsonDocument* JsonFields::find(std::string_view key) {
     known_.emplace(key);
     if (failed()) {
         return nullptr;
@@ -64,21 +111,21 @@ const Json* JsonFields::find(std::string_view key) {
     return found == json_.end() ? nullptr : &*found;
 }
 
-const Json* JsonFields::need(std::string_view key) {
-    const Json* found = find(key);
+const JsonDocument* JsonFields::need(std::string_view key) {
+    const JsonDocument* found = find(key);
     if (!found) {
         fail(key, "is missing");
     }
     return found;
 }
 
-const Json& JsonFields::all() {
+const JsonDocument& JsonFields::all() {
     takesAll_ = true;
     return failed() ? emptyObject() : json_;
 }
 
 void JsonFields::read(std::string_view key, bool& value) {
-    if (const Json* json = find(key)) {
+    if (const JsonDocument* json = find(key)) {
         if (json->is_boolean()) {
             value = json->get<bool>();
         } else {
@@ -88,7 +135,7 @@ void JsonFields::read(std::string_view key, bool& value) {
 }
 
 void JsonFields::read(std::string_view key, std::string& value) {
-    if (const Json* json = find(key)) {
+    if (const JsonDocument* json = find(key)) {
         if (json->is_string()) {
             value = json->get<std::string>();
         } else {
@@ -98,7 +145,7 @@ void JsonFields::read(std::string_view key, std::string& value) {
 }
 
 void JsonFields::read(std::string_view key, double& value, double least, double most) {
-    const Json* json = find(key);
+    const JsonDocument* json = find(key);
     if (!json) {
         return;
     }
@@ -112,7 +159,7 @@ void JsonFields::read(std::string_view key, double& value, double least, double 
 }
 
 void JsonFields::read(std::string_view key, int& value, int least, int most) {
-    const Json* json = find(key);
+    const JsonDocument* json = find(key);
     if (!json) {
         return;
     }
@@ -137,9 +184,17 @@ void JsonFields::read(std::string_view key, std::optional<double>& value, double
     }
 }
 
+void JsonFields::read(std::string_view key, std::optional<LengthUnit>& unit) {
+    if (find(key)) {
+        LengthUnit stated{};
+        readWord(key, stated, kUnits, parseLengthUnit);
+        unit = stated;
+    }
+}
+
 std::optional<std::vector<double>> JsonFields::numbers(std::string_view key, std::size_t count,
                                                        double most) {
-    const Json* json = find(key);
+    const JsonDocument* json = find(key);
     if (!json) {
         return std::nullopt;
     }

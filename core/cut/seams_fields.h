@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/json_fields.h"
+#include "core/cut/seams_file.h"
+
+namespace toile {
+
+/// Reads unit, cuts, joins and ease, which a seams file and a project have alike.
+/// @param easeUnit  what the file writes for a side twice as long as the other: 100 for percent
+void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit);
+
+/// The fields of these names.
+OrderedJson cutsJson(const SeamsFile& seams);
+OrderedJson joinsJson(const SeamsFile& seams);
+OrderedJson easeJson(const SeamsFile& seams, double easeUnit);
+
+}  // namespace toile
