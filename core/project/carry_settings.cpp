@@ -113,6 +113,7 @@ std::vector<CarriedFrom> carriedFrom(const Garment& before,
                                      const PieceResults& results, const Garment& after) {
     const Origins origins(before);
     std::vector<CarriedFrom> carried;
+    std::vector<int> heirs(before.pieces.size(), 0);
     for (const auto& piece : after.pieces) {
         CarriedFrom& from = carried.emplace_back(origins.of(piece));
         if (from.piece >= 0 && !from.same) {
@@ -121,6 +122,17 @@ std::vector<CarriedFrom> carriedFrom(const Garment& before,
             static const std::vector<Anchor> kNone;
             from.anchors = anchorsOf(*piece, *before.pieces[at], result,
                                      at < settings.size() ? settings[at].anchors : kNone);
+        }
+        if (from.piece >= 0) {
+            ++heirs[static_cast<std::size_t>(from.piece)];
+        }
+    }
+    for (CarriedFrom& from : carried) {
+        const auto at = static_cast<std::size_t>(from.piece);
+        if (from.piece >= 0 && at < settings.size() && !settings[at].partOf.empty()) {
+            from.partOf = settings[at].partOf;  // cut again before it was laid out
+        } else if (from.piece >= 0 && heirs[at] > 1) {
+            from.partOf = before.pieces[at]->name;
         }
     }
     return carried;
@@ -134,6 +146,7 @@ std::vector<PieceSettings> carriedSettings(const std::vector<CarriedFrom>& from,
             carried[i] = settings[static_cast<std::size_t>(from[i].piece)];
             if (!from[i].same) {
                 carried[i].anchors = from[i].anchors;
+                carried[i].partOf = from[i].partOf;
             }
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/flatten/piece_result.h"
@@ -14,6 +15,7 @@ struct CarriedFrom {
     int piece = -1;                 ///< index into the pieces before; -1: it is new
     bool same = false;              ///< the very same piece, with the same flat coordinates
     std::vector<Anchor> anchors{};  ///< where not the same
+    std::string partOf{};           ///< as in PieceSettings
 };
 
 /// At most as many anchors are kept of a piece that is to be flattened anew.

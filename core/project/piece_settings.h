@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/sheet/placement.h"
@@ -32,6 +33,9 @@ struct PieceSettings {
     /// Placement and grain are about the flat coordinates of an earlier flattening as long as there
     /// are anchors: those of the next are fitted to them, and then they go (`anchoredSettings`).
     std::vector<Anchor> anchors{};
+    /// The piece that this one and others were cut from, as long as none of them has been laid out:
+    /// all have its placement. Empty where no piece was divided.
+    std::string partOf{};
 
     bool operator==(const PieceSettings&) const = default;
 };

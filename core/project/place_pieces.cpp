@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -112,29 +114,28 @@ private:
         }
     }
 
-    /// Parts of one piece have its very placement until they are fitted for the first time.
+    /// The parts of each piece that was cut, flat for the first time since.
     std::vector<std::vector<std::size_t>> partsOfOne() const {
-        std::vector<std::vector<std::size_t>> cut;
-        std::vector<char> done(settings_.size(), 0);
+        std::map<std::string_view, std::vector<std::size_t>> byWhole;
         for (std::size_t i = 0; i < settings_.size(); ++i) {
-            std::vector<std::size_t> parts;
-            for (std::size_t k = i; k < settings_.size(); ++k) {
-                if (!done[k] && isPlaced(k) && !settings_[k].anchors.empty() &&
-                    settings_[k].placement == settings_[i].placement) {
-                    parts.push_back(k);
-                    done[k] = 1;
-                }
+            if (isPlaced(i) && !settings_[i].partOf.empty() && !settings_[i].anchors.empty()) {
+                byWhole[settings_[i].partOf].push_back(i);
             }
+        }
+        std::vector<std::vector<std::size_t>> cut;
+        for (auto& [whole, parts] : byWhole) {
             if (parts.size() > 1) {
                 cut.push_back(std::move(parts));
             }
         }
+        std::ranges::sort(cut);
         return cut;
     }
 
     /// Lays the piece where it lay. @return whether its shape has changed
     bool fit(std::size_t i, const std::optional<FlatMotion>& motion, bool isPart) {
         PieceSettings& settings = settings_[i];
+        settings.partOf.clear();
         if (!settings.anchors.empty()) {
             const Points2& Q = results_[i]->flat->Q;
             const auto misfit = anchorMisfit(settings.anchors, Q);

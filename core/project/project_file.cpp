@@ -156,6 +156,7 @@ private:
         fields.read("grain", settings.grain, -kMostTurn, kMostTurn);
         fields.read("quantity", settings.quantity, 0, kMostCopies);
         fields.read("mirroredPair", settings.mirroredPair);
+        fields.read("partOf", settings.partOf);
         fields.readObjects("anchors", [&settings](JsonFields& at) {
             Anchor anchor;
             at.need("vertex");

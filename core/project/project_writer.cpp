@@ -100,6 +100,9 @@ OrderedJson pieceOf(const PieceSettings& settings) {
     }
     piece["quantity"] = settings.quantity;
     piece["mirroredPair"] = settings.mirroredPair;
+    if (!settings.partOf.empty()) {
+        piece["partOf"] = settings.partOf;
+    }
     if (!settings.anchors.empty()) {
         piece["anchors"] = OrderedJson::array();
         for (const Anchor& anchor : settings.anchors) {

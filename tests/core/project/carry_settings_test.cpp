@@ -73,6 +73,7 @@ TEST(CarrySettings, BothPartsOfACutPieceKnowTheWhole) {
         EXPECT_EQ(carried[i].placement, from.placement);
         EXPECT_EQ(carried[i].quantity, from.quantity);
         EXPECT_EQ(carried[i].anchors.empty(), whole);
+        EXPECT_EQ(carried[i].partOf, whole ? "" : "front");
         EXPECT_LE(carried[i].anchors.size(), static_cast<std::size_t>(kMostAnchors));
         // Anchors say where the vertex lay: the panel is flat, so that is where it is in space.
         for (const Anchor& a : carried[i].anchors) {

@@ -248,6 +248,20 @@ TEST(PlacePieces, TheLargestPartOfACutPieceStaysAndTheOthersGoToFreePlaces) {
     }
 }
 
+TEST(PlacePieces, PiecesLaidInOnePlaceAreNoPartsOfOne) {
+    const Garment garment = panels({test::planeGrid(10, 10, 20), test::planeGrid(8, 8, 20)});
+    const PieceResults results = flat(garment);
+    std::vector<PieceSettings> settings(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        settings[i].placement = Placement{{40, 70}, 0.3};
+        settings[i].placedByHand = true;
+        settings[i].anchors = outlineAnchors(garment.pieces[i]->boundary, results[i]->flat->Q);
+    }
+    for (const PieceSettings& piece : placed(garment, results, settings)) {
+        EXPECT_EQ(piece.placement, settings[0].placement);
+    }
+}
+
 TEST(PlacePieces, APatchOutOfARealGarmentLeavesEverythingElseInPlace) {
     const auto path = test::sharedFile("garments/tee_sim.obj");
     TOILE_NEEDS_SHARED(path);

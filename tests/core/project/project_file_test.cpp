@@ -113,6 +113,7 @@ private:
         }
         settings.quantity = upTo(1000);
         settings.mirroredPair = flag();
+        settings.partOf = flag() ? text() : "";
         for (int k = upTo(3); k > 0; --k) {
             settings.anchors.push_back({upTo(1 << 20), {number(kFarthest), number(kFarthest)}});
         }
