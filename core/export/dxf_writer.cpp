@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <numbers>
-#include <ranges>
 
 #include <Eigen/Geometry>
 
@@ -118,7 +117,10 @@ void writeTables(TagWriter& out, const Drawing& drawing) {
     out.endTable();
     const auto isThere = [&](LayerKind kind) -> bool { return hasLayer(drawing, kind); };
     out.beginTable("LAYER", static_cast<int>(std::ranges::count_if(kLayerKinds, isThere)));
-    for (const LayerKind kind : kLayerKinds | std::views::filter(isThere)) {
+    for (const LayerKind kind : kLayerKinds) {
+        if (!isThere(kind)) {
+            continue;
+        }
         out.tag(0, "LAYER");
         out.tag(2, styleOf(kind).name);
         out.tag(70, 0);
