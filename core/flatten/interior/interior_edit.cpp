@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <ranges>
 #include <utility>
 
 namespace toile {
@@ -48,14 +47,15 @@ public:
         if (next_ < edges_.rows() && edges_(next_, 0) == a && edges_(next_, 1) == b) {
             return next_++;
         }
-        const auto ofA = std::views::iota(start_[a], std::max(start_[a], start_[a + 1]));
+        const auto ends = edges_.col(1);
+        const int last = std::max(start_[a], start_[a + 1]);
         const auto found =
-            std::ranges::lower_bound(ofA, b, {}, [this](int e) -> int { return edges_(e, 1); });
-        if (found == ofA.end() || edges_(*found, 1) != b) {
+            std::lower_bound(ends.begin() + start_[a], ends.begin() + last, b) - ends.begin();
+        if (found == last || edges_(found, 1) != b) {
             return -1;
         }
-        next_ = *found + 1;
-        return *found;
+        next_ = static_cast<int>(found) + 1;
+        return static_cast<int>(found);
     }
 
 private:
