@@ -1,0 +1,134 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What takes too long for every change: hours on two cores. A step that fails does not keep the others
+# from running; what it said is in build/nightly/STEP.log. Ends with a table, and with 1 if any failed.
+#
+#   tests/nightly.sh           everything, as ./test.sh --nightly does
+#   tests/nightly.sh STEP...   these: monkey asan-window tsan fuzz odr tidy large clock bench clients
+set -uo pipefail
+cd "$(dirname "$0")/.."
+jobs=$(nproc)
+seeds=${TOILE_NIGHTLY_SEEDS:-12} # of the monkey, 10 000 actions each
+fuzz_seconds=${TOILE_NIGHTLY_FUZZ:-60}
+logs=build/nightly
+work=$PWD/$logs/work
+mkdir -p "$work"
+
+build() { # PRESET [-DOPTION...] [TARGET...]
+    local preset=$1 options=() targets=() word
+    shift
+    for word in "$@"; do
+        case $word in
+            -D*) options+=("$word") ;;
+            *) targets+=(--target "$word") ;;
+        esac
+    done
+    cmake --preset "$preset" "${options[@]}" &&
+        cmake --build --preset "$preset" --parallel "$jobs" "${targets[@]}"
+}
+
+step_monkey() {
+    build ci -DTOILE_TESTS=ON || return
+    local seed status=0
+    for ((seed = 1; seed <= seeds; ++seed)); do
+        TOILE_MONKEY_SEED=$seed ctest --preset ci -R '^app\.monkey$' || { status=1; echo "seed $seed FAILED"; }
+    done
+    return $status
+}
+
+step_asan-window() {
+    build asan-window -DTOILE_TESTS=ON || return
+    # Leaks are those of drivers and of Qt's own singletons; memory is watched, speed is not.
+    TOILE_MONKEY_ACTIONS=1000 ASAN_OPTIONS=detect_leaks=0 \
+        ctest --preset asan-window -R '^app\.' -LE 'clock|speed' --parallel "$jobs" --timeout 3600
+}
+
+step_tsan() {
+    build tsan -DTOILE_TESTS=ON toile_core_test || return
+    ctest --preset tsan --timeout 3600 -R '^(FlattenGarment|GarmentFlattener|CompareMethods|Progress|Pipeline|PieceFlattener|Abandon.*|ThreadBudget|File|.*Cancel.*)\.'
+}
+
+step_fuzz() { tests/fuzz/run.sh "$fuzz_seconds"; }
+
+step_odr() { tests/one_definition.py && build odr toile; }
+
+step_tidy() { tests/tidy.py --all; }
+
+# A garment of a million triangles and a piece with an outline of 100 000 corners.
+step_large() {
+    build ci -DTOILE_TESTS=ON toile || return
+    python3 tests/large_mesh.py panel 1000000 >"$work/panel.obj" &&
+        python3 tests/large_mesh.py star 100000 >"$work/star.obj" || return
+    within 60 2 flatten "$work/panel.obj" --unit mm -o "$work/panel.svg" -o "$work/panel.json" &&
+        within 10 1 flatten "$work/star.obj" --unit mm -o "$work/star.svg" &&
+        if ctest --preset ci -N -L nightly | grep -q 'Total Tests: [1-9]'; then
+            ctest --preset ci -L nightly
+        fi
+}
+
+# Runs the program, that is to end with 0 within so many seconds of processor time and GiB.
+within() {
+    local seconds=$1 gib=$2
+    shift 2
+    prlimit --cpu="$seconds" --as=$((gib << 30)) build/ci/app/toile "$@"
+}
+
+step_clock() {
+    build ci -DTOILE_TESTS=ON && ctest --preset ci -L 'clock|speed' --parallel 1
+}
+
+step_bench() { tests/bench/run.sh --no-slow-peers; }
+
+# Programs that people open our files with, as far as they are installed.
+step_clients() {
+    build ci -DTOILE_TESTS=ON toile toile_cli_test || return
+    local status=0 sample file python=none
+    for file in python3 /usr/bin/python3; do
+        ! "$file" -c 'import ezdxf' 2>/dev/null || python=$file
+    done
+    echo "ezdxf by: $python"
+    command -v rsvg-convert || echo "rsvg-convert is not installed"
+    command -v inkscape || echo "inkscape is not installed"
+    for sample in tshirt skirt cap; do
+        file=$work/$sample
+        build/ci/app/toile flatten "resources/samples/$sample.obj" --unit mm \
+            -o "$file.svg" -o "$file.dxf" || return
+        if command -v rsvg-convert >/dev/null; then
+            rsvg-convert "$file.svg" -o "$file.png" && [ -s "$file.png" ] || status=1
+        fi
+        if command -v inkscape >/dev/null; then
+            inkscape "$file.svg" --export-filename="$file.pdf" && [ -s "$file.pdf" ] || status=1
+        fi
+        if [ "$python" != none ]; then
+            "$python" -c 'import ezdxf, sys
+document = ezdxf.readfile(sys.argv[1])
+closed = [e for e in document.modelspace() if e.dxftype() == "POLYLINE" and e.is_closed]
+print(ezdxf.__version__, len(closed), "closed outlines", document.audit().errors)
+sys.exit(document.audit().has_errors or not closed)' "$file.dxf" || status=1
+        fi
+    done
+    build/ci/tests/cli/toile_cli_test --gtest_filter='*Judge*' || status=1
+    return $status
+}
+
+./run.sh --prepare libgtest-dev libbenchmark-dev xvfb clang clang-tidy libclang-rt-14-dev libomp-dev \
+    python3-numpy python3-ezdxf librsvg2-bin || exit
+steps=("$@")
+[ $# -gt 0 ] || steps=(monkey asan-window tsan fuzz odr tidy large clock bench clients)
+rows=()
+failed=0
+for step in "${steps[@]}"; do
+    if ! declare -F "step_$step" >/dev/null; then
+        echo "There is no step $step; see tests/nightly.sh" >&2
+        exit 2
+    fi
+    printf '== %-12s ' "$step"
+    start=$SECONDS
+    if "step_$step" >"$logs/$step.log" 2>&1; then result=passed; else result=FAILED failed=1; fi
+    rows+=("$(printf '%-12s %-7s %4d min %02d s' "$step" $result $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60)))")
+    printf '%s, %d s\n' $result $((SECONDS - start))
+    [ $result = passed ] || tail -n 30 "$logs/$step.log"
+done
+printf '\n'
+printf '%s\n' "${rows[@]}"
+exit $failed
