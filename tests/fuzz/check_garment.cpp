@@ -13,8 +13,8 @@
 namespace toile::fuzz {
 namespace {
 
-constexpr int kMostFaces = 400;
-constexpr std::size_t kMostBytes = 16 * 1024;
+constexpr int kMostGarmentFaces = 400;
+constexpr std::size_t kMostGarmentBytes = 16 * 1024;
 
 double areaOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
     double area = 0;
@@ -46,7 +46,13 @@ Garment cutAndSewn(SourceFile file) {
     return garment;
 }
 
-std::string brokenBySeams(const Garment& garment) {
+}  // namespace
+
+std::string whatBreaksIn(const Garment& garment) {
+    const double before = areaOf(garment.wholes);
+    if (std::isfinite(before) && std::abs(areaOf(garment.pieces) - before) > 1e-9 * before) {
+        return "cutting has changed the area";
+    }
     for (const Seam& seam : garment.seams.seams) {
         const bool finite = std::isfinite(seam.length3d[0]) && std::isfinite(seam.length3d[1]) &&
                             std::isfinite(seam.gap);
@@ -59,7 +65,8 @@ std::string brokenBySeams(const Garment& garment) {
     return "";
 }
 
-std::string brokenByFiles(const Garment& garment, const PieceResults& results) {
+std::string whatBreaksIn(const Garment& garment, const PieceResults& results,
+                         const std::vector<PieceOnSheet>& places) {
     for (const auto& result : results) {
         if (result->flat.has_value() == result->error.has_value()) {
             return "a piece is neither flat nor failed";
@@ -69,7 +76,7 @@ std::string brokenByFiles(const Garment& garment, const PieceResults& results) {
             return "flat points are not finite";
         }
     }
-    const LaidOutPattern laid = layOut(garment, results);
+    const LaidOutPattern laid = layOut(garment, results, places);
     const Drawing drawing = draw(laid.pattern, laid.sheet);
     for (const std::string& file :
          {writeSvg(drawing), writeDxf(drawing), writeObj(garment, results, laid.offsets)}) {
@@ -80,32 +87,26 @@ std::string brokenByFiles(const Garment& garment, const PieceResults& results) {
     return writeReport(garment, results).empty() ? "no report" : "";
 }
 
-}  // namespace
-
 std::string whatBreaksOnTheWay(std::string bytes) {
-    if (bytes.size() > kMostBytes) {
+    if (bytes.size() > kMostGarmentBytes) {
         return "";
     }
     Progress progress;
     auto soup = readOff(std::make_shared<const std::string>(std::move(bytes)), "fuzz", progress);
-    if (!soup || soup->faceCount() > kMostFaces) {
+    if (!soup || soup->faceCount() > kMostGarmentFaces) {
         return "";
     }
     SourceFile file;
     file.soup = std::move(*soup);
     const Garment garment = cutAndSewn(std::move(file));
-    const double before = areaOf(garment.wholes);
-    if (std::isfinite(before) && std::abs(areaOf(garment.pieces) - before) > 1e-9 * before) {
-        return "cutting has changed the area";
-    }
-    if (std::string broken = brokenBySeams(garment); !broken.empty()) {
+    if (std::string broken = whatBreaksIn(garment); !broken.empty()) {
         return broken;
     }
     for (const MethodTraits& traits : allMethods()) {
         FlattenOptions options;
         options.method = traits.method;
         const PieceResults results = flattenGarment(garment, options, progress);
-        if (std::string broken = brokenByFiles(garment, results); !broken.empty()) {
+        if (std::string broken = whatBreaksIn(garment, results); !broken.empty()) {
             return broken;
         }
     }

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "core/pipeline/pipeline.h"
+
 namespace toile::fuzz {
 
 /// The whole road on an OFF file in memory: pieces, cuts by a user's line and automatic ones,
@@ -11,5 +13,13 @@ namespace toile::fuzz {
 ///         no area lost by cutting, flat points finite, no NaN in a file
 /// Cost: that of flattening; files of more than 400 faces are passed over. Re-entrant.
 std::string whatBreaksOnTheWay(std::string bytes);
+
+/// Promises of a garment as cut and sewn: no area lost by cutting, seams between its pieces and of
+/// finite lengths. Empty where all are kept. Linear.
+std::string whatBreaksIn(const Garment& garment);
+/// Promises of what comes of it: flat points and all that is written are finite. Linear.
+/// @param places  as for `layOut`
+std::string whatBreaksIn(const Garment& garment, const PieceResults& results,
+                         const std::vector<PieceOnSheet>& places = {});
 
 }  // namespace toile::fuzz

@@ -19,12 +19,15 @@ cmake --preset fuzz -B "$build"
 cmake --build "$build" --target toile_fuzz --parallel "${JOBS:-2}"
 
 status=0
-for format in ${FORMATS:-obj off ply stl garment}; do
+for format in ${FORMATS:-obj off ply stl project seams garment}; do
     work=$build/found/$format
     mkdir -p "$work/corpus" "$work/broken"
     printf '\n== %s, %s seconds\n' "$format" "$seconds"
-    words=$format
-    [ "$format" != garment ] || words=off # the whole road starts from an OFF file
+    case $format in
+        garment) words=off ;; # the whole road starts from an OFF file
+        project | seams) words=json ;;
+        *) words=$format ;;
+    esac
     # Seconds for one input and megabytes in all are findings too.
     "$build/tests/fuzz/toile_fuzz_$format" -max_total_time="$seconds" -timeout=10 \
         -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 \

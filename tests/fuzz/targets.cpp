@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/targets.h"
+
+#include <array>
+#include <utility>
+
+#include "tests/fuzz/check_documents.h"
+#include "tests/fuzz/check_garment.h"
+#include "tests/fuzz/check_reader.h"
+
+namespace toile::fuzz {
+namespace {
+
+template <ReadFunction reader>
+std::string whatBreaksIn(std::string bytes) {
+    return whatBreaks(reader, std::move(bytes));
+}
+
+constexpr std::array<Target, 7> kTargets = {{{"obj", whatBreaksIn<readObj>},
+                                             {"off", whatBreaksIn<readOff>},
+                                             {"ply", whatBreaksIn<readPly>},
+                                             {"stl", whatBreaksIn<readStl>},
+                                             {"project", whatBreaksInProject},
+                                             {"seams", whatBreaksInSeams},
+                                             {"garment", whatBreaksOnTheWay}}};
+
+}  // namespace
+
+std::span<const Target> targets() {
+    return kTargets;
+}
+
+}  // namespace toile::fuzz
