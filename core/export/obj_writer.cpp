@@ -204,6 +204,7 @@ std::string writeObj(const Garment& garment, const PieceResults& results,
 std::string writeObj(const Garment& garment, const PieceResults& results,
                      const std::vector<Eigen::Vector2d>& offsets) {
     std::vector<Placement> placements;
+    placements.reserve(offsets.size());
     for (const Eigen::Vector2d& offset : offsets) {
         placements.push_back({offset});
     }
