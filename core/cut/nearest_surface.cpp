@@ -99,7 +99,7 @@ NearestSurface::NearestSurface(const MeshArrays& mesh) : mesh_(mesh), order_(mes
 }
 
 SurfacePoint NearestSurface::find(const Eigen::Vector3d& p) const {
-    SurfacePoint best;
+    SurfacePoint best{0, {1, 0, 0}};  // of a point so far away that no distance is a number
     double least = std::numeric_limits<double>::infinity();
     std::vector<int> open{0};
     while (!open.empty()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -52,6 +53,17 @@ TEST(NearestSurface, FindsWhatASearchOfAllTrianglesFinds) {
     }
     const SurfacePoint vertex = nearest.find(mesh.V.row(20).transpose());
     EXPECT_EQ(vertex.barycentric.maxCoeff(), 1);
+}
+
+TEST(NearestSurface, FindsATriangleHoweverFarAwayThePointIs) {
+    const MeshArrays mesh = test::saddle(12, 100, 1.5);
+    const NearestSurface nearest(mesh);
+    for (const double far : {1e150, -1e200, 1e300, std::numeric_limits<double>::max()}) {
+        const SurfacePoint found = nearest.find({far, 0, -far});
+        EXPECT_GE(found.face, 0) << far;
+        EXPECT_LT(found.face, mesh.F.rows()) << far;
+        EXPECT_NEAR(found.barycentric.sum(), 1, 1e-12) << far;
+    }
 }
 
 TEST(EdgePath, ObeysWeights) {
