@@ -9,8 +9,9 @@ namespace toile {
 OutlineBending::OutlineBending(EdgeLoops loops, Eigen::VectorXd angles,
                                const Eigen::VectorXd& lengths, double stiffness)
     : loops_(std::move(loops)), angles_(std::move(angles)), weights_(lengths.size()) {
+    const double whole = lengths.sum();
     for (int i = 0; i < loops_.count(); ++i) {
-        weights_[i] = 0.5 * stiffness * (lengths[i] + lengths[loops_.previous(i)]) / lengths.sum();
+        weights_[i] = 0.5 * stiffness * (lengths[i] + lengths[loops_.previous(i)]) / whole;
     }
 }
 
