@@ -9,6 +9,10 @@
 namespace toile {
 namespace {
 
+/// An edge of a face without height, in parts of its longest, that has no length either. Such
+/// needles given to their neighbours would only be passed around where these are as thin.
+constexpr double kFlatNeedle = 1e-8;
+
 bool repeatsCorner(const Triangles& F, int f) {
     return F(f, 0) == F(f, 1) || F(f, 1) == F(f, 2) || F(f, 2) == F(f, 0);
 }
@@ -20,7 +24,7 @@ bool collapseRound(MeshPart& part, RepairNotes& notes) {
     DisjointSets same(static_cast<int>(mesh.V.rows()));
     for (int f = 0; f < mesh.F.rows(); ++f) {
         const FaceShape shape = shapeOf(mesh, f);
-        const double none = kDegenerateHeight * shape.longest;
+        const double none = (shape.flat ? kFlatNeedle : kDegenerateHeight) * shape.longest;
         if (shape.shortest > none) {
             continue;
         }
@@ -73,7 +77,7 @@ void dropUnusableFaces(MeshPart& part, RepairNotes& notes) {
 
 void collapseNeedles(MeshPart& part, RepairNotes& notes) {
     // A collapse over a tiny length moves a corner and may leave a neighbour without length, but
-    // each time by ten digits less: the rounds are few.
+    // each time by eight digits less: the rounds are few.
     while (collapseRound(part, notes)) {
     }
 }

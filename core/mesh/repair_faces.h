@@ -14,7 +14,8 @@ void dropUnusableFaces(MeshPart& part, RepairNotes& notes);
 
 /// Makes the ends of every edge without length one vertex, the one of least index, and takes out
 /// the faces that shrink to an edge by it. Without length: at most kDegenerateHeight of the
-/// triangle's longest side, where no height could be larger.
+/// triangle's longest side, where no height could be larger; or a hundred times that where the
+/// triangle has no height.
 void collapseNeedles(MeshPart& part, RepairNotes& notes);
 
 /// Of faces on the same three vertices, in whatever winding, keeps the first. Returns the edges of

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/repair.h"
 
+#include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -23,6 +30,72 @@ RepairResult repaired(const MeshArrays& mesh) {
         EXPECT_TRUE(isNote(note.code));
     }
     return result;
+}
+
+/// A bent panel in which every inner vertex is doubled, two needles joining it to its double: these
+/// are about so long, in parts of the other edges, and lie in all directions.
+MeshArrays needles(int side, double length) {
+    MeshArrays mesh = test::bentPanel(side);
+    const double edge = 600.0 / side;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> part(0.2, 3), angle(0, 2 * std::numbers::pi);
+    const DiskCheck whole = checkDisk(mesh, "panel");
+    std::vector<char> onRim(static_cast<std::size_t>(mesh.V.rows()), 0);
+    for (const int v : whole.boundary) {
+        onRim[v] = 1;
+    }
+    const auto inner = static_cast<int>(mesh.V.rows());
+    for (int v = 0; v < inner; ++v) {
+        if (onRim[v] == 0) {  // uneven, so that needles of all proportions meet
+            mesh.V.row(v).head(2) +=
+                0.15 * edge * Eigen::RowVector2d(part(random) - 1.6, part(random) - 1.6);
+        }
+    }
+    for (int v = 0; v < inner; ++v) {
+        if (onRim[v] != 0) {
+            continue;
+        }
+        std::map<int, std::pair<int, int>> star;  // from a neighbour: the next one, and the face
+        for (int f = 0; f < mesh.F.rows(); ++f) {
+            for (int k = 0; k < 3; ++k) {
+                if (mesh.F(f, k) == v) {
+                    star[mesh.F(f, (k + 1) % 3)] = {mesh.F(f, (k + 2) % 3), f};
+                }
+            }
+        }
+        const auto twin = static_cast<int>(mesh.V.rows());
+        const double far = length * edge * part(random), turn = angle(random);
+        mesh.V.conservativeResize(twin + 1, 3);
+        mesh.V.row(twin) =
+            mesh.V.row(v) + far * Eigen::RowVector3d(std::cos(turn), std::sin(turn), 0);
+        const auto start = static_cast<std::ptrdiff_t>(random() % star.size());
+        const int first = std::next(star.begin(), start)->first;
+        int last = first;
+        for (std::size_t k = 0; k < star.size() / 2; ++k) {
+            const auto [next, face] = star.at(last);
+            for (int c = 0; c < 3; ++c) {
+                mesh.F(face, c) = mesh.F(face, c) == v ? twin : mesh.F(face, c);
+            }
+            last = next;
+        }
+        mesh.F.conservativeResize(mesh.F.rows() + 2, 3);
+        mesh.F.bottomRows(2) << first, twin, v, last, v, twin;
+    }
+    return mesh;
+}
+
+// Needles of 1e-11 were refused where those of 1e-9 and of 1e-13 were mended: all around was as
+// flat, and each face without height was given to another.
+TEST(Repair, ANeedleIsNoWorseThanALongerOrAShorterOne) {
+    int collapsed = 0;
+    for (double length = 1e-7; length > 1e-15; length /= std::sqrt(10.0)) {
+        SCOPED_TRACE(length);
+        const RepairResult result = repaired(needles(20, length));
+        const int now = test::countOf(result.repairs, ErrorCode::EdgesCollapsed);
+        EXPECT_GE(now, collapsed);
+        collapsed = now;
+    }
+    EXPECT_EQ(collapsed, 361);  // all
 }
 
 TEST(Repair, LeavesACleanMeshAsItIs) {
