@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QSettings>
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace toile {
@@ -67,10 +68,11 @@ QVariant colourWord(const QColor& colour) {
 }
 
 /// A number that a settings file may have wrong.
-int bounded(const QVariant& value, int otherwise, int least) {
+int bounded(const QVariant& value, int otherwise, int least,
+            int most = std::numeric_limits<int>::max()) {
     bool isNumber = false;
     const int number = value.toInt(&isNumber);
-    return isNumber && number >= least ? number : otherwise;
+    return isNumber && number >= least ? std::min(number, most) : otherwise;
 }
 
 }  // namespace
@@ -111,7 +113,8 @@ void Preferences::readChoices() {
     choices_.navigation = valueOf(kNavigations, read(kNavigation), first.navigation);
     choices_.selectionColour = QColor(read(kSelectionColour).toString());
     choices_.seamColour = QColor(read(kSeamColour).toString());
-    choices_.autosaveMinutes = bounded(read(kAutosaveMinutes), first.autosaveMinutes, 0);
+    choices_.autosaveMinutes =
+        bounded(read(kAutosaveMinutes), first.autosaveMinutes, 0, Choices::kMostAutosaveMinutes);
     choices_.autoFlattenTriangles =
         bounded(read(kAutoFlattenTriangles), first.autoFlattenTriangles, 0);
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/actions/autosave.h"
 #include "app/panels/preferences_dialog.h"
 #include "app/render/render_style.h"
 #include "app/settings/language.h"
@@ -99,6 +100,15 @@ private slots:
             }
         }
         QCOMPARE(Preferences(file).choices(), Choices{});
+    }
+
+    void noMoreMinutesBetweenCopiesThanTheDialogOffers() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("settings.ini");
+        QSettings(file, QSettings::IniFormat).setValue("choices/autosaveMinutes", 2147483647);
+        const int minutes = Preferences(file).autosaveMinutes();
+        QCOMPARE(minutes, Choices::kMostAutosaveMinutes);
+        QCOMPARE(autosaveTimes(minutes)->apart, 60 * 60'000);  // and no overflow
     }
 
     void onlyWhatChangesIsSaid() {
