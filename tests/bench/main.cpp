@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
     registerEndToEnd(scope);
     registerMemory(scope);
     registerResolve(scope);
+    registerOutline(scope);
 #ifdef TOILE_PEERS
     registerPeers(scope);
 #endif

@@ -129,7 +129,20 @@ void addGrowth(Bars& bars) {
     }
 }
 
+void addOutline(Bars& bars) {
+    for (const std::string stage : kOutlineStages) {
+        bars.add("outline/" + stage + ", growth of the time per vertex",
+                 timePerVertexGrowth(bars.run(), stage), 3);
+    }
+}
+
 }  // namespace
+
+std::optional<double> timePerVertexGrowth(const Measurements& run, const std::string& stage) {
+    const std::string few = std::end(kOutlineSizes)[-2], many = std::end(kOutlineSizes)[-1];
+    const auto ratio = run.ratio("outline/" + stage + "/" + many, "outline/" + stage + "/" + few);
+    return ratio ? std::optional(*ratio * std::stod(few) / std::stod(many)) : std::nullopt;
+}
 
 std::optional<double> growthExponent(const Measurements& run, const std::string& what,
                                      const std::string& surface) {
@@ -163,6 +176,7 @@ std::vector<Bar> barsOf(const Measurements& run) {
     addFiles(bars);
     addMemory(bars);
     addGrowth(bars);
+    addOutline(bars);
     return bars.take();
 }
 

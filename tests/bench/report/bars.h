@@ -13,6 +13,14 @@ namespace toile::bench {
 inline constexpr const char* kSurfaces[] = {"panel", "head"};
 inline constexpr const char* kSizes[] = {"3000", "45000", "500000", "1000000"};
 
+/// The stages that are measured over the length of the outline, in the order of the road, and its
+/// vertices.
+inline constexpr const char* kOutlineStages[] = {
+    "load",    "seams",     "circle",    "newton", "slcp",      "bending", "barrier",
+    "lengths", "curvature", "isometric", "rims",   "crossings", "measure", "sheet",
+    "check",   "svg",       "dxf",       "obj",    "json"};
+inline constexpr const char* kOutlineSizes[] = {"2000", "20000", "200000"};
+
 /// Something that is to be reached, and what was measured.
 struct Bar {
     std::string what;  ///< "curvature / floor, panel/45000"
@@ -31,6 +39,10 @@ std::vector<Bar> barsOf(const Measurements& run);
 /// million triangles; the floor's for "floor".
 std::optional<double> growthExponent(const Measurements& run, const std::string& what,
                                      const std::string& surface);
+
+/// How many times the time per vertex of one stage grows from the last but one of these sizes to
+/// the largest: about 1 where the stage is linear, 10 where it is quadratic.
+std::optional<double> timePerVertexGrowth(const Measurements& run, const std::string& stage);
 
 /// The bar in one line, for a terminal: "curvature / floor, panel/45000: 1.71, at most 1.25: NOT
 /// kept".

@@ -152,6 +152,34 @@ std::string plainTable(const Measurements& run, const std::string& head,
     return section(head, table);
 }
 
+/// Time per vertex of each stage.
+std::string outlineTable(const Measurements& run) {
+    std::vector<std::string> heads{"stage, ns per vertex"};
+    for (const std::string size : kOutlineSizes) {
+        heads.push_back(size);
+    }
+    heads.push_back("growth");
+    MarkdownTable table(heads);
+    for (const std::string stage : kOutlineStages) {
+        std::vector<std::string> row{stage};
+        for (const std::string size : kOutlineSizes) {
+            const auto time = run.lowest("outline/" + stage + "/" + size);
+            row.push_back(time ? significant(1e9 * *time / std::stod(size)) : "-");
+        }
+        const auto growth = timePerVertexGrowth(run, stage);
+        row.push_back(orDash(growth, significant));
+        if (growth) {
+            table.add(row);
+        }
+    }
+    return section(
+        "## Over the length of the outline\n\nTwo strips sewn to each other along a side, of so "
+        "many vertices each, all of them on the outline (`rims`: a ring, half of them on the rim "
+        "of its hole). Nanoseconds of processor time per vertex; the last column is the largest "
+        "over the one before: about 1 where a stage is linear, 10 where it is quadratic.\n\n",
+        table);
+}
+
 std::string resolveTable(const Measurements& run) {
     MarkdownTable table({"edit", "again ms", "cold ms", "again / cold"});
     const std::string prefix = "resolve";
@@ -174,7 +202,7 @@ std::string performancePage(const Measurements& run) {
     return kHead + machineTable(run) + barTable(run) + section(kTimes, timeTable(run)) +
            growthSection(run) + section(kFloor, floorTable(run)) + section(kPeers, peerTable(run)) +
            section(kStages, stageTable(run)) + section(kEndToEnd, endToEndTable(run)) +
-           resolveTable(run) +
+           resolveTable(run) + outlineTable(run) +
            plainTable(run,
                       "## Reading and writing\n\nReading a garment of 218 000 triangles with UV "
                       "map,\n15 MB of OBJ, in three ways; writing a million triangles.\n\n",

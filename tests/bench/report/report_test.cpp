@@ -121,6 +121,24 @@ TEST(BenchReport, APairOfResolveAndColdBecomesABar) {
               "0.500: kept");
 }
 
+TEST(BenchReport, AStageIsLinearInTheOutlineWhereItsTimePerVertexStays) {
+    Measurements run;
+    for (const std::string size : kOutlineSizes) {
+        const double n = std::stod(size);
+        run.add("outline/newton/" + size, 1e-6 * n, 1, {});
+        run.add("outline/isometric/" + size, 1e-9 * n * n, 1, {});
+    }
+    EXPECT_NEAR(*timePerVertexGrowth(run, "newton"), 1, 1e-9);
+    EXPECT_NEAR(*timePerVertexGrowth(run, "isometric"), 10, 1e-9);
+    EXPECT_FALSE(timePerVertexGrowth(run, "svg"));
+    for (const Bar& bar : barsOf(run)) {
+        EXPECT_EQ(bar.kept(), bar.what.find("newton") != bar.what.npos) << bar.what;
+    }
+    const std::string page = performancePage(run);
+    EXPECT_NE(page.find("| isometric | 2000 | 20000 | 200000 | 10.0 |"), std::string::npos) << page;
+    EXPECT_EQ(page.find("| svg |"), std::string::npos);
+}
+
 TEST(BenchReport, FiguresHaveThreeDigits) {
     EXPECT_EQ(significant(1.2345), "1.23");
     EXPECT_EQ(significant(0.012345), "0.0123");
