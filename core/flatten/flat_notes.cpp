@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/flat_notes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -54,7 +55,7 @@ std::string cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) 
 
 }  // namespace
 
-std::optional<Error> crossingNote(const Piece& piece, const Points2& Q, const Progress& progress) {
+std::optional<Error> crossingNote(const Piece& piece, const Points2& Q) {
     const auto crossings = findOutlineCrossings(Q, piece.boundary);
     if (crossings.empty()) {
         return std::nullopt;
@@ -67,11 +68,19 @@ std::optional<Error> crossingNote(const Piece& piece, const Points2& Q, const Pr
     detail += flatPlace(first.place) + " mm of the pattern, where " +
               place(onPiece(piece, Q, first.first, first.place)) + " and " +
               place(onPiece(piece, Q, first.second, first.place)) + " mm of the piece meet";
-    const auto cut = cutForCrossings(piece, Q, crossings, progress);
-    if (!progress.isCancelled()) {  // else what was found may not be what there is
-        detail += "; " + cutWords(piece, cut);
-    }
     return Error{ErrorCode::OutlineCrosses, piece.name, detail};
+}
+
+void nameCrossingCut(const Piece& piece, const Points2& Q, const Progress& progress,
+                     Problems& notes) {
+    const auto note = std::ranges::find(notes, ErrorCode::OutlineCrosses, &Error::code);
+    if (note == notes.end()) {
+        return;
+    }
+    const auto cut = cutForCrossings(piece, Q, findOutlineCrossings(Q, piece.boundary), progress);
+    if (!progress.isCancelled()) {  // else what was found may not be what there is
+        note->detail += "; " + cutWords(piece, cut);
+    }
 }
 
 Error uncrossedNote(const Piece& piece, int crossings) {

@@ -17,11 +17,14 @@ struct Piece;
 /// What the user should know of a flat piece (`FlatPiece::notes`). Places are in mm with one
 /// decimal, the piece's and the pattern's. Precondition of all: the piece has no defect.
 
-/// OutlineCrosses: how many crossings, where the first is in the pattern and on the piece, and the
-/// cut that resolves it; cancelled, nothing of a cut. Nothing where the outline is simple.
-/// Cost: crossing_cut.h.
-std::optional<Error> crossingNote(const Piece& piece, const Points2& Q,
-                                  const Progress& progress = Progress());
+/// OutlineCrosses: how many crossings, and where the first is in the pattern and on the piece.
+/// Nothing where the outline is simple.
+std::optional<Error> crossingNote(const Piece& piece, const Points2& Q);
+
+/// Adds to a note of crossings, if there is one, the cut that resolves them; cancelled, nothing.
+/// Cost: crossing_cut.h, up to seconds.
+void nameCrossingCut(const Piece& piece, const Points2& Q, const Progress& progress,
+                     Problems& notes);
 
 /// OutlineUncrossed, for a flattening that moved `crossings` crossings apart.
 Error uncrossedNote(const Piece& piece, int crossings);

@@ -125,7 +125,7 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
     if (!flat->Q.allFinite()) {
         return Error{ErrorCode::NotFinite, piece.name, "flat positions"};
     }
-    for (const auto& note : {crossingNote(piece, flat->Q, progress), degenerateNote(piece)}) {
+    for (const auto& note : {crossingNote(piece, flat->Q), degenerateNote(piece)}) {
         if (note) {
             flat->notes.push_back(*note);
         }

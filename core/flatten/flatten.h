@@ -73,9 +73,11 @@ struct FlatPiece {
 /// Holes are filled for the solve. The lengths of their rims are kept by `isometric` alone, and
 /// where it cannot, a note says so.
 /// @param piece  a disk, holes aside (no defect), millimetres
+/// Notes of crossings come without the cut that helps (nameCrossingCut).
 /// @errors the piece's own defect, NoClosedOutline, BoundaryNotConverged, FactorisationFailed,
-///         NotFinite, Cancelled
-/// Cost: one sparse factorisation of the interior, two back-substitutions. Re-entrant.
+///         NotFinite, OutOfMemory, Cancelled
+/// Cost: the method's (methods.h). `isometric`: one to ten sparse factorisations of size 2 #V, or
+/// on large pieces conjugate gradients; `curvature`: one of size #V. Re-entrant.
 Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
                           const Progress& progress);
 

@@ -16,6 +16,7 @@
 #include "core/base/abandonable_threads.h"
 #include "core/base/stopwatch.h"
 #include "core/base/thread_budget.h"
+#include "core/flatten/flat_notes.h"
 #include "core/garment/piece.h"
 
 namespace toile {
@@ -53,6 +54,9 @@ DoneTask flattenOne(const PieceTask& task, const FlattenOptions& options,
         const Progress part(progress, kFlatteningShare);
         auto flat =
             flattener ? flattener->flatten(piece, options, part) : flatten(*piece, options, part);
+        if (flat) {
+            nameCrossingCut(*piece, flat->Q, progress, flat->notes);
+        }
         if (progress.isCancelled()) {
             return cancelledTask(piece, options);
         }

@@ -47,8 +47,8 @@ Result<Garment> loadGarment(const std::vector<std::filesystem::path>& paths,
 Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
                            const Progress& progress);
 
-/// Flattens and measures every piece, in parallel over pieces; a piece that fails leaves the
-/// others alone. Same input, same bytes, whatever the number of threads.
+/// Flattens and measures every piece, in parallel over pieces, and looks for the cut that helps
+/// where an outline crosses itself (nameCrossingCut); a piece that fails leaves the others alone. Same input, same bytes, whatever the number of threads.
 /// Cancelled, it returns within `kCancelSeconds` at any size of garment: the work is done on
 /// threads that share what they use, and a stage that cannot be stopped (a factorisation) runs out
 /// on its own after that, unseen (core/base/abandonable_threads.h). Until it has, it keeps its

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,17 @@ using test::flatOf;
 
 std::optional<CrossingCut> cutOf(const Piece& piece, const Points2& Q) {
     return cutForCrossings(piece, Q, findOutlineCrossings(Q, piece.boundary));
+}
+
+/// What is said of the crossings, the search for a cut done.
+std::string saidOf(const Piece& piece, const Points2& Q, const Progress& progress = Progress()) {
+    const auto note = crossingNote(piece, Q);
+    Problems notes;
+    if (note) {
+        notes.push_back(*note);
+    }
+    nameCrossingCut(piece, Q, progress, notes);
+    return notes.empty() ? "" : notes.front().detail;
 }
 
 /// A way through the inside from outline to outline, its length true.
@@ -133,9 +145,7 @@ TEST(CrossingCut, TwoTurnsAndMoreNeedMoreThanOneCut) {
     ASSERT_TRUE(cut);
     expectIsACut(*piece, *cut);
     EXPECT_FALSE(cut->resolves);
-    const auto note = crossingNote(*piece, Q);
-    ASSERT_TRUE(note);
-    EXPECT_NE(note->detail.find("one cut is not enough"), std::string::npos) << note->detail;
+    EXPECT_NE(saidOf(*piece, Q).find("one cut is not enough"), std::string::npos);
 }
 
 TEST(CrossingCut, ASaddlesSlitIsCutOn) {
@@ -173,10 +183,10 @@ TEST(CrossingCut, ACancelledSearchGivesAtMostAnUntestedCut) {
     progress.cancel();
     const auto cut = cutForCrossings(*piece, Q, findOutlineCrossings(Q, piece->boundary), progress);
     EXPECT_FALSE(cut && cut->resolves);
-    const auto note = crossingNote(*piece, Q, progress);
-    ASSERT_TRUE(note);
-    EXPECT_EQ(note->detail.find("cut"), std::string::npos) << note->detail;
-    EXPECT_NE(crossingNote(*piece, Q)->detail.find("cut it from"), std::string::npos);
+    const std::string said = saidOf(*piece, Q, progress);
+    EXPECT_NE(said.find("crossing"), std::string::npos) << said;
+    EXPECT_EQ(said.find("cut"), std::string::npos) << said;
+    EXPECT_NE(saidOf(*piece, Q).find("cut it from"), std::string::npos);
 }
 
 TEST(CrossingCut, TheSearchInALargeOutlineWithoutASingleCutEndsAfterSeconds) {
