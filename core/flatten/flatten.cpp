@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/base/text.h"
 #include "core/flatten/flat_notes.h"
 #include "core/flatten/flatten_with.h"
 #include "core/flatten/flattening_memory.h"
@@ -20,6 +21,8 @@ namespace {
 /// A piece whose height in the garment changes by less than this per unit of flat length lies
 /// level: a waistband or the top of a cap. "Up" says nothing there.
 constexpr double kLevelSlope = 0.2;
+/// Beyond this, mm, the squares of areas have no numbers.
+constexpr double kLargestCoordinate = 1e75;
 /// Of the time, about, that `isometric` takes on a piece with its holes filled; the rest goes to
 /// their rims.
 constexpr double kFilledShare = 0.6;
@@ -96,6 +99,9 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
     }
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, piece.name, ""};
+    }
+    if (const double most = piece.mesh.V.cwiseAbs().maxCoeff(); !(most <= kLargestCoordinate)) {
+        return Error{ErrorCode::NotFinite, piece.name, "coordinates reach " + shortest(most) + " mm"};
     }
     // A hole is closed for the solve and its caps are forgotten: its rim follows the cloth around.
     // Of the methods that keep lengths, the one that moves the interior freely keeps the rim's too.

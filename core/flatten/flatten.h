@@ -75,7 +75,7 @@ struct FlatPiece {
 /// @param piece  a disk, holes aside (no defect), millimetres
 /// Notes of crossings come without the cut that helps (nameCrossingCut).
 /// @errors the piece's own defect, NoClosedOutline, BoundaryNotConverged, FactorisationFailed,
-///         NotFinite, OutOfMemory, Cancelled
+///         NotFinite (coordinates beyond 1e75 mm too), OutOfMemory, Cancelled
 /// Cost: the method's (methods.h). `isometric`: one to ten sparse factorisations of size 2 #V, or
 /// on large pieces conjugate gradients; `curvature`: one of size #V. Re-entrant.
 Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,

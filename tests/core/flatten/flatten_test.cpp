@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -92,6 +94,27 @@ TEST(Flatten, PassesOnWhatIsWrongWithThePiece) {
     ASSERT_FALSE(flat);
     EXPECT_EQ(flat.error().code, ErrorCode::SeveralLoops);
     EXPECT_EQ(flat.error().where, "leg");
+}
+
+TEST(Flatten, EveryMethodRefusesCoordinatesThatHaveNoFigures) {
+    for (const MethodTraits& method : allMethods()) {
+        SCOPED_TRACE(method.name);
+        FlattenOptions options;
+        options.method = method.method;
+        for (const auto& [scale, fits] : {std::pair(1e70, true), std::pair(1e100, false)}) {
+            MeshArrays mesh = test::saddle(6, 100, 0.3);
+            mesh.V *= scale;
+            const auto piece = test::asPiece(std::move(mesh));
+            const auto flat = flatten(*piece, options, Progress());
+            ASSERT_EQ(flat.ok(), fits) << (fits ? sentence(flat.error()) : "");
+            if (fits) {
+                EXPECT_TRUE(measure(*piece, flat->Q).symmetricDirichlet);
+            } else {
+                EXPECT_EQ(flat.error().code, ErrorCode::NotFinite);
+                EXPECT_NE(flat.error().detail.find("coordinates reach"), std::string::npos);
+            }
+        }
+    }
 }
 
 TEST(Flatten, CanBeCancelled) {
