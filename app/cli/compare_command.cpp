@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <ostream>
 
 #include "app/cli/arguments.h"
@@ -38,8 +39,8 @@ void printText(const Garment& garment, const Comparison& comparison, bool perPie
     }
 }
 
-/// A sentence for each piece that failed, with the method where it failed under it; one where the
-/// piece itself is at fault.
+/// A sentence for each piece that failed, or lies turned over against the method's promise, with
+/// the method where it did so under it; one where the piece itself is at fault.
 /// @return whether there was one
 bool printFailures(const Garment& garment, const Comparison& comparison, std::ostream& err) {
     bool failed = false;
@@ -51,9 +52,16 @@ bool printFailures(const Garment& garment, const Comparison& comparison, std::os
     }
     for (const ComparedMethod& method : comparison.methods) {
         for (const auto& result : method.results) {
-            if (result->error && !result->piece->defect) {
-                err << "toile: " << name(method.method) << ": " << sentence(*result->error) << '\n';
+            const auto say = [&](const Error& error) {
+                err << "toile: " << name(method.method) << ": " << sentence(error) << '\n';
                 failed = true;
+            };
+            if (result->error && !result->piece->defect) {
+                say(*result->error);
+            }
+            if (breaksPromise(*result)) {
+                say(*std::ranges::find(result->flat->notes, ErrorCode::TrianglesFlipped,
+                                       &Error::code));
             }
         }
     }

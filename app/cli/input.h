@@ -24,7 +24,7 @@ bool printProblems(const Garment& garment, std::ostream& err);
 
 /// Why pieces could not be flattened, and what there is to say of those that were, a sentence a
 /// line.
-/// @return whether any could not
+/// @return whether any could not, or lies turned over although its method promises that none does
 bool printFailures(const PieceResults& results, std::ostream& err);
 
 }  // namespace toile

@@ -183,7 +183,9 @@ QString PiecesModel::text(int row, int column) const {
                     .arg(QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size()))
                              .replace('-', ' '));
             }
-            return known ? tr("Flat") : tr("Waiting");
+            return !known                       ? tr("Waiting")
+                   : statusOf(*known) == "flat" ? tr("Flat")
+                                                : tr("Partly turned over");
         default:
             return known && known->quality ? measuredText(*known, column) : QString(QChar(0x2013));
     }
@@ -308,7 +310,7 @@ bool PiecesModel::isTrouble(int row, int column) const {
         return false;
     }
     if (column == Status) {
-        return known->error.has_value();
+        return statusOf(*known) != "flat";
     }
     if (!known->quality) {
         return false;

@@ -121,6 +121,13 @@ Words wordsOf(ErrorCode code) {
             return {"outline-uncrossed",
                     TR("the flat outline crossed itself and was moved apart, keeping its lengths"),
                     "", true};
+        case ErrorCode::TrianglesFlipped:
+            return {"triangles-flipped", TR("triangles lie turned over in the pattern"),
+                    TR("Choose another method, or cut the piece where it curves most"), true};
+        case ErrorCode::EdgesTooShort:
+            return {"edges-too-short",
+                    TR("boundary edges are too short for their lengths to be exact"),
+                    TR("Look for doubled vertices and extreme coordinates in the piece"), true};
         case ErrorCode::DegenerateTriangles:
             return {
                 "degenerate-triangles", TR("triangles have almost no height"),

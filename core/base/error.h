@@ -44,6 +44,8 @@ enum class ErrorCode {
     // Flattening: the piece lies flat, with a note
     OutlineCrosses,
     OutlineUncrossed,
+    TrianglesFlipped,
+    EdgesTooShort,
     DegenerateTriangles,
     AnglesOutOfRange,
     EndedEarly,

@@ -106,7 +106,7 @@ void checkPiece(const PieceToCut& piece, FindingList& found) {
         found.add(findingOf(piece, FindingKind::GrainMissing, Severity::Doubt));
     }
     for (const Error& note : result.flat->notes) {
-        if (note.code != ErrorCode::OutlineCrosses) {
+        if (note.code != ErrorCode::OutlineCrosses && note.code != ErrorCode::TrianglesFlipped) {
             found.add(note, {piece.index});
         }
     }

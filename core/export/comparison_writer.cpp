@@ -26,7 +26,7 @@ void addFigures(Json& json, const ComparedFigures& figures) {
 
 Json pieceJson(const PieceResult& result, const ComparedFigures& figures) {
     Json json{{"name", result.piece->name},
-              {"status", result.flat ? "flat" : "failed"},
+              {"status", text(statusOf(result))},
               {"error", nullptr},
               {"triangles", result.piece->mesh.F.rows()}};
     if (result.error) {

@@ -98,7 +98,7 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
               {"boundary_solver", solves ? text(name(result.flat ? result.flat->boundarySolver
                                                                  : result.options.boundarySolver))
                                          : Json(nullptr)},
-              {"status", result.flat ? "flat" : "failed"},
+              {"status", text(statusOf(result))},
               {"error", nullptr},
               {"vertices", piece.mesh.V.rows()},
               {"triangles", piece.mesh.F.rows()},

@@ -21,6 +21,8 @@ namespace {
 /// loading refuses (kDegenerateHeight), at which an angle has no digits left.
 constexpr double kSliverHeight = 1e-6;
 constexpr int kNamedFaces = 3;
+/// Part of a boundary edge by which its flat length may be off and still count as exact.
+constexpr double kExactLength = 1e-9;
 /// At the tip of a slit in flat cloth the angle is 2 pi but for rounding, and in range.
 constexpr double kAngleRounding = 1e-9;
 
@@ -81,6 +83,45 @@ void nameCrossingCut(const Piece& piece, const Points2& Q, const Progress& progr
     if (!progress.isCancelled()) {  // else what was found may not be what there is
         note->detail += "; " + cutWords(piece, cut);
     }
+}
+
+void noteFlips(const Piece& piece, const Points2& Q, Problems& notes) {
+    const Eigen::VectorXd areas = triangleAreas2d(Q, piece.mesh.F);
+    const int flipped = flippedTriangles(areas);
+    if (flipped == 0) {
+        return;
+    }
+    Eigen::Index worst = 0;
+    areas.minCoeff(&worst);
+    const Eigen::RowVector3d middle =
+        piece.mesh.V(piece.mesh.F.row(worst), Eigen::all).colwise().mean();
+    std::string detail = std::to_string(flipped) + " of " + counted(areas.size(), "triangle") +
+                         ", " + (flipped > 1 ? "the worst at " : "at ") + place(middle) + " mm";
+    std::erase_if(notes, [&detail](const Error& note) {
+        if (note.code != ErrorCode::EndedEarly) {
+            return false;
+        }
+        detail += "; " + note.detail;
+        return true;
+    });
+    notes.push_back({ErrorCode::TrianglesFlipped, piece.name, detail});
+}
+
+std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q) {
+    const Eigen::VectorXd on = boundaryLengths3d(piece.mesh.V, piece.boundary);
+    const Eigen::ArrayXd off =
+        (boundaryLengths2d(Q, piece.boundary).array() / on.array() - 1).abs();
+    Eigen::Index worst = 0;
+    const double most = off.maxCoeff(&worst);
+    if (!(most > kExactLength)) {
+        return std::nullopt;
+    }
+    const long long count = (off > kExactLength).count();
+    return Error{ErrorCode::EdgesTooShort, piece.name,
+                 counted(count, "edge") + (count > 1 ? ", the worst of " : " of ") +
+                     shortest(on[worst]) + " mm at " +
+                     place(piece.mesh.V.row(piece.boundary[worst])) + " mm, off by " +
+                     shortest(most) + " of it"};
 }
 
 Error uncrossedNote(const Piece& piece, int crossings) {

@@ -26,6 +26,14 @@ std::optional<Error> crossingNote(const Piece& piece, const Points2& Q);
 void nameCrossingCut(const Piece& piece, const Points2& Q, const Progress& progress,
                      Problems& notes);
 
+/// Adds TrianglesFlipped, where there are any: how many, and where on the piece the worst is. A
+/// note that the method ended early becomes part of it: such a pattern cannot be used as it is.
+void noteFlips(const Piece& piece, const Points2& Q, Problems& notes);
+
+/// EdgesTooShort: boundary edges so short next to the pattern that the digits of its coordinates
+/// do not hold their lengths. For methods that keep lengths.
+std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q);
+
 /// OutlineUncrossed, for a flattening that moved `crossings` crossings apart.
 Error uncrossedNote(const Piece& piece, int crossings);
 

@@ -101,7 +101,8 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
         return Error{ErrorCode::Cancelled, piece.name, ""};
     }
     if (const double most = piece.mesh.V.cwiseAbs().maxCoeff(); !(most <= kLargestCoordinate)) {
-        return Error{ErrorCode::NotFinite, piece.name, "coordinates reach " + shortest(most) + " mm"};
+        return Error{ErrorCode::NotFinite, piece.name,
+                     "coordinates reach " + shortest(most) + " mm"};
     }
     // A hole is closed for the solve and its caps are forgotten: its rim follows the cloth around.
     // Of the methods that keep lengths, the one that moves the interior freely keeps the rim's too.
@@ -131,11 +132,17 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
     if (!flat->Q.allFinite()) {
         return Error{ErrorCode::NotFinite, piece.name, "flat positions"};
     }
-    for (const auto& note : {crossingNote(piece, flat->Q), degenerateNote(piece)}) {
+    const auto add = [&flat](std::optional<Error> note) {
         if (note) {
-            flat->notes.push_back(*note);
+            flat->notes.push_back(std::move(*note));
         }
+    };
+    add(crossingNote(piece, flat->Q));
+    noteFlips(piece, flat->Q, flat->notes);
+    if (traits(options.method).keepsLengths) {
+        add(shortEdgesNote(piece, flat->Q));
     }
+    add(degenerateNote(piece));
     return flat;
 }
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -21,6 +22,17 @@ struct PieceResult {
     std::optional<Error> error;           ///< there where flat is not
     double seconds = 0;
 };
+
+/// "flat", "flipped" (flat, but triangles lie turned over) or "failed": the report's words.
+inline std::string_view statusOf(const PieceResult& result) {
+    const bool flipped = result.quality && result.quality->flippedTriangles > 0;
+    return !result.flat ? "failed" : flipped ? "flipped" : "flat";
+}
+
+/// Whether triangles lie turned over although the method promises that none does.
+inline bool breaksPromise(const PieceResult& result) {
+    return result.options.method == Method::Isometric && statusOf(result) == "flipped";
+}
 
 using PieceResults = std::vector<std::shared_ptr<const PieceResult>>;
 

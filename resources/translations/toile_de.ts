@@ -2047,6 +2047,18 @@
         <translation>der flache Umriss kreuzte sich selbst und wurde auseinandergeschoben, mit seinen Längen</translation>
     </message>
     <message>
+        <source>triangles lie turned over in the pattern</source>
+        <translation>Dreiecke liegen im Schnittmuster umgeklappt</translation>
+    </message>
+    <message>
+        <source>boundary edges are too short for their lengths to be exact</source>
+        <translation>Randkanten sind zu kurz, als dass ihre Längen genau sein könnten</translation>
+    </message>
+    <message>
+        <source>Look for doubled vertices and extreme coordinates in the piece</source>
+        <translation>Suchen Sie im Schnittteil nach doppelten Punkten und extremen Koordinaten</translation>
+    </message>
+    <message>
         <source>triangles have almost no height</source>
         <translation>Dreiecke haben fast keine Höhe</translation>
     </message>
@@ -3634,6 +3646,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Not flat: %1</source>
         <translation>Nicht flach: %1</translation>
+    </message>
+    <message>
+        <source>Partly turned over</source>
+        <translation>Teils umgeklappt</translation>
     </message>
     <message>
         <source>Flat</source>

@@ -2,6 +2,7 @@
 // The command line as other programs meet it: the built program, run without a display.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -143,6 +144,45 @@ TEST(Contract, AFailedPieceIsStatusOneAndTheRestIsWritten) {
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.err.find("ball"), std::string::npos) << run.err;
     EXPECT_NE(folder.read("out.svg").find("piece-flap-cut"), std::string::npos);
+}
+
+// A closed finger so deep that no start without flips is to be had, and isometric promises none.
+TEST(Contract, ABrokenPromiseIsStatusOneAndNoPlainFlat) {
+    const test::TemporaryFolder folder;
+    constexpr int kAround = 12, kAlong = 200;
+    std::string finger = "o finger\n", faces;
+    for (int k = 0; k < kAround * kAlong; ++k) {
+        const double turn = 2 * std::numbers::pi * (k % kAround) / kAround;
+        finger += "v " + std::to_string(10 * std::cos(turn)) + " " +
+                  std::to_string(10 * std::sin(turn)) + " " + std::to_string(5 * (k / kAround)) +
+                  "\n";
+        const int next = k % kAround + 1 < kAround ? k + 1 : k + 1 - kAround;
+        const bool isLast = k / kAround + 1 == kAlong;
+        faces +=
+            "f " + std::to_string(k + 1) + " " + std::to_string(next + 1) + " " +
+            (isLast ? std::to_string(kAround * kAlong + 1)
+                    : std::to_string(next + 1 + kAround) + " " + std::to_string(k + 1 + kAround)) +
+            "\n";
+    }
+    finger += "v 0 0 " + std::to_string(5 * kAlong) + "\n" + faces;
+    const std::string input = folder.write("finger.obj", finger).string();
+    const auto run =
+        toileRun({"flatten", input, "--unit", "mm", "--report", (folder / "out.json").string()});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.err.find("triangles lie turned over"), std::string::npos) << run.err;
+    EXPECT_EQ(run.err.find("can be used as it is"), std::string::npos) << run.err;
+    const auto report = nlohmann::json::parse(folder.read("out.json"));
+    EXPECT_EQ(report["pieces"][0]["status"], "flipped");
+    EXPECT_EQ(report["pieces"][0]["notes"][0]["code"], "triangles-flipped");
+    const auto compared =
+        toileRun({"compare", input, "--unit", "mm", "--methods", "isometric,curvature"});
+    EXPECT_EQ(compared.status, 1);
+    EXPECT_NE(compared.err.find("isometric: finger: triangles lie"), std::string::npos)
+        << compared.err;
+    // The others promise nothing, and say so.
+    const auto other = toileRun({"flatten", input, "--unit", "mm", "--method", "curvature"});
+    EXPECT_EQ(other.status, 0);
+    EXPECT_NE(other.err.find("triangles lie turned over"), std::string::npos) << other.err;
 }
 
 TEST(Contract, WrongUsageIsStatusTwoAndWritesNothing) {

@@ -2,13 +2,18 @@
 #include "core/flatten/flat_notes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "core/base/text.h"
 #include "core/flatten/flatten.h"
+#include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/pipeline/pipeline.h"
+#include "core/quality/piece_quality.h"
 #include "tests/core/support/flat_trouble.h"
 #include "tests/core/support/shapes.h"
 
@@ -49,10 +54,72 @@ TEST(FlatNotes, SayNothingOfASimpleOutline) {
     const auto piece = test::asPiece(test::planeGrid(4, 3, 10));
     const Points2 Q = piece->mesh.V.leftCols(2);
     EXPECT_FALSE(crossingNote(*piece, Q));
+    EXPECT_FALSE(shortEdgesNote(*piece, Q));
     EXPECT_FALSE(degenerateNote(*piece));
     Problems notes;
+    noteFlips(*piece, Q, notes);
     nameCrossingCut(*piece, Q, Progress(), notes);
     EXPECT_TRUE(notes.empty());
+}
+
+TEST(FlatNotes, NameTrianglesTurnedOverInPlaceOfAnEarlyEnd) {
+    const auto piece = test::asPiece(test::planeGrid(2, 2, 10), "yoke");
+    Points2 Q = piece->mesh.V.leftCols(2);
+    Q(4, 0) = 25;  // the middle, beyond the right side
+    Problems notes{endedEarlyNote(*piece, "after 3 steps")};
+    noteFlips(*piece, Q, notes);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes.front().code, ErrorCode::TrianglesFlipped);
+    EXPECT_EQ(notes.front().where, "yoke");
+    EXPECT_EQ(notes.front().detail,
+              std::to_string(measure(*piece, Q).flippedTriangles) +
+                  " of 8 triangles, the worst at (13.3, 6.7, 0.0) mm; after 3 steps");
+    EXPECT_EQ(sentence(notes.front()).find("as it is"), std::string::npos);
+}
+
+TEST(FlatNotes, WhatIsTurnedOverIsNotSimplyFlat) {
+    PieceResult result;
+    EXPECT_EQ(statusOf(result), "failed");
+    result.flat = FlatPiece{};
+    result.quality = PieceQuality{};
+    EXPECT_EQ(statusOf(result), "flat");
+    EXPECT_FALSE(breaksPromise(result));
+    result.quality->flippedTriangles = 1;
+    EXPECT_EQ(statusOf(result), "flipped");
+    EXPECT_TRUE(breaksPromise(result));  // of isometric
+    result.options.method = Method::Curvature;
+    EXPECT_EQ(statusOf(result), "flipped");
+    EXPECT_FALSE(breaksPromise(result));
+}
+
+// Positions have 16 digits: an edge of 1e-9 mm on a piece of a foot has four. Here a corner whose
+// triangles grow tenfold from one to the next, far from where the pattern's coordinates begin.
+TEST(FlatNotes, NameBoundaryEdgesTooShortForTheirLengths) {
+    constexpr int kLevels = 12;
+    MeshArrays mesh{Points3::Zero(2 * kLevels + 1, 3), Triangles(2 * kLevels - 1, 3)};
+    mesh.F.row(0) << 0, 1, 2;
+    for (int k = 0; k < kLevels; ++k) {
+        const double reach = 3e-9 * std::pow(10, k);
+        mesh.V(2 * k + 1, 0) = mesh.V(2 * k + 2, 1) = -reach;
+        if (k > 0) {
+            mesh.F.row(2 * k - 1) << 2 * k - 1, 2 * k + 1, 2 * k + 2;
+            mesh.F.row(2 * k) << 2 * k - 1, 2 * k + 2, 2 * k;
+        }
+    }
+    const auto piece = test::asPiece(mesh, "pocket");
+    ASSERT_FALSE(piece->defect) << sentence(*piece->defect);
+    for (const Method method : {Method::Convex, Method::Curvature}) {
+        FlattenOptions options;
+        options.method = method;
+        const auto flat = flatten(*piece, options, Progress());
+        ASSERT_TRUE(flat) << sentence(flat.error());
+        const double error = measure(*piece, flat->Q).maxBoundaryLengthError;
+        ASSERT_GT(error, 1e-9);  // there are no digits for it
+        const auto* note = noteOf(*flat, ErrorCode::EdgesTooShort);
+        ASSERT_TRUE(note);
+        EXPECT_NE(note->detail.find("off by " + shortest(error)), std::string::npos)
+            << note->detail;
+    }
 }
 
 TEST(FlatNotes, NameTrianglesWithoutHeight) {

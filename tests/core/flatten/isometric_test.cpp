@@ -138,10 +138,13 @@ TEST(Isometric, FlattensFingersOrSaysThatItCannot) {
         const Measured result = flattened(*piece, by(Method::Isometric));
         EXPECT_TRUE(result.flat.Q.allFinite());
         EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-9);
-        const bool told =
-            std::any_of(result.flat.notes.begin(), result.flat.notes.end(),
-                        [](const Error& note) { return note.code == ErrorCode::EndedEarly; });
-        EXPECT_TRUE(result.quality.flippedTriangles == 0 || told) << along;
+        const auto told = [&result](ErrorCode code) -> bool {
+            return std::ranges::count(result.flat.notes, code, &Error::code) > 0;
+        };
+        const bool flipped = result.quality.flippedTriangles > 0;
+        EXPECT_EQ(flipped, along == 200);
+        EXPECT_EQ(told(ErrorCode::TrianglesFlipped), flipped) << along;
+        EXPECT_FALSE(flipped && told(ErrorCode::EndedEarly));  // which says that it can be used
     }
 }
 
