@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/linalg/cholmod_state.h"
 
-#include <array>
-
 #include <omp.h>
 
 #include "core/linalg/blas_kernels.h"
@@ -53,35 +51,11 @@ Result<void> CholmodState::analyse(const SymmetricMatrix& pattern, std::vector<i
     return {};
 }
 
-Result<void> CholmodState::analyseOrdered(const SymmetricMatrix& pattern) {
-    cholmod_free_factor(&factor, &common);
-    cholmod_sparse view = viewOf(pattern);
-    view.sorted = 0;
-    common.method[0].ordering = CHOLMOD_NATURAL;
-    factor = cholmod_analyze(&view, &common);
-    if (factor == nullptr) {
-        return Error{ErrorCode::OutOfMemory, "", "ordering"};
-    }
-    return {};
-}
-
 Result<void> CholmodState::factorise(const SymmetricMatrix& matrix) {
     cholmod_sparse view = viewOf(matrix);
     cholmod_factorize(&view, factor, &common);
-    return outcome();
-}
-
-Result<void> CholmodState::factoriseOrdered(const SymmetricMatrix& matrix) {
-    cholmod_sparse view = viewOf(matrix);
-    view.sorted = 0;
-    std::array<double, 2> nothingAdded{};
-    cholmod_super_numeric(&view, nullptr, nothingAdded.data(), factor, &common);
-    return outcome();
-}
-
-Result<void> CholmodState::outcome() const {
     if (common.status == CHOLMOD_NOT_POSDEF || factor->minor < factor->n) {
-        return notPositiveDefinite();
+        return Error{ErrorCode::FactorisationFailed, "", "the matrix is not positive definite"};
     }
     if (common.status < CHOLMOD_OK) {
         return Error{ErrorCode::OutOfMemory, "", "factorising"};
@@ -97,10 +71,6 @@ std::size_t CholmodState::bytes() const {
                                     ? sizeof(double) * factor->xsize + sizeof(int) * factor->ssize
                                     : (sizeof(double) + sizeof(int)) * factor->nzmax;
     return entries + 4 * sizeof(int) * factor->n;
-}
-
-Error notPositiveDefinite() {
-    return Error{ErrorCode::FactorisationFailed, "", "the matrix is not positive definite"};
 }
 
 cholmod_sparse viewOf(const SymmetricMatrix& matrix) {

@@ -21,22 +21,11 @@ struct CholmodState {
     /// @param order  of elimination; empty: found by CHOLMOD
     /// Errors: OutOfMemory.
     Result<void> analyse(const SymmetricMatrix& pattern, std::vector<int> order);
-    /// For a pattern in the order of elimination already. Its columns need not be sorted.
-    Result<void> analyseOrdered(const SymmetricMatrix& pattern);
     /// Errors: FactorisationFailed (not positive definite), OutOfMemory.
     Result<void> factorise(const SymmetricMatrix& matrix);
-    /// For a matrix in the factor's own order, whose columns need not be sorted. Makes no copy.
-    /// Precondition: the factor is supernodal.
-    Result<void> factoriseOrdered(const SymmetricMatrix& matrix);
     /// About what the factor takes in memory.
     std::size_t bytes() const;
-
-private:
-    Result<void> outcome() const;
 };
-
-/// The error of a matrix that has no factor.
-Error notPositiveDefinite();
 
 /// CHOLMOD opens four OpenMP threads per large supernode, whatever the machine has. Pieces are
 /// solved side by side already: no parallel regions, on the calling thread, from now on.

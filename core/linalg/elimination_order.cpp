@@ -75,23 +75,19 @@ CouplingGraph couplings(const SymmetricMatrix& matrix) {
     return graph;
 }
 
-EliminationOrder eliminationOrder(const SymmetricMatrix& pattern) {
+std::vector<int> eliminationOrder(const SymmetricMatrix& pattern) {
     if (!comesInPairs(pattern)) {
-        return pattern.size < kManyVertices ? EliminationOrder()
-                                            : nestedDissection(couplings(pattern));
+        return pattern.size < kManyVertices ? std::vector<int>() : nestedDissection(couplings(pattern));
     }
     if (pattern.size / 2 < kLargeInPairs) {
         return {};
     }
-    EliminationOrder vertices = nestedDissection(couplings(vertexPattern(pattern)));
-    EliminationOrder result;
-    result.halfEnd = {2 * vertices.halfEnd[0], 2 * vertices.halfEnd[1]};
-    result.order.reserve(2 * vertices.order.size());
-    for (const int v : vertices.order) {
-        result.order.push_back(2 * v);
-        result.order.push_back(2 * v + 1);
+    std::vector<int> order;
+    for (const int v : nestedDissection(couplings(vertexPattern(pattern)))) {
+        order.push_back(2 * v);
+        order.push_back(2 * v + 1);
     }
-    return result;
+    return order;
 }
 
 }  // namespace toile

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/linalg/sparse_cholesky.h"
@@ -20,25 +19,16 @@ struct CouplingGraph {
 /// Cost: linear.
 CouplingGraph couplings(const SymmetricMatrix& matrix);
 
-/// Which unknown to eliminate first, second, ...: a permutation, or empty where none was found.
-struct EliminationOrder {
-    std::vector<int> order{};
-    /// Places 0 .. halfEnd[0] - 1 and halfEnd[0] .. halfEnd[1] - 1 hold two halves of the unknowns
-    /// that are not coupled with each other; the separator comes last. Zeros: nothing is known.
-    std::array<int, 2> halfEnd{};
-};
-
 /// Nested dissection [Geo73]: an order of elimination that keeps the Cholesky factor of a surface
 /// mesh small. The graph is halved again and again by separators, which come last. A separator is a
 /// level of the distance, in edges, from one of a few far apart vertices (landmarks): of all such
 /// levels near the middle of a part the smallest. Distances are counted along the surface, so that
 /// folds that touch in space mislead nobody, and the levels' sizes are known without trying one.
 /// Parts of two dozen unknowns are ordered by minimum degree.
-/// @return empty where the graph cannot be halved in this way (a few vertices are neighbours of
-///         nearly all); with halves where it is large
-/// Cost: O(n log n), on meshes of a million triangles a tenth of the factorisation; about two
-/// thirds of that where two threads are to be had (thread_budget.h). Pure.
-EliminationOrder nestedDissection(const CouplingGraph& graph);
+/// @return which unknown to eliminate first, second, ...: a permutation, or empty where the graph
+///         cannot be halved in this way (a few vertices are neighbours of nearly all)
+/// Cost: O(n log n), on meshes of a million triangles a tenth of the factorisation. Pure.
+std::vector<int> nestedDissection(const CouplingGraph& graph);
 
 /// True where unknowns 2 v and 2 v + 1 are coupled with the same others, for every v: two unknowns
 /// to each vertex of a graph. Cost: linear.
@@ -47,6 +37,6 @@ bool comesInPairs(const SymmetricMatrix& pattern);
 /// The order for a system as they come from meshes: nested dissection for large ones. Empty
 /// for small ones and for graphs that are no meshes, where minimum degree [ADD04] does better or
 /// is cheaper.
-EliminationOrder eliminationOrder(const SymmetricMatrix& pattern);
+std::vector<int> eliminationOrder(const SymmetricMatrix& pattern);
 
 }  // namespace toile

@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/thread_budget.h"
-#include "core/linalg/divided_factor.h"
-
 namespace toile {
 namespace {
 
@@ -42,14 +39,7 @@ Span spanOf(const Panel& X, Eigen::Index row) {
 FactorView::FactorView(const cholmod_factor& factor)
     : factor_(&factor),
       size_(static_cast<int>(factor.n)),
-      permutation_(static_cast<const int*>(factor.Perm)),
-      tailStart_(size_) {}
-
-FactorView::FactorView(const DividedFactor& factor)
-    : divided_(&factor),
-      size_(factor.size()),
-      permutation_(factor.permutation().data()),
-      tailStart_(factor.separatorStart()) {}
+      permutation_(static_cast<const int*>(factor.Perm)) {}
 
 bool FactorView::isReadable(const cholmod_factor& factor) {
     return factor.xtype == CHOLMOD_REAL && factor.itype == CHOLMOD_INT && factor.is_ll != 0 &&
@@ -57,16 +47,10 @@ bool FactorView::isReadable(const cholmod_factor& factor) {
 }
 
 int FactorView::nodeCount() const {
-    if (divided_ != nullptr) {
-        return static_cast<int>(divided_->nodes().size());
-    }
     return static_cast<int>(factor_->is_super != 0 ? factor_->nsuper : factor_->n);
 }
 
 FactorView::Node FactorView::node(int k) const {
-    if (divided_ != nullptr) {
-        return divided_->nodes()[static_cast<std::size_t>(k)];
-    }
     const auto* value = static_cast<const double*>(factor_->x);
     if (factor_->is_super != 0) {
         const int* super = static_cast<const int*>(factor_->super);
@@ -82,7 +66,7 @@ FactorView::Node FactorView::node(int k) const {
 
 FactorReach FactorView::reachOf(const std::vector<int>& columns) const {
     std::vector<int> nodeOf;  // of each column, where a node has several
-    if (divided_ != nullptr || factor_->is_super != 0) {
+    if (factor_->is_super != 0) {
         nodeOf.resize(static_cast<std::size_t>(size_));
         for (int k = 0; k < nodeCount(); ++k) {
             const Node at = node(k);
@@ -163,14 +147,13 @@ void FactorView::forwardOn(const FactorReach& reach, Panel& X) const {
 }
 
 template <int R>
-void FactorView::forwardFew(int fromNode, int toNode, double* X, double* tail) const {
+void FactorView::forwardFew(Panel& X) const {
     using Row = Eigen::Matrix<double, 1, R>;
-    const auto rowOf = [X, tail, start = tailStart_](int row) -> double* {
-        return row < start ? X + static_cast<std::ptrdiff_t>(row) * R
-                           : tail + static_cast<std::ptrdiff_t>(row - start) * R;
+    const auto rowOf = [all = X.data()](int row) -> double* {
+        return all + static_cast<std::ptrdiff_t>(row) * R;
     };
     std::vector<double> below;  // of each right-hand side in turn
-    for (int k = fromNode; k < toNode; ++k) {
+    for (int k = 0; k < nodeCount(); ++k) {
         const Node at = node(k);
         double* const first = rowOf(at.first);
         if (at.width == 1) {
@@ -210,11 +193,13 @@ void FactorView::forwardFew(int fromNode, int toNode, double* X, double* tail) c
 }
 
 template <int R>
-void FactorView::backwardFew(int fromNode, int toNode, double* X) const {
+void FactorView::backwardFew(Panel& X) const {
     using Row = Eigen::Matrix<double, 1, R>;
-    const auto rowOf = [X](int row) -> double* { return X + static_cast<std::ptrdiff_t>(row) * R; };
+    const auto rowOf = [all = X.data()](int row) -> double* {
+        return all + static_cast<std::ptrdiff_t>(row) * R;
+    };
     std::vector<double> below;
-    for (int k = toNode - 1; k >= fromNode; --k) {
+    for (int k = nodeCount() - 1; k >= 0; --k) {
         const Node at = node(k);
         double* const first = rowOf(at.first);
         if (at.width == 1) {
@@ -252,46 +237,15 @@ void FactorView::backwardFew(int fromNode, int toNode, double* X) const {
     }
 }
 
-template <int R>
-void FactorView::forwardAll(Panel& X) const {
-    double* const all = X.data();
-    double* const tail = all + static_cast<std::ptrdiff_t>(tailStart_) * R;
-    if (divided_ == nullptr) {
-        forwardFew<R>(0, nodeCount(), all, tail);
-        return;
-    }
-    // Each half adds up what it takes from the separator's rows by itself.
-    const std::array<int, 2> end = divided_->nodeEnd();
-    std::array<Panel, 2> taken;
-    taken.fill(Panel::Zero(size_ - tailStart_, R));
-    runSideBySide([&] { forwardFew<R>(0, end[0], all, taken[0].data()); },
-                  [&] { forwardFew<R>(end[0], end[1], all, taken[1].data()); });
-    X.bottomRows(size_ - tailStart_) += taken[0] + taken[1];
-    forwardFew<R>(end[1], nodeCount(), all, tail);
-}
-
-template <int R>
-void FactorView::backwardAll(Panel& X) const {
-    double* const all = X.data();
-    if (divided_ == nullptr) {
-        backwardFew<R>(0, nodeCount(), all);
-        return;
-    }
-    const std::array<int, 2> end = divided_->nodeEnd();
-    backwardFew<R>(end[1], nodeCount(), all);
-    runSideBySide([&] { backwardFew<R>(0, end[0], all); },
-                  [&] { backwardFew<R>(end[0], end[1], all); });
-}
-
 void FactorView::forward(Panel& X) const {
-    constexpr std::array kSolve = {&FactorView::forwardAll<1>, &FactorView::forwardAll<2>,
-                                   &FactorView::forwardAll<3>};
+    constexpr std::array kSolve = {&FactorView::forwardFew<1>, &FactorView::forwardFew<2>,
+                                   &FactorView::forwardFew<3>};
     solveFew(X, kSolve);
 }
 
 void FactorView::backward(Panel& X) const {
-    constexpr std::array kSolve = {&FactorView::backwardAll<1>, &FactorView::backwardAll<2>,
-                                   &FactorView::backwardAll<3>};
+    constexpr std::array kSolve = {&FactorView::backwardFew<1>, &FactorView::backwardFew<2>,
+                                   &FactorView::backwardFew<3>};
     solveFew(X, kSolve);
 }
 

@@ -18,8 +18,6 @@ struct FactorReach {
     std::vector<int> position;  ///< of each of the factor's columns in `columns`, or -1
 };
 
-class DividedFactor;
-
 /// Columns first .. first + width - 1 of a factor, dense from their diagonal block down.
 struct FactorNode {
     int first, width, height;
@@ -27,7 +25,7 @@ struct FactorNode {
     const double* value;  ///< column by column, `height` apart
 };
 
-/// Reads a factor P A P^T = L L^T, simplicial, supernodal or divided, and solves with each half
+/// Reads a factor P A P^T = L L^T, simplicial or supernodal, and solves with each half
 /// alone, which CHOLMOD does only for whole right-hand sides. A node is a run of columns with the
 /// same rows below; a simplicial factor has one column a node. The factor must outlive the view and
 /// is not changed: any number of threads may read one.
@@ -38,8 +36,6 @@ public:
 
     /// Precondition: `isReadable(factor)`.
     explicit FactorView(const cholmod_factor& factor);
-    /// Precondition: it has been factorised.
-    explicit FactorView(const DividedFactor& factor);
 
     /// False for L D L^T, for complex numbers or long indices, and for what is only analysed.
     static bool isReadable(const cholmod_factor& factor);
@@ -57,8 +53,7 @@ public:
     /// still zero at a node are passed over, and the better the nearer like columns stand.
     void forwardOn(const FactorReach& reach, Panel& X) const;
 
-    /// X := L^-1 X and X := L^-T X. Cost: the entries of L, per column; the halves of a divided
-    /// factor side by side.
+    /// X := L^-1 X and X := L^-T X. Cost: the entries of L, per column.
     void forward(Panel& X) const;
     void backward(Panel& X) const;
 
@@ -72,22 +67,15 @@ private:
     Node node(int k) const;
     int nodeCount() const;
 
-    /// @param tail  rows from `tailStart_` on stand here; the others in X
     template <int R>
-    void forwardFew(int fromNode, int toNode, double* X, double* tail) const;
+    void forwardFew(Panel& X) const;
     template <int R>
-    void backwardFew(int fromNode, int toNode, double* X) const;
-    template <int R>
-    void forwardAll(Panel& X) const;
-    template <int R>
-    void backwardAll(Panel& X) const;
+    void backwardFew(Panel& X) const;
     void solveFew(Panel& X, const std::array<Solve, kFew>& solve) const;
 
-    const cholmod_factor* factor_ = nullptr;  ///< one of these two
-    const DividedFactor* divided_ = nullptr;
+    const cholmod_factor* factor_;
     int size_;
     const int* permutation_;
-    int tailStart_;  ///< first row of the separator of a divided factor; else `size_`
 };
 
 }  // namespace toile

@@ -8,7 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/base/thread_budget.h"
 #include "core/linalg/elimination_order.h"
 #include "core/linalg/landmark_distances.h"
 
@@ -23,11 +22,6 @@ constexpr double kLeastSide = 0.2;
 constexpr double kLongSeparator = 1.3;
 constexpr double kMuchSmaller = 0.6;
 constexpr double kWorthASurvey = 100;
-/// Unknowns from which on the halves may be dissected side by side.
-constexpr std::size_t kWorthTwoThreads = 20000;
-/// What the longer half has more than the other, nobody works on beside it: there a longer
-/// separator is the lesser evil.
-constexpr double kEvenHalves = 4;
 /// Of the unknowns: so many may lie in parts that cannot be halved.
 constexpr double kMostUnsplit = 0.1;
 
@@ -54,25 +48,19 @@ public:
         }
     }
 
-    EliminationOrder run() {
+    std::vector<int> run() {
         const std::size_t size = members_.size();
-        EliminationOrder result;
         Workspace work(graph_);
         measure(0, size, work);
-        if (size < kWorthTwoThreads) {
-            dissect(0, size, size, size, work);
-        } else {
-            result.halfEnd = dissectSideBySide(work);
-        }
+        dissect(0, size, size, size, work);
         if (static_cast<double>(work.unsplit) > kMostUnsplit * static_cast<double>(size)) {
             return {};
         }
-        result.order = std::move(order_);
-        return result;
+        return std::move(order_);
     }
 
 private:
-    /// What one thread needs while it dissects its part.
+    /// What dissecting a part needs.
     struct Workspace {
         explicit Workspace(const CouplingGraph& graph)
             : survey(graph), local(static_cast<std::size_t>(graph.size()), -1) {}
@@ -89,29 +77,6 @@ private:
         int vertex = 0;
         Distances distances{};
     };
-
-    /// As `dissect` for all.
-    /// @return where the halves end
-    std::array<int, 2> dissectSideBySide(Workspace& work) {
-        const std::size_t size = members_.size();
-        const Level level = smallestLevel(0, size, work, kEvenHalves);
-        if (level.landmark < 0) {
-            work.unsplit = size;
-            return {};
-        }
-        const auto bounds = divide(0, size, level);
-        const std::size_t lower = bounds.first, upper = bounds.second;
-        const std::size_t separator = size - (upper - lower);
-        std::size_t end = size;
-        for (std::size_t k = upper; k > lower; --k) {
-            order_[--end] = members_[k - 1].vertex;
-        }
-        Workspace other(graph_);
-        runSideBySide([&] { dissect(0, lower, lower, size, work); },
-                      [&] { dissect(upper, size, separator, size, other); });
-        work.unsplit += other.unsplit;
-        return {static_cast<int>(lower), static_cast<int>(separator)};
-    }
 
     /// Orders the members first to last - 1; they are eliminated just before place `end`.
     /// @param surveyed  size of the part in which the distances were counted
@@ -158,7 +123,7 @@ private:
 
     /// The smallest level that has enough vertices on either side; where no level has, the one in
     /// the middle.
-    Level smallestLevel(std::size_t first, std::size_t last, Workspace& work, double evenness = 1) {
+    Level smallestLevel(std::size_t first, std::size_t last, Workspace& work) {
         Distances low = members_[first].distances;
         Distances high = low;
         for (std::size_t k = first + 1; k < last; ++k) {
@@ -187,7 +152,7 @@ private:
                 const double above = all - below - size;
                 const bool even = std::min(below, above) >= kLeastSide * all;
                 const bool middle = below <= 0.5 * all && above <= 0.5 * all;
-                const double cost = size * (1 + evenness * std::abs(below - above) / all);
+                const double cost = size * (1 + std::abs(below - above) / all);
                 if ((even || middle) && below > 0 && above > 0 && cost < bestCost) {
                     bestCost = cost;
                     best = {c, low[c] + d, size};
@@ -295,7 +260,7 @@ private:
 
 }  // namespace
 
-EliminationOrder nestedDissection(const CouplingGraph& graph) {
+std::vector<int> nestedDissection(const CouplingGraph& graph) {
     return Dissection(graph).run();
 }
 

@@ -18,9 +18,6 @@ constexpr double kSupernodesInPairs = 40;
 }  // namespace
 
 std::optional<FactorView> SparseCholesky::State::view() const {
-    if (divided) {
-        return divided->isFactorised() ? std::optional<FactorView>(*divided) : std::nullopt;
-    }
     return plain.factor != nullptr && FactorView::isReadable(*plain.factor)
                ? std::optional<FactorView>(*plain.factor)
                : std::nullopt;
@@ -40,39 +37,20 @@ Result<void> SparseCholesky::factorise(const SymmetricMatrix& matrix) {
 }
 
 Result<void> SparseCholesky::analyse(const SymmetricMatrix& pattern, std::vector<int> order) {
-    state_->divided.reset();
-    EliminationOrder found;
     if (order.empty()) {
-        found = eliminationOrder(pattern);
-    }
-    if (DividedFactor::isWorthIt(found, pattern.size)) {
-        cholmod_free_factor(&state_->plain.factor, &state_->plain.common);
-        state_->divided = std::make_unique<DividedFactor>();
-        return state_->divided->analyse(pattern, found);
+        order = eliminationOrder(pattern);
     }
     state_->plain.common.supernodal_switch =
         comesInPairs(pattern) ? kSupernodesInPairs : kSupernodes;
-    return state_->plain.analyse(pattern, std::move(order.empty() ? found.order : order));
+    return state_->plain.analyse(pattern, std::move(order));
 }
 
 Result<void> SparseCholesky::refactorise(const SymmetricMatrix& matrix) {
-    if (state_->divided) {
-        return state_->divided->factorise(matrix, [] {});
-    }
     assert(state_->plain.factor != nullptr);
     return state_->plain.factorise(matrix);
 }
 
-Result<void> SparseCholesky::refactorise(SymmetricMatrix&& matrix) {
-    SymmetricMatrix own = std::move(matrix);
-    return state_->divided ? state_->divided->factorise(own, [&own] { own = {}; })
-                           : refactorise(own);
-}
-
 Result<Eigen::MatrixXd> SparseCholesky::solve(const Eigen::MatrixXd& B) {
-    if (state_->divided) {
-        return state_->divided->solve(B);
-    }
     cholmod_common& common = state_->plain.common;
     assert(state_->plain.factor != nullptr);
     cholmod_dense right{};
@@ -94,7 +72,7 @@ Result<Eigen::MatrixXd> SparseCholesky::solve(const Eigen::MatrixXd& B) {
 }
 
 std::size_t SparseCholesky::bytes() const {
-    return state_->divided ? state_->divided->bytes() : state_->plain.bytes();
+    return state_->plain.bytes();
 }
 
 }  // namespace toile

@@ -40,10 +40,9 @@ private:
 };
 
 /// A kept Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD: simplicial for
-/// small systems, supernodal for large ones; from 50 000 unknowns on in two halves, which take two
-/// threads where the caller's budget has one to spare, thread_budget.h). `factorise` does all at
-/// once; `analyse` and `refactorise` are its two halves, for several matrices of one pattern and
-/// for a look at the caller's progress in between. Thread-safety: one object per thread; separate
+/// small systems, supernodal for large ones). `factorise` does all at once; `analyse` and
+/// `refactorise` are its two halves, for several matrices of one pattern and for a look at the
+/// caller's progress in between. Thread-safety: one object per thread; separate
 /// objects are independent. Side effect: OpenMP regions on the calling thread, and OpenBLAS, use
 /// one thread from then on.
 class SparseCholesky {
@@ -66,8 +65,6 @@ public:
     /// Precondition: one of them was called with this pattern, and had the memory.
     /// Errors: as `factorise`.
     Result<void> refactorise(const SymmetricMatrix& matrix);
-    /// The same, and frees the matrix where it can before the factor takes its memory.
-    Result<void> refactorise(SymmetricMatrix&& matrix);
 
     /// Solves for every column of B at once. Precondition: factorise succeeded.
     /// Errors: OutOfMemory.

@@ -15,7 +15,6 @@
 
 #include "core/base/abandonable_threads.h"
 #include "core/base/stopwatch.h"
-#include "core/base/thread_budget.h"
 #include "core/flatten/flat_notes.h"
 #include "core/garment/piece.h"
 
@@ -194,19 +193,14 @@ std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions&
     const auto work = std::make_shared<Work>(std::move(tasks), options);
     AbandonableThreads workers;  // on the way out left alone, if they have not ended
     const bool goesOn = count > 0 && waitForACore(progress);
-    const int cores = threadCount(threads);
-    const std::size_t wanted = goesOn ? std::min(count, static_cast<std::size_t>(cores)) : 0;
-    // Threads that no piece is left for take part in the large factorisations of others.
-    const auto run = [work, budget = std::make_shared<ThreadBudget>(cores)] {
-        const ThreadBudget::Worker worker(budget);
-        work->run();
-    };
+    const std::size_t wanted =
+        goesOn ? std::min(count, static_cast<std::size_t>(threadCount(threads))) : 0;
     std::size_t running = 0;
-    while (running < wanted && workers.start(run)) {
+    while (running < wanted && workers.start([work] { work->run(); })) {
         ++running;
     }
     if (running == 0 && wanted > 0) {
-        run();  // no thread to be had: then here, and a cancel comes too late
+        work->run();  // no thread to be had: then here, and a cancel comes too late
     }
     if (work->wait(progress)) {
         workers.join();

@@ -18,7 +18,6 @@ struct Scope {
 /// Names are what/piece/how, see report/measurements.h.
 void registerFloor(const Scope& scope);       ///< floor/panel/45000/amd-simplicial, trap/...
 void registerFlattening(const Scope& scope);  ///< curvature/panel/45000, isometric/dress, ...
-void registerCores(const Scope& scope);       ///< cores/panel/500000/curvature/threads-2
 void registerPieces(const Scope& scope);      ///< buildPiece/panel/45000
 void registerReading(const Scope& scope);     ///< plainScan, toileReader, openMeshReader
 void registerWriting(const Scope& scope);     ///< write/panel/1000000/svg

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/thread_budget.h"
 #include "core/flatten/flatten.h"
 #include "core/quality/piece_quality.h"
 #include "tests/bench/bench_pieces.h"
@@ -58,13 +57,6 @@ void measureFlattening(benchmark::State& state, const std::string& name, Method 
     }
 }
 
-/// With so many threads to be had.
-void measureOnThreads(benchmark::State& state, const std::string& name, Method method,
-                      int threads) {
-    const ThreadBudget::Worker worker(std::make_shared<ThreadBudget>(threads));
-    measureFlattening(state, name, method);
-}
-
 void measureBuilding(benchmark::State& state, const std::string& name) {
     const MeshArrays& mesh = piecesOf(name).front()->mesh;
     for (auto _ : state) {
@@ -91,7 +83,7 @@ void registerFlatteningOf(const std::string& method, const std::string& piece, i
     const Method parsed = parseMethod(method).value();
     auto* added = benchmark::RegisterBenchmark(
         (method + "/" + piece).c_str(),
-        [piece, parsed](benchmark::State& state) { measureOnThreads(state, piece, parsed, 1); });
+        [piece, parsed](benchmark::State& state) { measureFlattening(state, piece, parsed); });
     measured(added, repetitions);
 }
 
@@ -110,27 +102,6 @@ void registerFlattening(const Scope& scope) {
         registerFlatteningOf("wang2005", piece, repetitions);
         registerFlatteningOf("isometric", piece,
                              std::min(isometricRepetitions(piece, scope), repetitions));
-    }
-}
-
-void registerCores(const Scope& scope) {
-    for (const auto& [method, piece] :
-         {std::pair("curvature", "panel/500000"), std::pair("curvature", "head/500000"),
-          std::pair("curvature", "panel/1000000"), std::pair("isometric", "panel/500000")}) {
-        if (scope.quick) {
-            continue;
-        }
-        const Method parsed = parseMethod(method).value();
-        for (const int threads : {1, 2}) {
-            auto* added = benchmark::RegisterBenchmark(
-                (std::string("cores/") + piece + "/" + method + "/threads-" +
-                 std::to_string(threads))
-                    .c_str(),
-                [piece = std::string(piece), parsed, threads](benchmark::State& state) {
-                    measureOnThreads(state, piece, parsed, threads);
-                });
-            measured(added, 3)->UseRealTime();
-        }
     }
 }
 

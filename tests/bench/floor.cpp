@@ -176,7 +176,7 @@ SymmetricMatrix assembleFloor(const Piece& piece) {
 std::span<const FloorCandidate> floorCandidates() {
     constexpr int kSimplicialUpTo = 100000, kAll = 1 << 30;
     const auto dissection = [](const SymmetricMatrix& matrix) -> std::vector<int> {
-        return nestedDissection(couplings(matrix)).order;
+        return nestedDissection(couplings(matrix));
     };
     static const std::vector<FloorCandidate> candidates{
         {"amd-simplicial", CHOLMOD_AMD, false, false, {}, false, kSimplicialUpTo},

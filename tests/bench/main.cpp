@@ -43,7 +43,6 @@ int main(int argc, char** argv) {
     describeMachine();
     registerFloor(scope);
     registerFlattening(scope);
-    registerCores(scope);
     registerPieces(scope);
     registerReading(scope);
     registerWriting(scope);

@@ -109,7 +109,7 @@ Eigen::VectorXd InteriorSystem::diagonal() const {
 }
 
 Result<void> InteriorSystem::factorise(const Progress& progress) {
-    SymmetricMatrix L = interiorLaplacian(graph_, interiorIndex_, diagonal());
+    const SymmetricMatrix L = interiorLaplacian(graph_, interiorIndex_, diagonal());
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
@@ -122,7 +122,7 @@ Result<void> InteriorSystem::factorise(const Progress& progress) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
     progress.report(kAnalysisShare);
-    if (const auto factorised = cholesky_->refactorise(std::move(L)); !factorised) {
+    if (const auto factorised = cholesky_->refactorise(L); !factorised) {
         return factorised.error();
     }
     if (progress.isCancelled()) {

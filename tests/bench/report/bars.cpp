@@ -25,10 +25,10 @@ public:
     void addTimesFaster(const std::string& name, const std::string& than, double least) {
         add(than + " / " + name, run_.ratio(than, name), least, true);
     }
-    /// The same of what one waits for, whatever the number of threads.
+    /// The same of what one waits for.
     void addTimesSooner(const std::string& method, const std::string& piece,
                         const std::string& peer, double least) {
-        const std::string ours = run_.onAllCores(method, piece);
+        const std::string ours = method + "/" + piece;
         const std::string theirs = peer + "/" + piece;
         add(theirs + " / " + ours + ", wall clock", run_.wallRatio(theirs, ours), least, true);
     }

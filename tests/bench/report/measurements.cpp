@@ -142,11 +142,6 @@ std::optional<double> Measurements::ratio(const std::string& name, const std::st
     return mine && theirs ? std::optional(*mine / *theirs) : std::nullopt;
 }
 
-std::string Measurements::onAllCores(const std::string& method, const std::string& piece) const {
-    const std::string two = "cores/" + piece + "/" + method + "/threads-2";
-    return find(two) != nullptr ? two : method + "/" + piece;
-}
-
 std::optional<double> Measurements::wallRatio(const std::string& name,
                                               const std::string& to) const {
     const Measurement *mine = find(name), *theirs = find(to);

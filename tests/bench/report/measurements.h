@@ -38,9 +38,6 @@ public:
     std::optional<double> lowest(const std::string& name) const;
     std::optional<double> counter(const std::string& name, const std::string& counter) const;
     std::optional<double> ratio(const std::string& name, const std::string& to) const;
-    /// Name of the measurement of a method with all threads that it can use: of pieces of more than
-    /// 100 000 triangles two.
-    std::string onAllCores(const std::string& method, const std::string& piece) const;
     std::optional<double> wallRatio(const std::string& name, const std::string& to) const;
 
     /// The fastest of the floor's candidates for a piece ("panel/45000"): "floor/panel/45000/...".

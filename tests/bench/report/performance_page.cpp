@@ -26,10 +26,9 @@ tests/bench/run.sh
 
 Times are processor time, the lowest of several repetitions taken in turns; next to CGAL, and where
 files, whole programs or numbers of threads are measured, wall-clock time. The middle one (median)
-is in brackets: far apart, the machine was busy. Ratios compare the lowest times. Next to the floor
-everything runs on one core; the window gives a piece of more than 100 000 triangles two where it
-has them (`core/linalg/divided_factor.h`), which is how it is measured next to CGAL. Freed memory is
-kept for the next piece, as the window does (`core/base/heap.h`).
+is in brackets: far apart, the machine was busy. Ratios compare the lowest times. A piece is
+flattened on one core. Freed memory is kept for the next piece, as the window does
+(`core/base/heap.h`).
 
 The two surfaces are generated (`tests/bench/bench_meshes.h`): the *panel* is the front of a shirt
 in soft folds, the *head* a closed-up form with horns that is open at the neck only. `dress` is a
@@ -211,10 +210,6 @@ std::string performancePage(const Measurements& run) {
                       "## A garment's pieces side by side\n\n`dress.obj`, wall-clock time; both "
                       "write the same bytes.\n\n",
                       {"garment/"}) +
-           plainTable(run,
-                      "## One large piece on one core and on two\n\nWall-clock time; both give the "
-                      "same positions.\n\n",
-                      {"cores/"}) +
            plainTable(
                run,
                "## Memory\n\nThe most that `toile flatten` holds at a time, from OBJ to SVG, "

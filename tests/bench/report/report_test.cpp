@@ -66,7 +66,6 @@ TEST(BenchReport, ARunIsReadWithItsUnitsCountersAndMachine) {
     EXPECT_DOUBLE_EQ(*run.ratio("c", "a/b"), 500);
     EXPECT_DOUBLE_EQ(run.find("a/b")->lowestWall(), 7e-6);
     EXPECT_DOUBLE_EQ(*run.wallRatio("c", "a/b"), 2 / 7e-6);
-    EXPECT_EQ(run.onAllCores("a", "b"), "a/b");
     EXPECT_DOUBLE_EQ(*run.counter("a/b", "triangles"), 10);
     EXPECT_EQ(run.find("a/b")->counters.size(), 1u);
     EXPECT_FALSE(run.ratio("c", "gone"));

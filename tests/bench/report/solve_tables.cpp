@@ -90,8 +90,8 @@ MarkdownTable peerTable(const Measurements& run) {
         if (run.find(lscm) == nullptr && run.find(arap) == nullptr) {
             continue;
         }
-        const std::string curvature = run.onAllCores("curvature", piece);
-        const std::string isometric = run.onAllCores("isometric", piece);
+        const std::string curvature = "curvature/" + piece;
+        const std::string isometric = "isometric/" + piece;
         table.add({piece, wallCell(run.find(lscm)), wallCell(run.find(curvature)),
                    orDash(run.wallRatio(lscm, curvature), significant), wallCell(run.find(arap)),
                    wallCell(run.find(isometric)),

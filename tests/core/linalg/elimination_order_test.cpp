@@ -97,13 +97,13 @@ TEST(LandmarkDistances, ChangeByOneAtMostAlongEdgesAndVanishOnceInEachPart) {
 }
 
 TEST(NestedDissection, IsAPermutationAlsoOfSmallAndOfDividedGraphs) {
-    expectPermutation(nestedDissection(graphOf(1, {})).order, 1);
-    expectPermutation(nestedDissection(graphOf(20, {})).order, 20);
-    expectPermutation(nestedDissection(graphOf(25, gridEdges(5))).order, 25);
+    expectPermutation(nestedDissection(graphOf(1, {})), 1);
+    expectPermutation(nestedDissection(graphOf(20, {})), 20);
+    expectPermutation(nestedDissection(graphOf(25, gridEdges(5))), 25);
     auto edges = gridEdges(20);
     const auto second = gridEdges(15, 400);
     edges.insert(edges.end(), second.begin(), second.end());
-    expectPermutation(nestedDissection(graphOf(630, edges)).order, 630);
+    expectPermutation(nestedDissection(graphOf(630, edges)), 630);
 }
 
 TEST(NestedDissection, KeepsTheFactorOfAGridSmall) {
@@ -111,7 +111,7 @@ TEST(NestedDissection, KeepsTheFactorOfAGridSmall) {
     const int side = 40;
     const int n = side * side;
     const CouplingGraph graph = graphOf(n, gridEdges(side));
-    const std::size_t entries = fill(graph, nestedDissection(graph).order);
+    const std::size_t entries = fill(graph, nestedDissection(graph));
     EXPECT_LT(static_cast<double>(entries), 2.0 * n * std::log2(n));
     std::vector<int> rows(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) {
@@ -122,7 +122,7 @@ TEST(NestedDissection, KeepsTheFactorOfAGridSmall) {
 
 TEST(NestedDissection, IsTheSameEachTime) {
     const CouplingGraph graph = graphOf(900, gridEdges(30));
-    EXPECT_EQ(nestedDissection(graph).order, nestedDissection(graph).order);
+    EXPECT_EQ(nestedDissection(graph).order, nestedDissection(graph));
 }
 
 TEST(NestedDissection, LeavesGraphsWithoutLevelsAlone) {
@@ -133,7 +133,7 @@ TEST(NestedDissection, LeavesGraphsWithoutLevelsAlone) {
             edges.emplace_back(i, j);
         }
     }
-    EXPECT_TRUE(nestedDissection(graphOf(60, edges)).order.empty());
+    EXPECT_TRUE(nestedDissection(graphOf(60, edges)).empty());
 }
 
 TEST(NestedDissection, TakesAVertexBesideAllOthersLast) {
@@ -141,7 +141,7 @@ TEST(NestedDissection, TakesAVertexBesideAllOthersLast) {
     for (int i = 1; i < 20; ++i) {
         edges.emplace_back(0, i);
     }
-    const auto order = nestedDissection(graphOf(20, edges)).order;
+    const auto order = nestedDissection(graphOf(20, edges));
     expectPermutation(order, 20);
     EXPECT_GE(std::find(order.begin(), order.end(), 0) - order.begin(), 18);
 }
@@ -154,8 +154,8 @@ TEST(EliminationOrder, IsFoundForLargeSystemsOnly) {
         }
         return builder.build();
     };
-    EXPECT_TRUE(eliminationOrder(systemOf(20)).order.empty());
-    expectPermutation(eliminationOrder(systemOf(150)).order, 150 * 150);
+    EXPECT_TRUE(eliminationOrder(systemOf(20)).empty());
+    expectPermutation(eliminationOrder(systemOf(150)), 150 * 150);
 }
 
 TEST(EliminationOrder, KeepsPairsOfUnknownsTogether) {
@@ -177,7 +177,7 @@ TEST(EliminationOrder, KeepsPairsOfUnknownsTogether) {
     single.add(0, 1, -1);
     single.add(1, 2, -1);
     EXPECT_FALSE(comesInPairs(single.build()));
-    const auto order = eliminationOrder(systemOf(230)).order;
+    const auto order = eliminationOrder(systemOf(230));
     expectPermutation(order, 2 * 230 * 230);
     for (std::size_t k = 0; k < order.size(); k += 2) {
         ASSERT_EQ(order[k] % 2, 0);
