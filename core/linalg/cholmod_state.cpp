@@ -17,8 +17,8 @@ CholmodState::CholmodState() {
     cholmod_start(&common);
     common.print = 0;  // errors are values here, not text on a terminal
     common.error_handler = nullptr;
-    // One ordering, ours or minimum degree: CHOLMOD would otherwise try METIS above a fill
-    // threshold, which never pays for a single solve.
+    // Minimum degree at all sizes: CHOLMOD would otherwise try METIS above a fill threshold, which
+    // never pays for a few solves (the floor's table in docs/performance.md).
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_AMD;
     common.postorder = 1;
@@ -39,12 +39,10 @@ CholmodState::~CholmodState() {
     cholmod_finish(&common);
 }
 
-Result<void> CholmodState::analyse(const SymmetricMatrix& pattern, std::vector<int> order) {
+Result<void> CholmodState::analyse(const SymmetricMatrix& pattern) {
     cholmod_free_factor(&factor, &common);
     cholmod_sparse view = viewOf(pattern);
-    common.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
-    factor = order.empty() ? cholmod_analyze(&view, &common)
-                           : cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
+    factor = cholmod_analyze(&view, &common);
     if (factor == nullptr) {
         return Error{ErrorCode::OutOfMemory, "", "ordering"};
     }

@@ -18,9 +18,8 @@ struct CholmodState {
     CholmodState(const CholmodState&) = delete;
     CholmodState& operator=(const CholmodState&) = delete;
 
-    /// @param order  of elimination; empty: found by CHOLMOD
     /// Errors: OutOfMemory.
-    Result<void> analyse(const SymmetricMatrix& pattern, std::vector<int> order);
+    Result<void> analyse(const SymmetricMatrix& pattern);
     /// Errors: FactorisationFailed (not positive definite), OutOfMemory.
     Result<void> factorise(const SymmetricMatrix& matrix);
     /// About what the factor takes in memory.

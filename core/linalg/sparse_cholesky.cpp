@@ -4,18 +4,9 @@
 #include <cassert>
 #include <utility>
 
-#include "core/linalg/elimination_order.h"
 #include "core/linalg/factor_state.h"
 
 namespace toile {
-namespace {
-
-/// Supernodes for factors with this many operations per entry: below, the bookkeeping costs more
-/// than dense blocks gain. Unknowns in pairs fill such blocks sooner.
-constexpr double kSupernodes = 70;
-constexpr double kSupernodesInPairs = 40;
-
-}  // namespace
 
 std::optional<FactorView> SparseCholesky::State::view() const {
     return plain.factor != nullptr && FactorView::isReadable(*plain.factor)
@@ -36,13 +27,8 @@ Result<void> SparseCholesky::factorise(const SymmetricMatrix& matrix) {
     return refactorise(matrix);
 }
 
-Result<void> SparseCholesky::analyse(const SymmetricMatrix& pattern, std::vector<int> order) {
-    if (order.empty()) {
-        order = eliminationOrder(pattern);
-    }
-    state_->plain.common.supernodal_switch =
-        comesInPairs(pattern) ? kSupernodesInPairs : kSupernodes;
-    return state_->plain.analyse(pattern, std::move(order));
+Result<void> SparseCholesky::analyse(const SymmetricMatrix& pattern) {
+    return state_->plain.analyse(pattern);
 }
 
 Result<void> SparseCholesky::refactorise(const SymmetricMatrix& matrix) {

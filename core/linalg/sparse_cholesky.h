@@ -55,11 +55,10 @@ public:
     /// Errors: FactorisationFailed (not positive definite), OutOfMemory.
     Result<void> factorise(const SymmetricMatrix& matrix);
 
-    /// Orders the unknowns and lays out the factor; values are not looked at.
-    /// @param order  the unknowns as they are to be eliminated, a permutation; if empty, found here
-    ///               (elimination_order.h)
+    /// Orders the unknowns by minimum degree [ADD04] and lays out the factor; values are not looked
+    /// at.
     /// Errors: OutOfMemory. Cost: a fifth to a third of a factorisation.
-    Result<void> analyse(const SymmetricMatrix& pattern, std::vector<int> order = {});
+    Result<void> analyse(const SymmetricMatrix& pattern);
 
     /// Factorises values in the pattern last given to `analyse` or `factorise`.
     /// Precondition: one of them was called with this pattern, and had the memory.

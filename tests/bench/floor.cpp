@@ -10,7 +10,6 @@
 #include <omp.h>
 
 #include "core/base/stopwatch.h"
-#include "core/linalg/elimination_order.h"
 
 #ifdef __ELF__
 // Present where OpenBLAS stands in for the BLAS; declared weak because it need not.
@@ -55,9 +54,6 @@ struct Cholmod {
         common.nmethods = 1;
         common.method[0].ordering = candidate.ordering;
         common.supernodal = candidate.supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
-        if (candidate.makeOrdering) {
-            common.method[0].ordering = CHOLMOD_GIVEN;
-        }
         if (candidate.relaxed) {
             std::ranges::copy(kRelaxedColumns, common.nrelax);
             std::ranges::copy(kRelaxedZeros, common.zrelax);
@@ -174,17 +170,12 @@ SymmetricMatrix assembleFloor(const Piece& piece) {
 }
 
 std::span<const FloorCandidate> floorCandidates() {
-    constexpr int kSimplicialUpTo = 100000, kAll = 1 << 30;
-    const auto dissection = [](const SymmetricMatrix& matrix) -> std::vector<int> {
-        return nestedDissection(couplings(matrix));
-    };
+    constexpr int kSimplicialUpTo = 100000;
     static const std::vector<FloorCandidate> candidates{
-        {"amd-simplicial", CHOLMOD_AMD, false, false, {}, false, kSimplicialUpTo},
+        {"amd-simplicial", CHOLMOD_AMD, false, false, false, kSimplicialUpTo},
         {"amd-supernodal", CHOLMOD_AMD, true},
         {"amd-relaxed", CHOLMOD_AMD, true, true},
-        {"metis-relaxed", CHOLMOD_METIS, true, true, {}, true},
-        {"dissection-simplicial", 0, false, false, dissection, false, kSimplicialUpTo},
-        {"dissection-relaxed", 0, true, true, dissection, false, kAll},
+        {"metis-relaxed", CHOLMOD_METIS, true, true, true},
     };
     return candidates;
 }
@@ -202,12 +193,7 @@ FloorTimes runFloor(const Piece& piece, const FloorCandidate& candidate) {
 
     const Stopwatch analysing;
     Cholmod cholmod(candidate);
-    if (candidate.makeOrdering) {
-        std::vector<int> order = candidate.makeOrdering(system);
-        cholmod.factor = cholmod_analyze_p(&matrix, order.data(), nullptr, 0, &cholmod.common);
-    } else {
-        cholmod.factor = cholmod_analyze(&matrix, &cholmod.common);
-    }
+    cholmod.factor = cholmod_analyze(&matrix, &cholmod.common);
     cholmod.check(cholmod.factor != nullptr);
     times.analyse = analysing.seconds();
 

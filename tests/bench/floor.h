@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,20 +15,15 @@ namespace toile::bench {
 /// numerically, and three right-hand sides are solved, one and then two at once, as `curvature`
 /// needs them (its Poisson equation, then x and y).
 
-/// Makes the elimination order: the unknown to eliminate first, second, and so on. Empty: none is
-/// known for this matrix.
-using MakeOrdering = std::function<std::vector<int>(const SymmetricMatrix&)>;
-
 /// One way to configure CHOLMOD. The floor is the fastest of all.
 struct FloorCandidate {
     std::string name;  ///< as in the benchmark's name
-    int ordering;      ///< CHOLMOD's number for it; not looked at where `makeOrdering` is set
+    int ordering;      ///< CHOLMOD's number for it
     bool supernodal;
-    bool relaxed = false;         ///< supernodes are merged more freely than CHOLMOD would
-    MakeOrdering makeOrdering{};  ///< in place of CHOLMOD's own orderings
-    bool loses = false;           ///< known to be far behind: measured to show it, and seldom
-    int largest = 1 << 30;        ///< triangles beyond which it would only take the run's time
-    bool boundedThreads = true;   ///< false: as Debian delivers CHOLMOD and OpenBLAS
+    bool relaxed = false;        ///< supernodes are merged more freely than CHOLMOD would
+    bool loses = false;          ///< known to be far behind: measured to show it, and seldom
+    int largest = 1 << 30;       ///< triangles beyond which it would only take the run's time
+    bool boundedThreads = true;  ///< false: as Debian delivers CHOLMOD and OpenBLAS
 };
 
 std::span<const FloorCandidate> floorCandidates();

@@ -41,8 +41,8 @@ constexpr const char* kFloor = R"(## The floor
 Assembling the interior cotangent Laplacian, ordering it, factorising it symbolically and
 numerically, and three back-substitutions (`wang2005` needs two), by CHOLMOD called straight, with
 one thread. The floor of a piece is the fastest candidate; the last column is its name. `amd` and
-`metis` are CHOLMOD's orderings, `dissection` is Toile's; *relaxed* supernodes are merged more
-freely than by default. Milliseconds.
+`metis` are CHOLMOD's orderings; *relaxed* supernodes are merged more freely than by default.
+Milliseconds.
 
 )";
 

@@ -143,20 +143,6 @@ TEST(SparseCholesky, RefusesAnIndefiniteMatrix) {
     EXPECT_EQ(result.error().code, ErrorCode::FactorisationFailed);
 }
 
-TEST(SparseCholesky, SolvesInAnyOrderOfElimination) {
-    const SymmetricMatrix A = pathMatrix(40, 3.0);
-    const Eigen::MatrixXd B = Eigen::MatrixXd::Random(40, 1);
-    SparseCholesky plain, backwards;
-    ASSERT_TRUE(plain.factorise(A));
-    std::vector<int> order;
-    for (int i = 39; i >= 0; --i) {
-        order.push_back(i);
-    }
-    ASSERT_TRUE(backwards.analyse(A, order));
-    ASSERT_TRUE(backwards.refactorise(A));
-    EXPECT_LT((*plain.solve(B) - *backwards.solve(B)).norm(), 1e-12);
-}
-
 TEST(SparseCholesky, SolvesLargeSystems) {
     expectFactorises(gridMatrix());
     expectFactorises(pairsMatrix());
