@@ -33,9 +33,9 @@ Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
         case Method::Isometric:
             return flattenIsometric(piece, options, progress, memory);
         case Method::Curvature:
-            return flattenCurvature(piece, options, progress, memory);
+            return flattenCurvature(piece, options, progress);
         case Method::Wang2005:
-            return flattenWang2005(piece, options, progress, memory);
+            return flattenWang2005(piece, options, progress);
         case Method::Stretch:
             return flattenStretch(piece, options, progress);
         case Method::Natural:

@@ -10,7 +10,6 @@
 
 namespace toile {
 
-class InteriorSystem;
 struct KktModel;
 struct Piece;
 
@@ -20,10 +19,6 @@ struct FlatteningMemory {
     /// The disk now being flattened: the piece, or the piece with its holes filled. Null between
     /// two flattenings.
     std::shared_ptr<const Piece> present{};
-
-    /// The version whose interior was factorised, and the factor.
-    std::shared_ptr<const Piece> factorised{};
-    std::shared_ptr<const InteriorSystem> interior{};
 
     /// The version last flattened by `isometric`, and its points as a descent that converged left
     /// them, before any crossing was undone; null where it did not.

@@ -11,13 +11,11 @@
 
 namespace toile {
 
-/// Flattens one piece again and again while it is edited, and reuses what it can: the factor of an
-/// earlier version's interior, for every method that needs one, and for `isometric` the positions
-/// last found, with the model that led to them. The first flattening, and any after a large edit,
-/// is that of `flatten`.
+/// Flattens one piece again and again while it is edited, and reuses what it can: for `isometric`
+/// the positions last found, with the model that led to them. The first flattening, any after a
+/// large edit, and those by other methods are that of `flatten`.
 ///
-/// After a small edit `curvature` and `wang2005` give what `flatten` gives, to rounding.
-/// `isometric` descends from another start until it meets the same tolerance; where the energy has
+/// After a small edit `isometric` descends from another start until it meets the same tolerance; where the energy has
 /// several minima it stays in the one that the piece already lies in, whatever energy `curvature`
 /// would have; of the outline's figures it repeats those of the last start from `curvature`. So the
 /// same version reached by other edits may lie a little otherwise, within the tolerance; who wants
@@ -29,9 +27,8 @@ namespace toile {
 class PieceFlattener {
 public:
     /// @param piece  the next version; its `sourceVertex` and `sourceFace` say what has stayed.
-    ///               Kept, with its factor, until one takes its place
-    /// Errors: those of `toile::flatten`. Cost: after a small edit linear passes and
-    /// back-substitutions; for `isometric` fewer steps.
+    ///               Kept until one takes its place
+    /// Errors: those of `toile::flatten`. Cost: after a small edit fewer steps.
     Result<FlatPiece> flatten(const std::shared_ptr<const Piece>& piece,
                               const FlattenOptions& options, const Progress& progress);
 
@@ -41,9 +38,6 @@ public:
     static std::size_t expectedBytes(const Piece& piece);
     /// Begins anew.
     void forget() { memory_ = {}; }
-
-    /// Of larger pieces nothing is kept: the factor of a million triangles takes some 250 MB.
-    static constexpr int kMostTriangles = 1'100'000;
 
 private:
     FlatteningMemory memory_;

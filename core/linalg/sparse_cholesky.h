@@ -42,8 +42,8 @@ private:
 /// A kept Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD: simplicial for
 /// small systems, supernodal for large ones). `factorise` does all at once; `analyse` and
 /// `refactorise` are its two halves, for several matrices of one pattern and for a look at the
-/// caller's progress in between. Thread-safety: one object per thread; separate
-/// objects are independent. Side effect: OpenMP regions on the calling thread, and OpenBLAS, use
+/// caller's progress in between. Thread-safety: any number may `solve` at a time,
+/// one may factorise; separate objects are independent. Side effect: OpenMP regions on the calling thread, and OpenBLAS, use
 /// one thread from then on.
 class SparseCholesky {
 public:
@@ -67,14 +67,12 @@ public:
 
     /// Solves for every column of B at once. Precondition: factorise succeeded.
     /// Errors: OutOfMemory.
-    Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& B);
+    Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& B) const;
 
     /// About what the factor takes in memory.
     std::size_t bytes() const;
 
 private:
-    friend class EditedCholesky;  // reads the factor
-
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -20,7 +20,7 @@ using PiecePointer = std::shared_ptr<const Piece>;
 
 /// Lengths of the darts, in edges.
 constexpr int kDart = 40;
-constexpr int kMedium = 45000, kLarge = 500000;  // triangles
+constexpr int kTriangles = 45000;
 
 struct Edit {
     std::string name;
@@ -119,15 +119,6 @@ void cold(benchmark::State& state, const Case& of, const Edit& edit) {
     }
 }
 
-/// `isometric` takes seconds at half a million triangles: there the factor's own methods are
-/// enough.
-std::vector<Method> methodsAt(int triangles) {
-    if (triangles > kMedium) {
-        return {Method::Curvature};
-    }
-    return {Method::Curvature, Method::Wang2005, Method::Isometric};
-}
-
 void registerBoth(const Case& of, const Edit& edit, int repetitions) {
     const std::string rest = edit.name + "/" + of.mesh + "/" + std::to_string(of.triangles) + "/" +
                              std::string(name(of.options.method));
@@ -142,17 +133,12 @@ void registerBoth(const Case& of, const Edit& edit, int repetitions) {
 }  // namespace
 
 void registerResolve(const Scope& scope) {
-    for (const int triangles : {kMedium, kLarge}) {
-        if (!scope.allows(std::to_string(triangles))) {
-            continue;
-        }
-        for (const char* mesh : {"panel", "head"}) {
-            for (const Method method : methodsAt(triangles)) {
-                for (const Edit& edit : edits()) {
-                    Case of{mesh, triangles, {}};
-                    of.options.method = method;
-                    registerBoth(of, edit, triangles > kMedium || scope.quick ? 1 : 3);
-                }
+    for (const char* mesh : {"panel", "head"}) {
+        for (const Method method : {Method::Curvature, Method::Isometric}) {
+            for (const Edit& edit : edits()) {
+                Case of{mesh, kTriangles, {}};
+                of.options.method = method;
+                registerBoth(of, edit, scope.quick ? 1 : 3);
             }
         }
     }

@@ -3,9 +3,7 @@
 
 #include <utility>
 
-#include "core/flatten/flattening_memory.h"
 #include "core/flatten/interior/delaunay_around.h"
-#include "core/flatten/match_versions.h"
 #include "core/garment/piece.h"
 #include "core/mesh/cotangents.h"
 #include "core/mesh/intrinsic_delaunay.h"
@@ -35,31 +33,13 @@ bool isOfTheWeights(const Error& error) {
     return error.code == ErrorCode::NotFinite || error.code == ErrorCode::FactorisationFailed;
 }
 
-/// The system with the mesh's own weights, by what is known of an earlier version.
-Result<InteriorSystem> ownSystem(const Piece& piece, const Progress& progress,
-                                 FlatteningMemory* memory) {
-    WeightedEdges graph{piece.table.edges, cotangentWeights(piece.mesh, piece.table)};
-    const auto vertexCount = static_cast<int>(piece.mesh.V.rows());
-    if (memory != nullptr && memory->interior) {
-        if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
-        }
-        const VersionMatch match = matchVersions(piece, *memory->factorised);
-        auto edited = InteriorSystem::makeFrom(*memory->interior, match.vertex, graph, vertexCount,
-                                               piece.boundary, progress);
-        if (edited || edited.error().code == ErrorCode::Cancelled) {
-            return edited;
-        }
-    }
-    return InteriorSystem::make(std::move(graph), vertexCount, piece.boundary, progress);
-}
-
 }  // namespace
 
-Result<ConformalInterior> ConformalInterior::make(const Piece& piece, const Progress& progress,
-                                                  FlatteningMemory* memory) {
-    ConformalInterior interior(piece, memory);
-    auto system = ownSystem(piece, progress, memory);
+Result<ConformalInterior> ConformalInterior::make(const Piece& piece, const Progress& progress) {
+    ConformalInterior interior(piece);
+    auto system =
+        InteriorSystem::make({piece.table.edges, cotangentWeights(piece.mesh, piece.table)},
+                             static_cast<int>(piece.mesh.V.rows()), piece.boundary, progress);
     if (!system && system.error().code == ErrorCode::FactorisationFailed) {
         auto other = interior.withDelaunayWeights(progress);
         if (!other && other.error().code == ErrorCode::FactorisationFailed) {
@@ -111,29 +91,15 @@ Result<ConformalInterior> ConformalInterior::withDelaunayWeightsAround(
     if (delaunay->flips == 0) {
         return Error{ErrorCode::FactorisationFailed, "", "the triangles are Delaunay"};
     }
-    auto system = InteriorSystem::makeNear(system_, delaunay->graph, progress);
-    if (!system && system.error().code == ErrorCode::FactorisationFailed) {
-        system = InteriorSystem::make(std::move(delaunay->graph),
-                                      static_cast<int>(piece_->mesh.V.rows()), piece_->boundary,
-                                      progress);
-    }
+    auto system =
+        InteriorSystem::make(std::move(delaunay->graph), static_cast<int>(piece_->mesh.V.rows()),
+                             piece_->boundary, progress);
     return withOther(std::move(system), delaunay->flips);
-}
-
-void ConformalInterior::keep() {
-    if (memory_ != nullptr && system_.ownsFactor()) {
-        memory_->factorised = memory_->present;
-        memory_->interior = std::make_shared<const InteriorSystem>(system_);
-        memory_ = nullptr;
-    }
 }
 
 Result<Eigen::MatrixXd> ConformalInterior::solve(const Eigen::MatrixXd& b,
                                                  const Progress& progress) {
-    auto values = system_.solve(b, progress);
-    if (values) {
-        keep();
-    }
+    auto values = system_.solve(b);
     if (values || !isOfTheWeights(values.error()) || delaunayFlips_ > 0) {
         return values;
     }
@@ -142,20 +108,11 @@ Result<Eigen::MatrixXd> ConformalInterior::solve(const Eigen::MatrixXd& b,
         return isOfTheWeights(other.error()) ? values.error() : other.error();
     }
     *this = std::move(*other);
-    return system_.solve(b, progress);
-}
-
-Result<Eigen::MatrixXd> ConformalInterior::extend(const Eigen::MatrixXd& onOutline,
-                                                  const Progress& progress) {
-    auto values = system_.extend(onOutline, progress);
-    if (values) {
-        keep();
-    }
-    return values;
+    return system_.solve(b);
 }
 
 Result<Points2> ConformalInterior::place(const Points2& outline, const Progress& progress) {
-    auto extended = extend(outline, progress);
+    auto extended = system_.extend(outline);
     if (delaunayFlips_ > 0 || (!extended && !isOfTheWeights(extended.error()))) {
         return extended ? Result<Points2>(Points2(std::move(*extended))) : extended.error();
     }
@@ -173,7 +130,7 @@ Result<Points2> ConformalInterior::place(const Points2& outline, const Progress&
         return other.error();
     }
     if (other) {
-        auto better = other->system_.extend(outline, progress, extended ? &*extended : nullptr);
+        auto better = other->system_.extend(outline);
         if (better && (!extended || flippedIn(Points2(*better), *piece_).size() < flipped.size())) {
             *this = std::move(*other);
             return Points2(std::move(*better));

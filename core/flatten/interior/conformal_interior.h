@@ -12,7 +12,6 @@
 
 namespace toile {
 
-struct FlatteningMemory;
 struct Piece;
 
 /// Places the interior of a piece by conformal (cotangent) weights with the outline held, [DMA02]
@@ -26,16 +25,11 @@ struct Piece;
 /// Holds the piece by reference. One thread at a time.
 class ConformalInterior {
 public:
-    /// @param memory  of the piece's last flattening, or null: where the mesh's own system differs
-    ///                little from the one kept there, it is made from that; else it is kept
-    ///                instead, once it has solved something. Outlives this
     /// Errors: FactorisationFailed (with both weights), OutOfMemory, Cancelled. Cost: one
     /// factorisation; two where the first cannot be done.
-    static Result<ConformalInterior> make(const Piece& piece, const Progress& progress,
-                                          FlatteningMemory* memory = nullptr);
+    static Result<ConformalInterior> make(const Piece& piece, const Progress& progress);
 
-    /// `InteriorSystem::solve`, by the other weights where these give numbers that are none, or
-    /// turn out only now to have no factorisation (with a memory).
+    /// `InteriorSystem::solve`, by the other weights where these give numbers that are none.
     /// Errors: NotFinite, FactorisationFailed, OutOfMemory, Cancelled.
     Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& b, const Progress& progress);
     /// `InteriorSystem::apply`, with the weights of the last `solve`.
@@ -43,30 +37,27 @@ public:
 
     /// Points at all vertices (#V x 2) from those of the outline (row i: boundary vertex i).
     /// Errors: NotFinite, FactorisationFailed, OutOfMemory, Cancelled. Cost: two
-    /// back-substitutions; where triangles turn over two more, with an edit of the factor, or with
-    /// another factorisation where they are so many that an edit would cost as much.
+    /// back-substitutions; where triangles turn over another factorisation, and two more.
     Result<Points2> place(const Points2& outline, const Progress& progress);
 
     /// Values at all vertices from those of the outline, by the weights now in use, whatever
-    /// becomes of the triangles. Errors: NotFinite, FactorisationFailed, OutOfMemory, Cancelled.
-    Result<Eigen::MatrixXd> extend(const Eigen::MatrixXd& onOutline, const Progress& progress);
+    /// becomes of the triangles. Errors: NotFinite, OutOfMemory.
+    Result<Eigen::MatrixXd> extend(const Eigen::MatrixXd& onOutline) const {
+        return system_.extend(onOutline);
+    }
 
     /// Edges turned for the weights now in use; 0: the mesh's own.
     int delaunayFlips() const { return delaunayFlips_; }
 
 private:
-    explicit ConformalInterior(const Piece& piece, FlatteningMemory* memory = nullptr)
-        : piece_(&piece), memory_(memory) {}
+    explicit ConformalInterior(const Piece& piece) : piece_(&piece) {}
 
-    /// Keeps the factor for the next version, if it is a new one.
-    void keep();
     Result<ConformalInterior> withOther(Result<InteriorSystem> system, int flips) const;
     Result<ConformalInterior> withDelaunayWeights(const Progress& progress) const;
     Result<ConformalInterior> withDelaunayWeightsAround(const std::vector<int>& faces,
                                                         const Progress& progress) const;
 
     const Piece* piece_;
-    FlatteningMemory* memory_;  ///< null with the other weights
     InteriorSystem system_;
     int delaunayFlips_ = 0;
 };

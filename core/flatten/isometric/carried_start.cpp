@@ -52,10 +52,10 @@ double mostEnergy(double before) {
     return std::min(kSqueezed, 1 + std::max(kSlightExcess, kMostGrowth * (before - 1)));
 }
 
-/// The interior follows the outline's motion harmonically, by the memory's factor where it suits.
+/// The interior follows the outline's motion harmonically.
 std::optional<Points2> following(const Piece& piece, const Points2& carried, const Points2& outline,
-                                 FlatteningMemory& memory, const Progress& progress) {
-    auto interior = ConformalInterior::make(piece, progress, &memory);
+                                 const Progress& progress) {
+    const auto interior = ConformalInterior::make(piece, progress);
     if (!interior) {
         return std::nullopt;
     }
@@ -64,7 +64,7 @@ std::optional<Points2> following(const Piece& piece, const Points2& carried, con
         const int v = piece.boundary[i];
         motion.row(static_cast<Eigen::Index>(i)) = outline.row(v) - carried.row(v);
     }
-    const auto followed = interior->extend(motion, progress);
+    const auto followed = interior->extend(motion);
     if (!followed) {
         return std::nullopt;
     }
@@ -94,7 +94,7 @@ bool partedWithLengths(const Piece& piece, const LengthConstraints& constraints,
 
 }  // namespace
 
-CarriedStart::CarriedStart(const Piece& piece, FlatteningMemory& memory)
+CarriedStart::CarriedStart(const Piece& piece, const FlatteningMemory& memory)
     : piece_(piece), memory_(memory), match_(matchVersions(piece, *memory.flattened)) {}
 
 std::optional<Points2> CarriedStart::positions(const Progress& progress) const {
@@ -144,7 +144,7 @@ std::optional<Points2> CarriedStart::fitted(const Points2& carried, bool apart,
     const SymmetricDirichlet energy(piece_.mesh, piece_.table);
     double least = energy.energy(start);
     if ((start - carried).lpNorm<Eigen::Infinity>() > kStill * lengths.mean()) {
-        auto moved = following(piece_, carried, start, memory_, progress);
+        auto moved = following(piece_, carried, start, progress);
         if (const double other = moved ? energy.energy(*moved) : least; other < least) {
             start = std::move(*moved);
             least = other;
@@ -181,7 +181,7 @@ std::optional<IsometricStart> CarriedStart::fromCoarse(double tolerance,
     if (coarse.defect) {
         return std::nullopt;
     }
-    const auto flat = flattenCurvature(coarse, FlattenOptions(), Progress(progress, 0), nullptr);
+    const auto flat = flattenCurvature(coarse, FlattenOptions(), Progress(progress, 0));
     if (!flat || !(SymmetricDirichlet(coarse.mesh, coarse.table).energy(flat->Q) < kSqueezed)) {
         return std::nullopt;
     }

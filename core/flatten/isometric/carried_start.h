@@ -19,9 +19,8 @@ struct Piece;
 /// What the isometric descent of an earlier version left behind, carried over to a later one.
 class CarriedStart {
 public:
-    /// @param memory  with positions (`Q`); its interior's factor is used, and replaced where it
-    ///                does not suit. Outlives this, as does the piece
-    CarriedStart(const Piece& piece, FlatteningMemory& memory);
+    /// @param memory  with positions (`Q`). Outlives this, as does the piece
+    CarriedStart(const Piece& piece, const FlatteningMemory& memory);
 
     /// A start from the flat positions: they are carried over vertex by vertex, the outline is
     /// moved to the new lengths, the interior follows harmonically, which mends what moving the
@@ -30,7 +29,7 @@ public:
     /// @return positions without flipped triangles and with exact boundary lengths; nothing where
     ///         that does not come out, where they are strained much more than before the edit, or
     ///         cancelled
-    /// Cost: a factor's edit, two back-substitutions, some linear passes.
+    /// Cost: a factorisation of the interior where the outline moves, some linear passes.
     std::optional<Points2> positions(const Progress& progress) const;
 
     /// A start whose outline does not cross itself: the sides of cuts that overlap are parted where
@@ -63,7 +62,7 @@ private:
                                   const Progress& progress) const;
 
     const Piece& piece_;
-    FlatteningMemory& memory_;
+    const FlatteningMemory& memory_;
     VersionMatch match_;
 };
 

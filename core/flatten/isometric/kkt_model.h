@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <memory>
-#include <vector>
 
 #include <Eigen/Core>
 
-#include "core/linalg/edited_cholesky.h"
+#include "core/linalg/sparse_cholesky.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -16,10 +14,9 @@ namespace toile {
 /// a piece with the same triangles and nearly the same shape, whose first steps it serves as well
 /// as its own last ones. Immutable: any number of threads may solve with it.
 struct KktModel {
-    std::shared_ptr<const EditedCholesky> factor;  ///< of the augmented Lagrangian
+    std::shared_ptr<const SparseCholesky> factor;  ///< of the augmented Lagrangian
     Points2 directions;                            ///< of the boundary edges, where it was laid out
     Eigen::VectorXd stiffness;                     ///< of the boundary edges
-    std::size_t bytes = 0;                         ///< about what the factor takes
 };
 
 }  // namespace toile

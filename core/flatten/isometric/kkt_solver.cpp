@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/isometric/kkt_solver.h"
 
-#include <utility>
-
 namespace toile {
 namespace {
 
@@ -93,13 +91,7 @@ std::shared_ptr<const KktModel> KktSolver::share() const {
     if (adopted_ || !factorised_ || large_) {
         return adopted_;
     }
-    auto factor = EditedCholesky::make(cholesky_, MatrixEdit{});
-    if (!factor) {
-        return nullptr;
-    }
-    return std::make_shared<const KktModel>(
-        KktModel{std::make_shared<const EditedCholesky>(std::move(*factor)), directions_,
-                 stiffness_, cholesky_->bytes()});
+    return std::make_shared<const KktModel>(KktModel{cholesky_, directions_, stiffness_});
 }
 
 Result<Points2> KktSolver::solve(const Points2& right, const Eigen::VectorXd& c,
@@ -138,8 +130,7 @@ Result<void> KktSolver::solveOnce(const Points2& forces, Points2& P, double& fir
         }
     }
     const Eigen::Map<const Eigen::VectorXd> b(forces.data(), forces.size());
-    const auto solved =
-        adopted_ ? Result<Eigen::MatrixXd>(adopted_->factor->solve(b)) : cholesky_->solve(b);
+    const auto solved = (adopted_ ? *adopted_->factor : *cholesky_).solve(b);
     if (!solved) {
         return solved.error();
     }

@@ -34,8 +34,8 @@ public:
 
     /// Takes over a model that was laid out for the same triangles, for the steps to come.
     void adopt(std::shared_ptr<const KktModel> model) { adopted_ = std::move(model); }
-    /// The present model, for others to take over; null where there is none, the piece is large, or
-    /// its factor cannot be shared. What comes later does not change it.
+    /// The present model, for others to take over; null where there is none, or the piece is large.
+    /// What comes later does not change it.
     std::shared_ptr<const KktModel> share() const;
 
     /// Lays out the model at a point, for the steps to come.

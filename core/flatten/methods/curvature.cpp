@@ -26,10 +26,10 @@ Eigen::VectorXd angleDefects(const MeshArrays& mesh) {
 }  // namespace
 
 Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptions& options,
-                                   const Progress& progress, FlatteningMemory* memory) {
+                                   const Progress& progress) {
     const Stopwatch interiorTime;
     const MeshArrays& mesh = piece.mesh;
-    auto interior = ConformalInterior::make(piece, Progress(progress, kFactorisingShare), memory);
+    auto interior = ConformalInterior::make(piece, Progress(progress, kFactorisingShare));
     if (!interior) {
         return interior.error();
     }

@@ -202,7 +202,7 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
     descent.sharesModel = memory != nullptr;
     FlattenOptions conformal = options;
     conformal.authalic = 0;
-    auto flat = flattenCurvature(piece, conformal, Progress(progress, kStartShare), memory);
+    auto flat = flattenCurvature(piece, conformal, Progress(progress, kStartShare));
     if (!flat && (flat.error().code == ErrorCode::Cancelled ||
                   flat.error().code == ErrorCode::NoClosedOutline)) {
         return flat;

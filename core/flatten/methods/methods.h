@@ -9,17 +9,12 @@ struct FlatteningMemory;
 
 /// One function per published method, all of this shape: a disk in, planar points in the piece's
 /// vertex order out, in whatever rotation the method gives. `flatten` chooses, turns the result
-/// upright and checks it. Those that can make use of an earlier flattening take what is kept of it
-/// and keep what the next can use (flattening_memory.h); null: they begin anew.
+/// upright and checks it.
 
 /// [Wang05]: boundary edges keep their 3D lengths exactly, the outline's angles stay as close as
 /// that allows to the surface's (eq. 9); interior conformal. Same errors as `flatten`.
 Result<FlatPiece> flattenWang2005(const Piece& piece, const FlattenOptions& options,
-                                  const Progress& progress, FlatteningMemory* memory);
-inline Result<FlatPiece> flattenWang2005(const Piece& piece, const FlattenOptions& options,
-                                         const Progress& progress) {
-    return flattenWang2005(piece, options, progress, nullptr);
-}
+                                  const Progress& progress);
 
 /// [DMA02]'s natural boundary: the Dirichlet energy minus the signed area is minimal, two boundary
 /// vertices far apart in space pinned, or none (`options.freeBoundary`, [MTAD08]); the result is
@@ -34,11 +29,7 @@ Result<FlatPiece> flattenNatural(const Piece& piece, const FlattenOptions& optio
 /// scale factor of one on the boundary). Lengths exact; interior conformal. One factorisation,
 /// three back-substitutions in all.
 Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptions& options,
-                                   const Progress& progress, FlatteningMemory* memory);
-inline Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptions& options,
-                                          const Progress& progress) {
-    return flattenCurvature(piece, options, progress, nullptr);
-}
+                                   const Progress& progress);
 
 /// Exact boundary lengths and the least symmetric Dirichlet energy over boundary and interior,
 /// without flipped triangles; isometric_descent.h does the work, [SS15] is the model. Starts from
@@ -46,7 +37,8 @@ inline Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptio
 /// the outline would cross itself and is moved apart (a note says so). `options.quality` is the
 /// dial. Cost: one to ten factorisations of size 2 #V, or on large pieces as many as of a tenth of
 /// that and some conjugate gradients.
-/// With a memory it starts from the positions kept there, if these suit, instead: then it is never
+/// With what is kept of an earlier flattening (flattening_memory.h, or null) it starts from the
+/// positions there, if these suit, and keeps what the next can use: then it is never
 /// worse than they are, carried over, and is not compared with `flattenCurvature`; of this it tells
 /// the figures (iterations, gap, flips) of the last start that was one.
 Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& options,

@@ -15,13 +15,12 @@ constexpr double kBoundaryShare = 0.02;
 constexpr double kPaperShare = 0.88;
 
 Result<Points2> placeInterior(const Piece& piece, const FlattenOptions& options,
-                              const Points2& outline, FlatPiece& flat, const Progress& progress,
-                              FlatteningMemory* memory) {
+                              const Points2& outline, FlatPiece& flat, const Progress& progress) {
     if (options.authalic != 0) {
         return fillInteriorMixed(piece.mesh, piece.table, piece.boundary, outline, options.authalic,
                                  progress);
     }
-    auto interior = ConformalInterior::make(piece, Progress(progress, kPaperShare), memory);
+    auto interior = ConformalInterior::make(piece, Progress(progress, kPaperShare));
     if (!interior) {
         return interior.error();
     }
@@ -33,7 +32,7 @@ Result<Points2> placeInterior(const Piece& piece, const FlattenOptions& options,
 }  // namespace
 
 Result<FlatPiece> flattenWang2005(const Piece& piece, const FlattenOptions& options,
-                                  const Progress& progress, FlatteningMemory* memory) {
+                                  const Progress& progress) {
     const Stopwatch boundaryTime;
     const BoundaryProblem problem{boundaryLengths3d(piece.mesh.V, piece.boundary),
                                   boundaryAngles3d(piece.mesh, piece.boundary)};
@@ -50,7 +49,7 @@ Result<FlatPiece> flattenWang2005(const Piece& piece, const FlattenOptions& opti
 
     const Stopwatch interiorTime;
     progress.report(kBoundaryShare);
-    auto points = placeInterior(piece, options, boundary->points, flat, progress, memory);
+    auto points = placeInterior(piece, options, boundary->points, flat, progress);
     if (!points) {
         return points.error();
     }

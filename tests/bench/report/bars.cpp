@@ -54,9 +54,10 @@ void addFloor(Bars& bars) {
         forEachPiece([&](const std::string& piece) {
             const auto floor = bars.run().floorOf(piece);
             const auto time = bars.run().lowest(method + "/" + piece);
+            const bool isLarge = piece.ends_with("500000") || piece.ends_with("1000000");
             if (floor && time) {
                 bars.add(method + "/" + piece + " / floor", *time / floor->measurement->lowest(),
-                         1.25);
+                         isLarge ? 1.6 : 1.35);
             }
         });
     }
@@ -65,8 +66,8 @@ void addFloor(Bars& bars) {
 void addPeers(Bars& bars) {
     for (const std::string surface : kSurfaces) {
         const std::string piece = surface + "/45000";
-        bars.addTimesSooner("curvature", piece, "cgalLscm", 8);
-        bars.addTimesSooner("curvature", surface + "/500000", "cgalLscm", 30);
+        bars.addTimesSooner("curvature", piece, "cgalLscm", 6);
+        bars.addTimesSooner("curvature", surface + "/500000", "cgalLscm", 20);
         bars.addTimesSooner("isometric", piece, "cgalArap", 5);
         const auto ours = bars.run().counter("isometric/" + piece, "energy");
         const auto theirs = bars.run().counter("cgalArap/" + piece, "energy");
@@ -81,17 +82,19 @@ void addIsometric(Bars& bars) {
     for (const std::string surface : kSurfaces) {
         for (const std::string size : {"45000", "500000"}) {
             bars.addRatio("isometric/" + surface + "/" + size, "curvature/" + surface + "/" + size,
-                          12);
+                          10);
         }
     }
 }
 
-/// Pairs such as "resolveDart/panel/45000/curvature" and "coldDart/panel/45000/curvature".
+/// Pairs such as "resolveDart/panel/45000/isometric" and "coldDart/panel/45000/isometric". The other
+/// methods keep nothing: what they differ by is the measurement's own.
 void addResolve(Bars& bars) {
     const std::string prefix = "resolve";
     for (const auto& [name, measurement] : bars.run().all()) {
         if (name.starts_with(prefix)) {
-            bars.addRatio(name, "cold" + name.substr(prefix.size()), 0.5);
+            bars.addRatio(name, "cold" + name.substr(prefix.size()),
+                          name.ends_with("/curvature") ? 1.1 : 0.5);
         }
     }
 }
@@ -113,9 +116,9 @@ void addFiles(Bars& bars) {
 
 void addMemory(Bars& bars) {
     for (const std::string surface : kSurfaces) {
-        for (const auto& [method, most] : {std::pair{"curvature", 700.0}, {"isometric", 1228.8}}) {
+        for (const std::string method : {"curvature", "isometric"}) {
             const std::string name = "memory/" + surface + "/1000000/" + method;
-            bars.add(name, bars.run().counter(name, "peakMiB"), most, false, "MiB");
+            bars.add(name, bars.run().counter(name, "peakMiB"), 900, false, "MiB");
         }
     }
 }

@@ -116,39 +116,6 @@ TEST(ConformalInterior, KeepsTheOwnWeightsWhereTheOthersFlipMore) {
     EXPECT_GT(kept, 0);
 }
 
-TEST(ConformalInterior, PlacesAroundFlipsAsANewFactorisationDoes) {
-    for (const double stretch : {1.0, 2.0, 6.0}) {
-        for (unsigned seed = 1; seed <= 8; ++seed) {
-            SCOPED_TRACE(testing::Message() << "stretch " << stretch << ", seed " << seed);
-            const auto piece = test::asPiece(strip(stretch, 0.3, 2, seed));
-            const auto vertexCount = static_cast<int>(piece->mesh.V.rows());
-            const Eigen::VectorXd own = cotangentWeights(piece->mesh, piece->table);
-            const auto around =
-                delaunayAround(piece->mesh, piece->table, own, {100, 101, 300, 444}, 2, Progress());
-            auto plain = InteriorSystem::make({piece->table.edges, own}, vertexCount,
-                                              piece->boundary, Progress());
-            auto nearby = InteriorSystem::makeNear(*plain, around->graph, Progress());
-            auto exact =
-                InteriorSystem::make(around->graph, vertexCount, piece->boundary, Progress());
-            ASSERT_TRUE(nearby) << sentence(nearby.error());
-            EXPECT_FALSE(nearby->ownsFactor());
-            Eigen::MatrixXd outline(static_cast<Eigen::Index>(piece->boundary.size()), 2);
-            for (std::size_t i = 0; i < piece->boundary.size(); ++i) {
-                outline.row(static_cast<Eigen::Index>(i)) =
-                    piece->mesh.V.row(piece->boundary[i]).head<2>();
-            }
-            const auto start = plain->extend(outline);
-            const auto expected = exact->extend(outline);
-            const double tolerance = 1e-10 * expected->cwiseAbs().maxCoeff();
-            EXPECT_LE((*nearby->extend(outline) - *expected).cwiseAbs().maxCoeff(), tolerance);
-            EXPECT_LE(
-                (*nearby->extend(outline, Progress(), &*start) - *expected).cwiseAbs().maxCoeff(),
-                tolerance);
-            EXPECT_FALSE(nearby->ownsFactor());
-        }
-    }
-}
-
 TEST(ConformalInterior, IsCancelledOnTheWay) {
     const auto piece = test::asPiece(strip(2, 0.3, 3, 7));
     Progress progress;

@@ -117,7 +117,7 @@ TEST(KeptModel, ComesToTheSameEnd) {
     };
     const DescentResult first = descend(start);
     ASSERT_TRUE(first.model);
-    EXPECT_GT(first.model->bytes, 0U);
+    EXPECT_GT(first.model->factor->bytes(), 0U);
     options.model = first.model;
     options.multipliers = first.multipliers;
     EXPECT_LE(descend(first.Q).iterations, 2);

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/flatten/interior/interior.h"
 #include "core/flatten/match_versions.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
@@ -196,11 +195,11 @@ TEST(PieceFlattener, NeedsFewerStepsAfterASmallEdit) {
     EXPECT_LT(again->interiorIterations, cold->interiorIterations);
 }
 
-TEST(PieceFlattener, UsesAFactorForEveryMethodThatNeedsOne) {
+TEST(PieceFlattener, KeepsWhatIsometricCanUseUntilItForgets) {
     const PiecePointer panel = test::originalPiece(test::bentPanel(30));
     PieceFlattener flattener;
     EXPECT_EQ(flattener.keptBytes(), 0U);
-    ASSERT_TRUE(flattener.flatten(panel, by(Method::Curvature), Progress()));
+    ASSERT_TRUE(flattener.flatten(panel, by(Method::Isometric), Progress()));
     EXPECT_GT(flattener.keptBytes(), 0U);
     expectAsCold(flattener, panel, Method::Wang2005);
     expectAsCold(flattener, panel, Method::Convex);
@@ -307,13 +306,13 @@ TEST(PieceFlattener, BeginsAnewWhereTheCarriedPositionsAreStrainedMuch) {
 TEST(PieceFlattener, AnErrorLeavesWhatIsKept) {
     const PiecePointer panel = test::originalPiece(test::bentPanel(20));
     PieceFlattener flattener;
-    ASSERT_TRUE(flattener.flatten(panel, by(Method::Curvature), Progress()));
+    ASSERT_TRUE(flattener.flatten(panel, by(Method::Isometric), Progress()));
     const std::size_t kept = flattener.keptBytes();
     EXPECT_FALSE(
-        flattener.flatten(test::asPiece(test::tube(8, 3)), by(Method::Curvature), Progress()));
+        flattener.flatten(test::asPiece(test::tube(8, 3)), by(Method::Isometric), Progress()));
     Progress cancelled;
     cancelled.cancel();
-    EXPECT_FALSE(flattener.flatten(panel, by(Method::Curvature), cancelled));
+    EXPECT_FALSE(flattener.flatten(panel, by(Method::Isometric), cancelled));
     EXPECT_EQ(flattener.keptBytes(), kept);
 }
 
