@@ -5,15 +5,18 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <exception>
+#include <future>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <numeric>
+#include <system_error>
 #include <thread>
 #include <utility>
 
-#include "core/base/abandonable_threads.h"
 #include "core/base/stopwatch.h"
 #include "core/flatten/flat_notes.h"
 #include "core/garment/piece.h"
@@ -165,23 +168,59 @@ private:
     std::exception_ptr failure_;
 };
 
+using Workers = std::vector<std::future<void>>;
+
+/// Workers that a cancel left behind: a factorisation cannot be stopped, only left to itself. They
+/// own what they use, end soon, and are waited for at the program's end.
+class LeftBehind {
+public:
+    /// Never destroyed: what is left behind outlives the statics of this file.
+    static LeftBehind& workers() {
+        static auto* const all = new LeftBehind;
+        return *all;
+    }
+
+    void take(Workers more) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(workers_, hasEnded);
+        std::ranges::move(more, std::back_inserter(workers_));
+        // What is asked for last runs first: before the end of statics made since the work began.
+        std::atexit([] { workers().wait(); });
+    }
+
+    /// How many are still busy: they take cores and memory from what comes after.
+    int count() {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(workers_, hasEnded);
+        return static_cast<int>(workers_.size());
+    }
+
+private:
+    static bool hasEnded(const std::future<void>& worker) {
+        return worker.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    }
+
+    void wait() {
+        const std::lock_guard lock(mutex_);
+        workers_.clear();
+    }
+
+    std::mutex mutex_;
+    Workers workers_;
+};
+
 int coreCount() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Waits while what was abandoned earlier has all the cores, and its memory: else cancelling again
-/// and again would heap up work.
+/// Waits while those left behind have all the cores, and their memory: else cancelling again and
+/// again would pile up work.
 /// @return false where the caller has cancelled
 bool waitForACore(const Progress& progress) {
-    while (!progress.isCancelled() && AbandonableThreads::stillRunning() >= coreCount()) {
+    while (!progress.isCancelled() && LeftBehind::workers().count() >= coreCount()) {
         std::this_thread::sleep_for(kLookEvery);
     }
     return !progress.isCancelled();
-}
-
-/// Cores for this work. What was abandoned earlier still has its own.
-int threadCount(int threads) {
-    return std::max(1, threads > 0 ? threads : coreCount() - AbandonableThreads::stillRunning());
 }
 
 }  // namespace
@@ -191,20 +230,25 @@ std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions&
     progress.start(1);
     const std::size_t count = tasks.size();
     const auto work = std::make_shared<Work>(std::move(tasks), options);
-    AbandonableThreads workers;  // on the way out left alone, if they have not ended
-    const bool goesOn = count > 0 && waitForACore(progress);
-    const std::size_t wanted =
-        goesOn ? std::min(count, static_cast<std::size_t>(threadCount(threads))) : 0;
-    std::size_t running = 0;
-    while (running < wanted && workers.start([work] { work->run(); })) {
-        ++running;
-    }
-    if (running == 0 && wanted > 0) {
-        work->run();  // no thread to be had: then here, and a cancel comes too late
+    Workers workers;
+    if (count > 0 && waitForACore(progress)) {
+        const int cores = threads > 0 ? threads : coreCount() - LeftBehind::workers().count();
+        const std::size_t wanted = std::min(count, static_cast<std::size_t>(std::max(1, cores)));
+        try {
+            while (workers.size() < wanted) {
+                workers.push_back(std::async(std::launch::async, [work] { work->run(); }));
+            }
+        } catch (const std::system_error&) {  // the system has no more threads
+            if (workers.empty()) {
+                work->run();  // then here, and a cancel comes too late
+            }
+        }
     }
     if (work->wait(progress)) {
-        workers.join();
+        workers.clear();
         progress.report(1);
+    } else {
+        LeftBehind::workers().take(std::move(workers));
     }
     return work->done();
 }

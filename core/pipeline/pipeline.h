@@ -51,11 +51,11 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
 /// where an outline crosses itself (nameCrossingCut); a piece that fails leaves the others alone.
 /// Same input, same bytes, whatever the number of threads. Cancelled, it returns within
 /// `kCancelSeconds` at any size of garment: the work is done on threads that share what they use,
-/// and a stage that cannot be stopped (a factorisation) runs out on its own after that, unseen
-/// (core/base/abandonable_threads.h). Until it has, it keeps its memory and its core; where as many
-/// such stages run as the machine has cores, a new call begins when one of them has ended, or is
-/// cancelled before. Where the system has no thread to give, the work is done on the caller's,
-/// without progress on the way: a cancel then comes too late, and `kCancelSeconds` does not hold.
+/// and a stage that cannot be stopped (a factorisation) runs out on its own after that, unseen.
+/// Until it has, it keeps its memory and its core; where as many such stages run as the machine has
+/// cores, a new call begins when one of them has ended, or is cancelled before. Where the system
+/// has no thread to give, the work is done on the caller's, without progress on the way: a cancel
+/// then comes too late, and `kCancelSeconds` does not hold.
 /// @param progress  grows by triangles done, within a piece by the stages and iterations of the
 ///                  method; reaches 1 at the end and only there. Not used after the return.
 /// @param threads   how many work at once; 0: as many as the machine has cores

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/abandonable_threads.h"
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
@@ -173,7 +172,6 @@ TEST(GarmentFlattener, IsAsGoodAsBeforeAfterACancel) {
         expectNear(flat(flattener, cut, Method::Curvature),
                    flattenGarment(cut, {Method::Curvature}, fresh));
     }
-    AbandonableThreads::joinAbandoned();
 }
 
 void expectSame(const PieceResults& results, const PieceResults& others) {
