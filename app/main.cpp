@@ -6,7 +6,6 @@
 #include "app/cli/project_input.h"
 #include "app/run_render.h"
 #include "app/run_window.h"
-#include "core/base/heap.h"
 #endif
 
 int main(int argc, char** argv) {
@@ -17,7 +16,6 @@ int main(int argc, char** argv) {
         if (const auto refusal = toile::refusalOfProject(arguments)) {
             return toile::runCommand(*refusal);
         }
-        toile::keepFreedMemory();
         return toile::runWindow(argc, argv,
                                 {.files = arguments.inputs,
                                  .load = arguments.load,

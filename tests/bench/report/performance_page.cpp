@@ -27,8 +27,7 @@ tests/bench/run.sh
 Times are processor time, the lowest of several repetitions taken in turns; next to CGAL, and where
 files, whole programs or numbers of threads are measured, wall-clock time. The middle one (median)
 is in brackets: far apart, the machine was busy. Ratios compare the lowest times. A piece is
-flattened on one core. Freed memory is kept for the next piece, as the window does
-(`core/base/heap.h`).
+flattened on one core.
 
 The two surfaces are generated (`tests/bench/bench_meshes.h`): the *panel* is the front of a shirt
 in soft folds, the *head* a closed-up form with horns that is open at the neck only. `dress` is a

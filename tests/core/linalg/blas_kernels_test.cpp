@@ -2,11 +2,9 @@
 #include "core/linalg/blas_kernels.h"
 
 #include <cstdlib>
-#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/base/heap.h"
 #include "core/linalg/sparse_cholesky.h"
 
 namespace toile {
@@ -42,14 +40,6 @@ TEST(BlasKernels, SolveAsWellAfterTheChoiceAsBefore) {
     chooseBlasKernels();
     EXPECT_LT(largestError(300), 1e-12);
     EXPECT_STREQ(std::getenv("OPENBLAS_CORETYPE"), chosen);
-}
-
-TEST(Heap, ServesLargeBlocksAsBeforeWhereFreedMemoryIsKept) {
-    keepFreedMemory();
-    for (int round = 0; round < 3; ++round) {
-        const std::vector<char> large(std::size_t{1} << 27U, 'x');
-        EXPECT_EQ(large.back(), 'x');
-    }
 }
 
 }  // namespace
