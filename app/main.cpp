@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
-#include "core/linalg/blas_kernels.h"
 #ifdef TOILE_GUI
 #include "app/cli/project_input.h"
 #include "app/run_render.h"
@@ -9,7 +8,6 @@
 #endif
 
 int main(int argc, char** argv) {
-    toile::chooseBlasKernels();
     const toile::Arguments arguments = toile::parseArguments(argc, argv);
 #ifdef TOILE_GUI
     if (arguments.command == toile::Arguments::Command::Window) {

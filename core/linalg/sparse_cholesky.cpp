@@ -6,10 +6,22 @@
 #include <cholmod.h>
 #include <omp.h>
 
-#include "core/linalg/blas_kernels.h"
+// Present where OpenBLAS stands in for the BLAS; declared weak because it need not.
+#ifdef __ELF__
+extern "C" void openblas_set_num_threads(int count) __attribute__((weak));
+#else
+static void (*const openblas_set_num_threads)(int) = nullptr;
+#endif
 
 namespace toile {
 namespace {
+
+/// Pieces are solved side by side already, and the same input gives the same bits. Thread-safe.
+void useOneBlasThread() {
+    if (openblas_set_num_threads != nullptr) {
+        openblas_set_num_threads(1);
+    }
+}
 
 /// CHOLMOD's settings and working memory, for one thread at a time.
 struct CholmodWorkspace {

@@ -3,8 +3,6 @@
 
 #include <umfpack.h>
 
-#include "core/linalg/blas_kernels.h"
-
 namespace toile {
 
 /// The matrix, column by column (UMFPACK looks at it again when it solves), and its factors.
@@ -21,10 +19,7 @@ struct SparseLu::State {
     State& operator=(const State&) = delete;
 };
 
-SparseLu::SparseLu() : state_(std::make_unique<State>()) {
-    // Pieces are solved side by side already, and the same input is to give the same bits.
-    useOneBlasThread();
-}
+SparseLu::SparseLu() : state_(std::make_unique<State>()) {}
 
 SparseLu::~SparseLu() = default;
 SparseLu::SparseLu(SparseLu&&) noexcept = default;

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/linalg/blas_kernels.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/keeping_reporter.h"
 
@@ -53,7 +52,6 @@ bool holdsAll(const Measurements& run) {
 
 int main() {
     using namespace toile::bench;
-    toile::chooseBlasKernels();
     char name[] = "guard";
     char interleaving[] = "--benchmark_enable_random_interleaving=true";
     std::vector<char*> arguments{name, interleaving, nullptr};

@@ -8,7 +8,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/linalg/blas_kernels.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/keeping_reporter.h"
 #include "tests/bench/machine.h"
@@ -16,7 +15,6 @@
 
 int main(int argc, char** argv) {
     using namespace toile::bench;
-    toile::chooseBlasKernels();  // as the window does
     // Several rounds in turns, so that whatever else the machine does hits all alike. What the user
     // types comes later and wins.
     char interleaving[] = "--benchmark_enable_random_interleaving=true";
