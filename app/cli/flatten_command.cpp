@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstdio>
 #include <ostream>
 
@@ -74,7 +75,10 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     }
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
     if (printFailures(results, err)) {
-        status = kExitSomeFailed;
+        const bool lacksMemory = std::ranges::any_of(results, [](const auto& result) -> bool {
+            return result->error && result->error->code == ErrorCode::OutOfMemory;
+        });
+        status = lacksMemory ? kExitUnreadable : kExitSomeFailed;
     }
     const auto places = placesOnSheet(arguments, *garment, results);
     for (const auto& output : arguments.outputs) {

@@ -2,9 +2,13 @@
 #include "core/linalg/sparse_cholesky.h"
 
 #include <cassert>
+#include <mutex>
 
 #include <cholmod.h>
 #include <omp.h>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 // Present where OpenBLAS stands in for the BLAS; declared weak because it need not.
 #ifdef __ELF__
@@ -22,6 +26,68 @@ void useOneBlasThread() {
         openblas_set_num_threads(1);
     }
 }
+
+/// While it lives the thread may call the BLAS, if there is room. OpenBLAS takes a working buffer
+/// for each thread that calls it at a time, keeps it for later, and where the process may have no
+/// more memory (`ulimit -v`) it tries again for ever.
+class BlasCall {
+public:
+    BlasCall() {
+        const std::lock_guard lock(mutex_);
+        if (++calling_ > withRoom_ && hasRoomFor(calling_)) {
+            withRoom_ = calling_;
+        }
+        hasRoom_ = calling_ <= withRoom_;
+    }
+    ~BlasCall() {
+        const std::lock_guard lock(mutex_);
+        --calling_;
+    }
+    BlasCall(const BlasCall&) = delete;
+    BlasCall& operator=(const BlasCall&) = delete;
+
+    bool hasRoom() const { return hasRoom_; }
+
+private:
+    static constexpr std::size_t kBuffer = std::size_t{128} << 20U;  ///< OpenBLAS's, on x86-64
+    static constexpr std::size_t kBeside = std::size_t{16} << 20U;   ///< for all else meanwhile
+
+    /// Touches no memory.
+    static bool hasRoomFor(int calling) {
+#ifdef __linux__
+        const std::size_t size = static_cast<std::size_t>(calling) * kBuffer + kBeside;
+        void* const room = mmap(nullptr, size, PROT_NONE,
+                                MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        return room != MAP_FAILED && munmap(room, size) == 0;
+#else
+        return calling > 0;
+#endif
+    }
+
+    static inline std::mutex mutex_;
+    static inline int calling_ = 0;   ///< now
+    static inline int withRoom_ = 0;  ///< as many at a time have their buffers
+    bool hasRoom_ = false;
+};
+
+/// CHOLMOD's view of our arrays; it reads them and keeps nothing.
+cholmod_sparse viewOf(const SymmetricMatrix& matrix) {
+    cholmod_sparse view{};
+    view.nrow = view.ncol = static_cast<std::size_t>(matrix.size);
+    view.nzmax = matrix.row.size();
+    view.p = const_cast<int*>(matrix.columnStart.data());
+    view.i = const_cast<int*>(matrix.row.data());
+    view.x = const_cast<double*>(matrix.value.data());
+    view.stype = -1;  // lower triangle stored
+    view.itype = CHOLMOD_INT;
+    view.xtype = matrix.value.empty() ? CHOLMOD_PATTERN : CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = 1;
+    view.packed = 1;
+    return view;
+}
+
+}  // namespace
 
 /// CHOLMOD's settings and working memory, for one thread at a time.
 struct CholmodWorkspace {
@@ -55,25 +121,6 @@ struct CholmodWorkspace {
     CholmodWorkspace(const CholmodWorkspace&) = delete;
     CholmodWorkspace& operator=(const CholmodWorkspace&) = delete;
 };
-
-/// CHOLMOD's view of our arrays; it reads them and keeps nothing.
-cholmod_sparse viewOf(const SymmetricMatrix& matrix) {
-    cholmod_sparse view{};
-    view.nrow = view.ncol = static_cast<std::size_t>(matrix.size);
-    view.nzmax = matrix.row.size();
-    view.p = const_cast<int*>(matrix.columnStart.data());
-    view.i = const_cast<int*>(matrix.row.data());
-    view.x = const_cast<double*>(matrix.value.data());
-    view.stype = -1;  // lower triangle stored
-    view.itype = CHOLMOD_INT;
-    view.xtype = matrix.value.empty() ? CHOLMOD_PATTERN : CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-    view.sorted = 1;
-    view.packed = 1;
-    return view;
-}
-
-}  // namespace
 
 struct SparseCholesky::State {
     CholmodWorkspace workspace;
@@ -112,6 +159,10 @@ Result<void> SparseCholesky::analyse(const SymmetricMatrix& pattern) {
 Result<void> SparseCholesky::refactorise(const SymmetricMatrix& matrix) {
     assert(state_->factor != nullptr);
     cholmod_common& common = state_->workspace.common;
+    const BlasCall blas;
+    if (state_->factor->is_super != 0 && !blas.hasRoom()) {
+        return Error{ErrorCode::OutOfMemory, "", "factorising"};
+    }
     cholmod_sparse view = viewOf(matrix);
     cholmod_factorize(&view, state_->factor, &common);
     if (common.status == CHOLMOD_NOT_POSDEF || state_->factor->minor < state_->factor->n) {
@@ -125,6 +176,10 @@ Result<void> SparseCholesky::refactorise(const SymmetricMatrix& matrix) {
 
 Result<Eigen::MatrixXd> SparseCholesky::solve(const Eigen::MatrixXd& B) const {
     assert(state_->factor != nullptr);
+    const BlasCall blas;
+    if (state_->factor->is_super != 0 && !blas.hasRoom()) {
+        return Error{ErrorCode::OutOfMemory, "", "back-substitution"};
+    }
     CholmodWorkspace workspace;  // its own: several threads may solve at a time
     cholmod_dense right{};
     right.nrow = static_cast<std::size_t>(B.rows());

@@ -225,6 +225,26 @@ TEST(Contract, TheNumberOfThreadsLeavesNoTrace) {
     EXPECT_EQ(folder.read("1.obj"), folder.read("2.obj"));
 }
 
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(Contract, EndsWhereMemoryDoesNotSuffice) {
+    const test::TemporaryFolder folder;
+    const std::string output = (folder / "tshirt.svg").string();
+    for (const int megabytes : {160, 200, 250, 300, 400}) {
+        SCOPED_TRACE(megabytes);
+        // Long beyond what it takes: only an end that never comes is cut off (124).
+        const auto run = test::run(
+            "bash", {"-c", "ulimit -v $0; exec timeout 60 \"$@\"", std::to_string(1024 * megabytes),
+                     TOILE_PROGRAM, "flatten",
+                     std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.obj", "--unit",
+                     "mm", "-o", output});
+        EXPECT_NE(run.status, 124);
+        if (run.err.find("not enough memory") != std::string::npos) {
+            EXPECT_EQ(run.status, 3) << run.err;
+        }
+    }
+}
+#endif
+
 TEST(Contract, StrictRefusesWhatIsMendedOtherwise) {
     const test::TemporaryFolder folder;
     const auto input = folder.write("yoke.obj",
