@@ -15,11 +15,11 @@ namespace toile {
 /// the positions last found, with the model that led to them. The first flattening, any after a
 /// large edit, and those by other methods are that of `flatten`.
 ///
-/// After a small edit `isometric` descends from another start until it meets the same tolerance; where the energy has
-/// several minima it stays in the one that the piece already lies in, whatever energy `curvature`
-/// would have; of the outline's figures it repeats those of the last start from `curvature`. So the
-/// same version reached by other edits may lie a little otherwise, within the tolerance; who wants
-/// the very same positions back (undo) keeps them: they are immutable.
+/// After a small edit `isometric` descends from another start until it meets the same tolerance;
+/// where the energy has several minima it stays in the one that the piece already lies in, whatever
+/// energy `curvature` would have; of the outline's figures it repeats those of the last start from
+/// `curvature`. So the same version reached by other edits may lie a little otherwise, within the
+/// tolerance; who wants the very same positions back (undo) keeps them: they are immutable.
 ///
 /// A value: copies share what is kept and go their own ways, so that an edit which parts a piece in
 /// two hands both on. Different objects may be used on different threads at a time, one object on

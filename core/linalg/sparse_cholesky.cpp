@@ -56,8 +56,8 @@ private:
     static bool hasRoomFor(int calling) {
 #ifdef __linux__
         const std::size_t size = static_cast<std::size_t>(calling) * kBuffer + kBeside;
-        void* const room = mmap(nullptr, size, PROT_NONE,
-                                MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        void* const room =
+            mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
         return room != MAP_FAILED && munmap(room, size) == 0;
 #else
         return calling > 0;

@@ -43,8 +43,8 @@ private:
 /// small systems, supernodal for large ones). `factorise` does all at once; `analyse` and
 /// `refactorise` are its two halves, for several matrices of one pattern and for a look at the
 /// caller's progress in between. Thread-safety: any number may `solve` at a time,
-/// one may factorise; separate objects are independent. Side effect: OpenMP regions on the calling thread, and OpenBLAS, use
-/// one thread from then on.
+/// one may factorise; separate objects are independent. Side effect: OpenMP regions on the calling
+/// thread, and OpenBLAS, use one thread from then on.
 class SparseCholesky {
 public:
     SparseCholesky();

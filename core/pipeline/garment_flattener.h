@@ -20,7 +20,8 @@ namespace toile {
 /// A piece that is the same pointer as before, with the same options, gets the same result by
 /// pointer; a piece read anew with the same contents gets a copy. A changed piece goes on from the
 /// one before that shares most of the file's faces with it (piece_flattener.h: also what the result
-/// promises after an edit); two pieces that were one both go on from it. Another method begins anew. Pieces of different files (by their paths) have nothing in common.
+/// promises after an edit); two pieces that were one both go on from it. Another method begins
+/// anew. Pieces of different files (by their paths) have nothing in common.
 ///
 /// Undo: an older version comes back as one more edit. Who wants its very positions keeps its
 /// results, which are immutable, beside the garment that they belong to.

@@ -232,11 +232,11 @@ TEST(Contract, EndsWhereMemoryDoesNotSuffice) {
     for (const int megabytes : {160, 200, 250, 300, 400}) {
         SCOPED_TRACE(megabytes);
         // Long beyond what it takes: only an end that never comes is cut off (124).
-        const auto run = test::run(
-            "bash", {"-c", "ulimit -v $0; exec timeout 60 \"$@\"", std::to_string(1024 * megabytes),
-                     TOILE_PROGRAM, "flatten",
-                     std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.obj", "--unit",
-                     "mm", "-o", output});
+        const auto run =
+            test::run("bash", {"-c", "ulimit -v $0; exec timeout 60 \"$@\"",
+                               std::to_string(1024 * megabytes), TOILE_PROGRAM, "flatten",
+                               std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.obj",
+                               "--unit", "mm", "-o", output});
         EXPECT_NE(run.status, 124);
         if (run.err.find("not enough memory") != std::string::npos) {
             EXPECT_EQ(run.status, 3) << run.err;

@@ -14,8 +14,8 @@ namespace toile {
 
 /// The Laplace equation with the boundary held: sum_j w_ij (q_j - q_i) = 0 at every interior
 /// vertex, [DMA02] section 4. One sparse Cholesky factorisation, kept, so that several right-hand
-/// sides (x and y, or the curvature) cost a back-substitution each. Immutable: any number of threads
-/// may solve with it.
+/// sides (x and y, or the curvature) cost a back-substitution each. Immutable: any number of
+/// threads may solve with it.
 class InteriorSystem {
 public:
     /// @param boundary  the loop of held vertices  @param vertexCount  all vertices, #V

@@ -87,8 +87,8 @@ void addIsometric(Bars& bars) {
     }
 }
 
-/// Pairs such as "resolveDart/panel/45000/isometric" and "coldDart/panel/45000/isometric". The other
-/// methods keep nothing: what they differ by is the measurement's own.
+/// Pairs such as "resolveDart/panel/45000/isometric" and "coldDart/panel/45000/isometric". The
+/// other methods keep nothing: what they differ by is the measurement's own.
 void addResolve(Bars& bars) {
     const std::string prefix = "resolve";
     for (const auto& [name, measurement] : bars.run().all()) {
