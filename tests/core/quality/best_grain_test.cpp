@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/best_grain.h"
 
-#include <chrono>
-#include <numbers>
-
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "core/base/angle.h"
+#include "tests/core/support/growth.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 const Fabric kWoven = fabricPresets().front();
 
 /// Of two directions of a line.
@@ -92,23 +90,10 @@ TEST(BestGrain, HasNoneWhereAllDirectionsAreAlike) {
     EXPECT_FALSE(bestGrain(mesh, Points2(Points2::Constant(Q.rows(), 2, std::nan(""))), kWoven));
 }
 
-/// Seconds of the quickest of a few runs.
-template <typename Work>
-double quickest(Work work) {
-    double least = HUGE_VAL;
-    for (int run = 0; run < 3; ++run) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-        least = std::min(least, taken.count());
-    }
-    return least;
-}
-
-TEST(BestGrain, LooksAtEveryTriangleOnceAndNotOncePerAngle) {
+TEST(BestGrainClock, LooksAtEveryTriangleOnceAndNotOncePerAngle) {
     const auto [mesh, Q] = stretched(0.5, 0.05, 300);
-    const double one = quickest([&] { grainCost(mesh, Q, kWoven, 0.5); });
-    const double all = quickest([&] { bestGrain(mesh, Q, kWoven); });
+    const double one = test::quickest([&] { grainCost(mesh, Q, kWoven, 0.5); });
+    const double all = test::quickest([&] { bestGrain(mesh, Q, kWoven); });
     EXPECT_LT(all, 12 * one);  // about twice; over eighty angles tried on the triangles: 40 times
 }
 

@@ -2,7 +2,6 @@
 #include "core/quality/outline_crossings.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -12,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "core/quality/measures.h"
+#include "core/quality/segment_pairs.h"
+#include "tests/core/support/growth.h"
 
 namespace toile {
 namespace {
@@ -151,113 +152,148 @@ TEST(OutlineCrossings, NeitherPlaceNorDirectionNorStartMatters) {
     }
 }
 
-/// Seconds for one search.
-template <class Search>
-double seconds(const Search& search) {
-    const auto begin = std::chrono::steady_clock::now();
-    search();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+/// How many pairs of edges the search looks at, all in all.
+double pairsLookedAt(const Points2& Q) {
+    std::vector<Segment2> edges;
+    for (Eigen::Index i = 0; i < Q.rows(); ++i) {
+        edges.push_back({Q.row(i), Q.row((i + 1) % Q.rows())});
+    }
+    double pairs = 0;
+    visitSegmentPairs(edges, 0, [&pairs](int, int, const PlaneCell&) { return ++pairs > 0; });
+    return pairs;
 }
 
-/// A generous limit, for builds with sanitizers too, of what takes less than a second.
-constexpr double kSecondsForLarge = 30;
+Eigen::RowVector2d towards(int k, int count) {
+    const double angle = 2 * std::numbers::pi * k / count;
+    return {std::cos(angle), std::sin(angle)};
+}
 
-TEST(OutlineCrossings, ASpiralOfAHundredThousandEdgesIsNotQuadratic) {
-    const int half = 50000;
-    Points2 Q(2 * half, 2);
+/// Forty turns, and back.
+Points2 spiral(int n) {
+    const int half = n / 2;
+    Points2 Q(n, 2);
     for (int k = 0; k < half; ++k) {
         const double angle = 2 * std::numbers::pi * 40 * k / half;
-        const Eigen::RowVector2d direction(std::cos(angle), std::sin(angle));
-        Q.row(k) = (1 + angle) * direction;
-        Q.row(2 * half - 1 - k) = (1 + angle + 3) * direction;
+        Q.row(k) = (1 + angle) * towards(40 * k, half);
+        Q.row(n - 1 - k) = (1 + angle + 3) * towards(40 * k, half);
     }
-    EXPECT_LT(seconds([&] { EXPECT_EQ(outlineCrossings(Q, loop(2 * half)), 0); }),
-              kSecondsForLarge);
+    return Q;
 }
 
-TEST(OutlineCrossings, ACombOfAHundredThousandEdgesIsNotQuadratic) {
-    for (const double slant : {0.0, 0.3, 0.7}) {
-        const int teeth = 50000;
-        Points2 Q(2 * teeth + 2, 2);
-        for (int k = 0; k < teeth; ++k) {
-            Q.row(2 * k) << k, 0;
-            Q.row(2 * k + 1) << k + 0.5, 40000;
-        }
-        Q.row(2 * teeth) << teeth, -10;
-        Q.row(2 * teeth + 1) << 0, -10;
-        Eigen::Matrix2d turn;
-        turn << std::cos(slant), std::sin(slant), -std::sin(slant), std::cos(slant);
-        Q = (Q * turn).eval();
-        EXPECT_LT(seconds([&] { EXPECT_EQ(outlineCrossings(Q, loop(Q.rows())), 0); }),
-                  kSecondsForLarge);
+Points2 comb(int n, double slant) {
+    const int teeth = n / 2 - 1;
+    Points2 Q(2 * teeth + 2, 2);
+    for (int k = 0; k < teeth; ++k) {
+        Q.row(2 * k) << k, 0;
+        Q.row(2 * k + 1) << k + 0.5, 40000;
     }
+    Q.row(2 * teeth) << teeth, -10;
+    Q.row(2 * teeth + 1) << 0, -10;
+    Eigen::Matrix2d turn;
+    turn << std::cos(slant), std::sin(slant), -std::sin(slant), std::cos(slant);
+    return Q * turn;
 }
 
-TEST(OutlineCrossings, FineDetailsStarsAndSlitsOfLargeOutlinesAreNotQuadratic) {
-    const int n = 100000;
-    Points2 star(n / 4, 2);  // spikes that almost meet in the middle
-    Points2 detail(n, 2);    // nearly all edges in a corner of the outline
-    Points2 slit(n, 2);      // two sides that lie on each other
-    const auto direction = [](int k, int count) {
-        const double angle = 2 * std::numbers::pi * k / count;
-        return Eigen::RowVector2d(std::cos(angle), std::sin(angle));
-    };
-    for (int k = 0; k < n / 4; ++k) {
-        star.row(k) = (k % 2 == 0 ? 1e-3 : 1.0) * direction(k, n / 4);
-    }
+/// Spikes that almost meet in the middle.
+Points2 star(int n) {
+    Points2 Q(n, 2);
     for (int k = 0; k < n; ++k) {
-        detail.row(k) = (1 + 0.1 * (k % 2)) * direction(k, n);
-        slit.row(k) << std::min(k, n - k), 0;
+        Q.row(k) = (k % 2 == 0 ? 1e-3 : 1.0) * towards(k, n);
     }
-    detail.row(0) << 1e4, -1e4;
-    detail.row(1) << 1e4, 1e4;
-    detail.row(2) *= 1.1;  // the way to the far corners begins outside
-    slit.row(0) << -1, -1;
-    slit.row(n - 1) << -1, 1;
-    for (const Points2* Q : {&star, &detail, &slit}) {
-        EXPECT_LT(seconds([&] { EXPECT_EQ(outlineCrossings(*Q, loop(Q->rows())), 0); }),
-                  kSecondsForLarge);
+    return Q;
+}
+
+/// Nearly all edges in a corner of the outline.
+Points2 fineDetail(int n) {
+    Points2 Q(n, 2);
+    for (int k = 0; k < n; ++k) {
+        Q.row(k) = (1 + 0.1 * (k % 2)) * towards(k, n);
+    }
+    Q.row(0) << 1e4, -1e4;
+    Q.row(1) << 1e4, 1e4;
+    Q.row(2) *= 1.1;  // the way to the far corners begins outside
+    return Q;
+}
+
+/// Two sides that lie on each other.
+Points2 slit(int n) {
+    Points2 Q(n, 2);
+    for (int k = 0; k < n; ++k) {
+        Q.row(k) << std::min(k, n - k), 0;
+    }
+    Q.row(0) << -1, -1;
+    Q.row(n - 1) << -1, 1;
+    return Q;
+}
+
+struct Large {
+    const char* name;
+    Points2 (*of)(int edges);
+    double growth;  ///< of the pairs looked at, at most, where there are four times the edges
+};
+
+class LargeOutlines : public testing::TestWithParam<Large> {};
+
+TEST_P(LargeOutlines, AreNotQuadratic) {
+    const Points2 some = GetParam().of(6000), more = GetParam().of(24000);
+    EXPECT_EQ(outlineCrossings(more, loop(more.rows())), 0);
+    EXPECT_LE(pairsLookedAt(more), GetParam().growth * pairsLookedAt(some));
+    EXPECT_LE(pairsLookedAt(some), 1.8e6);  // of 18 million
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OutlineCrossings, LargeOutlines,
+    testing::Values(Large{"spiral", spiral, 5}, Large{"star", star, 9},
+                    Large{"detail", fineDetail, 6}, Large{"slit", slit, 5},
+                    Large{"comb", [](int n) { return comb(n, 0); }, 5},
+                    Large{"leaningComb", [](int n) { return comb(n, 0.3); }, 5},
+                    Large{"fallingComb", [](int n) { return comb(n, 0.7); }, 5}),
+    [](const auto& shown) { return std::string(shown.param.name); });
+
+TEST(OutlineCrossingsClock, LargeOutlinesAreNotQuadratic) {
+    for (const auto& outline : {spiral, star, fineDetail, slit}) {
+        const Points2 some = outline(25000), more = outline(100000);
+        EXPECT_LT(test::growth([&] { outlineCrossings(some, loop(some.rows())); },
+                               [&] { outlineCrossings(more, loop(more.rows())); }),
+                  10);
     }
 }
 
-TEST(OutlineCrossings, AStripOfManyTurnsOnEachOtherEndsSoon) {
+TEST(OutlineCrossings, AStripOfManyTurnsOnEachOtherIsLookedAtOnce) {
     const int turns = 30;
     const Points2 Q = ringSector(turns * 360);
     // A stretch of either rim per ten degrees and pair of turns, and little else.
     const int stretches = 2 * 36 * turns * (turns - 1) / 2;
-    int count = 0;
-    EXPECT_LT(seconds([&] { count = outlineCrossings(Q, loop(Q.rows())); }), kSecondsForLarge);
+    const int count = outlineCrossings(Q, loop(Q.rows()));
     EXPECT_GE(count, stretches * 95 / 100);
     EXPECT_LE(count, stretches * 105 / 100);
-    EXPECT_LT(seconds([&] { EXPECT_FALSE(outlineIsSimple(Q, loop(Q.rows()))); }), kSecondsForLarge);
+    EXPECT_FALSE(outlineIsSimple(Q, loop(Q.rows())));
+    EXPECT_LE(pairsLookedAt(Q), 40 * stretches);
 }
 
-TEST(OutlineCrossings, LongSegmentsOnEachOtherEndSoon) {
+TEST(OutlineCrossings, LongSegmentsOnEachOtherAreNotDividedForNothing) {
     for (const int n : {18, 40, 1000}) {
         for (const double slant : {0.0, 0.3, 0.785398}) {
             Points2 Q(n, 2);  // to and fro
             for (int k = 0; k < n; ++k) {
                 Q.row(k) << (k % 2) * 1000 * std::cos(slant), (k % 2) * 1000 * std::sin(slant);
             }
-            int count = 0;
-            EXPECT_LT(seconds([&] { count = outlineCrossings(Q, loop(n)); }), kSecondsForLarge);
-            EXPECT_EQ(count, n / 2 * (n / 2 - 1));  // the pairs that go the same way
-            EXPECT_LT(seconds([&] { EXPECT_FALSE(outlineIsSimple(Q, loop(n))); }),
-                      kSecondsForLarge);
+            const int pairs = n * (n - 1) / 2;
+            EXPECT_EQ(outlineCrossings(Q, loop(n)), n / 2 * (n / 2 - 1));  // those of one way
+            EXPECT_FALSE(outlineIsSimple(Q, loop(n)));
+            EXPECT_LE(pairsLookedAt(Q), 6 * pairs);
         }
     }
 }
 
 TEST(OutlineCrossings, AScribbleEndsAtTheLimit) {
     std::mt19937 random(1);
-    Points2 Q(30000, 2);
+    Points2 Q(8000, 2);
     for (int i = 0; i < Q.rows(); ++i) {
         Q.row(i) << random() / 4294967296.0, random() / 4294967296.0;
     }
-    EXPECT_LT(
-        seconds([&] { EXPECT_EQ(outlineCrossings(Q, loop(Q.rows())), kMaxOutlineCrossings); }),
-        kSecondsForLarge);
-    EXPECT_LT(seconds([&] { EXPECT_FALSE(outlineIsSimple(Q, loop(Q.rows()))); }), kSecondsForLarge);
+    EXPECT_EQ(outlineCrossings(Q, loop(Q.rows())), kMaxOutlineCrossings);
+    EXPECT_FALSE(outlineIsSimple(Q, loop(Q.rows())));
 }
 
 }  // namespace

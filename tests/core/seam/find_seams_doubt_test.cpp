@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/stopwatch.h"
 #include "core/seam/find_seams.h"
 #include "tests/core/seam/seam_shapes.h"
+#include "tests/core/support/growth.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
@@ -165,18 +165,24 @@ TEST(SeamsInDoubt, AnySoupOfPiecesGivesASoundGraph) {
     }
 }
 
-TEST(SeamsInDoubt, FineMeshesCostLittle) {
-    // A million triangles, four pieces; the time is that of walking over the meshes.
+/// Four pieces around a point, of about `side` x `side` squares each, sampled differently.
+Pieces fineMeshes(int side) {
     Pieces pieces;
     for (int k = 0; k < 4; ++k) {
         pieces.push_back(
-            asPiece(rectangle(500.0 * (k % 2), 500.0 * (k / 2), 500, 500, 353 + k, 354),
+            asPiece(rectangle(500.0 * (k % 2), 500.0 * (k / 2), 500, 500, side + k, side + 1),
                     "p" + std::to_string(k)));
     }
-    const Stopwatch time;
-    const SeamGraph graph = findSeams(pieces);
-    EXPECT_LT(time.seconds(), 5);
-    EXPECT_EQ(only(graph, SeamKind::Seam).size(), 4U);
+    return pieces;
+}
+
+TEST(SeamsInDoubt, FineMeshesAreSewnAsWell) {
+    EXPECT_EQ(only(findSeams(fineMeshes(100)), SeamKind::Seam).size(), 4U);
+}
+
+TEST(SeamsInDoubtClock, FineMeshesCostWhatWalkingOverThemCosts) {
+    const Pieces some = fineMeshes(176), more = fineMeshes(353);  // a million triangles
+    EXPECT_LT(test::growth([&] { findSeams(some); }, [&] { findSeams(more); }), 8);
 }
 
 }  // namespace
