@@ -11,20 +11,14 @@ namespace {
 
 const std::string kSample = std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.obj";
 
-constexpr const char* kPanel =
-    "v 0 0 0\nv 300 0 0\nv 300 400 0\nv 0 400 0\no flap\nf 1 2 3\nf 1 3 4\n";
-constexpr const char* kBall =
+constexpr const char* kLargeBall =
     "v 0 0 500\nv 100 0 500\nv 0 100 500\nv 0 0 600\n"
     "o ball\nf -4 -3 -2\nf -4 -1 -3\nf -3 -1 -2\nf -4 -2 -1\n";
 
-test::ProgramRun toileRun(const std::vector<std::string>& arguments) {
-    return test::run(TOILE_PROGRAM, arguments);
-}
-
 TEST(Check, FlatClothHasDoubtsAndNoFaults) {
     const test::TemporaryFolder folder;
-    const std::string flap = folder.write("flap.obj", kPanel).string();
-    const auto run = toileRun({"check", flap, "--unit", "mm"});
+    const std::string flap = folder.write("flap.obj", test::kPanel).string();
+    const auto run = test::toileRun({"check", flap, "--unit", "mm"});
     EXPECT_EQ(run.status, 0) << run.out << run.err;
     EXPECT_EQ(run.out.substr(0, run.out.find('\n')), "No faults, 1 doubt");
     EXPECT_NE(run.out.find("doubt: flap: nobody has said how the grain runs"), std::string::npos);
@@ -34,36 +28,38 @@ TEST(Check, FlatClothHasDoubtsAndNoFaults) {
 TEST(Check, AProjectBringsItsGrainAndItsFabric) {
     const test::TemporaryFolder folder;
     Project project;
-    project.files = {{folder.write("flap.obj", kPanel)}};
+    project.files = {{folder.write("flap.obj", test::kPanel)}};
     project.loading.unit = LengthUnit::Millimetre;
     project.pieces["flap"].grain = 0.5;
     ASSERT_TRUE(writeProject(folder / "flap.toile", project));
-    const auto ready = toileRun({"check", (folder / "flap.toile").string()});
+    const auto ready = test::toileRun({"check", (folder / "flap.toile").string()});
     EXPECT_EQ(ready.status, 0) << ready.err;
     EXPECT_EQ(ready.out, "Ready to cut\n");
 }
 
 TEST(Check, TheFabricDecidesWhatStrainIsAFault) {
     const auto faults = [](const char* fabric) -> int {
-        const auto run = toileRun({"check", kSample, "--unit", "mm", "--fabric", fabric, "--json"});
+        const auto run =
+            test::toileRun({"check", kSample, "--unit", "mm", "--fabric", fabric, "--json"});
         return nlohmann::json::parse(run.out)["faults"].get<int>();
     };
     EXPECT_GT(faults("denim"), faults("neoprene"));
     EXPECT_EQ(faults("jersey"), 0);
-    EXPECT_EQ(toileRun({"check", kSample, "--fabric", "granite"}).status, 2);
+    EXPECT_EQ(test::toileRun({"check", kSample, "--fabric", "granite"}).status, 2);
 }
 
 TEST(Check, FaultsAreStatusOne) {
     const test::TemporaryFolder folder;
-    const std::string ball = folder.write("ball.obj", kBall).string();
-    const auto run = toileRun({"check", ball, "--unit", "mm"});
+    const std::string ball = folder.write("ball.obj", kLargeBall).string();
+    const auto run = test::toileRun({"check", ball, "--unit", "mm"});
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.out.find("fault: ball: the piece is closed"), std::string::npos) << run.out;
-    EXPECT_EQ(toileRun({"check", kSample, "--unit", "mm", "--method", "convex"}).status, 1);
+    EXPECT_EQ(test::toileRun({"check", kSample, "--unit", "mm", "--method", "convex"}).status, 1);
 }
 
 TEST(Check, JsonNamesKindSeverityAndPlace) {
-    const auto run = toileRun({"check", kSample, "--unit", "mm", "--method", "natural", "--json"});
+    const auto run =
+        test::toileRun({"check", kSample, "--unit", "mm", "--method", "natural", "--json"});
     const auto json = nlohmann::json::parse(run.out);
     EXPECT_EQ(json["verdict"], "faults");
     EXPECT_EQ(run.status, 1);
@@ -79,15 +75,15 @@ TEST(Check, GuessedUnitsAreNamed) {
     const test::TemporaryFolder folder;
     const std::string flap =
         folder.write("flap.obj", "v 0 0 0\nv 15 0 0\nv 0 20 0\no flap\nf 1 2 3\n").string();
-    const auto run = toileRun({"check", flap});
+    const auto run = test::toileRun({"check", flap});
     EXPECT_NE(run.out.find("doubt: flap.obj: the file states no unit"), std::string::npos)
         << run.out;
-    EXPECT_EQ(toileRun({"check", flap, "--unit", "cm"}).out.find("states no unit"),
+    EXPECT_EQ(test::toileRun({"check", flap, "--unit", "cm"}).out.find("states no unit"),
               std::string::npos);
 }
 
 TEST(Check, WhatCannotBeReadIsStatusThreeInOneSentence) {
-    const auto run = toileRun({"check", "nowhere.obj"});
+    const auto run = test::toileRun({"check", "nowhere.obj"});
     EXPECT_EQ(run.status, 3);
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     EXPECT_EQ(run.out, "");

@@ -18,11 +18,6 @@ using Json = nlohmann::json;
 
 const std::string kSamples = std::string(TOILE_SOURCE_DIR) + "/resources/samples/";
 
-constexpr const char* kTriangle = "v 0 0 0\nv 300 0 0\nv 0 400 0\no flap\nf 1 2 3\n";
-constexpr const char* kBall =
-    "v 0 0 5\nv 1 0 5\nv 0 1 5\nv 0 0 6\n"
-    "o ball\nf -4 -3 -2\nf -4 -1 -3\nf -3 -1 -2\nf -4 -2 -1\n";
-
 test::ProgramRun compare(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "compare");
     return test::run(TOILE_PROGRAM, arguments);
@@ -78,7 +73,7 @@ TEST(Compare, TellsTheSameAsTheReport) {
 
 TEST(Compare, FailedPiecesAreCountedAndNamedOnce) {
     const test::TemporaryFolder folder;
-    const auto input = folder.write("mixed.obj", std::string(kTriangle) + kBall);
+    const auto input = folder.write("mixed.obj", std::string(test::kTriangle) + test::kBall);
     const auto run = compare({input.string(), "--unit", "mm", "--methods", "wang2005,natural"});
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.out.find("failed"), std::string::npos) << run.out;
@@ -106,17 +101,17 @@ TEST(Compare, TakesEveryMethodAndHoldsItToItsPromise) {
     }
 }
 
-struct Case {
+struct ShownCase {
     const char* name;
     const char* file;                  ///< of the samples, or of the shared data
     std::vector<std::string> options;  ///< as the page says
     bool isSample = false;
 };
 
-class ComparisonPage : public testing::TestWithParam<Case> {};
+class ComparisonPage : public testing::TestWithParam<ShownCase> {};
 
 TEST_P(ComparisonPage, IsWhatTheProgramPrints) {
-    const Case& shown = GetParam();
+    const ShownCase& shown = GetParam();
     const auto file = shown.isSample ? std::filesystem::path(kSamples + shown.file)
                                      : test::sharedFile(shown.file);
     TOILE_NEEDS_SHARED(file);
@@ -128,17 +123,18 @@ TEST_P(ComparisonPage, IsWhatTheProgramPrints) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, ComparisonPage,
-                         testing::Values(Case{"cube", "shapes/cube-h.obj", {"--unit", "mm"}, true}),
+                         testing::Values(ShownCase{
+                             "cube", "shapes/cube-h.obj", {"--unit", "mm"}, true}),
                          [](const auto& shown) { return std::string(shown.param.name); });
 INSTANTIATE_TEST_SUITE_P(
-    Shared, ComparisonPage,
-    testing::Values(Case{"mannequin", "disks/mannequin-devil.off", {}},
-                    Case{"tee_sim", "garments/tee_sim.obj", {"--split", "uv"}},
-                    Case{"dress", "garments/dress.obj", {"--split", "uv"}},
-                    Case{"longsleeve", "garments/longsleeve.obj", {"--split", "uv"}},
-                    Case{"tshirt", "garments/tshirt.obj", {"--split", "uv"}},
-                    Case{"polo", "garments/polo.obj", {"--split", "uv"}},
-                    Case{"dress14_pieces", "garments/dress14_pieces.obj", {"--split", "uv"}}),
+    SharedSlow, ComparisonPage,
+    testing::Values(ShownCase{"mannequin", "disks/mannequin-devil.off", {}},
+                    ShownCase{"tee_sim", "garments/tee_sim.obj", {"--split", "uv"}},
+                    ShownCase{"dress", "garments/dress.obj", {"--split", "uv"}},
+                    ShownCase{"longsleeve", "garments/longsleeve.obj", {"--split", "uv"}},
+                    ShownCase{"tshirt", "garments/tshirt.obj", {"--split", "uv"}},
+                    ShownCase{"polo", "garments/polo.obj", {"--split", "uv"}},
+                    ShownCase{"dress14_pieces", "garments/dress14_pieces.obj", {"--split", "uv"}}),
     [](const auto& shown) { return std::string(shown.param.name); });
 
 TEST(ComparisonPage, IsComparedToRoundingAndWithoutTimes) {

@@ -13,20 +13,11 @@
 namespace toile {
 namespace {
 
-const std::string kSample = std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.obj";
-
-constexpr const char* kTriangle = "v 0 0 0\nv 300 0 0\nv 0 400 0\no flap\nf 1 2 3\n";
-constexpr const char* kBall =
-    "v 0 0 5\nv 1 0 5\nv 0 1 5\nv 0 0 6\n"
-    "o ball\nf -4 -3 -2\nf -4 -1 -3\nf -3 -1 -2\nf -4 -2 -1\n";
-
-test::ProgramRun toileRun(const std::vector<std::string>& arguments) {
-    return test::run(TOILE_PROGRAM, arguments);
-}
+const std::string kShirt = kShirt;
 
 TEST(Contract, HelpAndVersionNeedNoDisplay) {
-    EXPECT_EQ(toileRun({"--help"}).status, 0);
-    const auto version = toileRun({"--version"});
+    EXPECT_EQ(test::toileRun({"--help"}).status, 0);
+    const auto version = test::toileRun({"--version"});
     EXPECT_EQ(version.status, 0);
     EXPECT_EQ(version.out, "toile " TOILE_VERSION "\n");
 }
@@ -34,9 +25,9 @@ TEST(Contract, HelpAndVersionNeedNoDisplay) {
 TEST(Contract, FlattenWritesEveryFormatAndPrintsATable) {
     const test::TemporaryFolder folder;
     const auto run =
-        toileRun({"flatten", kSample, "--unit", "mm", "-o", (folder / "a.svg").string(), "-o",
-                  (folder / "a.dxf").string(), "-o", (folder / "a.obj").string(), "--report",
-                  (folder / "a.json").string()});
+        test::toileRun({"flatten", kShirt, "--unit", "mm", "-o", (folder / "a.svg").string(), "-o",
+                        (folder / "a.dxf").string(), "-o", (folder / "a.obj").string(), "--report",
+                        (folder / "a.json").string()});
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     for (const char* piece : {"front", "back", "sleeve_left", "sleeve_right", "neckband"}) {
@@ -51,8 +42,8 @@ TEST(Contract, CutsAreMadeListedAndPrinted) {
     const test::TemporaryFolder folder;
     const std::string seams =
         std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.seams.json";
-    const auto run = toileRun({"flatten", kSample, "--unit", "mm", "--seams", seams, "--ledger",
-                               "--report", (folder / "a.json").string()});
+    const auto run = test::toileRun({"flatten", kShirt, "--unit", "mm", "--seams", seams,
+                                     "--ledger", "--report", (folder / "a.json").string()});
     EXPECT_EQ(run.status, 0) << run.err;
     for (const char* said :
          {"centre back", "waist dart left", "user", "back 1", "back 2", "largest error 0.00 mm"}) {
@@ -83,31 +74,32 @@ TEST(Contract, ATubeIsOpenedOnlyWhenAsked) {
         tube += "\n";
     }
     const std::string file = folder.write("tube.obj", tube).string();
-    const auto plain = toileRun({"flatten", file});
+    const auto plain = test::toileRun({"flatten", file});
     EXPECT_EQ(plain.status, 1);
     EXPECT_NE(plain.err.find("several boundary loops"), std::string::npos) << plain.err;
-    const auto cut = toileRun({"flatten", file, "--auto-cut"});
+    const auto cut = test::toileRun({"flatten", file, "--auto-cut"});
     EXPECT_EQ(cut.status, 0) << cut.err;
     EXPECT_NE(cut.out.find("automatic cut 1"), std::string::npos) << cut.out;
-    const auto info = toileRun({"info", file, "--auto-cut", "--json"});
+    const auto info = test::toileRun({"info", file, "--auto-cut", "--json"});
     EXPECT_EQ(nlohmann::json::parse(info.out)["cuts"].size(), 1U);
 }
 
 TEST(Contract, ABadSeamsFileIsRefusedAndABadCutIsNot) {
     const test::TemporaryFolder folder;
-    const std::string file = folder.write("a.obj", kTriangle).string();
-    const auto bad =
-        toileRun({"info", file, "--seams", folder.write("b.json", "{\"version\": 7}").string()});
+    const std::string file = folder.write("a.obj", test::kTriangle).string();
+    const auto bad = test::toileRun(
+        {"info", file, "--seams", folder.write("b.json", "{\"version\": 7}").string()});
     EXPECT_EQ(bad.status, 3);
     EXPECT_EQ(std::count(bad.err.begin(), bad.err.end(), '\n'), 1) << bad.err;
     const auto kept = folder.write("kept.json", R"({"version": 1})");
-    const auto over = toileRun({"flatten", file, "--seams", kept.string(), "-o", kept.string()});
+    const auto over =
+        test::toileRun({"flatten", file, "--seams", kept.string(), "-o", kept.string()});
     EXPECT_EQ(over.status, 2) << over.err;
     EXPECT_EQ(folder.read("kept.json"), R"({"version": 1})");
     const auto far = folder.write(
         "c.json",
         R"({"version": 1, "cuts": [{"name": "x", "points": [[9000, 0, 0], [9000, 1, 0]]}]})");
-    const auto run = toileRun({"flatten", file, "--seams", far.string()});
+    const auto run = test::toileRun({"flatten", file, "--seams", far.string()});
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.err.find("x: the cut cannot be made"), std::string::npos) << run.err;
     EXPECT_NE(run.out.find("flap"), std::string::npos);
@@ -115,7 +107,7 @@ TEST(Contract, ABadSeamsFileIsRefusedAndABadCutIsNot) {
 
 TEST(Contract, TheReportHasEveryPromisedField) {
     const test::TemporaryFolder folder;
-    toileRun({"flatten", kSample, "--unit", "mm", "--report", (folder / "a.json").string()});
+    test::toileRun({"flatten", kShirt, "--unit", "mm", "--report", (folder / "a.json").string()});
     const auto report = nlohmann::json::parse(folder.read("a.json"));
     EXPECT_TRUE(report.contains("version"));
     ASSERT_EQ(report["files"].size(), 1U);
@@ -138,9 +130,9 @@ TEST(Contract, TheReportHasEveryPromisedField) {
 
 TEST(Contract, AFailedPieceIsStatusOneAndTheRestIsWritten) {
     const test::TemporaryFolder folder;
-    const auto input = folder.write("mixed.obj", std::string(kTriangle) + kBall);
-    const auto run =
-        toileRun({"flatten", input.string(), "--unit", "mm", "-o", (folder / "out.svg").string()});
+    const auto input = folder.write("mixed.obj", std::string(test::kTriangle) + test::kBall);
+    const auto run = test::toileRun(
+        {"flatten", input.string(), "--unit", "mm", "-o", (folder / "out.svg").string()});
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.err.find("ball"), std::string::npos) << run.err;
     EXPECT_NE(folder.read("out.svg").find("piece-flap-cut"), std::string::npos);
@@ -166,8 +158,8 @@ TEST(Contract, ABrokenPromiseIsStatusOneAndNoPlainFlat) {
     }
     finger += "v 0 0 " + std::to_string(5 * kAlong) + "\n" + faces;
     const std::string input = folder.write("finger.obj", finger).string();
-    const auto run =
-        toileRun({"flatten", input, "--unit", "mm", "--report", (folder / "out.json").string()});
+    const auto run = test::toileRun(
+        {"flatten", input, "--unit", "mm", "--report", (folder / "out.json").string()});
     EXPECT_EQ(run.status, 1);
     EXPECT_NE(run.err.find("triangles lie turned over"), std::string::npos) << run.err;
     EXPECT_EQ(run.err.find("can be used as it is"), std::string::npos) << run.err;
@@ -175,19 +167,19 @@ TEST(Contract, ABrokenPromiseIsStatusOneAndNoPlainFlat) {
     EXPECT_EQ(report["pieces"][0]["status"], "flipped");
     EXPECT_EQ(report["pieces"][0]["notes"][0]["code"], "triangles-flipped");
     const auto compared =
-        toileRun({"compare", input, "--unit", "mm", "--methods", "isometric,curvature"});
+        test::toileRun({"compare", input, "--unit", "mm", "--methods", "isometric,curvature"});
     EXPECT_EQ(compared.status, 1);
     EXPECT_NE(compared.err.find("isometric: finger: triangles lie"), std::string::npos)
         << compared.err;
     // The others promise nothing, and say so.
-    const auto other = toileRun({"flatten", input, "--unit", "mm", "--method", "curvature"});
+    const auto other = test::toileRun({"flatten", input, "--unit", "mm", "--method", "curvature"});
     EXPECT_EQ(other.status, 0);
     EXPECT_NE(other.err.find("triangles lie turned over"), std::string::npos) << other.err;
 }
 
 TEST(Contract, WrongUsageIsStatusTwoAndWritesNothing) {
     const test::TemporaryFolder folder;
-    const auto run = toileRun({"flatten", kSample, "-o", (folder / "out.pdf").string()});
+    const auto run = test::toileRun({"flatten", kShirt, "-o", (folder / "out.pdf").string()});
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     EXPECT_TRUE(run.out.empty());
@@ -197,7 +189,7 @@ TEST(Contract, UnreadableInputIsStatusThreeInOneSentence) {
     const test::TemporaryFolder folder;
     for (const auto& input : {folder / "missing.obj", folder.write("empty.obj", ""),
                               folder.write("thing.xyz", "x"), folder / ""}) {
-        const auto run = toileRun({"flatten", input.string()});
+        const auto run = test::toileRun({"flatten", input.string()});
         EXPECT_EQ(run.status, 3) << input;
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     }
@@ -205,14 +197,17 @@ TEST(Contract, UnreadableInputIsStatusThreeInOneSentence) {
 
 TEST(Contract, NeverWritesOverAnInput) {
     const test::TemporaryFolder folder;
-    const auto input = folder.write("flap.obj", kTriangle);
-    const auto run = toileRun({"flatten", input.string(), "-o", (folder / "./flap.obj").string()});
+    const auto input = folder.write("flap.obj", test::kTriangle);
+    const auto run =
+        test::toileRun({"flatten", input.string(), "-o", (folder / "./flap.obj").string()});
     EXPECT_EQ(run.status, 2);
-    EXPECT_EQ(folder.read("flap.obj"), kTriangle);
+    EXPECT_EQ(folder.read("flap.obj"), test::kTriangle);
 }
 
-TEST(Contract, TheNumberOfThreadsLeavesNoTrace) {
-    const auto input = test::sharedFile("disks/maxface.obj");
+class ContractOfThreads : public testing::TestWithParam<const char*> {};
+
+TEST_P(ContractOfThreads, TheirNumberLeavesNoTrace) {
+    const auto input = test::dataFile(GetParam());
     TOILE_NEEDS_SHARED(input);
     const test::TemporaryFolder folder;
     for (const char* threads : {"1", "2"}) {
@@ -222,6 +217,7 @@ TEST(Contract, TheNumberOfThreadsLeavesNoTrace) {
                                            (folder / (std::string(threads) + ".obj")).string()});
         ASSERT_EQ(run.status, 0) << run.err;
     }
+    EXPECT_FALSE(folder.read("1.obj").empty());
     EXPECT_EQ(folder.read("1.obj"), folder.read("2.obj"));
 }
 
@@ -232,11 +228,9 @@ TEST(Contract, EndsWhereMemoryDoesNotSuffice) {
     for (const int megabytes : {160, 200, 250, 300, 400}) {
         SCOPED_TRACE(megabytes);
         // Long beyond what it takes: only an end that never comes is cut off (124).
-        const auto run =
-            test::run("bash", {"-c", "ulimit -v $0; exec timeout 60 \"$@\"",
-                               std::to_string(1024 * megabytes), TOILE_PROGRAM, "flatten",
-                               std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.obj",
-                               "--unit", "mm", "-o", output});
+        const auto run = test::run(
+            "bash", {"-c", "ulimit -v $0; exec timeout 60 \"$@\"", std::to_string(1024 * megabytes),
+                     TOILE_PROGRAM, "flatten", kShirt, "--unit", "mm", "-o", output});
         EXPECT_NE(run.status, 124);
         if (run.err.find("not enough memory") != std::string::npos) {
             EXPECT_EQ(run.status, 3) << run.err;
@@ -245,44 +239,49 @@ TEST(Contract, EndsWhereMemoryDoesNotSuffice) {
 }
 #endif
 
+INSTANTIATE_TEST_SUITE_P(Samples, ContractOfThreads, testing::Values("samples/tshirt.obj"));
+INSTANTIATE_TEST_SUITE_P(Shared, ContractOfThreads, testing::Values("disks/maxface.obj"));
+
 TEST(Contract, StrictRefusesWhatIsMendedOtherwise) {
     const test::TemporaryFolder folder;
     const auto input = folder.write("yoke.obj",
                                     "v 0 0 0\nv 900 0 0\nv 0 900 0\nv 900 900 0\n"
                                     "f 1 2 3\nf 2 3 4\n");
-    const auto mended = toileRun({"flatten", input.string(), "--unit", "mm"});
+    const auto mended = test::toileRun({"flatten", input.string(), "--unit", "mm"});
     EXPECT_EQ(mended.status, 0);
     EXPECT_NE(mended.err.find("turned"), std::string::npos) << mended.err;
-    const auto refused = toileRun({"flatten", input.string(), "--unit", "mm", "--strict"});
+    const auto refused = test::toileRun({"flatten", input.string(), "--unit", "mm", "--strict"});
     EXPECT_EQ(refused.status, 1) << refused.err;  // the piece stays as it is and is named
     EXPECT_FALSE(refused.err.empty());
 }
 
 TEST(Contract, SeveralInputsArePrefixed) {
     const test::TemporaryFolder folder;
-    const auto run = toileRun({"flatten", folder.write("left.obj", kTriangle).string(),
-                               folder.write("right.obj", kTriangle).string(), "--unit", "mm"});
+    const auto run =
+        test::toileRun({"flatten", folder.write("left.obj", test::kTriangle).string(),
+                        folder.write("right.obj", test::kTriangle).string(), "--unit", "mm"});
     EXPECT_EQ(run.status, 0);
     EXPECT_NE(run.out.find("left/flap"), std::string::npos);
     EXPECT_NE(run.out.find("right/flap"), std::string::npos);
 }
 
 TEST(Contract, InfoTellsWhatAFileHolds) {
-    const auto run = toileRun({"info", kSample});
+    const auto run = test::toileRun({"info", kShirt});
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_NE(run.out.find("unit mm"), std::string::npos) << run.out;
     EXPECT_NE(run.out.find("disk"), std::string::npos);
 }
 
-/// Every nasty file ends with an orderly status and no NaN in what is written.
-TEST(Contract, NastyInputNeverCrashes) {
-    const auto nasty = test::sharedFile("nasty");
-    TOILE_NEEDS_SHARED(nasty);
+/// Every broken file ends with an orderly status and no NaN in what is written.
+void expectNoCrash(const std::filesystem::path& nasty, int least) {
     const test::TemporaryFolder folder;
     int files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(nasty)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(nasty)) {
+        if (entry.is_directory()) {
+            continue;
+        }
         SCOPED_TRACE(entry.path().filename());
-        const auto run = toileRun(
+        const auto run = test::toileRun(
             {"flatten", entry.path().string(), "--unit", "mm", "-o", (folder / "out.obj").string(),
              "-o", (folder / "out.svg").string(), "--report", (folder / "out.json").string()});
         EXPECT_TRUE(run.status == 0 || run.status == 1 || run.status == 3) << run.status << run.err;
@@ -297,7 +296,17 @@ TEST(Contract, NastyInputNeverCrashes) {
         }
         ++files;
     }
-    EXPECT_GE(files, 25);
+    EXPECT_GE(files, least);
+}
+
+TEST(Contract, NastyInputNeverCrashes) {
+    const auto nasty = test::sharedFile("nasty");
+    TOILE_NEEDS_SHARED(nasty);
+    expectNoCrash(nasty, 25);
+}
+
+TEST(Contract, WhatFuzzingFoundNeverCrashes) {
+    expectNoCrash(test::sourceFile("tests/fuzz/seeds"), 50);
 }
 
 }  // namespace

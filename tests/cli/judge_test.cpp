@@ -13,7 +13,7 @@
 namespace toile {
 namespace {
 
-struct Case {
+struct Judged {
     const char* name;
     const char* file;
     const char* unit;
@@ -23,7 +23,7 @@ struct Case {
     bool hasDarts = false;
 };
 
-class Judge : public testing::TestWithParam<std::tuple<Case, const char*>> {};
+class Judge : public testing::TestWithParam<std::tuple<Judged, const char*>> {};
 
 /// A Python that has numpy: the one on the path may be another than the system's.
 std::string pythonWithNumpy() {
@@ -95,17 +95,17 @@ TEST_P(Judge, AgreesWithTheReport) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Shared, Judge,
-    testing::Combine(testing::Values(Case{"tee", "garments/tee_sim_pieces.obj", "cm", "10"},
-                                     Case{"polo", "garments/polo_pieces.obj", "cm", "10"},
-                                     Case{"dress14", "garments/dress14_pieces.obj", "m", "1000"},
-                                     Case{"skirt", "garments/skirt_clo.obj", "mm", "1", true},
-                                     Case{"face", "disks/face.obj", "m", "1000"},
-                                     Case{"hemisphere", "disks/hemisphere.obj", "m", "1000"},
-                                     Case{"nefertiti", "disks/nefertiti.off", "m", "1000"},
-                                     Case{"maxface", "disks/maxface.obj", "m", "1000"},
-                                     Case{"tiny", "nasty/panel_tiny.obj", "cm", "10"},
-                                     Case{"far", "nasty/panel_far.obj", "cm", "10"}),
+    SharedSlow, Judge,
+    testing::Combine(testing::Values(Judged{"tee", "garments/tee_sim_pieces.obj", "cm", "10"},
+                                     Judged{"polo", "garments/polo_pieces.obj", "cm", "10"},
+                                     Judged{"dress14", "garments/dress14_pieces.obj", "m", "1000"},
+                                     Judged{"skirt", "garments/skirt_clo.obj", "mm", "1", true},
+                                     Judged{"face", "disks/face.obj", "m", "1000"},
+                                     Judged{"hemisphere", "disks/hemisphere.obj", "m", "1000"},
+                                     Judged{"nefertiti", "disks/nefertiti.off", "m", "1000"},
+                                     Judged{"maxface", "disks/maxface.obj", "m", "1000"},
+                                     Judged{"tiny", "nasty/panel_tiny.obj", "cm", "10"},
+                                     Judged{"far", "nasty/panel_far.obj", "cm", "10"}),
                      testing::Values("isometric", "curvature", "wang2005", "natural")),
     [](const auto& shown) {
         return std::string(std::get<0>(shown.param).name) + "_" + std::get<1>(shown.param);

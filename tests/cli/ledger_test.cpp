@@ -17,10 +17,11 @@ namespace {
 using Json = nlohmann::json;
 
 /// Seams of the report, free edges aside, by name.
-Json seamsOf(const std::filesystem::path& garment, const std::string& method) {
+Json seamsOf(const std::filesystem::path& garment, const std::string& method,
+             const std::string& split = "uv") {
     const test::TemporaryFolder folder;
     const auto run =
-        test::run(TOILE_PROGRAM, {"flatten", garment.string(), "--split", "uv", "--method", method,
+        test::run(TOILE_PROGRAM, {"flatten", garment.string(), "--split", split, "--method", method,
                                   "--report", (folder / "a.json").string()});
     EXPECT_EQ(run.status, 0) << run.err;
     Json seams = Json::object();
@@ -71,7 +72,7 @@ class Ledger : public testing::TestWithParam<const char*> {};
 
 TEST_P(Ledger, StandsInTheDocumentation) {
     const std::string name = GetParam();
-    const auto garment = test::sharedFile(("garments/" + name + ".obj").c_str());
+    const auto garment = test::sharedFile("garments/" + name + ".obj");
     TOILE_NEEDS_SHARED(garment);
     const Json exact = seamsOf(garment, "wang2005");
     const Json natural = seamsOf(garment, "natural");
@@ -83,6 +84,28 @@ TEST_P(Ledger, StandsInTheDocumentation) {
     test::expectTableInDocs("seams.md", name, tableOf(exact, natural));
 }
 
+class SampleLedger : public testing::TestWithParam<std::pair<const char*, std::size_t>> {};
+
+TEST_P(SampleLedger, IsEvenByAMethodThatKeepsLengthsAndNotByOneThatDoesNot) {
+    const auto& [name, seams] = GetParam();
+    const auto garment = test::dataFile(std::string("samples/") + name + ".obj");
+    const Json exact = seamsOf(garment, "wang2005", "auto");
+    const Json natural = seamsOf(garment, "natural", "auto");
+    EXPECT_EQ(exact.size(), seams);
+    EXPECT_EQ(natural.size(), seams);
+    double worst = 0;
+    for (const auto& [seam, values] : exact.items()) {
+        EXPECT_LE(errorOf(values), 1e-6) << seam;
+        worst = std::max(worst, errorOf(natural.at(seam)));
+    }
+    EXPECT_GT(worst, 0.1);  // mm
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, SampleLedger,
+                         testing::Values(std::pair("tshirt", 14), std::pair("bodice", 11),
+                                         std::pair("trousers", 11), std::pair("cap", 10),
+                                         std::pair("skirt", 14)),
+                         [](const auto& shown) { return std::string(shown.param.first); });
 INSTANTIATE_TEST_SUITE_P(Shared, Ledger,
                          testing::Values("dress", "longsleeve", "polo", "tee_sim", "tshirt"));
 

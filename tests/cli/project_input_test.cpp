@@ -8,16 +8,9 @@
 namespace toile {
 namespace {
 
-constexpr const char* kPanel =
-    "v 0 0 0\nv 300 0 0\nv 300 400 0\nv 0 400 0\no flap\nf 1 2 3\nf 1 3 4\n";
-
-test::ProgramRun toileRun(const std::vector<std::string>& arguments) {
-    return test::run(TOILE_PROGRAM, arguments);
-}
-
 std::string writeSomeProject(const test::TemporaryFolder& folder) {
     Project project;
-    project.files = {{folder.write("flap.obj", kPanel)}};
+    project.files = {{folder.write("flap.obj", test::kPanel)}};
     project.loading.unit = LengthUnit::Millimetre;
     project.loading.seams.cuts = {
         {"waist", UserCut::Kind::Path, {{0, 210, 0}, {300, 210, 0}}, false}};
@@ -28,27 +21,27 @@ std::string writeSomeProject(const test::TemporaryFolder& folder) {
 TEST(ProjectInput, IsReadAndCutAsItSays) {
     const test::TemporaryFolder folder;
     const std::string project = writeSomeProject(folder);
-    const auto run = toileRun({"flatten", project, "-o", (folder / "a.svg").string()});
+    const auto run = test::toileRun({"flatten", project, "-o", (folder / "a.svg").string()});
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_NE(run.out.find("flap 1"), std::string::npos) << run.out;
     EXPECT_NE(run.out.find("flap 2"), std::string::npos) << run.out;
     EXPECT_TRUE(std::filesystem::exists(folder / "a.svg"));
-    EXPECT_NE(toileRun({"info", project}).out.find("flap 2"), std::string::npos);
+    EXPECT_NE(test::toileRun({"info", project}).out.find("flap 2"), std::string::npos);
 }
 
 TEST(ProjectInput, PiecesLieAndAreCutAsItSays) {
     const test::TemporaryFolder folder;
     Project project;
-    project.files = {{folder.write("flap.obj", kPanel)}};
+    project.files = {{folder.write("flap.obj", test::kPanel)}};
     project.loading.unit = LengthUnit::Millimetre;
     project.pieces["flap"].quantity = 2;
     project.pieces["flap"].mirroredPair = true;
     project.pieces["flap"].grain = 0.5;
     project.pieces["flap"].placement = Placement{{0, 0}, 0, true};
     ASSERT_TRUE(writeProject(folder / "flap.toile", project));
-    const auto run =
-        toileRun({"flatten", (folder / "flap.toile").string(), "-o", (folder / "a.svg").string(),
-                  "-o", (folder / "a.dxf").string(), "--report", (folder / "a.json").string()});
+    const auto run = test::toileRun({"flatten", (folder / "flap.toile").string(), "-o",
+                                     (folder / "a.svg").string(), "-o", (folder / "a.dxf").string(),
+                                     "--report", (folder / "a.json").string()});
     EXPECT_EQ(run.status, 0) << run.err;
     for (const char* file : {"a.svg", "a.dxf"}) {
         const std::string bytes = folder.read(file);
@@ -58,8 +51,8 @@ TEST(ProjectInput, PiecesLieAndAreCutAsItSays) {
     EXPECT_NE(folder.read("a.svg").find("layer-grain"), std::string::npos);
     EXPECT_NE(folder.read("a.json").find("\"mirrored_pair\": true"), std::string::npos);
     // The mesh alone says nothing of it.
-    ASSERT_EQ(toileRun({"flatten", (folder / "flap.obj").string(), "--unit", "mm", "-o",
-                        (folder / "b.svg").string()})
+    ASSERT_EQ(test::toileRun({"flatten", (folder / "flap.obj").string(), "--unit", "mm", "-o",
+                              (folder / "b.svg").string()})
                   .status,
               0);
     EXPECT_EQ(folder.read("b.svg").find("cut 2"), std::string::npos);
@@ -73,29 +66,29 @@ TEST(ProjectInput, WhatCannotBeDoneIsOneSentence) {
          std::vector<std::vector<std::string>>{{"flatten", project, mesh},
                                                {"flatten", project, "--unit", "cm"},
                                                {"flatten", project, "-o", mesh}}) {
-        const auto run = toileRun(arguments);
+        const auto run = test::toileRun(arguments);
         EXPECT_EQ(run.status, 2) << run.err;
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     }
-    EXPECT_EQ(folder.read("flap.obj"), kPanel);
+    EXPECT_EQ(folder.read("flap.obj"), test::kPanel);
     std::filesystem::remove(mesh);
-    const auto run = toileRun({"flatten", project});
+    const auto run = test::toileRun({"flatten", project});
     EXPECT_EQ(run.status, 3);
     EXPECT_NE(run.err.find("flap.obj"), std::string::npos) << run.err;
-    EXPECT_EQ(toileRun({"flatten", folder.write("b.toile", "{")}).status, 3);
+    EXPECT_EQ(test::toileRun({"flatten", folder.write("b.toile", "{")}).status, 3);
 }
 
 TEST(ProjectInput, OnlyWhatIsTypedGoesBeforeWhatItSays) {
     const test::TemporaryFolder folder;
     Project project;
-    project.files = {{folder.write("flap.obj", kPanel)}};
+    project.files = {{folder.write("flap.obj", test::kPanel)}};
     project.options.method = Method::Curvature;
     ASSERT_TRUE(writeProject(folder / "flap.toile", project));
     const auto methodOf = [&](const std::vector<std::string>& typed) -> std::string {
         std::vector<std::string> arguments{"flatten", (folder / "flap.toile").string(), "--report",
                                            (folder / "r.json").string()};
         arguments.insert(arguments.end(), typed.begin(), typed.end());
-        EXPECT_EQ(toileRun(arguments).status, 0);
+        EXPECT_EQ(test::toileRun(arguments).status, 0);
         const std::string report = folder.read("r.json");
         const std::string key = "\"method\": \"";
         const auto at = report.find(key) + key.size();
@@ -110,11 +103,11 @@ TEST(ProjectInput, OnlyWhatIsTypedGoesBeforeWhatItSays) {
 TEST(ProjectInput, SaysWhatIsOtherThanItWas) {
     const test::TemporaryFolder folder;
     Project project;
-    project.files = {{folder.write("flap.obj", kPanel), 1234}};
+    project.files = {{folder.write("flap.obj", test::kPanel), 1234}};
     project.pieces["collar"] = {};
     ASSERT_TRUE(writeProject(folder / "flap.toile", project));
     for (const char* command : {"flatten", "info", "compare"}) {
-        const auto run = toileRun({command, (folder / "flap.toile").string()});
+        const auto run = test::toileRun({command, (folder / "flap.toile").string()});
         EXPECT_NE(run.err.find("flap.obj"), std::string::npos) << run.err;
         EXPECT_NE(run.err.find("collar"), std::string::npos) << run.err;
     }
@@ -127,7 +120,7 @@ TEST(ProjectInput, TheWindowRefusesTheSameOptions) {
              {"--unit", "cm"}, {"--method", "isometric"}, {"--split", "uv"}}) {
         std::vector<std::string> arguments{project};
         arguments.insert(arguments.end(), typed.begin(), typed.end());
-        const auto run = toileRun(arguments);
+        const auto run = test::toileRun(arguments);
         EXPECT_EQ(run.status, 2) << run.err;
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kSample = std::string(TOILE_SOURCE_DIR) + "/resources/samples/cap.obj";
+const std::string kCap = std::string(TOILE_SOURCE_DIR) + "/resources/samples/cap.obj";
 
 /// @param settings  of the environment: NAME=VALUE
 test::ProgramRun render(std::vector<std::string> arguments,
@@ -58,8 +58,7 @@ TEST(Render, NeedsNoDisplayOrSaysWhoLendsOne) {
           {"QT_QPA_PLATFORM=xcb"},
           {"QT_QPA_PLATFORM=wayland", "WAYLAND_DISPLAY=nobody"}}) {
         fs::remove(out);
-        const auto run =
-            render({kSample, "--unit", "mm", "-o", out, "--size", "320x200"}, settings);
+        const auto run = render({kCap, "--unit", "mm", "-o", out, "--size", "320x200"}, settings);
         EXPECT_TRUE(run.status == 0 || run.status == 3) << run.status << run.err;
         EXPECT_EQ(fs::exists(out), run.status == 0);
         EXPECT_EQ(run.out, "");
@@ -75,7 +74,7 @@ TEST(Render, NeedsNoDisplayOrSaysWhoLendsOne) {
 
 TEST(Render, WithoutADriverTooItSaysWhoLendsADisplay) {
     const test::TemporaryFolder folder;
-    const auto run = render({kSample, "--unit", "mm", "-o", (folder / "out.png").string()},
+    const auto run = render({kCap, "--unit", "mm", "-o", (folder / "out.png").string()},
                             {"__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere.json"});
     EXPECT_EQ(run.status, 3) << run.err;
     EXPECT_TRUE(isOneSentence(run.err)) << run.err;
@@ -86,7 +85,7 @@ TEST(Render, WithoutADriverTooItSaysWhoLendsADisplay) {
 TEST(Render, TheSameInputGivesTheSameBytesWithoutATime) {
     const test::TemporaryFolder folder;
     for (const char* name : {"a.png", "b.png"}) {
-        const auto run = render({kSample, "--unit", "mm", "--overlay", "strain", "-o",
+        const auto run = render({kCap, "--unit", "mm", "--overlay", "strain", "-o",
                                  (folder / name).string(), "--size", "640x360"});
         TOILE_NEEDS_DRAWING(run);
         ASSERT_EQ(run.status, 0) << run.err;
@@ -116,7 +115,7 @@ TEST(Render, EveryViewAndSideIsAnotherPicture) {
                                                  {"--overlay", "area"},
                                                  {"--overlay", "area", "--bar", "off"}}) {
         std::vector<std::string> typed{
-            kSample, "--unit", "mm", "--size", "400x300", "-o", (folder / "out.png").string()};
+            kCap, "--unit", "mm", "--size", "400x300", "-o", (folder / "out.png").string()};
         typed.insert(typed.end(), wish.begin(), wish.end());
         const auto run = render(typed);
         TOILE_NEEDS_DRAWING(run);
@@ -131,7 +130,7 @@ TEST(Render, EveryViewAndSideIsAnotherPicture) {
 TEST(Render, WhatIsTypedGoesBeforeWhatAProjectSays) {
     const test::TemporaryFolder folder;
     Project project;
-    project.files = {MeshReference{.path = kSample}};
+    project.files = {MeshReference{.path = kCap}};
     project.loading.unit = LengthUnit::Millimetre;
     project.view.overlay = "strain";
     ASSERT_TRUE(writeProject(folder / "cap.toile", project));
@@ -147,9 +146,9 @@ TEST(Render, WhatIsTypedGoesBeforeWhatAProjectSays) {
     if (said == "skip") {
         GTEST_SKIP() << "no driver here draws without a display";
     }
-    EXPECT_EQ(said, picture({kSample, "--unit", "mm", "--overlay", "strain"}));
+    EXPECT_EQ(said, picture({kCap, "--unit", "mm", "--overlay", "strain"}));
     const std::string typed = picture({(folder / "cap.toile").string(), "--overlay", "checker"});
-    EXPECT_EQ(typed, picture({kSample, "--unit", "mm"}));
+    EXPECT_EQ(typed, picture({kCap, "--unit", "mm"}));
     EXPECT_NE(typed, said);
 }
 
@@ -161,7 +160,7 @@ TEST(Render, FailuresHaveTheStatusOfTheOtherCommands) {
     EXPECT_TRUE(isOneSentence(missing.err)) << missing.err;
     EXPECT_FALSE(fs::exists(out));
     const auto unwritable =
-        render({kSample, "--unit", "mm", "-o", (folder / "no/such/out.png").string()});
+        render({kCap, "--unit", "mm", "-o", (folder / "no/such/out.png").string()});
     EXPECT_EQ(unwritable.status, 3);
     EXPECT_TRUE(isOneSentence(unwritable.err)) << unwritable.err;
     const auto mixed = folder.write("mixed.obj",
@@ -178,7 +177,7 @@ TEST(Render, FailuresHaveTheStatusOfTheOtherCommands) {
 #else
 
 TEST(Render, ABuildWithoutQtSaysThatItDrawsNothing) {
-    const auto run = render({kSample, "-o", "out.png"});
+    const auto run = render({kCap, "-o", "out.png"});
     EXPECT_EQ(run.status, 2);
     EXPECT_NE(run.err.find("draws no pictures"), std::string::npos) << run.err;
 }

@@ -29,4 +29,8 @@ ProgramRun run(const std::string& program, const std::vector<std::string>& argum
     return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, folder.read("out"), folder.read("err")};
 }
 
+ProgramRun toileRun(const std::vector<std::string>& arguments) {
+    return run(TOILE_PROGRAM, arguments);
+}
+
 }  // namespace toile::test

@@ -82,6 +82,13 @@ std::multiset<std::array<Place, 3>> placedTriangles(const SamplePiece& piece, bo
 
 class Samples : public testing::TestWithParam<std::string> {
 protected:
+    void SetUp() override {
+        ASSERT_GE(pieces_.size(), 5U);
+        for (const SamplePiece& piece : pieces_) {
+            ASSERT_GT(piece.triangles.size(), 100U) << piece.name;
+        }
+    }
+
     std::vector<SamplePiece> pieces_ = loadSample(GetParam());
 };
 

@@ -7,14 +7,15 @@
 #include "tests/core/cut/auto_cut_checks.h"
 #include "tests/core/cut/cut_checks.h"
 #include "tests/core/cut/cut_shapes.h"
+#include "tests/core/support/sewn_sample.h"
 #include "tests/core/support/shared_data.h"
+#include "tests/core/support/temporary_folder.h"
 
 namespace toile {
 namespace {
 
-void expectSharedPiecesOpen(const char* name, int components, int expectedCuts) {
-    const auto path = test::sharedFile(name);
-    TOILE_NEEDS_SHARED(path);
+void expectPiecesOpen(const std::filesystem::path& path, int components, int expectedCuts) {
+    const std::string name = path.filename().string();
     Progress progress;
     const auto soup = readSoup(path, progress);
     ASSERT_TRUE(soup);
@@ -41,11 +42,25 @@ void expectSharedPiecesOpen(const char* name, int components, int expectedCuts) 
 }
 
 TEST(AutoCut, OpensTheLeggings) {
-    expectSharedPiecesOpen("garments/leggings.ply", 1, 2);
+    const auto path = test::sharedFile("garments/leggings.ply");
+    TOILE_NEEDS_SHARED(path);
+    expectPiecesOpen(path, 1, 2);
 }
 
 TEST(AutoCut, OpensTheSuit) {
-    expectSharedPiecesOpen("garments/suit_mh.obj", 2, 5);
+    const auto path = test::sharedFile("garments/suit_mh.obj");
+    TOILE_NEEDS_SHARED(path);
+    expectPiecesOpen(path, 2, 5);
+}
+
+TEST(AutoCut, OpensOurOwnGarmentsSewnTogether) {
+    // One cut less than there are openings.
+    for (const auto& [name, cuts] : {std::pair("trousers", 2), std::pair("tshirt", 3),
+                                     std::pair("skirt", 1), std::pair("bodice", 3)}) {
+        SCOPED_TRACE(name);
+        const test::TemporaryFolder folder;
+        expectPiecesOpen(test::writeSewnSample(name, folder.path()).string() + ".obj", 1, cuts);
+    }
 }
 
 }  // namespace

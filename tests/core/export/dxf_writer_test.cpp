@@ -9,7 +9,7 @@
 namespace toile {
 namespace {
 
-constexpr double kWritten = 2e-4;  // what 4 decimals can change in a length, mm
+constexpr double kDxfWritten = 2e-4;  // what 4 decimals can change in a length, mm
 
 TEST(WriteDxf, KeepsEveryEdgeLengthToTheWrittenPrecision) {
     const Pattern pattern = test::sewingPattern();
@@ -23,7 +23,7 @@ TEST(WriteDxf, KeepsEveryEdgeLengthToTheWrittenPrecision) {
         ASSERT_EQ(written.matrix().rows(), pattern.pieces[i].outline.rows());
         const Eigen::VectorXd error =
             test::edgeLengths(written.matrix()) - test::edgeLengths(pattern.pieces[i].outline);
-        EXPECT_LT(error.cwiseAbs().maxCoeff(), kWritten) << i;
+        EXPECT_LT(error.cwiseAbs().maxCoeff(), kDxfWritten) << i;
     }
     EXPECT_EQ(file.polylines.back().layer, "CHECK");
     EXPECT_EQ(test::edgeLengths(file.polylines.back().matrix()), Eigen::VectorXd::Constant(4, 100));

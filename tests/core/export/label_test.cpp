@@ -17,7 +17,7 @@ using test::rectangle;
 
 const std::vector<std::string> kLines{"front", "net outline, no allowance"};
 
-bool isInside(const std::vector<Points2>& loops, const Eigen::Vector2d& p) {
+bool isWithin(const std::vector<Points2>& loops, const Eigen::Vector2d& p) {
     bool inside = false;
     for (const Points2& loop : loops) {
         for (Eigen::Index i = 0; i < loop.rows(); ++i) {
@@ -41,7 +41,7 @@ bool blockIsInside(const std::vector<Points2>& loops, const LabelPlace& place) {
         for (const Eigen::Vector2d& p :
              {Eigen::Vector2d(t * size.x(), 0), Eigen::Vector2d(t * size.x(), -size.y()),
               Eigen::Vector2d(0, -t * size.y()), Eigen::Vector2d(size.x(), -t * size.y())}) {
-            if (!isInside(loops, topLeft + p)) {
+            if (!isWithin(loops, topLeft + p)) {
                 return false;
             }
         }

@@ -6,6 +6,7 @@
 #include "core/base/version.h"
 #include "core/export/writers.h"
 #include "tests/core/export/export_fixtures.h"
+#include "tests/core/support/shared_data.h"
 
 namespace toile {
 namespace {
@@ -154,7 +155,7 @@ void expectDocumented(const Json& json, const std::string& page) {
 }
 
 TEST(WriteReport, HasNoFieldThatIsNotInItsDocumentation) {
-    const auto page = readFile(TOILE_SOURCE_DIR "/docs/report.md");
+    const auto page = readFile(test::sourceFile("docs/report.md"));
     ASSERT_TRUE(page);
     test::GarmentAndResults all = test::handmadeGarment();
     all.garment.cuts = {{"inseam", CutAuthor::User, UserCut::Kind::Path, "front 1", 12}};

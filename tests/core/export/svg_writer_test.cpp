@@ -13,9 +13,9 @@
 namespace toile {
 namespace {
 
-constexpr double kWritten = 2e-4;  // what 4 decimals can change in a length, mm
+constexpr double kSvgWritten = 2e-4;  // what 4 decimals can change in a length, mm
 
-double toNumber(const std::string& text) {
+double svgNumber(const std::string& text) {
     double value = 0;
     const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
     EXPECT_EQ(end.ptr, text.data() + text.size()) << text;
@@ -34,7 +34,7 @@ Points2 parsePath(const std::string& data) {
         }
         const std::size_t comma = word.find(',');
         EXPECT_EQ(word.size() - word.find('.', comma), 5u) << "4 decimals: " << word;
-        points.emplace_back(toNumber(word.substr(0, comma)), toNumber(word.substr(comma + 1)));
+        points.emplace_back(svgNumber(word.substr(0, comma)), svgNumber(word.substr(comma + 1)));
     }
     EXPECT_EQ(data.substr(0, 2), "M ");
     EXPECT_EQ(last, "Z");
@@ -71,7 +71,7 @@ TEST(WriteSvg, KeepsEveryEdgeLengthToTheWrittenPrecision) {
         const Points2& written = file.paths.at("piece-" + piece.id + "-cut");
         ASSERT_EQ(written.rows(), piece.outline.rows());
         const Eigen::VectorXd error = test::edgeLengths(written) - test::edgeLengths(piece.outline);
-        EXPECT_LT(error.cwiseAbs().maxCoeff(), kWritten) << piece.id;
+        EXPECT_LT(error.cwiseAbs().maxCoeff(), kSvgWritten) << piece.id;
     }
     EXPECT_EQ(test::edgeLengths(file.paths.at("check-square")), Eigen::VectorXd::Constant(4, 100));
 }
@@ -93,7 +93,7 @@ TEST(WriteSvg, SaysItsSizeInMillimetresAndInUserUnitsAlike) {
     ASSERT_TRUE(width.ends_with("mm") && height.ends_with("mm"));
     EXPECT_EQ(file.attribute("viewBox"), "0 0 " + width.substr(0, width.size() - 2) + " " +
                                              height.substr(0, height.size() - 2));
-    EXPECT_EQ(toNumber(width.substr(0, width.size() - 2)), drawing.width);
+    EXPECT_EQ(svgNumber(width.substr(0, width.size() - 2)), drawing.width);
     for (const auto& [id, points] : file.paths) {
         EXPECT_GE(points.minCoeff(), 10 - 1e-4) << id;
         EXPECT_LE(points.col(0).maxCoeff(), drawing.width - 10 + 1e-4) << id;

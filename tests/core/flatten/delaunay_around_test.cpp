@@ -16,7 +16,7 @@ namespace toile {
 namespace {
 
 /// A bumpy strip with many obtuse triangles.
-MeshArrays strip(unsigned seed) {
+MeshArrays obtuseStrip(unsigned seed) {
     MeshArrays mesh = test::planeGrid(20, 12, 1);
     std::mt19937 random(seed);
     for (int v = 0; v < mesh.V.rows(); ++v) {
@@ -54,7 +54,7 @@ Eigen::VectorXd randomValues(Eigen::Index count, std::mt19937& random) {
 
 TEST(DelaunayAround, LeavesTheRestAsItIs) {
     for (unsigned seed = 0; seed < 10; ++seed) {
-        const MeshArrays mesh = strip(seed);
+        const MeshArrays mesh = obtuseStrip(seed);
         const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
         const Eigen::VectorXd own = cotangentWeights(mesh, table);
         const auto around = delaunayAround(mesh, table, own, {50, 51, 300}, 1, Progress());
@@ -96,7 +96,7 @@ TEST(DelaunayAround, LeavesTheRestAsItIs) {
 TEST(DelaunayAround, HasAnEnergyBetweenTheOwnAndTheDelaunayOne) {
     std::mt19937 random(7);
     for (unsigned seed = 0; seed < 10; ++seed) {
-        const MeshArrays mesh = strip(seed);
+        const MeshArrays mesh = obtuseStrip(seed);
         const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
         const Eigen::VectorXd own = cotangentWeights(mesh, table);
         const auto delaunay = intrinsicDelaunay(mesh, table, Progress());
@@ -113,7 +113,7 @@ TEST(DelaunayAround, HasAnEnergyBetweenTheOwnAndTheDelaunayOne) {
 }
 
 TEST(DelaunayAround, IsTheDelaunayTriangulationWhereItTakesTheWholeMesh) {
-    const MeshArrays mesh = strip(3);
+    const MeshArrays mesh = obtuseStrip(3);
     const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
     const Eigen::VectorXd own = cotangentWeights(mesh, table);
     const auto delaunay = intrinsicDelaunay(mesh, table, Progress());

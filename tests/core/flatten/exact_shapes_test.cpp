@@ -32,7 +32,7 @@ std::vector<NamedShape> curved() {
             {"cube", test::cubeOpenedAlongH()}};
 }
 
-FlatPiece flatOf(const Piece& piece, const FlattenOptions& options = {}) {
+FlatPiece flatOfWay(const Piece& piece, const FlattenOptions& options = {}) {
     Progress progress;
     auto flat = flatten(piece, options, progress);
     EXPECT_TRUE(flat) << (flat ? "" : sentence(flat.error()));
@@ -67,7 +67,7 @@ TEST_P(EveryWay, DevelopableShapesFlattenIsometrically) {
         const auto piece = test::asPiece(shape.mesh);
         ASSERT_FALSE(piece->defect);
         ASSERT_LT(largestInteriorCurvature(*piece), 1e-13);
-        const FlatPiece flat = flatOf(*piece, GetParam());
+        const FlatPiece flat = flatOfWay(*piece, GetParam());
         EXPECT_LE(maxRelativeLengthError(edgeLengths3d(piece->mesh.V, piece->table.edges),
                                          edgeLengths2d(flat.Q, piece->table.edges)),
                   1e-9);
@@ -82,8 +82,8 @@ TEST_P(EveryWay, RigidMotionChangesNothing) {
         const auto piece = test::asPiece(shape.mesh);
         MeshArrays moved = shape.mesh;
         moved.V = (moved.V * R.transpose()).rowwise() + Eigen::RowVector3d(500, -900, 70);
-        const FlatPiece a = flatOf(*piece, GetParam());
-        const FlatPiece b = flatOf(*test::asPiece(moved), GetParam());
+        const FlatPiece a = flatOfWay(*piece, GetParam());
+        const FlatPiece b = flatOfWay(*test::asPiece(moved), GetParam());
         const double size = a.Q.cwiseAbs().maxCoeff();
         EXPECT_LE(test::distanceAfterRigidMotion(a.Q, b.Q), 1e-9 * size);
     }
@@ -93,8 +93,8 @@ TEST_P(KeepingLengths, RenumberingChangesNothing) {
     for (const NamedShape& shape : curved()) {
         SCOPED_TRACE(shape.name);
         const test::Renumbered other = test::renumber(shape.mesh, 17);
-        const FlatPiece a = flatOf(*test::asPiece(shape.mesh), GetParam());
-        const FlatPiece b = flatOf(*test::asPiece(other.mesh), GetParam());
+        const FlatPiece a = flatOfWay(*test::asPiece(shape.mesh), GetParam());
+        const FlatPiece b = flatOfWay(*test::asPiece(other.mesh), GetParam());
         const Points2 inOldOrder = b.Q(other.newIndex, Eigen::all);
         const double size = a.Q.cwiseAbs().maxCoeff();
         EXPECT_LE(test::distanceAfterRigidMotion(a.Q, inOldOrder), 1e-9 * size);
@@ -104,12 +104,12 @@ TEST_P(KeepingLengths, RenumberingChangesNothing) {
 TEST_P(EveryWay, ScalingScales) {
     for (const NamedShape& shape : curved()) {
         SCOPED_TRACE(shape.name);
-        const FlatPiece a = flatOf(*test::asPiece(shape.mesh), GetParam());
+        const FlatPiece a = flatOfWay(*test::asPiece(shape.mesh), GetParam());
         const double size = a.Q.cwiseAbs().maxCoeff();
         for (const double scale : {1e-7, 1e6}) {
             MeshArrays scaled = shape.mesh;
             scaled.V *= scale;
-            const FlatPiece b = flatOf(*test::asPiece(scaled), GetParam());
+            const FlatPiece b = flatOfWay(*test::asPiece(scaled), GetParam());
             EXPECT_LE(test::distanceAfterRigidMotion(a.Q, Points2(b.Q / scale)), 1e-9 * size);
         }
     }

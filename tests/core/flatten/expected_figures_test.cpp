@@ -96,12 +96,11 @@ class ExpectedFigures
 
 TEST_P(ExpectedFigures, AreMet) {
     const auto& [file, method, solver] = GetParam();
-    TOILE_NEEDS_SHARED(test::sharedFile(file.c_str()));
+    TOILE_NEEDS_SHARED(test::sharedFile(file));
     TOILE_NEEDS_SHARED(test::sharedFile("../expected.json"));
     nlohmann::json all = expectedFigures();
     Progress progress;
-    const auto garment =
-        loadGarment({test::sharedFile(file.c_str())}, {LengthUnit::Metre}, progress);
+    const auto garment = loadGarment({test::sharedFile(file)}, {LengthUnit::Metre}, progress);
     ASSERT_TRUE(garment) << sentence(garment.error());
     const PieceResults results = flattenGarment(*garment, {method, solver}, progress);
     const std::string key(name(method));
@@ -126,7 +125,7 @@ TEST_P(ExpectedFigures, AreMet) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, ExpectedFigures,
+INSTANTIATE_TEST_SUITE_P(SharedSlow, ExpectedFigures,
                          testing::Combine(testing::ValuesIn(disksAndDress()),
                                           testing::Values(Method::Wang2005, Method::Curvature),
                                           testing::Values(BoundarySolver::Newton,
@@ -157,27 +156,36 @@ TEST(RealGarments, DelaunayWeightsTakeTheFlipsFromAnObtuseDisk) {
     }
 }
 
-TEST(RealGarments, BothSolversAgreeOnEveryPiece) {
-    for (const char* file : {"garments/dress14_pieces.obj", "garments/tee_sim_pieces.obj",
-                             "garments/polo_pieces.obj", "garments/skirt_clo.obj"}) {
-        TOILE_NEEDS_SHARED(test::sharedFile(file));
-        Progress progress;
-        const auto garment = loadGarment({test::sharedFile(file)}, {LengthUnit::Metre}, progress);
-        ASSERT_TRUE(garment);
-        const auto newton =
-            flattenGarment(*garment, {Method::Wang2005, BoundarySolver::Newton}, progress);
-        const auto slcp =
-            flattenGarment(*garment, {Method::Wang2005, BoundarySolver::Slcp}, progress);
-        for (std::size_t k = 0; k < newton.size(); ++k) {
-            SCOPED_TRACE(std::string(file) + " " + newton[k]->piece->name);
-            ASSERT_EQ(newton[k]->flat.has_value(), slcp[k]->flat.has_value());
-            if (newton[k]->flat) {
-                EXPECT_LE((newton[k]->flat->Q - slcp[k]->flat->Q).cwiseAbs().maxCoeff(),
-                          1e-9 * newton[k]->quality->perimeter3d);
-            }
+class SolversOfData : public testing::TestWithParam<const char*> {};
+
+TEST_P(SolversOfData, AgreeOnEveryPiece) {
+    const auto file = test::dataFile(GetParam());
+    TOILE_NEEDS_SHARED(file);
+    Progress progress;
+    const auto garment = loadGarment({file}, {LengthUnit::Metre}, progress);
+    ASSERT_TRUE(garment);
+    const auto newton =
+        flattenGarment(*garment, {Method::Wang2005, BoundarySolver::Newton}, progress);
+    const auto slcp = flattenGarment(*garment, {Method::Wang2005, BoundarySolver::Slcp}, progress);
+    ASSERT_FALSE(newton.empty());
+    for (std::size_t k = 0; k < newton.size(); ++k) {
+        SCOPED_TRACE(newton[k]->piece->name);
+        ASSERT_EQ(newton[k]->flat.has_value(), slcp[k]->flat.has_value());
+        if (newton[k]->flat) {
+            EXPECT_LE((newton[k]->flat->Q - slcp[k]->flat->Q).cwiseAbs().maxCoeff(),
+                      1e-9 * newton[k]->quality->perimeter3d);
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Samples, SolversOfData,
+                         testing::Values("samples/tshirt.obj", "samples/bodice.obj",
+                                         "samples/trousers.obj", "samples/cap.obj",
+                                         "samples/skirt.obj", "samples/shapes/cube-h.obj"));
+INSTANTIATE_TEST_SUITE_P(Shared, SolversOfData,
+                         testing::Values("garments/dress14_pieces.obj",
+                                         "garments/tee_sim_pieces.obj", "garments/polo_pieces.obj",
+                                         "garments/skirt_clo.obj"));
 
 TEST(RealGarments, TheTeeHasItsMeanEdgeError) {
     const auto file = test::sharedFile("garments/tee_sim_pieces.obj");
@@ -195,20 +203,92 @@ TEST(RealGarments, TheTeeHasItsMeanEdgeError) {
     EXPECT_NEAR(mean, 0.0211, 0.02 * 0.0211);
 }
 
-TEST(RealGarments, ATinyAndAFarPanelAreFlattenedExactly) {
-    for (const char* file : {"nasty/panel_tiny.obj", "nasty/panel_far.obj"}) {
-        TOILE_NEEDS_SHARED(test::sharedFile(file));
-        Progress progress;
-        const auto garment =
-            loadGarment({test::sharedFile(file)}, {LengthUnit::Centimetre}, progress);
-        ASSERT_TRUE(garment);
-        for (const BoundarySolver solver : {BoundarySolver::Newton, BoundarySolver::Slcp}) {
-            const auto results = flattenGarment(*garment, {Method::Wang2005, solver}, progress);
-            ASSERT_TRUE(results.front()->flat) << sentence(*results.front()->error);
-            EXPECT_LE(results.front()->quality->maxBoundaryLengthError, 1e-9) << file;
-        }
+void expectFlattenedExactly(const Garment& garment) {
+    Progress progress;
+    for (const BoundarySolver solver : {BoundarySolver::Newton, BoundarySolver::Slcp}) {
+        const auto results = flattenGarment(garment, {Method::Wang2005, solver}, progress);
+        ASSERT_TRUE(results.front()->flat) << sentence(*results.front()->error);
+        EXPECT_LE(results.front()->quality->maxBoundaryLengthError, 1e-9);
     }
 }
+
+TEST(RealGarments, ATinyAndAFarPanelAreFlattenedExactly) {
+    for (const char* name : {"nasty/panel_tiny.obj", "nasty/panel_far.obj"}) {
+        SCOPED_TRACE(name);
+        const auto file = test::sharedFile(name);
+        TOILE_NEEDS_SHARED(file);
+        Progress progress;
+        const auto garment = loadGarment({file}, {LengthUnit::Centimetre}, progress);
+        ASSERT_TRUE(garment);
+        expectFlattenedExactly(*garment);
+    }
+}
+
+TEST(RealGarments, ATinyAndAFarSampleAreFlattenedExactly) {
+    Progress progress;
+    const auto garment =
+        loadGarment({test::dataFile("samples/tshirt.obj")}, {LengthUnit::Millimetre}, progress);
+    ASSERT_TRUE(garment);
+    for (const auto& [scale, away] : {std::pair(1e-7, 0.0), std::pair(1.0, 1e6)}) {
+        SCOPED_TRACE(scale);
+        MeshArrays mesh = garment->pieces[2]->mesh;
+        mesh.V = (mesh.V * scale).array() + away;
+        Garment moved;
+        moved.pieces = {std::make_shared<const Piece>(makePiece("sleeve", std::move(mesh)))};
+        expectFlattenedExactly(moved);
+    }
+}
+
+/// Means over a garment's pieces.
+struct Means {
+    const char* file;
+    Method method;
+    double piTheta, piE, piA;
+};
+
+/// Our own garments have no prototype: the figures are those of the program when it met all of the
+/// prototype's, by either solver.
+class SampleFigures : public testing::TestWithParam<std::tuple<Means, BoundarySolver>> {};
+
+TEST_P(SampleFigures, AreMet) {
+    const auto& [expected, solver] = GetParam();
+    Progress progress;
+    const auto garment =
+        loadGarment({test::dataFile(expected.file)}, {LengthUnit::Millimetre}, progress);
+    ASSERT_TRUE(garment) << sentence(garment.error());
+    const PieceResults results = flattenGarment(*garment, {expected.method, solver}, progress);
+    Eigen::Array3d sum = Eigen::Array3d::Zero();
+    for (const auto& result : results) {
+        SCOPED_TRACE(result->piece->name);
+        ASSERT_TRUE(result->flat) << sentence(*result->error);
+        const PieceQuality quality = byPlainWeights(*result);
+        sum += Eigen::Array3d(quality.piTheta, quality.piE, quality.piA);
+        EXPECT_LE(result->flat->closureGap, 1e-10);
+        EXPECT_LE(quality.maxBoundaryLengthError, 1e-9);
+        EXPECT_EQ(result->quality->flippedTriangles, 0);
+        EXPECT_EQ(quality.outlineCrossings, 0);
+    }
+    sum /= static_cast<double>(results.size());
+    EXPECT_NEAR(sum[0], expected.piTheta, 1e-5);
+    EXPECT_NEAR(sum[1], expected.piE, 1e-5);
+    EXPECT_NEAR(sum[2], expected.piA, 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Samples, SampleFigures,
+    testing::Combine(
+        testing::Values(
+            Means{"samples/tshirt.obj", Method::Wang2005, 0.01187023, 0.03683995, 0.06518020},
+            Means{"samples/tshirt.obj", Method::Curvature, 0.01270643, 0.02312804, 0.04624152},
+            Means{"samples/bodice.obj", Method::Wang2005, 0.00665853, 0.03833777, 0.06868338},
+            Means{"samples/bodice.obj", Method::Curvature, 0.00837733, 0.01498078, 0.03126422},
+            Means{"samples/trousers.obj", Method::Wang2005, 0.00354035, 0.03048424, 0.04624247},
+            Means{"samples/trousers.obj", Method::Curvature, 0.00579612, 0.01148561, 0.02341747},
+            Means{"samples/cap.obj", Method::Wang2005, 0.01412366, 0.03217298, 0.05213747},
+            Means{"samples/cap.obj", Method::Curvature, 0.01417874, 0.01817053, 0.03514741},
+            Means{"samples/skirt.obj", Method::Wang2005, 0.00191177, 0.01103703, 0.01965560},
+            Means{"samples/skirt.obj", Method::Curvature, 0.00278153, 0.00338315, 0.00690367}),
+        testing::Values(BoundarySolver::Newton, BoundarySolver::Slcp)));
 
 }  // namespace
 }  // namespace toile

@@ -26,7 +26,7 @@ std::vector<FlattenOptions> freeMethods() {
     return {{Method::Natural}, spectral(), {Method::Lscm}, {Method::Abf}};
 }
 
-Points2 flatOf(const Piece& piece, const FlattenOptions& options) {
+Points2 pointsOf(const Piece& piece, const FlattenOptions& options) {
     Progress progress;
     const auto flat = flatten(piece, options, progress);
     EXPECT_TRUE(flat) << (flat ? "" : sentence(flat.error()));
@@ -51,10 +51,10 @@ TEST(FreeBoundaryMethods, ALongStripKeepsItsDigits) {
     for (const MeshArrays& mesh :
          {test::planeGrid(2000, 1, 1), test::cylinderSector(2000, 1, 400, 5, 1)}) {
         const auto strip = test::asPiece(mesh);
-        EXPECT_LE(edgeError(*strip, flatOf(*strip, {Method::Natural})), 1e-10);
-        EXPECT_LE(edgeError(*strip, flatOf(*strip, spectral())), 1e-10);
-        EXPECT_LE(edgeError(*strip, flatOf(*strip, {Method::Lscm})), 1e-10);
-        EXPECT_LE(edgeError(*strip, flatOf(*strip, {Method::Abf})), 1e-10);
+        EXPECT_LE(edgeError(*strip, pointsOf(*strip, {Method::Natural})), 1e-10);
+        EXPECT_LE(edgeError(*strip, pointsOf(*strip, spectral())), 1e-10);
+        EXPECT_LE(edgeError(*strip, pointsOf(*strip, {Method::Lscm})), 1e-10);
+        EXPECT_LE(edgeError(*strip, pointsOf(*strip, {Method::Abf})), 1e-10);
     }
 }
 
@@ -64,7 +64,7 @@ TEST(FreeBoundaryMethods, HaveTheTruePerimeterAndAreNotMirrored) {
         const auto piece = test::asPiece(mesh);
         for (const FlattenOptions& options : freeMethods()) {
             SCOPED_TRACE(name(options.method));
-            const PieceQuality quality = measure(*piece, flatOf(*piece, options));
+            const PieceQuality quality = measure(*piece, pointsOf(*piece, options));
             EXPECT_NEAR(quality.perimeter2d, quality.perimeter3d, 1e-9 * quality.perimeter3d);
             EXPECT_EQ(quality.flippedTriangles, 0);
         }
@@ -77,8 +77,8 @@ TEST(FreeBoundaryMethods, NearlyKeepTheAnglesOfACap) {
         SCOPED_TRACE(name(options.method));
         const auto coarse = test::asPiece(test::sphericalCap(10, 90, 1.2));
         const auto fine = test::asPiece(test::sphericalCap(40, 90, 1.2));
-        const double coarseError = angleError(*coarse, flatOf(*coarse, options));
-        const double fineError = angleError(*fine, flatOf(*fine, options));
+        const double coarseError = angleError(*coarse, pointsOf(*coarse, options));
+        const double fineError = angleError(*fine, pointsOf(*fine, options));
         EXPECT_LT(coarseError, 0.03);
         EXPECT_LT(fineError, 0.5 * coarseError);
     }
@@ -86,14 +86,14 @@ TEST(FreeBoundaryMethods, NearlyKeepTheAnglesOfACap) {
 
 TEST(FreeBoundaryMethods, AngleBasedKeepsAnglesBestWhereCurvatureIsStrong) {
     const auto cube = test::asPiece(test::cubeOpenedAlongH());
-    const double abf = angleError(*cube, flatOf(*cube, {Method::Abf}));
-    EXPECT_LT(abf, angleError(*cube, flatOf(*cube, {Method::Lscm})));
-    EXPECT_LT(abf, angleError(*cube, flatOf(*cube, {Method::Natural})));
+    const double abf = angleError(*cube, pointsOf(*cube, {Method::Abf}));
+    EXPECT_LT(abf, angleError(*cube, pointsOf(*cube, {Method::Lscm})));
+    EXPECT_LT(abf, angleError(*cube, pointsOf(*cube, {Method::Natural})));
 }
 
 TEST(ConformalEnergy, IsTheDirichletEnergyMinusTheArea) {
     const auto piece = test::asPiece(test::saddle(10, 200, 1.2));
-    const Points2 Q = flatOf(*piece, {Method::Wang2005});
+    const Points2 Q = pointsOf(*piece, {Method::Wang2005});
     Eigen::VectorXcd z(Q.rows());
     z.real() = Q.col(0);
     z.imag() = Q.col(1);
@@ -119,8 +119,8 @@ TEST(ConformalEnergy, AnglesAloneDescribeItsTriangles) {
 TEST(Natural, SpectralDependsOnNoVertex) {
     const MeshArrays mesh = test::saddle(12, 200, 0.8);
     const test::Renumbered other = test::renumber(mesh, 17);
-    const Points2 a = flatOf(*test::asPiece(mesh), spectral());
-    const Points2 b = flatOf(*test::asPiece(other.mesh), spectral());
+    const Points2 a = pointsOf(*test::asPiece(mesh), spectral());
+    const Points2 b = pointsOf(*test::asPiece(other.mesh), spectral());
     EXPECT_LE(test::distanceAfterRigidMotion(a, b(other.newIndex, Eigen::all)), 1e-7);
 }
 
@@ -136,10 +136,10 @@ TEST(Natural, SpectralHasTheLeastEnergyForItsSpread) {
         z.imag() = Q.col(1);
         return energy.residual(z).squaredNorm() / edge.squaredNorm();
     };
-    const double least = perSpread(flatOf(*piece, spectral()));
-    EXPECT_LT(least, perSpread(flatOf(*piece, {Method::Natural})));
-    EXPECT_LT(least, perSpread(flatOf(*piece, {Method::Abf})));
-    EXPECT_LT(least, perSpread(flatOf(*piece, {Method::Curvature})));
+    const double least = perSpread(pointsOf(*piece, spectral()));
+    EXPECT_LT(least, perSpread(pointsOf(*piece, {Method::Natural})));
+    EXPECT_LT(least, perSpread(pointsOf(*piece, {Method::Abf})));
+    EXPECT_LT(least, perSpread(pointsOf(*piece, {Method::Curvature})));
 }
 
 TEST(Lscm, PinsAreFarApartAlongARolledPiece) {
@@ -161,7 +161,7 @@ TEST(AbfAngles, HoldEveryConstraint) {
         EXPECT_LE(planar->residual, 1e-10);
         EXPECT_GT(planar->angles.minCoeff(), 0);
         // Angles that fit are met by the planar points.
-        const Points2 Q = flatOf(*piece, {Method::Abf});
+        const Points2 Q = pointsOf(*piece, {Method::Abf});
         EXPECT_LE((cornerAngles2d(Q, mesh.F) - planar->angles).cwiseAbs().maxCoeff(), 1e-8);
     }
 }

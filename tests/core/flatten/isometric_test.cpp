@@ -17,7 +17,7 @@
 namespace toile {
 namespace {
 
-FlattenOptions by(Method method, Quality quality = Quality::Standard) {
+FlattenOptions solvedBy(Method method, Quality quality = Quality::Standard) {
     FlattenOptions options;
     options.method = method;
     options.quality = quality;
@@ -29,7 +29,7 @@ struct Measured {
     PieceQuality quality;
 };
 
-Measured flattened(const Piece& piece, const FlattenOptions& options) {
+Measured measured(const Piece& piece, const FlattenOptions& options) {
     Progress progress;
     auto flat = flatten(piece, options, progress);
     EXPECT_TRUE(flat) << sentence(flat.error());
@@ -59,7 +59,7 @@ TEST(Isometric, LeavesDevelopablePiecesAsTheyAre) {
          {test::planeGrid(7, 4, 10), test::cylinderSector(12, 6, 50, 2.0, 80),
           test::coneSector(10, 6, 20, 90, 1.5, 0.5), test::flounce(350.5, 80, 200, 60, 4)}) {
         const auto piece = test::asPiece(mesh);
-        const Measured result = flattened(*piece, by(Method::Isometric));
+        const Measured result = measured(*piece, solvedBy(Method::Isometric));
         EXPECT_NEAR(*result.quality.symmetricDirichlet, 1, 1e-9);
         EXPECT_LE(result.quality.piE, 1e-6);
         EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-12);
@@ -71,8 +71,8 @@ TEST(Isometric, IsNeverWorseThanItsStartAndKeepsLengths) {
          {test::sphericalCap(8, 100, 1.5), test::saddle(10, 100, 0.01), test::cubeOpenedAlongH(),
           test::cubeSlitAlongOneEdge(), test::sliverGrid(12, 13, 10, 3)}) {
         const auto piece = test::asPiece(mesh);
-        const Measured start = flattened(*piece, by(Method::Curvature));
-        const Measured result = flattened(*piece, by(Method::Isometric));
+        const Measured start = measured(*piece, solvedBy(Method::Curvature));
+        const Measured result = measured(*piece, solvedBy(Method::Isometric));
         ASSERT_TRUE(start.quality.symmetricDirichlet);
         ASSERT_TRUE(result.quality.symmetricDirichlet);
         EXPECT_LE(*result.quality.symmetricDirichlet, *start.quality.symmetricDirichlet);
@@ -84,9 +84,9 @@ TEST(Isometric, IsNeverWorseThanItsStartAndKeepsLengths) {
 
 TEST(Isometric, DialTradesTimeForDistortion) {
     const auto piece = test::asPiece(test::sphericalCap(10, 100, 2.2));
-    const Measured draft = flattened(*piece, by(Method::Isometric, Quality::Draft));
-    const Measured standard = flattened(*piece, by(Method::Isometric, Quality::Standard));
-    const Measured fine = flattened(*piece, by(Method::Isometric, Quality::Fine));
+    const Measured draft = measured(*piece, solvedBy(Method::Isometric, Quality::Draft));
+    const Measured standard = measured(*piece, solvedBy(Method::Isometric, Quality::Standard));
+    const Measured fine = measured(*piece, solvedBy(Method::Isometric, Quality::Fine));
     EXPECT_LT(draft.flat.interiorIterations, standard.flat.interiorIterations);
     EXPECT_LE(standard.flat.interiorIterations, fine.flat.interiorIterations);
     EXPECT_LE(*standard.quality.symmetricDirichlet, *draft.quality.symmetricDirichlet);
@@ -105,7 +105,7 @@ TEST(Isometric, FindsTheSameFromACircle) {
         lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, *circle, {}, progress);
     ASSERT_TRUE(descended) << sentence(descended.error());
     EXPECT_TRUE(descended->converged);
-    const Measured result = flattened(*piece, by(Method::Isometric));
+    const Measured result = measured(*piece, solvedBy(Method::Isometric));
     EXPECT_NEAR(descended->distortion, *result.quality.symmetricDirichlet, 1e-3);
 }
 
@@ -135,7 +135,7 @@ TEST(Isometric, FlattensFingersOrSaysThatItCannot) {
         mesh.V.row(kAround * along) << 0, 0, 5.0 * along;
         const auto piece = test::asPiece(mesh);
         ASSERT_FALSE(piece->defect) << sentence(*piece->defect);
-        const Measured result = flattened(*piece, by(Method::Isometric));
+        const Measured result = measured(*piece, solvedBy(Method::Isometric));
         EXPECT_TRUE(result.flat.Q.allFinite());
         EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-9);
         const auto told = [&result](ErrorCode code) -> bool {
@@ -173,8 +173,8 @@ TEST(Isometric, EndsWhenCancelled) {
 TEST(Isometric, MovesTheSidesOfASlitApart) {
     for (const double bend : {0.3, 1.0}) {
         const auto piece = test::asPiece(test::saddleWithSlit(16, 200, bend));
-        EXPECT_GT(flattened(*piece, by(Method::Curvature)).quality.outlineCrossings, 0);
-        const Measured result = flattened(*piece, by(Method::Isometric));
+        EXPECT_GT(measured(*piece, solvedBy(Method::Curvature)).quality.outlineCrossings, 0);
+        const Measured result = measured(*piece, solvedBy(Method::Isometric));
         EXPECT_EQ(result.quality.outlineCrossings, 0);
         EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-11);
         expectImmersed(*piece, result.flat.Q);
@@ -183,7 +183,7 @@ TEST(Isometric, MovesTheSidesOfASlitApart) {
 
 TEST(Isometric, DoesNotForceAFlounceApart) {
     const auto piece = test::asPiece(test::flounce(425, 80, 200, 60, 5));
-    const Measured result = flattened(*piece, by(Method::Isometric));
+    const Measured result = measured(*piece, solvedBy(Method::Isometric));
     EXPECT_GT(result.quality.outlineCrossings, 0);
     EXPECT_NEAR(*result.quality.symmetricDirichlet, 1, 1e-9);
     EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-11);
@@ -195,33 +195,47 @@ class IsometricDisks : public testing::TestWithParam<std::pair<const char*, doub
 
 TEST_P(IsometricDisks, MeetTheirDistortion) {
     const auto& [name, bound] = GetParam();
-    const auto file = test::sharedFile((std::string("disks/") + name).c_str());
+    const auto file = test::dataFile(name);
     TOILE_NEEDS_SHARED(file);
     Progress progress;
     const auto garment = loadGarment({file}, {LengthUnit::Metre}, progress);
     ASSERT_TRUE(garment);
-    const Measured result = flattened(*garment->pieces.front(), by(Method::Isometric));
-    ASSERT_TRUE(result.quality.symmetricDirichlet);
-    EXPECT_LE(*result.quality.symmetricDirichlet, bound);
-    EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-9);
-    EXPECT_EQ(result.quality.outlineCrossings, 0);
-    expectImmersed(*garment->pieces.front(), result.flat.Q);
+    double worst = 0;
+    for (const auto& piece : garment->pieces) {
+        SCOPED_TRACE(piece->name);
+        const Measured result = measured(*piece, solvedBy(Method::Isometric));
+        ASSERT_TRUE(result.quality.symmetricDirichlet);
+        worst = std::max(worst, *result.quality.symmetricDirichlet);
+        EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-9);
+        EXPECT_EQ(result.quality.outlineCrossings, 0);
+        expectImmersed(*piece, result.flat.Q);
+    }
+    EXPECT_LE(worst, bound);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Shared, IsometricDisks,
-    testing::Values(std::pair{"hemisphere.obj", 1.305}, std::pair{"nefertiti.off", 1.031},
-                    std::pair{"patch-30.off", 1.101}, std::pair{"three_peaks.off", 1.69},
-                    std::pair{"maxface.obj", 1.030}, std::pair{"lion-head.off", 4.50},
-                    std::pair{"mannequin-devil.off", 8.2}));
+INSTANTIATE_TEST_SUITE_P(Shared, IsometricDisks,
+                         testing::Values(std::pair{"disks/hemisphere.obj", 1.305},
+                                         std::pair{"disks/nefertiti.off", 1.031},
+                                         std::pair{"disks/patch-30.off", 1.101},
+                                         std::pair{"disks/three_peaks.off", 1.69},
+                                         std::pair{"disks/maxface.obj", 1.030},
+                                         std::pair{"disks/lion-head.off", 4.50},
+                                         std::pair{"disks/mannequin-devil.off", 8.2}));
+/// What is reached, with a fiftieth more of the excess: no prototype was asked.
+INSTANTIATE_TEST_SUITE_P(Samples, IsometricDisks,
+                         testing::Values(std::pair{"samples/shapes/cube-h.obj", 1.0764},
+                                         std::pair{"samples/bodice.obj", 1.00093},
+                                         std::pair{"samples/cap.obj", 1.00218},
+                                         std::pair{"samples/trousers.obj", 1.00076},
+                                         std::pair{"samples/tshirt.obj", 1.0047}));
 
-/// Mean distance from the designer's own panels, weighted by area: at most this, and not above any
-/// other method that keeps the lengths.
+/// Mean distance from the designer's own panels, weighted solvedBy area: at most this, and not
+/// above any other method that keeps the lengths.
 class IsometricGarments : public testing::TestWithParam<std::pair<const char*, double>> {};
 
 TEST_P(IsometricGarments, ComeNearestToTheTruePanels) {
     const auto& [name, bound] = GetParam();
-    const auto file = test::sharedFile((std::string("garments/") + name).c_str());
+    const auto file = test::sharedFile(std::string("garments/") + name);
     TOILE_NEEDS_SHARED(file);
     Progress progress;
     LoadOptions load;
@@ -231,7 +245,7 @@ TEST_P(IsometricGarments, ComeNearestToTheTruePanels) {
     const auto meanDistance = [&](Method method) {
         double sum = 0;
         double area = 0;
-        for (const auto& result : flattenGarment(*garment, by(method), progress)) {
+        for (const auto& result : flattenGarment(*garment, solvedBy(method), progress)) {
             EXPECT_TRUE(result->quality && result->quality->reference);
             EXPECT_LE(result->quality->maxBoundaryLengthError, 1e-9);
             if (method == Method::Isometric) {

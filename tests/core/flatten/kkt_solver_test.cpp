@@ -45,7 +45,7 @@ struct Strained {
     Eigen::VectorXd multipliers;
 };
 
-double dot(const Points2& a, const Points2& b) {
+double innerProduct(const Points2& a, const Points2& b) {
     return a.cwiseProduct(b).sum();
 }
 
@@ -66,12 +66,12 @@ TEST(TwoLevelSolver, ComesNearTheSolution) {
     double first = 0;
     ASSERT_TRUE(solver.solve(right, x, first));
     const Points2 error = x - known;
-    const double left = dot(error, K.product(error));
-    EXPECT_LE(left, 1e-3 * dot(known, right));
+    const double left = innerProduct(error, K.product(error));
+    EXPECT_LE(left, 1e-3 * innerProduct(known, right));
     // It can go on from there.
     ASSERT_TRUE(solver.solve(right, x, first));
     const Points2 nearer = x - known;
-    EXPECT_LE(dot(nearer, K.product(nearer)), 0.1 * left);
+    EXPECT_LE(innerProduct(nearer, K.product(nearer)), 0.1 * left);
     // No force, no motion.
     x.setZero();
     first = 0;
@@ -106,7 +106,7 @@ TEST(KktSolver, TakesTheSameStepEitherWay) {
         EXPECT_LE(cap.constraints.along(directions, *P).lpNorm<Eigen::Infinity>(),
                   1e-3 * P->lpNorm<Eigen::Infinity>());
         steps[way] = *P;
-        promises[way] = 0.5 * dot(right, *P);
+        promises[way] = 0.5 * innerProduct(right, *P);
     }
     EXPECT_NEAR(promises[1], promises[0], 1e-3 * promises[0]);
     EXPECT_LE((steps[1] - steps[0]).norm(), 0.05 * steps[0].norm());

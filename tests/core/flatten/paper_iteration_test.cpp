@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-BoundaryProblem problemOf(const Piece& piece) {
+BoundaryProblem unitProblemOf(const Piece& piece) {
     BoundaryProblem problem{boundaryLengths3d(piece.mesh.V, piece.boundary),
                             boundaryAngles3d(piece.mesh, piece.boundary)};
     problem.lengths /= problem.lengths.sum();
@@ -65,12 +65,12 @@ Iterated asPrinted(const BoundaryProblem& problem, int steps) {
 
 TEST(PaperIteration, ClosesThePapersCube) {
     const auto piece = test::asPiece(test::cubeOpenedAlongH());
-    EXPECT_LE(asPrinted(problemOf(*piece), 8).gap, 1e-12);
+    EXPECT_LE(asPrinted(unitProblemOf(*piece), 8).gap, 1e-12);
 }
 
 TEST(PaperIteration, FindsAWrongOutlineOfACubeSlitAlongOneEdge) {
     const auto piece = test::asPiece(test::cubeSlitAlongOneEdge());
-    const BoundaryProblem problem = problemOf(*piece);
+    const BoundaryProblem problem = unitProblemOf(*piece);
     const Iterated paper = asPrinted(problem, 100);
     for (const BoundarySolver solver : {BoundarySolver::Newton, BoundarySolver::Slcp}) {
         const auto flat = solveBoundary(problem, solver, Progress());
@@ -86,7 +86,7 @@ TEST(PaperIteration, DoesNotCloseSomePiecesButOursDoes) {
     for (const unsigned seed : {23U, 95U, 417U, 950U}) {
         SCOPED_TRACE(seed);
         const auto piece = test::asPiece(test::randomPiece(seed));
-        const BoundaryProblem problem = problemOf(*piece);
+        const BoundaryProblem problem = unitProblemOf(*piece);
         EXPECT_FALSE(asPrinted(problem, 100).gap < 0.05);  // of the perimeter, not mere rounding
         for (const BoundarySolver solver : {BoundarySolver::Newton, BoundarySolver::Slcp}) {
             const auto flat = solveBoundary(problem, solver, Progress());

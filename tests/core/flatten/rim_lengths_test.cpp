@@ -22,7 +22,7 @@
 namespace toile {
 namespace {
 
-FlattenOptions by(Method method) {
+FlattenOptions rimsBy(Method method) {
     FlattenOptions options;
     options.method = method;
     return options;
@@ -70,15 +70,15 @@ bool hasNote(const FlatPiece& flat, ErrorCode code) {
 
 TEST(RimLengths, EveryEdgeKeepsItsLength) {
     for (const auto& piece : curvedPieces()) {
-        const auto flat = flatten(*piece, by(Method::Isometric), Progress());
+        const auto flat = flatten(*piece, rimsBy(Method::Isometric), Progress());
         ASSERT_TRUE(flat) << sentence(flat.error());
         EXPECT_FALSE(hasNote(*flat, ErrorCode::RimsNotKept));
         EXPECT_FALSE(hasNote(*flat, ErrorCode::EndedEarly));
         EXPECT_LE(worstRim(*piece, flat->Q), 1e-11);
         EXPECT_LE(worstError(*piece, flat->Q, piece->boundary), 1e-11);
         EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
-        // Without that they would not: a rim alone is off by some percent.
-        const auto conformal = flatten(*piece, by(Method::Curvature), Progress());
+        // Without that they would not: a rim alone is off rimsBy some percent.
+        const auto conformal = flatten(*piece, rimsBy(Method::Curvature), Progress());
         ASSERT_TRUE(conformal);
         EXPECT_GE(worstRim(*piece, conformal->Q), 0.01);
         EXPECT_LT(*measure(*piece, flat->Q).symmetricDirichlet,
@@ -89,8 +89,8 @@ TEST(RimLengths, EveryEdgeKeepsItsLength) {
 TEST(RimLengths, CostLittleDistortion) {
     for (const auto& piece : curvedPieces()) {
         const Piece filled = withHolesFilled(*piece);
-        const auto kept = flatten(*piece, by(Method::Isometric), Progress());
-        const auto free = flatten(filled, by(Method::Isometric), Progress());
+        const auto kept = flatten(*piece, rimsBy(Method::Isometric), Progress());
+        const auto free = flatten(filled, rimsBy(Method::Isometric), Progress());
         ASSERT_TRUE(kept && free);
         const double least =
             *measure(*piece, free->Q.topRows(piece->mesh.V.rows())).symmetricDirichlet - 1;
@@ -102,7 +102,7 @@ TEST(RimLengths, FlatClothStaysAsItIs) {
     for (const auto& piece :
          {withHoles(test::planeGrid(20, 12, 10), 2, 35, {{100, 60}}),
           withHoles(test::cylinderSector(20, 12, 60, 2.0, 120), 2, 25, {{0, 70}})}) {
-        const auto flat = flatten(*piece, by(Method::Isometric), Progress());
+        const auto flat = flatten(*piece, rimsBy(Method::Isometric), Progress());
         ASSERT_TRUE(flat);
         EXPECT_NEAR(*measure(*piece, flat->Q).symmetricDirichlet, 1, 1e-9);
         EXPECT_LE(worstRim(*piece, flat->Q), 1e-11);
@@ -111,7 +111,7 @@ TEST(RimLengths, FlatClothStaysAsItIs) {
 
 TEST(RimLengths, LargePiecesComeToTheSame) {
     for (const auto& piece : curvedPieces()) {
-        const auto start = flatten(*piece, by(Method::Curvature), Progress());
+        const auto start = flatten(*piece, rimsBy(Method::Curvature), Progress());
         ASSERT_TRUE(start);
         std::vector<std::vector<int>> all{piece->boundary};
         all.insert(all.end(), piece->holes.begin(), piece->holes.end());
@@ -167,7 +167,7 @@ TEST(RimLengths, OfSlitsTooThatLieShut) {
         const auto piece = test::asPiece(mesh);
         ASSERT_FALSE(piece->defect) << sentence(*piece->defect);
         ASSERT_EQ(piece->holes.size(), 1U);
-        const auto flat = flatten(*piece, by(Method::Isometric), Progress());
+        const auto flat = flatten(*piece, rimsBy(Method::Isometric), Progress());
         ASSERT_TRUE(flat) << sentence(flat.error());
         for (const Error& note : flat->notes) {
             ADD_FAILURE() << bend << ": " << sentence(note);
@@ -187,7 +187,7 @@ TEST(RimLengths, OfThreeEdgesToo) {
     }));
     ASSERT_EQ(piece->holes.size(), 1U);
     EXPECT_EQ(piece->holes[0].size(), 3U);
-    const auto flat = flatten(*piece, by(Method::Isometric), Progress());
+    const auto flat = flatten(*piece, rimsBy(Method::Isometric), Progress());
     ASSERT_TRUE(flat);
     EXPECT_LE(worstRim(*piece, flat->Q), 1e-11);
 }
@@ -195,11 +195,11 @@ TEST(RimLengths, OfThreeEdgesToo) {
 TEST(RimLengths, AreKeptAfterAnEditToo) {
     const auto piece = curvedPieces()[1];
     PieceFlattener flattener;
-    ASSERT_TRUE(flattener.flatten(piece, by(Method::Isometric), Progress()));
+    ASSERT_TRUE(flattener.flatten(piece, rimsBy(Method::Isometric), Progress()));
     Piece edited = *piece;
     edited.mesh.V(test::deepestVertex(edited), 2) += 3;
     const auto after = std::make_shared<const Piece>(std::move(edited));
-    const auto flat = flattener.flatten(after, by(Method::Isometric), Progress());
+    const auto flat = flattener.flatten(after, rimsBy(Method::Isometric), Progress());
     ASSERT_TRUE(flat);
     EXPECT_LE(worstRim(*after, flat->Q), 1e-11);
     EXPECT_LE(worstError(*after, flat->Q, after->boundary), 1e-11);
@@ -223,7 +223,7 @@ TEST(RimLengths, OfDeepPiecesAreFoundToo) {
         const auto piece = openFinger(depth);
         ASSERT_FALSE(piece->defect) << sentence(*piece->defect);
         ASSERT_EQ(piece->holes.size(), 1U);
-        const auto flat = flatten(*piece, by(Method::Isometric), Progress());
+        const auto flat = flatten(*piece, rimsBy(Method::Isometric), Progress());
         ASSERT_TRUE(flat) << sentence(flat.error());
         EXPECT_FALSE(hasNote(*flat, ErrorCode::RimsNotKept)) << depth;
         EXPECT_LE(worstRim(*piece, flat->Q), 1e-11);
@@ -234,13 +234,13 @@ TEST(RimLengths, OfDeepPiecesAreFoundToo) {
 }
 
 TEST(RimLengths, OfCrumpledRimsToo) {
-    // The rim goes up and down by so much from vertex to vertex.
+    // The rim goes up and down rimsBy so much from vertex to vertex.
     for (const double height : {0.5, 8.0, 60.0}) {
         Piece piece = *curvedPieces()[0];
         for (std::size_t i = 0; i < piece.holes[0].size(); ++i) {
             piece.mesh.V(piece.holes[0][i], 2) += i % 2 == 0 ? height : -height;
         }
-        const auto flat = flatten(piece, by(Method::Isometric), Progress());
+        const auto flat = flatten(piece, rimsBy(Method::Isometric), Progress());
         ASSERT_TRUE(flat) << sentence(flat.error());
         EXPECT_EQ(hasNote(*flat, ErrorCode::RimsNotKept), worstRim(piece, flat->Q) > 1e-11);
         EXPECT_LE(worstError(piece, flat->Q, piece.boundary), 1e-11);
@@ -249,7 +249,7 @@ TEST(RimLengths, OfCrumpledRimsToo) {
 
 TEST(RimLengths, WhereThereIsNoWayANoteSaysSoAndThePieceStays) {
     const auto piece = curvedPieces()[0];
-    const auto conformal = flatten(*piece, by(Method::Curvature), Progress());
+    const auto conformal = flatten(*piece, rimsBy(Method::Curvature), Progress());
     ASSERT_TRUE(conformal);
     FlatPiece flat = *conformal;
     flat.Q.col(0) *= -1;  // all triangles turned over: no start for the descent
@@ -262,7 +262,7 @@ TEST(RimLengths, WhereThereIsNoWayANoteSaysSoAndThePieceStays) {
 
 TEST(RimLengths, AreCancelledWithTheRest) {
     const auto piece = curvedPieces()[0];
-    const auto conformal = flatten(*piece, by(Method::Curvature), Progress());
+    const auto conformal = flatten(*piece, rimsBy(Method::Curvature), Progress());
     ASSERT_TRUE(conformal);
     FlatPiece flat = *conformal;
     Progress progress;

@@ -15,7 +15,7 @@ namespace {
 using Pieces = std::vector<std::shared_ptr<const Piece>>;
 
 /// A piece that knows where it comes from, as `divide` makes them.
-std::shared_ptr<const Piece> sourced(MeshArrays mesh, const std::string& name) {
+std::shared_ptr<const Piece> fromFile(MeshArrays mesh, const std::string& name) {
     auto piece = std::make_shared<Piece>(makePiece(name, std::move(mesh)));
     for (int v = 0; v < piece->mesh.V.rows(); ++v) {
         piece->sourceVertex.push_back(1000 + v);
@@ -36,8 +36,8 @@ MeshArrays moved(MeshArrays mesh, double x) {
 }
 
 TEST(CutPieces, HandOnPiecesWithoutCutsByPointer) {
-    const Pieces pieces{sourced(test::planeGrid(4, 4, 10), "front"),
-                        sourced(test::tube(16, 6), "sleeve")};
+    const Pieces pieces{fromFile(test::planeGrid(4, 4, 10), "front"),
+                        fromFile(test::tube(16, 6), "sleeve")};
     const CutPieces none = cut(pieces, {}, false);
     EXPECT_EQ(none.pieces, pieces);
     EXPECT_TRUE(none.cuts.empty());
@@ -47,7 +47,7 @@ TEST(CutPieces, HandOnPiecesWithoutCutsByPointer) {
 }
 
 TEST(CutPieces, OpenATubeByItselfAndSaySo) {
-    const CutPieces made = cut({sourced(test::tube(24, 9), "sleeve")}, {}, true);
+    const CutPieces made = cut({fromFile(test::tube(24, 9), "sleeve")}, {}, true);
     ASSERT_EQ(made.pieces.size(), 1U);
     EXPECT_FALSE(made.pieces[0]->defect);
     EXPECT_EQ(made.pieces[0]->name, "sleeve");
@@ -62,8 +62,8 @@ TEST(CutPieces, OpenATubeByItselfAndSaySo) {
 }
 
 TEST(CutPieces, GoToThePieceNearestToTheirPoints) {
-    const Pieces pieces{sourced(test::planeGrid(10, 10, 10), "left"),
-                        sourced(moved(test::planeGrid(10, 10, 10), 200), "right")};
+    const Pieces pieces{fromFile(test::planeGrid(10, 10, 10), "left"),
+                        fromFile(moved(test::planeGrid(10, 10, 10), 200), "right")};
     const UserCut across{"across", UserCut::Kind::Path, {{200.4, 50, 2}, {299.6, 52, 2}}, false};
     const CutPieces made = cut(pieces, {across}, false);
     ASSERT_EQ(made.pieces.size(), 3U);
@@ -78,8 +78,8 @@ TEST(CutPieces, GoToThePieceNearestToTheirPoints) {
 }
 
 TEST(CutPieces, NumberPartsPastNamesThatAreTaken) {
-    const Pieces pieces{sourced(test::planeGrid(6, 6, 10), "leg"),
-                        sourced(moved(test::planeGrid(6, 6, 10), 200), "leg 1")};
+    const Pieces pieces{fromFile(test::planeGrid(6, 6, 10), "leg"),
+                        fromFile(moved(test::planeGrid(6, 6, 10), 200), "leg 1")};
     const UserCut across{"across", UserCut::Kind::Path, {{0, 31, 0}, {60, 31, 0}}, true};
     const CutPieces made = cut(pieces, {across}, false);
     ASSERT_EQ(made.pieces.size(), 3U);
@@ -89,7 +89,7 @@ TEST(CutPieces, NumberPartsPastNamesThatAreTaken) {
 }
 
 TEST(CutPieces, KeepTheDesignersPanel) {
-    auto piece = std::make_shared<Piece>(*sourced(test::planeGrid(6, 6, 10), "front"));
+    auto piece = std::make_shared<Piece>(*fromFile(test::planeGrid(6, 6, 10), "front"));
     piece->reference = piece->mesh.V.leftCols<2>() * 2;
     const UserCut dart{"dart", UserCut::Kind::Dart, {{31, 1, 0}, {33, 37, 0}}, false};
     const CutPieces made = cut({piece}, {dart}, false);
@@ -101,7 +101,7 @@ TEST(CutPieces, KeepTheDesignersPanel) {
 }
 
 TEST(CutPieces, OneThatFailsLeavesTheOthersAlone) {
-    const Pieces pieces{sourced(test::planeGrid(10, 10, 10), "front")};
+    const Pieces pieces{fromFile(test::planeGrid(10, 10, 10), "front")};
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<UserCut> cuts{
         {"no points", UserCut::Kind::Path, {}, false},
@@ -159,7 +159,7 @@ TEST(CutPieces, SayHowFarTheyAre) {
 }
 
 TEST(CutPieces, APieceThatNoCutOpensKeepsItsDefect) {
-    const CutPieces made = cut({sourced(test::moebiusStrip(12), "strip")}, {}, true);
+    const CutPieces made = cut({fromFile(test::moebiusStrip(12), "strip")}, {}, true);
     ASSERT_EQ(made.pieces.size(), 1U);
     ASSERT_TRUE(made.pieces[0]->defect);
     EXPECT_EQ(made.pieces[0]->defect->code, ErrorCode::NotOrientable);

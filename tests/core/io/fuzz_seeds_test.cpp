@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.h"
+#include "tests/core/support/shared_data.h"
 #include "tests/fuzz/check_garment.h"
 #include "tests/fuzz/targets.h"
 
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 int runSeeds(const std::string& folder, std::string (*whatBreaks)(std::string)) {
     int seeds = 0;
     for (const auto& entry :
-         fs::directory_iterator(fs::path(TOILE_SOURCE_DIR) / "tests/fuzz/seeds" / folder)) {
+         fs::directory_iterator(test::sourceFile("tests/fuzz/seeds") / folder)) {
         const Result<std::string> bytes = readFile(entry.path());
         EXPECT_TRUE(bytes);
         EXPECT_EQ(whatBreaks(bytes ? *bytes : ""), "") << entry.path().filename();

@@ -14,20 +14,14 @@ namespace {
 
 using Corners = std::vector<int>;
 
-const std::string kThree = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string kThreePoints = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
-PolygonSoup readGood(const std::string& text) {
-    Result<PolygonSoup> soup = read(readObj, text);
-    EXPECT_TRUE(soup) << (soup ? "" : soup.error().detail);
-    if (!soup) {
-        return {};
-    }
-    expectSound(*soup);
-    return *soup;
+PolygonSoup readObjSoup(const std::string& text) {
+    return readSound(readObj, text);
 }
 
 TEST(ObjReader, ReadsEveryFormOfCorner) {
-    const std::string points = kThree + "vt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\n";
+    const std::string points = kThreePoints + "vt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\n";
     const std::pair<const char*, bool> table[] = {{"f 1 2 3", false},
                                                   {"f 1/3 2/2 3/1", true},
                                                   {"f 1//1 2//1 3//1", false},
@@ -37,7 +31,7 @@ TEST(ObjReader, ReadsEveryFormOfCorner) {
                                                   {"f -3/-1 -2/-2 -1/-3", true},
                                                   {"f +1/+3/ +2/2/ 3/1/", true}};
     for (const auto& [line, hasUvs] : table) {
-        const PolygonSoup soup = readGood(points + line);
+        const PolygonSoup soup = readObjSoup(points + line);
         ASSERT_EQ(soup.faceCount(), 1) << line;
         EXPECT_EQ(face(soup, 0), (Corners{0, 1, 2})) << line;
         EXPECT_EQ(soup.cornerUvs, (hasUvs ? Corners{2, 1, 0} : Corners{-1, -1, -1})) << line;
@@ -47,7 +41,7 @@ TEST(ObjReader, ReadsEveryFormOfCorner) {
 
 TEST(ObjReader, KeepsPolygonsAndMixedUvs) {
     const PolygonSoup soup =
-        readGood(kThree + "v 0 0 1\nv 1 1 1\nvt 0.5 0.25 7\nf 1 2/1 3 4 5\nf 1 2 3");
+        readObjSoup(kThreePoints + "v 0 0 1\nv 1 1 1\nvt 0.5 0.25 7\nf 1 2/1 3 4 5\nf 1 2 3");
     EXPECT_EQ(soup.faceCount(), 2);
     EXPECT_EQ(face(soup, 0), (Corners{0, 1, 2, 3, 4}));
     EXPECT_EQ(soup.cornerUvs, (Corners{-1, 0, -1, -1, -1, -1, -1, -1}));
@@ -55,23 +49,24 @@ TEST(ObjReader, KeepsPolygonsAndMixedUvs) {
 }
 
 TEST(ObjReader, CountsNegativeIndicesFromTheirLine) {
-    const PolygonSoup soup = readGood(kThree + "f -3 -2 -1\nv 5 5 5\nf -3 -2 -1\n");
+    const PolygonSoup soup = readObjSoup(kThreePoints + "f -3 -2 -1\nv 5 5 5\nf -3 -2 -1\n");
     EXPECT_EQ(face(soup, 0), (Corners{0, 1, 2}));
     EXPECT_EQ(face(soup, 1), (Corners{1, 2, 3}));
 }
 
 TEST(ObjReader, AllowsFacesBeforeTheirVertices) {
-    const PolygonSoup soup = readGood("f 1/1 2/2 3/3\n" + kThree + "vt 0 0\nvt 1 0\nvt 0 1\n");
+    const PolygonSoup soup =
+        readObjSoup("f 1/1 2/2 3/3\n" + kThreePoints + "vt 0 0\nvt 1 0\nvt 0 1\n");
     EXPECT_EQ(face(soup, 0), (Corners{0, 1, 2}));
     EXPECT_EQ(soup.cornerUvs, (Corners{0, 1, 2}));
     EXPECT_TRUE(soup.problems.empty());
 }
 
 TEST(ObjReader, KeepsNamesPerFace) {
-    const PolygonSoup soup = readGood(kThree +
-                                      "f 1 2 3\no  Front left \nf 1 2 3\ng f 1 2 3\nf 2 3 1\n"
-                                      "o Back # 2\nusemtl red\nf 3 1 2\no Front left\nf 1 2 3\n"
-                                      "g\nf 1 2 3\n");
+    const PolygonSoup soup = readObjSoup(kThreePoints +
+                                         "f 1 2 3\no  Front left \nf 1 2 3\ng f 1 2 3\nf 2 3 1\n"
+                                         "o Back # 2\nusemtl red\nf 3 1 2\no Front left\nf 1 2 3\n"
+                                         "g\nf 1 2 3\n");
     EXPECT_EQ(soup.faceCount(), 6);
     EXPECT_EQ(soup.objects, (std::vector<std::string>{"Front left", "Back # 2"}));
     EXPECT_EQ(soup.faceObject, (Corners{-1, 0, 0, 1, 0, 0}));
@@ -82,17 +77,17 @@ TEST(ObjReader, KeepsNamesPerFace) {
 }
 
 TEST(ObjReader, HasNoNamesWhereTheFileHasNone) {
-    const PolygonSoup soup = readGood(kThree + "g\nf 1 2 3\n");
+    const PolygonSoup soup = readObjSoup(kThreePoints + "g\nf 1 2 3\n");
     EXPECT_TRUE(soup.objects.empty() && soup.groups.empty() && soup.materials.empty());
     EXPECT_TRUE(soup.faceObject.empty() && soup.faceGroup.empty() && soup.faceMaterial.empty());
 }
 
 TEST(ObjReader, MakesNamesReadable) {
-    const PolygonSoup soup = readGood(kThree +
-                                      "o R\xFC"
-                                      "cken\nf 1 2 3\no R\xC3\xBC"
-                                      "cken\nf 1 2 3\n"
-                                      "o a\tb\x01\nf 1 2 3\no \xED\xA0\x80\nf 1 2 3\n");
+    const PolygonSoup soup = readObjSoup(kThreePoints +
+                                         "o R\xFC"
+                                         "cken\nf 1 2 3\no R\xC3\xBC"
+                                         "cken\nf 1 2 3\n"
+                                         "o a\tb\x01\nf 1 2 3\no \xED\xA0\x80\nf 1 2 3\n");
     EXPECT_EQ(soup.objects, (std::vector<std::string>{"R\xC3\xBC"
                                                       "cken",
                                                       "a b ", "\xC3\xAD\xC2\xA0\xC2\x80"}));
@@ -100,20 +95,20 @@ TEST(ObjReader, MakesNamesReadable) {
 }
 
 TEST(ObjReader, ReadsAnyLineEnd) {
-    const PolygonSoup expected = readGood(sampleObj());
+    const PolygonSoup expected = readObjSoup(sampleObj());
     EXPECT_EQ(expected.faceCount(), 3);
     for (const char* lineEnd : {"\r\n", "\r"}) {
-        expectSameMesh(readGood(withLineEnds(sampleObj(), lineEnd)), expected);
+        expectSameMesh(readObjSoup(withLineEnds(sampleObj(), lineEnd)), expected);
     }
-    expectSameMesh(readGood("\xEF\xBB\xBF" + sampleObj()), expected);
+    expectSameMesh(readObjSoup("\xEF\xBB\xBF" + sampleObj()), expected);
     std::string unended = sampleObj();
     unended.pop_back();
-    expectSameMesh(readGood(unended), expected);
-    expectSameMesh(readGood("  \t" + withLineEnds(sampleObj(), "\n \t")), expected);
+    expectSameMesh(readObjSoup(unended), expected);
+    expectSameMesh(readObjSoup("  \t" + withLineEnds(sampleObj(), "\n \t")), expected);
 }
 
 TEST(ObjReader, JoinsLinesAtABackslash) {
-    const PolygonSoup soup = readGood(
+    const PolygonSoup soup = readObjSoup(
         "v 1 \\\n2\\\r\n 3\nv 4 5 6 \\\n7\nv 0 0 0\nf 1 \\\n\\\n 2 3\nvt 1 \\\n 2\n"
         "# a path C:\\\nv 7 7 7\ng D:\\\nf 1 2 4\nf 1 2 3 \\");
     ASSERT_EQ(soup.positions.size(), 4u);
@@ -147,13 +142,13 @@ TEST(ObjReader, ReadsNumbersAsWritten) {
         {"1.7976931348623157e308", std::numeric_limits<double>::max()}};
     for (const auto& [text, value] : table) {
         const PolygonSoup soup =
-            readGood("v " + std::string(text) + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3");
+            readObjSoup("v " + std::string(text) + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3");
         ASSERT_FALSE(soup.positions.empty()) << text;
         EXPECT_EQ(soup.positions[0].x(), value) << text;
         EXPECT_EQ(soup.problems.empty(), std::isfinite(value)) << text;
     }
     for (const char* text : {"nan", "-nan", "NaN", "nan(ind)", "-nan(ind)"}) {
-        const PolygonSoup soup = readGood(kThree + "v 0 " + text + " 0\nf 1 2 3");
+        const PolygonSoup soup = readObjSoup(kThreePoints + "v 0 " + text + " 0\nf 1 2 3");
         EXPECT_TRUE(std::isnan(soup.positions[3].y())) << text;
         EXPECT_EQ(detailOf(soup.problems, ErrorCode::NonFinitePosition),
                   "1 vertex without finite numbers, line 4");
@@ -164,7 +159,8 @@ TEST(ObjReader, ReadsNumbersAsWritten) {
 TEST(ObjReader, KeepsThePlaceOfAVertexThatCannotBeRead) {
     for (const char* line : {"v", "v 1", "v 1 2", "v 1 2 x", "v 1 2 3x", "v 0x1 2 3", "v +-1 2 3",
                              "v 1.#QNAN 1.#QNAN 1.#QNAN", "v # 1 2 3", "v 1 2 3,", "v 1d0 2 3"}) {
-        const PolygonSoup soup = readGood(std::string(line) + "\n" + kThree + line + "\nf 2 3 4\n");
+        const PolygonSoup soup =
+            readObjSoup(std::string(line) + "\n" + kThreePoints + line + "\nf 2 3 4\n");
         ASSERT_EQ(soup.positions.size(), 5u) << line;
         EXPECT_TRUE(soup.positions[0].hasNaN()) << line;
         EXPECT_EQ(soup.positions[2], Eigen::Vector3d(1, 0, 0)) << line;
@@ -177,7 +173,7 @@ TEST(ObjReader, KeepsThePlaceOfAVertexThatCannotBeRead) {
 }
 
 TEST(ObjReader, HintsAtDecimalCommas) {
-    const PolygonSoup soup = readGood(kThree + "v 0,5 1,25 2\nf 1 2 3\n");
+    const PolygonSoup soup = readObjSoup(kThreePoints + "v 0,5 1,25 2\nf 1 2 3\n");
     EXPECT_EQ(soup.positions.size(), 4u);
     EXPECT_EQ(detailOf(soup.problems, ErrorCode::NonFinitePosition),
               "1 vertex with decimal commas; numbers need decimal points, line 4");
@@ -186,8 +182,8 @@ TEST(ObjReader, HintsAtDecimalCommas) {
 TEST(ObjReader, LeavesOutFacesWithIndicesOutOfRange) {
     for (const char* bad : {"4", "0", "-4", "99999999999999999999", "-99999999999999999999",
                             "2147483647", "-2147483648", "2147483648"}) {
-        const PolygonSoup soup = readGood(kThree + "o a\nf 1 2 3\no b\nf 1 2 " + bad + "\nf " +
-                                          bad + " 2 3 1\no c\nf 3 1 2\n");
+        const PolygonSoup soup = readObjSoup(kThreePoints + "o a\nf 1 2 3\no b\nf 1 2 " + bad +
+                                             "\nf " + bad + " 2 3 1\no c\nf 3 1 2\n");
         ASSERT_EQ(soup.faceCount(), 2) << bad;
         EXPECT_EQ(face(soup, 1), (Corners{2, 0, 1})) << bad;
         EXPECT_EQ(soup.faceObject, (Corners{0, 2})) << bad;
@@ -197,17 +193,18 @@ TEST(ObjReader, LeavesOutFacesWithIndicesOutOfRange) {
 }
 
 TEST(ObjReader, ForgetsUvsOutOfRange) {
-    const PolygonSoup soup = readGood(kThree + "vt 0 0\nf 1/1 2/2 3/0\nf 1/-2 2/-1 3/1\n");
+    const PolygonSoup soup = readObjSoup(kThreePoints + "vt 0 0\nf 1/1 2/2 3/0\nf 1/-2 2/-1 3/1\n");
     EXPECT_EQ(soup.faceCount(), 2);
     EXPECT_EQ(soup.cornerUvs, (Corners{0, -1, -1, -1, 0, 0}));
     EXPECT_EQ(detailOf(soup.problems, ErrorCode::IndexOutOfRange),
               "3 corners without texture coordinate: its index is out of range, first at line 5");
-    EXPECT_TRUE(readGood(kThree + "f 1/1 2/2 3/3\n").cornerUvs.empty());
+    EXPECT_TRUE(readObjSoup(kThreePoints + "f 1/1 2/2 3/3\n").cornerUvs.empty());
 }
 
 TEST(ObjReader, ListsFacesThatAreNone) {
-    const PolygonSoup soup = readGood(
-        kThree + "o a\nf 1 2\nf\nf 1 2 3\nf 1 b 3\nf 1.5 2 3\nf 1/x 2 3\nf 1/1/y 2 3\nf 1,2,3\n");
+    const PolygonSoup soup = readObjSoup(
+        kThreePoints +
+        "o a\nf 1 2\nf\nf 1 2 3\nf 1 b 3\nf 1.5 2 3\nf 1/x 2 3\nf 1/1/y 2 3\nf 1,2,3\n");
     EXPECT_EQ(soup.faceCount(), 1);
     EXPECT_EQ(soup.faceObject, (Corners{0}));
     EXPECT_EQ(detailOf(soup.problems, ErrorCode::DegenerateFaceRecord),
@@ -217,16 +214,16 @@ TEST(ObjReader, ListsFacesThatAreNone) {
 
 TEST(ObjReader, IgnoresWhatIsNoSurface) {
     const PolygonSoup soup =
-        readGood(kThree +
-                 "l 1 2 3\np 1 2\ns off\nvn 0 0 1\nvp 1 1\nmtllib C:\\a b.mtl\n"
-                 "curv 0 1 1 2\nfoo 1 2 3\n\n#f 1 2 3\nf 1 2 3 # f 2 3 1\n");
+        readObjSoup(kThreePoints +
+                    "l 1 2 3\np 1 2\ns off\nvn 0 0 1\nvp 1 1\nmtllib C:\\a b.mtl\n"
+                    "curv 0 1 1 2\nfoo 1 2 3\n\n#f 1 2 3\nf 1 2 3 # f 2 3 1\n");
     EXPECT_EQ(soup.faceCount(), 1);
     EXPECT_EQ(soup.positions.size(), 3u);
     EXPECT_TRUE(soup.problems.empty());
 }
 
 TEST(ObjReader, KeepsTheTextOfPositions) {
-    const PolygonSoup soup = readGood(
+    const PolygonSoup soup = readObjSoup(
         "v 1.50 2.25 0.1\r\nv   -0.0\t+1e0 3.10   \nv 1 2 3 0.5 0.5 0.5\nv 1 2 3 1.0 # w\nf 1 2 3");
     EXPECT_EQ(positionText(soup, 0), "1.50 2.25 0.1");
     EXPECT_EQ(positionText(soup, 1), "-0.0\t+1e0 3.10");
@@ -240,7 +237,7 @@ TEST(ObjReader, RefusesAFileWithoutFaces) {
     ASSERT_FALSE(empty);
     EXPECT_EQ(empty.error().code, ErrorCode::NoGeometry);
     EXPECT_EQ(empty.error().detail, "0 vertices, no faces");
-    const Result<PolygonSoup> points = read(readObj, kThree + "f 1 2\n");
+    const Result<PolygonSoup> points = read(readObj, kThreePoints + "f 1 2\n");
     ASSERT_FALSE(points);
     EXPECT_EQ(points.error().code, ErrorCode::NoGeometry);
     EXPECT_EQ(points.error().where, "test");
@@ -249,7 +246,7 @@ TEST(ObjReader, RefusesAFileWithoutFaces) {
 }
 
 TEST(ObjReader, StopsWhenCancelled) {
-    std::string text = kThree;
+    std::string text = kThreePoints;
     for (int i = 0; i < 100000; ++i) {
         text += "f 1 2 3\n";
     }
@@ -262,12 +259,13 @@ TEST(ObjReader, StopsWhenCancelled) {
 }
 
 TEST(ObjReader, FillsUpCornersWithoutUvs) {
-    const std::string points = kThree + "vt 0 0\nvt 1 0\nvt 0 1\n";
-    EXPECT_EQ(readGood(points + "f 1 2 3\nf 1 2/2 3\nf 2 3 1\n").cornerUvs,
+    const std::string points = kThreePoints + "vt 0 0\nvt 1 0\nvt 0 1\n";
+    EXPECT_EQ(readObjSoup(points + "f 1 2 3\nf 1 2/2 3\nf 2 3 1\n").cornerUvs,
               (Corners{-1, -1, -1, -1, 1, -1, -1, -1, -1}));
-    EXPECT_EQ(readGood(points + "f 1 2 3\n").cornerUvs, (Corners{-1, -1, -1}));
-    EXPECT_EQ(readGood(points + "f 1/1 2/2\nf 1 x\nf 1 2 3/3\n").cornerUvs, (Corners{-1, -1, 2}));
-    EXPECT_TRUE(readGood(kThree + "f 1 2/2 3\n").cornerUvs.empty());
+    EXPECT_EQ(readObjSoup(points + "f 1 2 3\n").cornerUvs, (Corners{-1, -1, -1}));
+    EXPECT_EQ(readObjSoup(points + "f 1/1 2/2\nf 1 x\nf 1 2 3/3\n").cornerUvs,
+              (Corners{-1, -1, 2}));
+    EXPECT_TRUE(readObjSoup(kThreePoints + "f 1 2/2 3\n").cornerUvs.empty());
 }
 
 }  // namespace

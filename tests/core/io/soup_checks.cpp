@@ -15,6 +15,16 @@ Result<PolygonSoup> read(ReadFunction reader, std::string bytes) {
     return reader(std::make_shared<const std::string>(std::move(bytes)), "test", progress);
 }
 
+PolygonSoup readSound(ReadFunction reader, const std::string& bytes) {
+    const Result<PolygonSoup> soup = read(reader, bytes);
+    EXPECT_TRUE(soup) << (soup ? "" : soup.error().detail);
+    if (!soup) {
+        return {};
+    }
+    expectSound(*soup);
+    return *soup;
+}
+
 void expectSound(const PolygonSoup& soup) {
     EXPECT_EQ(brokenPromise(soup), "");
 }

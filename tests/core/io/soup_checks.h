@@ -16,6 +16,10 @@ using ReadFunction = Result<PolygonSoup> (*)(std::shared_ptr<const std::string>,
 /// Reads bytes that stand for a file named "test".
 Result<PolygonSoup> read(ReadFunction reader, std::string bytes);
 
+/// The soup of bytes that are to be read without an error; fails the test where they are not, or
+/// where the soup breaks a promise.
+PolygonSoup readSound(ReadFunction reader, const std::string& bytes);
+
 /// Fails the test where the soup breaks one of the promises in its header.
 void expectSound(const PolygonSoup& soup);
 

@@ -26,7 +26,7 @@ SymmetricMatrix pathMatrix(int size, double extra) {
     return builder.build();
 }
 
-Eigen::MatrixXd dense(const SymmetricMatrix& matrix) {
+Eigen::MatrixXd denseOf(const SymmetricMatrix& matrix) {
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(matrix.size, matrix.size);
     for (int j = 0; j < matrix.size; ++j) {
         for (int k = matrix.columnStart[j]; k < matrix.columnStart[j + 1]; ++k) {
@@ -130,7 +130,7 @@ TEST(SparseCholesky, SolvesSeveralRightHandSidesAndAgain) {
         const SymmetricMatrix A = pathMatrix(size, 0.1);
         ASSERT_TRUE(cholesky.factorise(A));
         const Eigen::MatrixXd X = Eigen::MatrixXd::Random(size, 2);
-        const auto solved = cholesky.solve(dense(A) * X);
+        const auto solved = cholesky.solve(denseOf(A) * X);
         ASSERT_TRUE(solved);
         EXPECT_LE((*solved - X).cwiseAbs().maxCoeff(), 1e-13);
     }

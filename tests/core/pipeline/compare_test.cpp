@@ -8,15 +8,13 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
+#include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
 
 namespace toile {
 namespace {
 
-const std::filesystem::path kSamples =
-    std::filesystem::path(TOILE_SOURCE_DIR) / "resources" / "samples";
-
-Garment load(const std::filesystem::path& path) {
+Garment loadFile(const std::filesystem::path& path) {
     Progress progress;
     auto garment = loadGarment({path}, {LengthUnit::Millimetre}, progress);
     EXPECT_TRUE(garment) << (garment ? "" : sentence(garment.error()));
@@ -24,7 +22,7 @@ Garment load(const std::filesystem::path& path) {
 }
 
 TEST(CompareMethods, GivesWhatFlatteningGives) {
-    const Garment garment = load(kSamples / "tshirt.obj");
+    const Garment garment = loadFile(test::dataFile("samples/tshirt.obj"));
     Progress progress;
     const Method methods[] = {Method::Natural, Method::Wang2005};
     const Comparison comparison = compareMethods(garment, methods, {}, progress);
@@ -59,7 +57,7 @@ TEST(CompareMethods, GivesWhatFlatteningGives) {
 }
 
 TEST(CompareMethods, ASeamsMismatchStandsAtBothItsPieces) {
-    const Garment garment = load(kSamples / "tshirt.obj");
+    const Garment garment = loadFile(test::dataFile("samples/tshirt.obj"));
     Progress progress;
     const Method methods[] = {Method::Natural};
     const Comparison comparison = compareMethods(garment, methods, {}, progress);
@@ -82,7 +80,7 @@ TEST(CompareMethods, ASeamsMismatchStandsAtBothItsPieces) {
 }
 
 TEST(ComparedPiece, IsAsInTheWholeGarmentAndTakesThePiecesSewnToItAlone) {
-    const Garment garment = load(kSamples / "tshirt.obj");
+    const Garment garment = loadFile(test::dataFile("samples/tshirt.obj"));
     Progress progress;
     const Method methods[] = {Method::Lscm};
     const ComparedMethod whole = compareMethods(garment, methods, {}, progress).methods.front();
@@ -112,10 +110,10 @@ TEST(ComparedPiece, IsAsInTheWholeGarmentAndTakesThePiecesSewnToItAlone) {
 TEST(CompareMethods, AFailedPieceIsCountedAndTheOthersAreCompared) {
     const test::TemporaryFolder folder;
     const Garment garment =
-        load(folder.write("mixed.obj",
-                          "v 0 0 0\nv 300 0 0\nv 0 400 0\no flap\nf 1 2 3\n"
-                          "v 0 0 500\nv 100 0 500\nv 0 100 500\nv 0 0 600\n"
-                          "o ball\nf -4 -3 -2\nf -4 -1 -3\nf -3 -1 -2\nf -4 -2 -1\n"));
+        loadFile(folder.write("mixed.obj",
+                              "v 0 0 0\nv 300 0 0\nv 0 400 0\no flap\nf 1 2 3\n"
+                              "v 0 0 500\nv 100 0 500\nv 0 100 500\nv 0 0 600\n"
+                              "o ball\nf -4 -3 -2\nf -4 -1 -3\nf -3 -1 -2\nf -4 -2 -1\n"));
     Progress progress;
     const Method methods[] = {Method::Wang2005};
     const ComparedFigures figures =
@@ -127,12 +125,15 @@ TEST(CompareMethods, AFailedPieceIsCountedAndTheOthersAreCompared) {
 }
 
 TEST(CompareMethods, ACancelLeavesNothingFlat) {
-    const Garment garment = load(kSamples / "cap.obj");
+    const Garment garment = loadFile(test::dataFile("samples/cap.obj"));
     Progress progress;
     progress.cancel();
     const Method methods[] = {Method::Wang2005, Method::Natural};
-    for (const ComparedMethod& method : compareMethods(garment, methods, {}, progress).methods) {
-        EXPECT_EQ(method.figures.failed, method.figures.pieces);
+    const auto compared = compareMethods(garment, methods, {}, progress).methods;
+    EXPECT_EQ(compared.size(), 2U);
+    for (const ComparedMethod& method : compared) {
+        EXPECT_EQ(method.figures.pieces, 7);
+        EXPECT_EQ(method.figures.failed, 7);
         EXPECT_FALSE(method.figures.piE || method.figures.maxBoundaryLengthError);
     }
 }

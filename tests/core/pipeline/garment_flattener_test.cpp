@@ -17,7 +17,7 @@ namespace {
 using PiecePointer = std::shared_ptr<const Piece>;
 
 /// Pieces of one file, side by side, that know their faces there.
-Garment garmentOf(const std::vector<MeshArrays>& meshes) {
+Garment garmentOfMeshes(const std::vector<MeshArrays>& meshes) {
     Garment garment;
     int vertices = 0;
     int faces = 0;
@@ -40,8 +40,8 @@ Garment garmentOf(const std::vector<MeshArrays>& meshes) {
 }
 
 Garment fourPieces() {
-    return garmentOf({test::bentPanel(30), test::sphericalCap(12, 90, 1.2),
-                      test::saddle(16, 200, 1.2), test::bentPanel(12)});
+    return garmentOfMeshes({test::bentPanel(30), test::sphericalCap(12, 90, 1.2),
+                            test::saddle(16, 200, 1.2), test::bentPanel(12)});
 }
 
 /// The garment with a cut across the first piece, as far as `end` (mm): over the whole of it the
@@ -122,6 +122,8 @@ TEST(GarmentFlattener, KnowsAPieceThatIsReadAgain) {
     const PieceResults first = flat(flattener, fourPieces(), Method::Isometric);
     const Garment again = fourPieces();
     const PieceResults second = flat(flattener, again, Method::Isometric);
+    ASSERT_EQ(first.size(), 4U);
+    ASSERT_EQ(second.size(), 4U);
     for (std::size_t k = 0; k < first.size(); ++k) {
         EXPECT_EQ(second[k]->piece, again.pieces[k]);
         EXPECT_EQ(second[k]->seconds, first[k]->seconds);  // nothing was solved
@@ -153,7 +155,7 @@ TEST(GarmentFlattener, GivesTheSameBytesWithOneThreadAndWithMany) {
 }
 
 TEST(GarmentFlattener, IsAsGoodAsBeforeAfterACancel) {
-    const Garment whole = garmentOf({test::bentPanel(250), test::bentPanel(20)});
+    const Garment whole = garmentOfMeshes({test::bentPanel(250), test::bentPanel(20)});
     const Garment cut = withCut(whole, 150, 160);
     for (const int milliseconds : {0, 5, 40, 100}) {
         GarmentFlattener flattener;
@@ -214,8 +216,9 @@ TEST(GarmentFlattener, TakesNothingFromAnotherFile) {
     };
     MeshArrays other = test::bentPanel(20);
     other.V.col(2) *= 1.1;  // the same triangles, nearly the same place
-    const Garment first = from("first.obj", garmentOf({test::bentPanel(20), test::bentPanel(12)}));
-    const Garment second = from("second.obj", garmentOf({other, test::bentPanel(12)}));
+    const Garment first =
+        from("first.obj", garmentOfMeshes({test::bentPanel(20), test::bentPanel(12)}));
+    const Garment second = from("second.obj", garmentOfMeshes({other, test::bentPanel(12)}));
     GarmentFlattener flattener;
     const PieceResults before = flat(flattener, first, Method::Isometric);
     const PieceResults after = flat(flattener, second, Method::Isometric);
@@ -224,13 +227,13 @@ TEST(GarmentFlattener, TakesNothingFromAnotherFile) {
     EXPECT_NE(after[1]->seconds, before[1]->seconds);  // solved again, though it is the same
     // An edit of the same file goes on from what was.
     const Garment edited =
-        from("second.obj", garmentOf({test::bentPanel(20), test::bentPanel(12)}));
+        from("second.obj", garmentOfMeshes({test::bentPanel(20), test::bentPanel(12)}));
     EXPECT_EQ(flat(flattener, edited, Method::Isometric)[1]->seconds, after[1]->seconds);
 }
 
 TEST(GarmentFlattener, TakesWhatCannotBeFlattened) {
     GarmentFlattener flattener;
-    const Garment garment = garmentOf({test::tube(12, 4), test::bentPanel(5)});
+    const Garment garment = garmentOfMeshes({test::tube(12, 4), test::bentPanel(5)});
     const PieceResults results = flat(flattener, garment, Method::Curvature);
     EXPECT_TRUE(results[0]->error);
     EXPECT_TRUE(results[1]->flat);

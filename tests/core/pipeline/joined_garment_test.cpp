@@ -8,6 +8,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/seam/seam_origin.h"
+#include "tests/core/support/sewn_sample.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
@@ -32,8 +33,12 @@ void takeOut(const Garment& garment, const Seam& seam, SeamsFile& seams) {
     seams.joins.push_back(std::move(join));
 }
 
-TEST(JoinedGarment, TakesOutASeamAndPutsItInAgain) {
-    const auto path = test::sharedFile("garments/tshirt.obj");
+class JoinedGarments : public testing::TestWithParam<const char*> {};
+
+TEST_P(JoinedGarments, TakeOutASeamAndPutItInAgain) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path path =
+        test::garmentWithTruth(GetParam(), folder.path()).string() + ".obj";
     TOILE_NEEDS_SHARED(path);
     Progress progress;
     LoadOptions load;
@@ -67,6 +72,9 @@ TEST(JoinedGarment, TakesOutASeamAndPutsItInAgain) {
     ASSERT_TRUE(again);
     EXPECT_EQ(again->pieces, before->pieces);
 }
+
+INSTANTIATE_TEST_SUITE_P(Samples, JoinedGarments, testing::Values("samples/tshirt"));
+INSTANTIATE_TEST_SUITE_P(Shared, JoinedGarments, testing::Values("tshirt"));
 
 TEST(JoinedGarment, ComesFromASeamsFileToo) {
     const test::TemporaryFolder folder;

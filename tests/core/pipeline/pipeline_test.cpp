@@ -13,9 +13,6 @@
 namespace toile {
 namespace {
 
-const std::filesystem::path kSamples =
-    std::filesystem::path(TOILE_SOURCE_DIR) / "resources" / "samples";
-
 constexpr const char* kTriangle = "v 0 0 0\nv 300 0 0\nv 0 400 0\no flap\nf 1 2 3\n";
 
 Garment load(const std::vector<std::filesystem::path>& paths,
@@ -117,7 +114,7 @@ TEST(Pipeline, AttackedByTangledCutsItEndsWithAReason) {
 TEST(Pipeline, FlattensEverySampleWithoutFlips) {
     for (const char* sample : {"tshirt.obj", "bodice.obj", "trousers.obj", "cap.obj"}) {
         SCOPED_TRACE(sample);
-        const Garment garment = load({kSamples / sample});
+        const Garment garment = load({test::sourceFile("resources/samples") / sample});
         Progress progress;
         const PieceResults results = flattenGarment(garment, {}, progress);
         EXPECT_GE(results.size(), 5U);
@@ -175,10 +172,12 @@ TEST(Pipeline, WritesTurnedFacesTurned) {
 }
 
 TEST(Pipeline, CancellingMarksWhatIsNotDone) {
-    const Garment garment = load({kSamples / "tshirt.obj"});
+    const Garment garment = load({test::dataFile("samples/tshirt.obj")});
     Progress progress;
     progress.cancel();
-    for (const auto& result : flattenGarment(garment, {}, progress)) {
+    const PieceResults results = flattenGarment(garment, {}, progress);
+    EXPECT_EQ(results.size(), 5U);
+    for (const auto& result : results) {
         ASSERT_TRUE(result->error);
         EXPECT_EQ(result->error->code, ErrorCode::Cancelled);
     }
@@ -186,7 +185,7 @@ TEST(Pipeline, CancellingMarksWhatIsNotDone) {
 
 TEST(Pipeline, FilesShowPiecesAsTheyWereLaid) {
     const test::TemporaryFolder folder;
-    const Garment garment = load({kSamples / "cap.obj"});
+    const Garment garment = load({test::dataFile("samples/cap.obj")});
     Progress progress;
     const PieceResults results = flattenGarment(garment, {}, progress);
     // As in rows: the same bytes as without a word about places.
@@ -232,7 +231,7 @@ TEST(Pipeline, FilesShowPiecesAsTheyWereLaid) {
 TEST(Pipeline, GivesTheSameFilesAgain) {
     const test::TemporaryFolder folder;
     for (const char* run : {"a", "b"}) {
-        const Garment garment = load({kSamples / "cap.obj"});
+        const Garment garment = load({test::dataFile("samples/cap.obj")});
         Progress progress;
         const PieceResults results = flattenGarment(garment, {}, progress);
         for (const char* ending : {".svg", ".dxf", ".obj"}) {

@@ -35,7 +35,7 @@ Garment cutAcrossFront(const Garment& garment) {
     return *made;
 }
 
-PieceResults flat(const Garment& garment) {
+PieceResults resultsOf(const Garment& garment) {
     Progress progress;
     return flattenGarment(garment, {}, progress);
 }
@@ -55,14 +55,14 @@ TEST(CarrySettings, TheSamePieceKeepsItsSettingsToTheBit) {
     std::swap(turned.pieces[0], turned.pieces[1]);
     const auto settings = someSettings();
     const auto carried =
-        carriedSettings(carriedFrom(garment, settings, flat(garment), turned), settings);
+        carriedSettings(carriedFrom(garment, settings, resultsOf(garment), turned), settings);
     EXPECT_EQ(carried[0], settings[1]);
     EXPECT_EQ(carried[1], settings[0]);
 }
 
 TEST(CarrySettings, BothPartsOfACutPieceKnowTheWhole) {
     const Garment garment = twoPanels();
-    const PieceResults results = flat(garment);
+    const PieceResults results = resultsOf(garment);
     const Garment cut = cutAcrossFront(garment);
     ASSERT_EQ(cut.pieces.size(), 3U);
     const auto settings = someSettings();
@@ -89,7 +89,7 @@ TEST(CarrySettings, BothPartsOfACutPieceKnowTheWhole) {
 TEST(CarrySettings, AWholePieceThatComesBackHasThePlaceOfItsLargerPart) {
     const Garment whole = twoPanels();
     const Garment cut = cutAcrossFront(whole);
-    const PieceResults results = flat(cut);
+    const PieceResults results = resultsOf(cut);
     std::vector<PieceSettings> settings(3);
     std::size_t larger = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -128,11 +128,13 @@ TEST(CarrySettings, APieceOfNothingKnownIsNew) {
 TEST(CarrySettings, AnchorsGoThroughTwoEditsWithoutAFlatteningBetween) {
     const Garment garment = twoPanels();
     const auto first = carriedSettings(
-        carriedFrom(garment, someSettings(), flat(garment), cutAcrossFront(garment)),
+        carriedFrom(garment, someSettings(), resultsOf(garment), cutAcrossFront(garment)),
         someSettings());
     const Garment cut = cutAcrossFront(garment);
     const Garment again = cutAcrossFront(garment);  // other pointers, nothing flat
     const auto second = carriedSettings(carriedFrom(cut, first, {}, again), first);
+    ASSERT_EQ(first.size(), cut.pieces.size());
+    ASSERT_EQ(second.size(), again.pieces.size());
     for (std::size_t i = 0; i < first.size(); ++i) {
         EXPECT_EQ(second[i], first[i]);
     }

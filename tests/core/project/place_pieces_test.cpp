@@ -264,13 +264,18 @@ TEST(PlacePieces, PiecesLaidInOnePlaceAreNoPartsOfOne) {
 
 TEST(PlacePieces, APatchOutOfARealGarmentLeavesEverythingElseInPlace) {
     const auto path = test::sharedFile("garments/tee_sim.obj");
+
+class PlacedGarments : public testing::TestWithParam<std::pair<const char*, std::size_t>> {};
+
+TEST_P(PlacedGarments, StayWhereTheyAreWhenAPatchIsCutOut) {
+    const auto path = test::dataFile(GetParam().first);
     TOILE_NEEDS_SHARED(path);
     Progress progress;
     const auto garment = loadGarment({path}, {}, progress);
     ASSERT_TRUE(garment);
     const PieceResults results = flat(*garment);
     const auto settings = placed(*garment, results, {});
-    const std::size_t which = 4;
+    const std::size_t which = GetParam().second;
     const Points3& V = garment->pieces[which]->mesh.V;
     const Eigen::RowVector3d mean = V.colwise().mean();
     Eigen::Index nearest = 0;
@@ -297,6 +302,12 @@ TEST(PlacePieces, APatchOutOfARealGarmentLeavesEverythingElseInPlace) {
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Samples, PlacedGarments,
+                         testing::Values(std::pair("samples/tshirt.obj", 0),
+                                         std::pair("samples/tshirt.obj", 1)));
+INSTANTIATE_TEST_SUITE_P(Shared, PlacedGarments,
+                         testing::Values(std::pair("garments/tee_sim.obj", 4)));
 
 TEST(PlacePieces, APieceThatGrowsPushesOnlyThoseThatNobodyPlaced) {
     const Garment garment = panels({test::planeGrid(10, 10, 20), test::planeGrid(8, 8, 20)});
@@ -338,7 +349,9 @@ TEST(PlacePieces, UnturnedPiecesStayUprightByAnotherMethod) {
         panels({test::sphericalCap(8, 90, 1.0), test::sphericalCap(6, 70, 0.8)});
     const PieceResults before = flat(garment), after = flat(garment, Method::Lscm);
     const auto settings = placed(garment, before, {});
-    for (const PieceSettings& piece : placed(garment, after, settings, before)) {
+    const auto now = placed(garment, after, settings, before);
+    EXPECT_EQ(now.size(), 2U);
+    for (const PieceSettings& piece : now) {
         EXPECT_EQ(piece.placement->turn, 0);
         EXPECT_FALSE(piece.grain);
     }

@@ -33,7 +33,7 @@ Eigen::Vector2d grainOnSheet(const PieceSettings& settings) {
     return settings.placement->linear() * Eigen::Vector2d(std::cos(grain), std::sin(grain));
 }
 
-PieceSettings someSettings(bool mirrored) {
+PieceSettings turnedSettings(bool mirrored) {
     PieceSettings settings;
     settings.placement = Placement{{300, -40}, 0.7, mirrored};
     settings.grain = 1.1;
@@ -95,7 +95,7 @@ TEST(RigidMotion, APieceStaysOnTheSheetWhenItsOwnCoordinatesTurn) {
     for (const bool mirrored : {false, true}) {
         for (const double turn : {-2.0, 0.3, 3.0}) {
             const Points2 now = moved(then, turn, {-50, 80});
-            const PieceSettings before = someSettings(mirrored);
+            const PieceSettings before = turnedSettings(mirrored);
             expectSamePlace(before, then, movedSettings(before, bestMotion(now, then), 300), now);
         }
     }
@@ -103,7 +103,7 @@ TEST(RigidMotion, APieceStaysOnTheSheetWhenItsOwnCoordinatesTurn) {
 
 TEST(RigidMotion, SettingsAreTheSameToTheBitWhereNothingMoves) {
     const Points2 Q = someShape();
-    const PieceSettings before = someSettings(true);
+    const PieceSettings before = turnedSettings(true);
     EXPECT_EQ(movedSettings(before, bestMotion(Q, Q), 200), before);
     PieceSettings anchored = before;
     anchored.anchors = outlineAnchors(kOutline, Q);
@@ -111,7 +111,7 @@ TEST(RigidMotion, SettingsAreTheSameToTheBitWhereNothingMoves) {
 }
 
 TEST(RigidMotion, AGrainThatNobodyStatedStaysUnstated) {
-    PieceSettings settings = someSettings(false);
+    PieceSettings settings = turnedSettings(false);
     settings.grain.reset();
     EXPECT_FALSE(movedSettings(settings, {0.5, {1, 2}}, 100).grain);
 }
@@ -121,7 +121,7 @@ TEST(AnchoredPlacement, AnchorsBringAPieceBackToItsPlace) {
     for (const bool mirrored : {false, true}) {
         for (const double turn : {-3.0, -0.2, 1.0}) {
             const Points2 now = moved(then, turn, {500, 20});
-            const PieceSettings before = someSettings(mirrored);
+            const PieceSettings before = turnedSettings(mirrored);
             PieceSettings saved = before;
             saved.anchors = outlineAnchors(kOutline, then);
             const PieceSettings after = anchoredSettings(saved, now);
@@ -194,7 +194,7 @@ TEST(AnchoredPlacement, AnUnturnedPieceIsTurnedWhereItWouldElseGetTooFarFromItsP
 TEST(AnchoredPlacement, OneOddAnchorDoesNotTurnAPiece) {
     // Two far points decide nothing: the piece lies where its whole outline fits best.
     const Points2 then = someShape();
-    PieceSettings before = someSettings(false);
+    PieceSettings before = turnedSettings(false);
     before.anchors = outlineAnchors(kOutline, then);
     Points2 now = then;
     now.row(3) += Eigen::RowVector2d(4, -3);
@@ -220,7 +220,7 @@ TEST(AnchoredPlacement, OneOddAnchorDoesNotTurnAPiece) {
 
 TEST(AnchoredPlacement, AnchorsOfAnotherMeshAreNotFollowed) {
     const Points2 Q = someShape();
-    PieceSettings settings = someSettings(false);
+    PieceSettings settings = turnedSettings(false);
     const PieceSettings before = settings;
     settings.anchors = {{0, {0, 0}}, {600, {10, 10}}};
     EXPECT_EQ(anchoredSettings(settings, Q), before);

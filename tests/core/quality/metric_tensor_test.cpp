@@ -19,7 +19,7 @@ using std::numbers::pi;
 
 const Eigen::Vector2d kAlongX = Eigen::Vector2d::UnitX(), kAlongY = Eigen::Vector2d::UnitY();
 
-Points2 flat(const MeshArrays& mesh) {
+Points2 asSheet(const MeshArrays& mesh) {
     return mesh.V.leftCols(2);
 }
 
@@ -36,7 +36,7 @@ MeshArrays worn(MeshArrays sheet, const Eigen::Matrix2d& map) {
 TEST(MetricTensors, NothingIsStretchedWhereTheSheetIsTurnedAndMoved) {
     const MeshArrays sheet = test::planeGrid(5, 4, 7);
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
-    const Points2 Q = ((flat(sheet) * turn.transpose()).rowwise() + Eigen::RowVector2d(30, -20));
+    const Points2 Q = ((asSheet(sheet) * turn.transpose()).rowwise() + Eigen::RowVector2d(30, -20));
     for (const MetricTensor& metric : faceMetrics(sheet, Q)) {
         EXPECT_NEAR(metric.E, 1, 1e-12);
         EXPECT_NEAR(metric.F, 0, 1e-12);
@@ -50,7 +50,7 @@ TEST(MetricTensors, AStretchedSheetIsStretchedAlongItsStretchAlone) {
     const MeshArrays sheet = test::planeGrid(4, 3, 10);
     Eigen::Matrix2d map = Eigen::Matrix2d::Identity();
     map(0, 0) = 1.05;
-    const auto faces = faceMetrics(worn(sheet, map), flat(sheet));
+    const auto faces = faceMetrics(worn(sheet, map), asSheet(sheet));
     const auto vertices = vertexMetrics(worn(sheet, map), faces);
     ASSERT_EQ(faces.size(), 24U);
     ASSERT_EQ(vertices.size(), 20U);
@@ -74,7 +74,7 @@ TEST(MetricTensors, AShearStretchesOneDiagonalAndGathersTheOther) {
     const MeshArrays sheet = test::planeGrid(3, 3, 10);
     Eigen::Matrix2d map;
     map << 1, 0.2, 0, 1;
-    for (const MetricTensor& metric : faceMetrics(worn(sheet, map), flat(sheet))) {
+    for (const MetricTensor& metric : faceMetrics(worn(sheet, map), asSheet(sheet))) {
         EXPECT_NEAR(metric.F, 0.2, 1e-12);
         EXPECT_NEAR(strainAlong(metric, kAlongX), 0, 1e-12);
         // By hand: (1, 1) becomes (1.2, 1), and (1, -1) becomes (0.8, -1).
@@ -92,7 +92,7 @@ TEST(MetricTensors, NoDirectionIsStretchedFurtherThanThePrincipalOne) {
     const MeshArrays sheet = test::planeGrid(1, 1, 10);
     Eigen::Matrix2d map;
     map << 1.3, 0.25, -0.4, 0.8;
-    const MetricTensor metric = faceMetrics(worn(sheet, map), flat(sheet)).front();
+    const MetricTensor metric = faceMetrics(worn(sheet, map), asSheet(sheet)).front();
     const PrincipalStretch stretch = principalStretch(metric);
     for (int degrees = 0; degrees < 180; ++degrees) {
         EXPECT_LE(strainAlong(metric, at(degrees)), stretch.largest - 1 + 1e-12);
@@ -113,8 +113,9 @@ TEST(MetricTensors, ACylinderUnrollsWithoutStretch) {
         const double columns = std::atan2(sector.V(v, 0), sector.V(v, 2)) / kAngle * kColumns;
         Q.row(v) << columns * chord, sector.V(v, 1);
     }
-    const auto faces = faceMetrics(sector, Q);
-    for (const MetricTensor& metric : vertexMetrics(sector, faces)) {
+    const auto vertices = vertexMetrics(sector, faceMetrics(sector, Q));
+    EXPECT_EQ(static_cast<Eigen::Index>(vertices.size()), sector.V.rows());
+    for (const MetricTensor& metric : vertices) {
         EXPECT_NEAR(principalStretch(metric).largest, 1, 1e-9);
         EXPECT_NEAR(principalStretch(metric).least, 1, 1e-9);
     }
@@ -157,7 +158,7 @@ TEST(MetricTensors, StaysFiniteWhateverComesIn) {
     collapsed << 0, 0, 10, 0, 20, 0, 30, 0;
     Points2 nonsense(4, 2);
     nonsense.setConstant(std::numeric_limits<double>::quiet_NaN());
-    Points2 asWorn = flat(mesh);
+    Points2 asWorn = asSheet(mesh);
     for (const Points2* Q : {&collapsed, &nonsense, &asWorn}) {
         const auto faces = faceMetrics(mesh, *Q);
         for (const auto& metrics : {faces, vertexMetrics(mesh, faces)}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shared garments whose seams are known: welded ones cut into their panels, and panels apart.
+// Garments whose seams are known: welded ones cut into their panels, and panels apart.
 #include <fstream>
 #include <map>
 #include <numeric>
@@ -11,7 +11,9 @@
 #include "core/pipeline/pipeline.h"
 #include "core/seam/find_seams.h"
 #include "tests/core/seam/seam_shapes.h"
+#include "tests/core/support/sewn_sample.h"
 #include "tests/core/support/shared_data.h"
+#include "tests/core/support/temporary_folder.h"
 
 namespace toile {
 namespace {
@@ -107,9 +109,9 @@ void expectKnown(const SeamGraph& graph, const std::vector<int>& panel, const nl
 class WeldedSeams : public testing::TestWithParam<const char*> {};
 
 TEST_P(WeldedSeams, AreTheTrueOnes) {
-    const std::string name = std::string("garments/") + GetParam();
-    const auto mesh = test::sharedFile((name + ".obj").c_str());
-    const auto truthFile = test::sharedFile((name + ".truth.json").c_str());
+    const test::TemporaryFolder folder;
+    const std::string base = test::garmentWithTruth(GetParam(), folder.path()).string();
+    const std::filesystem::path mesh = base + ".obj", truthFile = base + ".truth.json";
     TOILE_NEEDS_SHARED(mesh);
     TOILE_NEEDS_SHARED(truthFile);
     Progress progress;
@@ -137,7 +139,11 @@ TEST_P(WeldedSeams, AreTheTrueOnes) {
     EXPECT_EQ(test::summary(findSeams(apart), 1, 6), test::summary(graph, 1, 6));
 }
 
-INSTANTIATE_TEST_SUITE_P(Garments, WeldedSeams,
+const auto kSamples = testing::Values("samples/tshirt", "samples/bodice", "samples/trousers",
+                                      "samples/cap", "samples/skirt");
+
+INSTANTIATE_TEST_SUITE_P(Samples, WeldedSeams, kSamples);
+INSTANTIATE_TEST_SUITE_P(Shared, WeldedSeams,
                          testing::Values("tshirt", "tee_sim", "longsleeve", "dress",
                                          "wetsuit_patches", "arcsim/tshirt", "arcsim/pants3",
                                          "polo"));
@@ -145,9 +151,9 @@ INSTANTIATE_TEST_SUITE_P(Garments, WeldedSeams,
 class SeamsOfPanelsApart : public testing::TestWithParam<const char*> {};
 
 TEST_P(SeamsOfPanelsApart, AreTheTrueOnes) {
-    const std::string name = std::string("garments/") + GetParam();
-    const auto mesh = test::sharedFile((name + "_pieces.obj").c_str());
-    const auto truthFile = test::sharedFile((name + ".truth.json").c_str());
+    const test::TemporaryFolder folder;
+    const std::string base = test::garmentWithTruth(GetParam(), folder.path()).string();
+    const std::filesystem::path mesh = base + "_pieces.obj", truthFile = base + ".truth.json";
     TOILE_NEEDS_SHARED(mesh);
     TOILE_NEEDS_SHARED(truthFile);
     Progress progress;
@@ -178,7 +184,8 @@ TEST_P(SeamsOfPanelsApart, AreTheTrueOnes) {
     expectKnown(graph, panel, truth, 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Garments, SeamsOfPanelsApart, testing::Values("tee_sim", "polo"));
+INSTANTIATE_TEST_SUITE_P(Samples, SeamsOfPanelsApart, kSamples);
+INSTANTIATE_TEST_SUITE_P(Shared, SeamsOfPanelsApart, testing::Values("tee_sim", "polo"));
 
 struct Counted {
     const char* file;
@@ -189,7 +196,7 @@ struct Counted {
 class CountedSeams : public testing::TestWithParam<Counted> {};
 
 TEST_P(CountedSeams, AreAllThere) {
-    const auto mesh = test::sharedFile(GetParam().file);
+    const auto mesh = test::dataFile(GetParam().file);
     TOILE_NEEDS_SHARED(mesh);
     Progress progress;
     const auto garment = loadGarment({mesh}, {}, progress);
@@ -201,8 +208,16 @@ TEST_P(CountedSeams, AreAllThere) {
     EXPECT_TRUE(test::only(graph, SeamKind::Fold).empty());
 }
 
+// Pieces that are sewn to themselves end to end count among the seams.
+INSTANTIATE_TEST_SUITE_P(Samples, CountedSeams,
+                         testing::Values(Counted{"samples/tshirt.obj", 14, 0},
+                                         Counted{"samples/bodice.obj", 11, 0},
+                                         Counted{"samples/trousers.obj", 11, 0},
+                                         Counted{"samples/cap.obj", 10, 0},
+                                         Counted{"samples/skirt.obj", 14, 0}));
+
 // Two darts a panel and four side seams; panels placed with gaps of some millimetres.
-INSTANTIATE_TEST_SUITE_P(Garments, CountedSeams,
+INSTANTIATE_TEST_SUITE_P(Shared, CountedSeams,
                          testing::Values(Counted{"garments/skirt_clo.obj", 4, 8},
                                          Counted{"garments/arcsim/tshirtw.obj", 12, 0}));
 

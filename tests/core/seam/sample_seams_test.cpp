@@ -7,6 +7,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/seam/find_seams.h"
 #include "tests/core/seam/seam_shapes.h"
+#include "tests/core/support/shared_data.h"
 
 namespace toile {
 namespace {
@@ -28,7 +29,7 @@ std::map<std::string, int> counted(const SeamGraph& graph) {
 
 SeamGraph graphOf(const char* file) {
     Progress progress;
-    const auto path = std::filesystem::path(TOILE_SOURCE_DIR) / "resources" / "samples" / file;
+    const auto path = test::dataFile(std::string("samples/") + file);
     const auto garment = loadGarment({path}, {.unit = LengthUnit::Millimetre}, progress);
     EXPECT_TRUE(garment);
     SeamGraph graph = findSeams(garment->pieces);

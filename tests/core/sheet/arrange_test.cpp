@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sheet/arrange.h"
 
-#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/base/angle.h"
 #include "core/sheet/sheet.h"
 
 namespace toile {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 const std::vector<Placement> kPlacements = {
     {}, {{120, -30}, 0.4, false}, {{-5, 8}, -2.9, true}, {{0, 0}, kPi, true}};

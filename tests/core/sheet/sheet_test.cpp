@@ -6,7 +6,7 @@
 namespace toile {
 namespace {
 
-Points2 box(double x, double y, double width, double height) {
+Points2 boxPoints(double x, double y, double width, double height) {
     Points2 points(4, 2);
     points << x, y, x + width, y, x + width, y + height, x, y + height;
     return points;
@@ -17,7 +17,8 @@ Pattern mixedPattern(int count, double scale) {
     Pattern pattern;
     for (int i = 0; i < count; ++i) {
         const double width = 100 + 37 * (i * 7 % 11), height = 60 + 53 * (i * 5 % 13);
-        pattern.pieces.push_back({"p", "p", scale * box(-40.0 * i, 25.0 * i - 90, width, height)});
+        pattern.pieces.push_back(
+            {"p", "p", scale * boxPoints(-40.0 * i, 25.0 * i - 90, width, height)});
     }
     return pattern;
 }
@@ -69,7 +70,7 @@ TEST(LayOutInRows, IsBetweenASquareAndThreeToTwoForManyPieces) {
 TEST(LayOutInRows, StacksLongPiecesInsteadOfQueueingThem) {
     Pattern pattern;
     for (int i = 0; i < 6; ++i) {
-        pattern.pieces.push_back({"band", "band", box(0, 0, 900, 40)});
+        pattern.pieces.push_back({"band", "band", boxPoints(0, 0, 900, 40)});
     }
     const Sheet sheet = layOutInRows(pattern);
     EXPECT_DOUBLE_EQ(sheet.width, 900);
@@ -79,7 +80,7 @@ TEST(LayOutInRows, StacksLongPiecesInsteadOfQueueingThem) {
 
 TEST(LayOutInRows, FitsOnePieceExactly) {
     Pattern pattern;
-    pattern.pieces.push_back({"one", "one", box(-300, 1000, 420, 650)});
+    pattern.pieces.push_back({"one", "one", boxPoints(-300, 1000, 420, 650)});
     const Sheet sheet = layOutInRows(pattern);
     EXPECT_DOUBLE_EQ(sheet.width, 420);
     EXPECT_DOUBLE_EQ(sheet.height, 650);
@@ -94,7 +95,7 @@ TEST(LayOutInRows, TakesNothingAndPiecesOfNoSize) {
 
     Pattern points;
     points.pieces.push_back({"none", "none", Points2(0, 2)});
-    points.pieces.push_back({"dot", "dot", box(5, 5, 0, 0)});
+    points.pieces.push_back({"dot", "dot", boxPoints(5, 5, 0, 0)});
     const Sheet sheet = layOutInRows(points);
     EXPECT_EQ(sheet.offset.size(), 2u);
     EXPECT_TRUE(sheet.offset[0].allFinite() && sheet.offset[1].allFinite());

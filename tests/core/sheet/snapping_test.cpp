@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sheet/snapping.h"
 
-#include <numbers>
-
 #include <gtest/gtest.h>
+
+#include "core/base/angle.h"
 
 namespace toile {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Eigen::AlignedBox2d box(double x, double y, double width, double height) {
     return {Eigen::Vector2d(x, y), Eigen::Vector2d(x + width, y + height)};

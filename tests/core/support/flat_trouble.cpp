@@ -39,7 +39,7 @@ double anglesBetween(const Points3& directions) {
 /// Two triangles for each square of a grid of `columns` squares a row: `vertex` names the vertex at
 /// a column and a row, `falling` says which diagonal to take.
 template <class Vertex, class Falling>
-Triangles gridTriangles(int columns, int rows, const Vertex& vertex, const Falling& falling) {
+Triangles halvedSquares(int columns, int rows, const Vertex& vertex, const Falling& falling) {
     Triangles F(2 * columns * rows, 3);
     int f = 0;
     for (int r = 0; r < rows; ++r) {
@@ -88,7 +88,7 @@ MeshArrays saddleWithSlit(int side, double size, double bend) {
             const int column = right ? middle + c : c;
             return right && c == 0 && r < middle ? across * across + r : r * across + column;
         };
-        const Triangles half = gridTriangles(middle, side, vertex, [&](int, int) { return right; });
+        const Triangles half = halvedSquares(middle, side, vertex, [&](int, int) { return right; });
         mesh.F.middleRows(f, half.rows()) = half;
         f += static_cast<int>(half.rows());
     }
@@ -113,7 +113,7 @@ MeshArrays flounce(double turnDegrees, double inner, double outer, int around, i
             mesh.V.row(vertex(c, r)) = (outer + (inner - outer) * r / across) * directions.row(c);
         }
     }
-    mesh.F = gridTriangles(around, across, vertex, [](int c, int r) { return (c + r) % 2 == 0; });
+    mesh.F = halvedSquares(around, across, vertex, [](int c, int r) { return (c + r) % 2 == 0; });
     return mesh;
 }
 
@@ -130,7 +130,7 @@ MeshArrays sliverGrid(int columns, int rows, double size, unsigned seed) {
         }
         y += r % 2 == 0 ? size : 1e-3 * size;
     }
-    mesh.F = gridTriangles(columns, rows, vertex, [&](int, int) { return random.chance(0.5); });
+    mesh.F = halvedSquares(columns, rows, vertex, [&](int, int) { return random.chance(0.5); });
     return mesh;
 }
 
