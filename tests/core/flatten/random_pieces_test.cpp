@@ -16,11 +16,17 @@
 namespace toile {
 namespace {
 
-constexpr unsigned kSeeds = 1000;
+constexpr unsigned kSeedsOfAShard = 50;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr unsigned kQuickShards = 1, kShards = 1;
+#else
+constexpr unsigned kQuickShards = 3, kShards = 20;
+#endif
+constexpr unsigned kSeeds = kShards * kSeedsOfAShard;
 constexpr std::array kMethods = {Method::Wang2005, Method::Curvature, Method::Isometric};
 constexpr std::array kSolvers = {BoundarySolver::Newton, BoundarySolver::Slcp};
 
-Result<FlatPiece> flatOf(const Piece& piece, Method method, BoundarySolver solver) {
+Result<FlatPiece> flatBy(const Piece& piece, Method method, BoundarySolver solver) {
     FlattenOptions options;
     options.method = method;
     options.boundarySolver = solver;
@@ -41,15 +47,26 @@ TEST(RandomPieces, AreDisksOfEverySize) {
     EXPECT_GT(most, 500);
 }
 
-TEST(RandomPieces, KeepTheLengthsOfTheirOutlines) {
-    for (unsigned seed = 0; seed < kSeeds; ++seed) {
+/// A stretch of the seeds: several processors share the work.
+class ShardOfRandomPieces : public testing::TestWithParam<unsigned> {
+protected:
+    unsigned first() const { return GetParam() * kSeedsOfAShard; }
+    unsigned end() const { return first() + kSeedsOfAShard; }
+};
+
+INSTANTIATE_TEST_SUITE_P(RandomPieces, ShardOfRandomPieces, testing::Range(0U, kQuickShards));
+INSTANTIATE_TEST_SUITE_P(RandomPiecesSlow, ShardOfRandomPieces,
+                         testing::Range(kQuickShards, kShards));
+
+TEST_P(ShardOfRandomPieces, KeepTheLengthsOfTheirOutlines) {
+    for (unsigned seed = first(); seed < end(); ++seed) {
         const auto piece = test::asPiece(test::randomPiece(seed));
         const Eigen::VectorXd lengths = boundaryLengths3d(piece->mesh.V, piece->boundary);
         for (const Method method : kMethods) {
             for (const BoundarySolver solver : kSolvers) {
                 SCOPED_TRACE("seed " + std::to_string(seed) + " " + std::string(name(method)) +
                              " " + std::string(name(solver)));
-                const auto flat = flatOf(*piece, method, solver);
+                const auto flat = flatBy(*piece, method, solver);
                 ASSERT_TRUE(flat) << sentence(flat.error());
                 ASSERT_TRUE(flat->Q.allFinite());
                 EXPECT_LE(flat->closureGap, kClosureTolerance);
@@ -67,16 +84,16 @@ bool wasMovedApart(const FlatPiece& flat) {
 }
 
 /// Worse than its start in distortion only where it moved a crossing outline apart.
-TEST(RandomPieces, IsometricNeverFlipsAndIsNeverWorse) {
-    for (unsigned seed = 0; seed < kSeeds; ++seed) {
+TEST_P(ShardOfRandomPieces, NeverFlipByIsometricAndAreNeverWorse) {
+    for (unsigned seed = first(); seed < end(); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const auto piece = test::asPiece(test::randomPiece(seed));
-        const auto isometric = flatOf(*piece, Method::Isometric, BoundarySolver::Newton);
+        const auto isometric = flatBy(*piece, Method::Isometric, BoundarySolver::Newton);
         ASSERT_TRUE(isometric) << sentence(isometric.error());
         const PieceQuality quality = measure(*piece, isometric->Q);
         EXPECT_EQ(quality.flippedTriangles, 0);
         ASSERT_TRUE(quality.symmetricDirichlet);
-        const auto curvature = flatOf(*piece, Method::Curvature, BoundarySolver::Newton);
+        const auto curvature = flatBy(*piece, Method::Curvature, BoundarySolver::Newton);
         ASSERT_TRUE(curvature);
         const auto limit = measure(*piece, curvature->Q).symmetricDirichlet;  // none with flips
         if (limit && !wasMovedApart(*isometric)) {
