@@ -87,7 +87,7 @@ private:
     Session session_;
     QString folder_;
     std::optional<AutosaveTimes> times_;
-    QTimer timer_;
+    QTimer timer_{this};
     QElapsedTimer sinceWriting_;  ///< invalid until there was one
     QElapsedTimer sinceChange_;   ///< the first that is not written; invalid where there is none
     QString file_, writing_;      ///< the present one, and the last that was begun

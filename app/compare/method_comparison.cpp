@@ -23,7 +23,7 @@ FlattenOptions withMethod(FlattenOptions options, Method method) {
 
 MethodComparison::MethodComparison(const Document& document, const JobRunner& ordinary,
                                    QObject* parent)
-    : QObject(parent), document_(document), ordinary_(ordinary), runner_(document) {
+    : QObject(parent), document_(document), ordinary_(ordinary), runner_(document, this) {
     pause_.setSingleShot(true);
     pause_.setInterval(kPauseMilliseconds);
     connect(&pause_, &QTimer::timeout, this, &MethodComparison::refresh);

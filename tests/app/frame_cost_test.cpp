@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a frame asks of the graphics driver: as many draw calls however many pieces and triangles
 // there are, and nothing sent while only the camera moves.
-#include <QElapsedTimer>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
@@ -205,11 +204,7 @@ private slots:
         }
         const auto small = sceneOf(1, 12, 10), large = sceneOf(1, 708, 708);
         QVERIFY(large->garment.triangles.size() > 3'000'000);
-        QElapsedTimer clock;
-        clock.start();
         const FrameCounts ofLarge = garmentFrame(large);
-        qInfo("two frames of a million triangles: %lld ms (software OpenGL may be at work)",
-              static_cast<long long>(clock.elapsed()));
         QCOMPARE(ofLarge.drawCalls, garmentFrame(small).drawCalls);
         QCOMPARE(ofLarge.uploadedBytes, std::size_t{0});
         const FrameCounts flat = patternFrame(large);

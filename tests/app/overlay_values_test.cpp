@@ -21,7 +21,6 @@
 #include "core/garment/fabric.h"
 #include "core/quality/piece_quality.h"
 #include "tests/app/support/garments.h"
-#include "tests/app/support/processor_time.h"
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
@@ -342,26 +341,6 @@ private slots:
             const OverlayScale scale = overlayScale(*sheet.scene, overlay, fabricPresets().front());
             QVERIFY(worstSpots(*sheet.scene, {}, overlay, scale).empty());
         }
-    }
-
-    void aMillionTrianglesAreAnsweredSoon() {
-        const BuiltScene sheet = buildScene({{"front", test::makeSheet(1000, 1000, 710, 710)}},
-                                            [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
-                                                return {worn.x() * (1 - 2e-5 * worn.x()), worn.y()};
-                                            });
-        const OverlayScale scale =
-            overlayScale(*sheet.scene, Overlay::Bias, *fabricPreset("woven"));
-        const double start = test::processorTime();
-        const Histogram histogram =
-            overlayHistogram(*sheet.scene, grainAt(0.3), Overlay::Bias, scale);
-        const double between = test::processorTime();
-        const auto spots = worstSpots(*sheet.scene, grainAt(0.3), Overlay::Bias, scale);
-        const double first = between - start, second = test::processorTime() - between;
-        QVERIFY(histogram.tallest() > 0 && !spots.empty());
-        // Of the processor; a few times what an idle machine needs.
-        QVERIFY2(first < 500 && second < 1500,
-                 qPrintable(QString("%1 ms and %2 ms").arg(first).arg(second)));
-        qInfo("%.0f ms and %.0f ms", first, second);
     }
 
     void questionsDifferOnlyWhereTheirAnswersDo() {

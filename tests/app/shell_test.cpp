@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractAnimation>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -371,18 +372,29 @@ private slots:
                 return bar->isVisible() && bar->count() == 0;
             }));
         };
+        // Docks glide into their places, and tab bars that nothing is left in go after that.
+        const auto hasNoneOnceAllStands = [this, emptyTabBars]() -> bool {
+            const auto glides = [this]() -> bool {
+                return std::ranges::any_of(window().findChildren<QAbstractAnimation*>(),
+                                           [](const QAbstractAnimation* animation) -> bool {
+                                               return animation->state() ==
+                                                      QAbstractAnimation::Running;
+                                           });
+            };
+            QCoreApplication::processEvents();
+            return QTest::qWaitFor(
+                [&glides, &emptyTabBars] { return !glides() && emptyTabBars() == 0; },
+                test::kPatience);
+        };
         fixture_.openAndWait(fixture_.path("pair.obj"));
-        QTest::qWait(500);  // docks glide into their places
-        QCOMPARE(emptyTabBars(), 0);
+        QVERIFY(hasNoneOnceAllStands());
         for (int k = 0; k < 3; ++k) {
             fixture_.action(ActionId::ResetLayout).trigger();
-            QTest::qWait(500);
-            QCOMPARE(emptyTabBars(), 0);
+            QVERIFY(hasNoneOnceAllStands());
         }
         const QByteArray state = window().saveState();
         window().restoreState(state);
-        QTest::qWait(500);
-        QCOMPARE(emptyTabBars(), 0);
+        QVERIFY(hasNoneOnceAllStands());
     }
 
     void aLayoutOfAnEarlierVersionIsLeftAlone() {
