@@ -13,7 +13,7 @@
 namespace toile {
 namespace {
 
-const std::string kShirt = kShirt;
+const std::string kShirt = std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.obj";
 
 TEST(Contract, HelpAndVersionNeedNoDisplay) {
     EXPECT_EQ(test::toileRun({"--help"}).status, 0);
