@@ -9,7 +9,7 @@
 
 #include "app/compare/compared_column.h"
 #include "app/compare/comparison_model.h"
-#include "app/compare/comparison_table.h"
+#include "app/compare/comparison_view.h"
 #include "app/document/document.h"
 #include "app/render/gl_support.h"
 #include "app/render/overlay_values.h"
@@ -43,7 +43,7 @@ CompareWindow::CompareWindow(Document& document, const JobRunner& ordinary, QWid
       pictures_(new QWidget(this)),
       legend_(new ColourBar(this)),
       model_(new ComparisonModel(this)),
-      table_(new ComparisonTable(this)),
+      table_(new ComparisonView(this)),
       note_(new QLabel(this)) {
     setObjectName("compareWindow");
     setWindowTitle(tr("Compare methods"));

@@ -15,7 +15,7 @@ namespace toile {
 class ColourBar;
 class ComparedColumn;
 class ComparisonModel;
-class ComparisonTable;
+class ComparisonView;
 struct PictureLook;
 
 /// One piece by up to four methods, side by side: pictures of one scale under one colour bar, and a
@@ -58,7 +58,7 @@ private:
     QWidget* pictures_;
     ColourBar* legend_;
     ComparisonModel* model_;
-    ComparisonTable* table_;
+    ComparisonView* table_;
     QLabel* note_;
     bool isChosen_ = false;  ///< the methods, by the person
 };

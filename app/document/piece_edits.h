@@ -11,8 +11,6 @@ class Document;
 /// Edits of what is said about pieces beyond their shape and place. Each is one step of the
 /// history, nothing where all is so already; indices outside the garment are left out.
 
-inline constexpr int kMostCopies = 999;  ///< that can be asked for
-
 /// @param quantity  how many of each are cut, 1 to kMostCopies; others are brought there
 void setQuantity(Document& document, const std::vector<int>& pieces, int quantity);
 /// @param isPair  each of them is also cut mirrored

@@ -16,7 +16,7 @@
 
 #include "app/document/document.h"
 #include "app/document/piece_edits.h"
-#include "app/panels/piece_table.h"
+#include "app/panels/pieces_view.h"
 #include "app/panels/pieces_model.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
@@ -42,7 +42,7 @@ PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
       document_(document),
       model_(new PiecesModel(document, this)),
       sorted_(new QSortFilterProxyModel(this)),
-      table_(new PieceTable(this)),
+      table_(new PiecesView(this)),
       columns_(new ColumnChooser(*table_->header(),
                                  {"name", "status", "quantity", "pair", "method", "triangles",
                                   "area", "outline", "outlineError", "strainMean", "strainRange",

@@ -4,8 +4,8 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
-#include "app/document/piece_edits.h"
 #include "app/widgets/cell_delegate.h"
+#include "core/project/piece_settings.h"
 
 namespace toile {
 

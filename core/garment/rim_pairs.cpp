@@ -21,7 +21,7 @@ double toleranceOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
             box.extend(Eigen::Vector3d(piece->mesh.V.colwise().maxCoeff().transpose()));
         }
     }
-    return box.isEmpty() ? 0 : kSamePlace * box.diagonal().norm();
+    return box.isEmpty() ? 0 : kRimTolerance * box.diagonal().norm();
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace toile {
 
 /// Two vertices lie on each other when they are no farther apart than this part of the diagonal of
 /// all pieces: the rounding of a file, far below any gap between two layers.
-inline constexpr double kSamePlace = 1e-6;
+inline constexpr double kRimTolerance = 1e-6;
 
 /// Numbers places: points closer together than a tolerance share one.
 class Places {

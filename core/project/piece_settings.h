@@ -18,6 +18,8 @@ struct Anchor {
     bool operator==(const Anchor&) const = default;
 };
 
+inline constexpr int kMostCopies = 1000000;  ///< of a piece that can be asked for
+
 /// What a person has said about one piece, beyond its shape.
 struct PieceSettings {
     /// Where the flat piece lies; none until it has been laid out.
@@ -27,7 +29,7 @@ struct PieceSettings {
     /// Direction of the warp, radians anti-clockwise from the x axis of the flat piece's own
     /// coordinates; none where nobody has said so, and then it runs upwards (kGrainUpwards).
     std::optional<double> grain{};
-    int quantity = 1;           ///< how many are cut
+    int quantity = 1;           ///< how many are cut, at most kMostCopies
     bool mirroredPair = false;  ///< each of them also mirrored: left and right
 
     /// Placement and grain are about the flat coordinates of an earlier flattening as long as there

@@ -19,7 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto kFormat = "toile-project";
-constexpr int kMostCopies = 1000000;
 constexpr double kMostStrain = 10;
 constexpr double kMostTurn = 1e6;  ///< radians: beyond, the sine of a double is no direction
 

@@ -37,7 +37,7 @@ std::pair<Points2, Points2> pointsOf(const std::vector<Anchor>& anchors, const P
 
 /// Whether a motion is none, for a piece that reaches so far from the origin.
 bool staysThere(const RigidMotion& oldOfNew, double reach) {
-    return std::abs(oldOfNew.turn) * reach + oldOfNew.shift.norm() <= kSamePlace;
+    return std::abs(oldOfNew.turn) * reach + oldOfNew.shift.norm() <= kUnmoved;
 }
 
 struct Fit {

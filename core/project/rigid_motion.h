@@ -30,7 +30,7 @@ double misfit(const RigidMotion& motion, const Points2& from, const Points2& to)
 
 /// Settings that were said about other flat coordinates of the same piece: the piece stays where it
 /// is on the sheet, and the grain keeps its direction on the cloth. A grain nobody has stated stays
-/// so. Exactly the same where nothing moves by more than `kSamePlace`.
+/// so. Exactly the same where nothing moves by more than `kUnmoved`.
 /// @param oldOfNew  where points in the new coordinates were in the old ones
 /// @param reach     mm: how far from the origin the piece reaches
 PieceSettings movedSettings(PieceSettings settings, const RigidMotion& oldOfNew, double reach);
@@ -41,7 +41,7 @@ PieceSettings movedSettings(PieceSettings settings, const RigidMotion& oldOfNew,
 PieceSettings uprightSettings(PieceSettings settings, const RigidMotion& oldOfNew, double reach);
 
 /// Below this two places are the same, mm.
-inline constexpr double kSamePlace = 1e-7;
+inline constexpr double kUnmoved = 1e-7;
 
 /// Settings with anchors, for the flat piece found meanwhile: fitted to them, which then are gone.
 /// Where the anchors cannot be trusted any more (vertices that are not there, or lie at distances

@@ -14,7 +14,7 @@ constexpr double kBridge = 2.5;
 // does not coincide is not sewn, and there is nothing to bridge.
 constexpr double kJoined = 1e-4;
 // Ends that differ by less than this fraction of the perimeter are one place.
-constexpr double kSamePlace = 1e-9;
+constexpr double kNoLength = 1e-9;
 
 class Joiner {
 public:
@@ -69,7 +69,7 @@ private:
     /// The arc from the end of the first to the beginning of the second.
     static Arc between(Arc first, Arc second, const Outline& outline) {
         const double apart = outline.wrap(second.from - first.to);
-        return {first.to, first.to + (apart > (1 - kSamePlace) * outline.length() ? 0 : apart)};
+        return {first.to, first.to + (apart > (1 - kNoLength) * outline.length() ? 0 : apart)};
     }
 
     Arc betweenA(const Run& run, const Run& next) const {
@@ -86,7 +86,7 @@ private:
         const bool bridge = !coincide(run.run) || !coincide(next.run);
         const double reach = bridge ? kBridge * run.run.spacing(outlines_) : 0;
         const auto near = [&](int piece, Arc gap) {
-            const double least = kSamePlace * outlines_.list[piece].length();
+            const double least = kNoLength * outlines_.list[piece].length();
             return gap.to - gap.from <= std::max(reach, least) && isFree(piece, gap);
         };
         return near(run.run.outlineA, betweenA(run.run, next.run)) &&
@@ -100,7 +100,7 @@ private:
         for (const Arc& part : taken_[piece].outside(arc)) {
             taken -= part.to - part.from;
         }
-        return taken <= kSamePlace * outlines_.list[piece].length();
+        return taken <= kNoLength * outlines_.list[piece].length();
     }
 
     Chosen collect(int first) {

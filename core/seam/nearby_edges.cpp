@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kFewEdges = 16;
 // Cells that an edge may be entered in on the way down, on average: dividing a cell parts no edges
 // that lie along each other, or meet in one point.
-constexpr double kMostCopies = 16;
+constexpr double kMostCopiesPerEdge = 16;
 // More edges than these, and not parted, are a crowd: 64 corners in one point, or 128 layers.
 constexpr std::size_t kCrowd = 128;
 // Halvings of the garment's size: one part in 1e7.
@@ -79,7 +79,7 @@ public:
             entries += std::popcount(octants[i]);
         }
         const double copies = cell.copies * entries / static_cast<double>(edges.size());
-        if (copies > kMostCopies || cell.depth == kMostDepth) {
+        if (copies > kMostCopiesPerEdge || cell.depth == kMostDepth) {
             endAt(edges, cell);
             return;
         }

@@ -93,14 +93,26 @@ private slots:
     void quantityStaysWithinReason() {
         click(cell(1, PiecesModel::Name));
         QTest::keyClick(&table(), Qt::Key_F2);
-        typeQuantity("99999");  // the last digits are not taken
-        QCOMPARE(settings(1).quantity, 999);
+        typeQuantity("99999999");  // the last digits are not taken
+        QCOMPARE(settings(1).quantity, 999999);
+        setQuantity(document(), {1}, kMostCopies + 1);
+        QCOMPARE(settings(1).quantity, kMostCopies);
         setQuantity(document(), {1}, 0);
         QCOMPARE(settings(1).quantity, 1);
         const int before = steps();
         setQuantity(document(), {-1, 7}, 3);
         setQuantity(document(), {}, 3);
         QCOMPARE(steps(), before);
+    }
+
+    /// What a project may hold (project_file.cpp) can be edited too: it falls to no smaller bound.
+    void manyCopiesOfAProjectStayAsManyInTheEditor() {
+        setQuantity(document(), {0}, 5000);
+        QCOMPARE(settings(0).quantity, 5000);
+        click(cell(0, PiecesModel::Name));
+        QTest::keyClick(&table(), Qt::Key_F2);
+        typeQuantity("5001");
+        QCOMPARE(settings(0).quantity, 5001);
     }
 
     void aQuantityThatIsOnlyLookedAtStaysForAll() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/compare/comparison_table.h"
+#include "app/compare/comparison_view.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -15,7 +15,7 @@ constexpr int kRowAir = 9;
 
 }  // namespace
 
-ComparisonTable::ComparisonTable(QWidget* parent) : QTableView(parent) {
+ComparisonView::ComparisonView(QWidget* parent) : QTableView(parent) {
     setObjectName("compareTable");
     setAccessibleName(tr("Figures of the methods"));
     setFrameShape(QFrame::NoFrame);
@@ -48,17 +48,17 @@ ComparisonTable::ComparisonTable(QWidget* parent) : QTableView(parent) {
     setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-void ComparisonTable::setModel(QAbstractItemModel* model) {
+void ComparisonView::setModel(QAbstractItemModel* model) {
     QTableView::setModel(model);
     connect(model, &QAbstractItemModel::modelReset, this, &QWidget::updateGeometry);
 }
 
-void ComparisonTable::setTitleWidth(int pixels) {
+void ComparisonView::setTitleWidth(int pixels) {
     verticalHeader()->setFixedWidth(pixels);
     updateGeometries();
 }
 
-QString ComparisonTable::copiedText() const {
+QString ComparisonView::copiedText() const {
     const QAbstractItemModel& figures = *model();
     const bool all = selectionModel()->selectedRows().isEmpty();
     QStringList lines, cells{QString()};
@@ -79,11 +79,11 @@ QString ComparisonTable::copiedText() const {
     return lines.join('\n') + '\n';
 }
 
-QSize ComparisonTable::sizeHint() const {
+QSize ComparisonView::sizeHint() const {
     return {QTableView::sizeHint().width(), verticalHeader()->length() + 2 * frameWidth()};
 }
 
-QSize ComparisonTable::minimumSizeHint() const {
+QSize ComparisonView::minimumSizeHint() const {
     return {320, sizeHint().height()};
 }
 

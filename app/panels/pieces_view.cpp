@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/panels/piece_table.h"
+#include "app/panels/pieces_view.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -27,13 +27,13 @@ protected:
 
 }  // namespace
 
-PieceTable::PieceTable(QWidget* parent) : QTreeView(parent) {
+PiecesView::PiecesView(QWidget* parent) : QTreeView(parent) {
     setEditTriggers(DoubleClicked | EditKeyPressed);
     setItemDelegateForColumn(PiecesModel::Quantity, new QuantityDelegate(this));
     setItemDelegateForColumn(PiecesModel::Pair, new PairDelegate(this));
 }
 
-bool PieceTable::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+bool PiecesView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
     const bool isKey = event && event->type() == QEvent::KeyPress;
     if (trigger == EditKeyPressed) {
         return QTreeView::edit(index.siblingAtColumn(PiecesModel::Quantity), trigger, event);
@@ -44,7 +44,7 @@ bool PieceTable::edit(const QModelIndex& index, EditTrigger trigger, QEvent* eve
     return QTreeView::edit(index, trigger, event);
 }
 
-QItemSelectionModel::SelectionFlags PieceTable::selectionCommand(const QModelIndex& index,
+QItemSelectionModel::SelectionFlags PiecesView::selectionCommand(const QModelIndex& index,
                                                                  const QEvent* event) const {
     const bool changes = index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
     if (changes && event && selectionModel()->isSelected(index) &&

@@ -9,11 +9,11 @@ namespace toile {
 /// a click into a cell that can be changed leaves the selection as it is. The edit key (F2) edits
 /// the quantity and the space bar turns the mirrored pair on and off, whichever cell has the
 /// keyboard.
-class PieceTable : public QTreeView {
+class PiecesView : public QTreeView {
     Q_OBJECT
 
 public:
-    explicit PieceTable(QWidget* parent = nullptr);
+    explicit PiecesView(QWidget* parent = nullptr);
 
 protected:
     bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;

@@ -8,11 +8,11 @@ namespace toile {
 /// A table as wide as it may be and as high as its rows, without scroll bars, whose columns stand
 /// under what is above them. Copies the selected rows, or all where none is selected, with their
 /// titles, cells apart by tabs.
-class ComparisonTable : public QTableView {
+class ComparisonView : public QTableView {
     Q_OBJECT
 
 public:
-    explicit ComparisonTable(QWidget* parent = nullptr);
+    explicit ComparisonView(QWidget* parent = nullptr);
 
     void setModel(QAbstractItemModel* model) override;
     /// The width of the rows' titles.
