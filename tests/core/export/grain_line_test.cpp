@@ -43,6 +43,15 @@ TEST(GrainLine, LiesInsideAlongItsDirection) {
     }
 }
 
+TEST(GrainLine, RunsThroughTheMiddleWhereNothingIsInItsWay) {
+    for (const double angle : {0.0, 0.4, kPi / 2}) {
+        // Lines beside the middle of a rectangle are as long as it at best.
+        const auto line = grainLine({test::rectangle(-70, 30, 200, 300)}, angle, {});
+        ASSERT_TRUE(line);
+        EXPECT_LT((0.5 * (line->from + line->to) - Eigen::Vector2d(30, 180)).norm(), 1e-9) << angle;
+    }
+}
+
 TEST(GrainLine, KeepsOffTheName) {
     const Points2 outline = test::rectangle(0, 0, 200, 300);
     const Eigen::AlignedBox2d name(Eigen::Vector2d(60, 140), Eigen::Vector2d(140, 160));
