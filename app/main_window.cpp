@@ -120,6 +120,7 @@ void MainWindow::makeCentre() {
     connect(welcome, &WelcomePage::openWanted, &actions_[ActionId::Open], &QAction::trigger);
     connect(welcome, &WelcomePage::filesWanted, this, &MainWindow::openFiles);
     views_ = new ViewArea(workspace_.document(), *tools_, pages_);
+    connect(views_, &ViewArea::failed, banner_, &Banner::showSentence);
     connect(&actions_[ActionId::Frame], &QAction::triggered, views_, &ViewArea::frameSelection);
     pages_->addWidget(welcome);
     auto* work = new QWidget(pages_);

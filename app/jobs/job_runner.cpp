@@ -3,8 +3,6 @@
 
 #include <QtConcurrentRun>
 #include <algorithm>
-#include <exception>
-#include <string>
 #include <utility>
 
 #include "app/document/document.h"
@@ -18,15 +16,14 @@ constexpr int kPollMilliseconds = 33;
 
 }  // namespace
 
-/// The job on the worker and what comes back from it. `outcome` and `crash` are written by the
-/// worker and read after the future has finished, which orders the two.
+/// The job on the worker and what comes back from it. `outcome` is written by the worker and read
+/// after the future has finished, which orders the two.
 struct JobRunner::Running {
     std::unique_ptr<Job> job;
     Ticket ticket = 0;
     bool replaced = false;
     Progress progress;
-    Result<void> outcome;
-    std::string crash;
+    Attempt<Result<void>> outcome;
 };
 
 JobRunner::JobRunner(const Document& document, QObject* parent)
@@ -127,10 +124,8 @@ void JobRunner::doTheRest() {
     current_.reset();
     for (const Waiting& waiting : std::exchange(waiting_, {})) {
         Progress progress;
-        try {
-            (void)waiting.job->process(progress);
-        } catch (const std::exception&) {  // there is nobody left to tell
-        }
+        // There is nobody left to tell.
+        (void)attempt([&] { return waiting.job->process(progress); });
     }
 }
 
@@ -148,23 +143,15 @@ void JobRunner::startNext() {
 
     Running* running = current_.get();  // outlives the future: shutdown waits for it
     watcher_.setFuture(QtConcurrent::run(&pool_, [running] {
-        try {
-            running->outcome = running->job->process(running->progress);
-        } catch (const std::exception& exception) {
-            running->crash = exception.what();
-        }
+        running->outcome = attempt([running] { return running->job->process(running->progress); });
     }));
 }
 
 void JobRunner::onFinished() {
     poll_.stop();
     const std::unique_ptr<Running> done = std::move(current_);
-    if (!done->crash.empty()) {
-        emit failed(done->job->title(),
-                    tr("The program met an unexpected fault (%1). Please "
-                       "report it with the garment file.")
-                        .arg(QString::fromStdString(done->crash)),
-                    done->replaced);
+    if (done->outcome.fault) {
+        emit failed(done->job->title(), faultText(done->outcome.fault), done->replaced);
     } else {
         settle(*done);
     }
@@ -177,7 +164,7 @@ void JobRunner::onFinished() {
 
 void JobRunner::settle(const Running& done) {
     Job& job = *done.job;
-    const Result<void>& outcome = done.outcome;
+    const Result<void>& outcome = *done.outcome.answer;
     if (done.progress.isCancelled() || (!outcome && outcome.error().code == ErrorCode::Cancelled)) {
         emit cancelled(job.title(), done.replaced);
         return;

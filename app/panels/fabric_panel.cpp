@@ -309,7 +309,8 @@ void FabricPanel::showFit() {
     }
     all_->setText(fit ? shareText(fit->any) : unknown);
     if (!fit || !document_.garment()) {
-        worst_->setText(tr("Nothing is flat yet."));
+        worst_->setText(watcher_->problem().isEmpty() ? tr("Nothing is flat yet.")
+                                                      : watcher_->problem().toHtmlEscaped());
         return;
     }
     if (!fit->worst || fit->worst->piece >= document_.pieceCount()) {

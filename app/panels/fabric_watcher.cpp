@@ -20,8 +20,8 @@ FabricQuestion questionOf(const Document& document) {
 
 }  // namespace
 
-FabricWatcher::FabricWatcher(Document& document, QObject* parent)
-    : QObject(parent), document_(document) {
+FabricWatcher::FabricWatcher(Document& document, QObject* parent, Work work)
+    : QObject(parent), document_(document), work_(std::move(work)) {
     connect(&document_, &Document::changed, this, &FabricWatcher::onChanged);
     connect(&watcher_, &QFutureWatcherBase::finished, this, &FabricWatcher::onFinished);
     start(questionOf(document_));
@@ -55,15 +55,16 @@ void FabricWatcher::start(FabricQuestion question) {
         return;
     }
     isRunning_ = true;
-    watcher_.setFuture(
-        QtConcurrent::run([question = std::move(question)]() -> std::optional<FabricFit> {
-            return fabricFit(question);
+    watcher_.setFuture(QtConcurrent::run(
+        [work = work_, question = std::move(question)]() -> Attempt<std::optional<FabricFit>> {
+            return attempt([&] { return work(question); });
         }));
 }
 
-void FabricWatcher::show(const std::optional<FabricFit>& fit) {
-    if (fit != fit_) {
+void FabricWatcher::show(const std::optional<FabricFit>& fit, const QString& problem) {
+    if (fit != fit_ || problem != problem_) {
         fit_ = fit;
+        problem_ = problem;
         emit changed();
     }
 }
@@ -74,7 +75,8 @@ void FabricWatcher::onFinished() {
     const bool isStale = !isSameQuestion(question, asked_);
     // Of an earlier fabric or grain it is shown all the same, so that a long drag shows something.
     if (question.scene == asked_.scene) {
-        show(watcher_.result());
+        const auto made = watcher_.result();
+        made.answer ? show(*made.answer) : show(std::nullopt, faultText(made.fault));
     }
     if (isStale) {
         start(std::move(question));

@@ -3,10 +3,12 @@
 
 #include <QFutureWatcher>
 #include <QObject>
+#include <functional>
 #include <optional>
 
 #include "app/document/document_change.h"
 #include "app/render/fabric_fit.h"
+#include "app/text/error_text.h"
 
 namespace toile {
 
@@ -18,11 +20,15 @@ class FabricWatcher : public QObject {
     Q_OBJECT
 
 public:
-    explicit FabricWatcher(Document& document, QObject* parent = nullptr);
+    using Work = std::function<std::optional<FabricFit>(const FabricQuestion&)>;
+
+    explicit FabricWatcher(Document& document, QObject* parent = nullptr, Work work = fabricFit);
     ~FabricWatcher() override;
 
     /// None where nothing is flat; of an earlier fabric or grain while `isUpToDate` is false.
     const std::optional<FabricFit>& fit() const { return fit_; }
+    /// Why the fit could not be worked out; empty where it could.
+    const QString& problem() const { return problem_; }
     bool isUpToDate() const { return !isRunning_; }
 
 signals:
@@ -31,13 +37,15 @@ signals:
 private:
     void onChanged(DocumentChanges what);
     void start(FabricQuestion question);
-    void show(const std::optional<FabricFit>& fit);
+    void show(const std::optional<FabricFit>& fit, const QString& problem = {});
     void onFinished();
 
     Document& document_;
+    Work work_;
     FabricQuestion asked_;  ///< last
     std::optional<FabricFit> fit_;
-    QFutureWatcher<std::optional<FabricFit>> watcher_;
+    QString problem_;
+    QFutureWatcher<Attempt<std::optional<FabricFit>>> watcher_;
     bool isRunning_ = false;
 };
 

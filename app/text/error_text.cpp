@@ -2,6 +2,7 @@
 #include "app/text/error_text.h"
 
 #include <QCoreApplication>
+#include <new>
 
 #include "core/base/characters.h"
 #include "core/base/error.h"
@@ -31,6 +32,19 @@ QString errorText(const Error& error) {
         text += "; " + advised;
     }
     return text + '.';
+}
+
+QString faultText(const std::exception_ptr& fault) {
+    try {
+        std::rethrow_exception(fault);
+    } catch (const std::bad_alloc&) {
+        return errorText({ErrorCode::OutOfMemory, {}, {}});
+    } catch (const std::exception& exception) {
+        return QCoreApplication::translate("toile",
+                                           "The program met an unexpected fault (%1). Please "
+                                           "report it with the garment file.")
+            .arg(QString::fromUtf8(exception.what()));
+    }
 }
 
 }  // namespace toile

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QString>
+#include <exception>
+#include <optional>
 
 namespace toile {
 
@@ -10,5 +12,26 @@ struct Error;
 /// `sentence` of core/base/error.h in the person's language: what happened, where, what to try. The
 /// particulars between brackets stay as the core words them.
 QString errorText(const Error& error);
+
+/// What a piece of work that ended with an exception says: that memory ran out and what to try, or
+/// that the program met a fault. Not null.
+QString faultText(const std::exception_ptr& fault);
+
+/// What came of a piece of work on another thread: an answer, or what it threw instead. No
+/// exception may leave a thread of Qt's: it would be thrown again in the event loop.
+template <class Answer>
+struct Attempt {
+    std::optional<Answer> answer{};
+    std::exception_ptr fault{};
+};
+
+template <class Work>
+auto attempt(const Work& work) -> Attempt<decltype(work())> {
+    try {
+        return {work(), nullptr};
+    } catch (const std::exception&) {
+        return {std::nullopt, std::current_exception()};
+    }
+}
 
 }  // namespace toile

@@ -22,8 +22,8 @@ OverlayQuestion questionOf(const Document& document) {
 
 }  // namespace
 
-OverlayWatcher::OverlayWatcher(Document& document, QObject* parent)
-    : QObject(parent), document_(document) {
+OverlayWatcher::OverlayWatcher(Document& document, QObject* parent, Work work)
+    : QObject(parent), document_(document), work_(std::move(work)) {
     connect(&document_, &Document::changed, this, &OverlayWatcher::onChanged);
     connect(&watcher_, &QFutureWatcherBase::finished, this, &OverlayWatcher::onFinished);
     start(questionOf(document_));
@@ -64,7 +64,9 @@ void OverlayWatcher::start(OverlayQuestion question) {
     showFirst(question);
     isRunning_ = true;
     watcher_.setFuture(QtConcurrent::run(
-        [question = std::move(question)]() -> OverlayFigures { return overlayFigures(question); }));
+        [work = work_, question = std::move(question)]() -> Attempt<OverlayFigures> {
+            return attempt([&] { return work(question); });
+        }));
 }
 
 void OverlayWatcher::showFirst(const OverlayQuestion& question) {
@@ -80,8 +82,13 @@ void OverlayWatcher::showFirst(const OverlayQuestion& question) {
 
 void OverlayWatcher::onFinished() {
     isRunning_ = false;
-    OverlayFigures found = watcher_.result();
-    if (!std::exchange(isStale_, false)) {
+    Attempt<OverlayFigures> made = watcher_.result();
+    const bool isStale = std::exchange(isStale_, false);
+    if (!made.answer) {
+        emit failed(faultText(made.fault));
+    }
+    OverlayFigures found = made.answer ? std::move(*made.answer) : figures_;
+    if (!isStale) {
         figures_ = std::move(found);
         emit changed();
         return;

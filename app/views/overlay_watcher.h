@@ -3,9 +3,11 @@
 
 #include <QFutureWatcher>
 #include <QObject>
+#include <functional>
 
 #include "app/document/document_change.h"
 #include "app/render/overlay_figures.h"
+#include "app/text/error_text.h"
 
 namespace toile {
 
@@ -17,7 +19,10 @@ class OverlayWatcher : public QObject {
     Q_OBJECT
 
 public:
-    explicit OverlayWatcher(Document& document, QObject* parent = nullptr);
+    using Work = std::function<OverlayFigures(const OverlayQuestion&)>;
+
+    explicit OverlayWatcher(Document& document, QObject* parent = nullptr,
+                            Work work = overlayFigures);
     ~OverlayWatcher() override;
 
     /// Overlay and scale are the document's; histogram and spots may be of an earlier grain, or not
@@ -27,6 +32,8 @@ public:
 
 signals:
     void changed();
+    /// The figures could not be worked out: there is overlay and scale alone.
+    void failed(const QString& sentence);
 
 private:
     void onChanged(DocumentChanges what);
@@ -36,9 +43,10 @@ private:
     void onFinished();
 
     Document& document_;
+    Work work_;
     OverlayQuestion asked_;  ///< last
     OverlayFigures figures_;
-    QFutureWatcher<OverlayFigures> watcher_;
+    QFutureWatcher<Attempt<OverlayFigures>> watcher_;
     bool isRunning_ = false, isStale_ = false;
 };
 

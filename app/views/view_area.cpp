@@ -31,6 +31,7 @@ ViewArea::ViewArea(Document& document, ToolBox& tools, QWidget* parent)
     layout->addWidget(splitter_, 1);
     layout->addWidget(legend_);
     connect(figures_, &OverlayWatcher::changed, this, &ViewArea::showFigures);
+    connect(figures_, &OverlayWatcher::failed, this, &ViewArea::failed);
     // The value at a place follows at once, however long the figures take.
     connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
         if (what & (DocumentChange::Settings | DocumentChange::View | DocumentChange::Fabric |

@@ -54,6 +54,8 @@ public:
 signals:
     /// The pointer has come into this view.
     void entered(toile::ViewKind view);
+    /// The overlay's figures could not be worked out.
+    void failed(const QString& sentence);
 
 private:
     void makeViews();

@@ -2821,6 +2821,10 @@
         <source>Cut from the rim to the outline if a patch is to be sewn in</source>
         <translation>Schneiden Sie vom Rand zum Umriss, wenn ein Flicken eingenäht werden soll</translation>
     </message>
+    <message>
+        <source>The program met an unexpected fault (%1). Please report it with the garment file.</source>
+        <translation>Im Programm ist ein unerwarteter Fehler aufgetreten (%1). Bitte melden Sie ihn mit der Datei des Kleidungsstücks.</translation>
+    </message>
 </context>
 <context>
     <name>toile::Banner</name>
@@ -3046,7 +3050,7 @@
     </message>
 </context>
 <context>
-    <name>toile::ComparisonTable</name>
+    <name>toile::ComparisonView</name>
     <message>
         <source>Figures of the methods</source>
         <translation>Zahlen der Verfahren</translation>
@@ -3400,13 +3404,6 @@
     <message>
         <source>Nothing is called that.</source>
         <translation>So heißt nichts.</translation>
-    </message>
-</context>
-<context>
-    <name>toile::JobRunner</name>
-    <message>
-        <source>The program met an unexpected fault (%1). Please report it with the garment file.</source>
-        <translation>Im Programm ist ein unerwarteter Fehler aufgetreten (%1). Bitte melden Sie ihn mit der Datei des Kleidungsstücks.</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QStackedWidget>
+#include <new>
 
 #include "app/document/project_state.h"
 #include "app/panels/fabric_panel.h"
@@ -12,6 +13,8 @@
 #include "app/render/fabric_fit.h"
 #include "app/render/overlay_figures.h"
 #include "app/views/colour_bar.h"
+#include "app/views/overlay_watcher.h"
+#include "app/widgets/banner.h"
 #include "app/widgets/percent_edit.h"
 #include "core/check/strain_check.h"
 #include "core/project/project_file.h"
@@ -251,6 +254,26 @@ private slots:
         QVERIFY(!watcher->isUpToDate());
         QTRY_VERIFY_WITH_TIMEOUT(watcher->isUpToDate(), test::kPatience);
         QVERIFY(*watcher->fit() == *fabricFit(question()));
+    }
+
+    void lackOfMemoryIsSaidWhereTheFiguresWouldBe() {
+        test::writeObj(fixture_.path("large.obj").toStdString(),
+                       {{"sheet", test::makeSheet(400, 300, 100, 80)}});
+        QVERIFY(fixture_.openAndWait(fixture_.path("large.obj")));
+        FabricWatcher watcher(
+            document(), nullptr,
+            [](const FabricQuestion&) -> std::optional<FabricFit> { throw std::bad_alloc(); });
+        QVERIFY(!watcher.isUpToDate());
+        QTRY_VERIFY_WITH_TIMEOUT(watcher.isUpToDate(), test::kPatience);
+        QVERIFY(!watcher.fit());
+        QVERIFY2(watcher.problem().contains("not enough memory"), qPrintable(watcher.problem()));
+    }
+
+    void theWindowSaysWhatTheOverlayCouldNotWorkOut() {
+        QVERIFY(fixture_.window().banner().isHidden());
+        emit fixture_.window().findChild<OverlayWatcher*>()->failed("there is not enough memory.");
+        QVERIFY(!fixture_.window().banner().isHidden());
+        QVERIFY(fixture_.window().banner().sentence().contains("memory"));
     }
 
     void typedLimitsAreSavedAndRead() {

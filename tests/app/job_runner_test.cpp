@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <new>
 #include <stdexcept>
 #include <thread>
 
@@ -176,6 +177,20 @@ private slots:
         runner.start(std::move(job));
         QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
         QVERIFY(failed.first().at(1).toString().contains("broken"));
+    }
+
+    void lackOfMemoryIsNoFaultToReport() {
+        Document document;
+        JobRunner runner(document);
+        auto job = std::make_unique<TestJob>();
+        job->work = [](Progress&) -> Result<void> { throw std::bad_alloc(); };
+        QSignalSpy failed(&runner, &JobRunner::failed);
+        runner.start(std::move(job));
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
+        const QString said = failed.first().at(1).toString();
+        QVERIFY2(said.contains("not enough memory") && said.contains("close other programs"),
+                 qPrintable(said));
+        QVERIFY2(!said.contains("report"), qPrintable(said));
     }
 
     void jobsRunOneAfterTheOther() {

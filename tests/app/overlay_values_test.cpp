@@ -3,10 +3,12 @@
 // crosses.
 #include "app/render/overlay_values.h"
 
+#include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <new>
 #include <numbers>
 
 #include "app/document/document.h"
@@ -28,6 +30,21 @@ using namespace toile;
 namespace {
 
 constexpr double kUp = std::numbers::pi / 2;
+
+/// Large enough to be worked out on another thread.
+void openLargeSheet(Document& document) {
+    auto garment = test::makeGarment({{"front", test::makeSheet(200, 100, 200, 100)}});
+    auto result = std::make_shared<PieceResult>();
+    result->piece = garment->pieces[0];
+    result->flat = FlatPiece{};
+    result->flat->Q = garment->pieces[0]->mesh.V.leftCols<2>();
+    DocumentState state;
+    state.garment = garment;
+    state.results = {result};
+    Progress progress;
+    state.scene = buildScene(*garment, state.results, progress);
+    document.open(std::move(state));
+}
 
 struct BuiltScene {
     std::shared_ptr<const Garment> garment;
@@ -196,20 +213,31 @@ private slots:
         QVERIFY(legend.shareSentence().startsWith("all of the cloth is within"));
     }
 
-    void theWatcherComesBackWithThePerson() {
-        // Large enough to be worked out on another thread.
-        auto garment = test::makeGarment({{"front", test::makeSheet(200, 100, 200, 100)}});
-        auto result = std::make_shared<PieceResult>();
-        result->piece = garment->pieces[0];
-        result->flat = FlatPiece{};
-        result->flat->Q = garment->pieces[0]->mesh.V.leftCols<2>();
-        DocumentState state;
-        state.garment = garment;
-        state.results = {result};
-        Progress progress;
-        state.scene = buildScene(*garment, state.results, progress);
+    void lackOfMemoryIsSaidAndTheNextQuestionIsAsked() {
         Document document;
-        document.open(std::move(state));
+        openLargeSheet(document);
+        document.setOverlay(Overlay::Weft);
+        bool isShort = true;  // read on the other thread, while nothing else runs here
+        OverlayWatcher watcher(document, nullptr, [&isShort](const OverlayQuestion& question) {
+            return isShort ? throw std::bad_alloc() : overlayFigures(question);
+        });
+        QSignalSpy failed(&watcher, &OverlayWatcher::failed);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
+        const QString said = failed.first().first().toString();
+        QVERIFY2(said.contains("not enough memory"), qPrintable(said));
+        QVERIFY(watcher.isUpToDate());
+        QCOMPARE(watcher.figures().overlay, Overlay::Weft);
+        QVERIFY(!watcher.figures().histogram);
+        isShort = false;
+        document.setOverlay(Overlay::Dirichlet);
+        QVERIFY(QTest::qWaitFor([&] { return watcher.isUpToDate(); }, test::kPatience));
+        QVERIFY(watcher.figures().histogram);
+        QCOMPARE(failed.count(), 1);
+    }
+
+    void theWatcherComesBackWithThePerson() {
+        Document document;
+        openLargeSheet(document);
         document.setOverlay(Overlay::Weft);
         const OverlayWatcher watcher(document);
         QVERIFY(!watcher.isUpToDate());
