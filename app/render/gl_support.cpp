@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render/gl_support.h"
 
-#include <QCoreApplication>
+#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
@@ -20,10 +20,16 @@ QSurfaceFormat sceneSurfaceFormat() {
     return format;
 }
 
+bool hasScreen() {
+    const QString platform = QGuiApplication::platformName();
+    return platform != "offscreen" && platform != "minimal" && platform != "vnc" &&
+           platform != "linuxfb";
+}
+
 QString glProblem() {
     QOpenGLContext context;
     context.setFormat(sceneSurfaceFormat());
-    if (!context.create()) {
+    if (!hasScreen() || !context.create()) {
         return QCoreApplication::translate(
             "GlSupport",
             "The views need OpenGL 3.3, but this computer offers none here. Flattening and export "

@@ -15,6 +15,10 @@ inline constexpr int kSamples = 4;
 /// OpenGL 3.3 core with depth and four samples per pixel: what every view asks for.
 QSurfaceFormat sceneSurfaceFormat();
 
+/// False on platforms of Qt without a screen. Some make contexts where an X display answers too,
+/// but no widget can be drawn by them: Qt ends with a signal.
+bool hasScreen();
+
 /// Tries to make a context. @return what is missing, as a sentence for a person; empty if all is
 /// well. GUI thread.
 QString glProblem();

@@ -2,7 +2,6 @@
 #include "app/render/offscreen_context.h"
 
 #include <QCoreApplication>
-#include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
@@ -31,13 +30,6 @@ private:
     QOffscreenSurface surface_;
     QOpenGLContext context_;
 };
-
-/// Platforms of Qt that have no screen; asked for a context they only complain.
-bool hasScreen() {
-    const QString platform = QGuiApplication::platformName();
-    return platform != "offscreen" && platform != "minimal" && platform != "vnc" &&
-           platform != "linuxfb";
-}
 
 }  // namespace
 

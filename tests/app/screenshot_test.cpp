@@ -30,10 +30,15 @@ private:
         return folder_.filePath(name).toStdString();
     }
 
-    Run photograph(const QStringList& arguments) {
+    Run photograph(const QStringList& arguments, const QString& platform = {}) {
         const QString file = folder_.filePath("window.png");
         QFile::remove(file);
         QProcess program;
+        if (!platform.isEmpty()) {
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert("QT_QPA_PLATFORM", platform);
+            program.setProcessEnvironment(environment);
+        }
         program.start(TOILE_PROGRAM, QStringList(arguments) << "--screenshot" << file);
         if (!program.waitForFinished(60000) || program.exitStatus() != QProcess::NormalExit) {
             return {};
@@ -75,6 +80,14 @@ private slots:
         QCOMPARE(typed.status, 0);
         QVERIFY(own.picture != typed.picture);
         QCOMPARE(own.picture, strain.picture);
+    }
+
+    /// Qt's offscreen platform makes contexts on the display of the test, and ended with a signal.
+    void aPlatformWithoutAScreenHasAWindowWithoutGl() {
+        writeProjectOfACap();
+        const Run run = photograph({folder_.filePath("cap.obj"), "--unit", "mm"}, "offscreen");
+        QVERIFY2(run.status == 0, qPrintable(run.said));
+        QVERIFY(!run.picture.isNull());
     }
 
     void whatCannotBeReadIsStatusThree() {
