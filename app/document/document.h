@@ -11,6 +11,7 @@
 #include "app/document/document_change.h"
 #include "app/document/document_state.h"
 #include "app/document/feature.h"
+#include "app/document/mark_places.h"
 #include "app/document/view_state.h"
 
 namespace toile {
@@ -61,6 +62,8 @@ public:
 
     /// Null where the piece is not flattened yet.
     const PieceResult* result(int piece) const;
+    /// What has been found out about the present state's labels and grain lines.
+    MarkPlaces& marks() const { return marks_; }
     int pieceCount() const;
     int seamCount() const;
     bool isSelected(int piece) const { return selection_.count(piece) != 0; }
@@ -152,6 +155,7 @@ private:
     std::optional<Feature> mark_, hover_;
     ViewState view_;
     std::uint64_t revision_ = 0;
+    mutable MarkPlaces marks_;  ///< follows from the state
 };
 
 }  // namespace toile

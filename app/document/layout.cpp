@@ -74,16 +74,6 @@ Points2 flatOutline(const Document& document, int piece) {
                                   : Points2(0, 2);
 }
 
-std::vector<Points2> flatLoops(const Document& document, int piece) {
-    std::vector<Points2> loops{flatOutline(document, piece)};
-    if (const PieceResult* result = document.result(piece); result && result->flat) {
-        for (const auto& rim : result->piece->holes) {
-            loops.emplace_back(result->flat->Q(rim, Eigen::all));
-        }
-    }
-    return loops;
-}
-
 Placement placementOf(const Document& document, int piece) {
     return document.settings()[static_cast<std::size_t>(piece)].placement.value_or(Placement{});
 }

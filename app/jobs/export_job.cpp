@@ -6,12 +6,14 @@
 
 #include "app/base/path_text.h"
 #include "app/document/document.h"
+#include "app/text/drawing_words.h"
 
 namespace toile {
 
 ExportJob::ExportJob(const Document& document, std::filesystem::path path, Done done)
     : garment_(document.garment()),
       results_(document.results()),
+      words_(drawingWords()),
       path_(std::move(path)),
       done_(std::move(done)) {
     for (const PieceSettings& piece : document.settings()) {
@@ -24,7 +26,7 @@ QString ExportJob::title() const {
 }
 
 Result<void> ExportJob::process(Progress& progress) {
-    return exportFile(path_, *garment_, results_, places_, progress);
+    return exportFile(path_, *garment_, results_, places_, progress, words_);
 }
 
 void ExportJob::finalize() {

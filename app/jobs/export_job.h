@@ -29,6 +29,7 @@ private:
     std::shared_ptr<const Garment> garment_;
     PieceResults results_;
     std::vector<PieceOnSheet> places_;
+    DrawingWords words_;
     std::filesystem::path path_;
     Done done_;
 };

@@ -136,7 +136,6 @@ struct PieceScene {
     Eigen::AlignedBox3d box;      ///< 3D, relative to Scene::origin
     Eigen::AlignedBox2d flatBox;  ///< in the piece's own coordinates; empty where not flat
     Eigen::Vector2d label = Eigen::Vector2d::Zero();  ///< a point well inside, likewise
-    Eigen::Vector2d arrow = Eigen::Vector2d::Zero();  ///< about it the grain arrow turns, likewise
     TriangleRun garmentRun, patternRun;
     TriangleTree<3> garmentTree;  ///< of garmentRun, counted from its first
     TriangleTree<2> patternTree;

@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "app/document/disposal.h"
-#include "app/render/label_point.h"
 #include "app/render/line_builder.h"
 #include "app/render/morph.h"
 #include "app/render/outline_corners.h"
 #include "app/render/overlay_values.h"
 #include "app/render/vertex_values.h"
+#include "core/pattern/label.h"
+#include "core/pattern/pattern.h"
 
 namespace toile {
 
@@ -138,8 +139,7 @@ private:
         entry.patternTree =
             TriangleTree<2>(buffers.vertices.front().flat, sizeof(PatternVertex) / sizeof(float),
                             std::span(buffers.triangles).subspan(indicesBefore));
-        entry.label = labelPoint(piece, flat.Q);
-        entry.arrow = arrowPoint(piece, flat.Q, entry.label);
+        entry.label = placeLabel(flatLoops(piece, flat.Q), {}).position;
     }
 
     void addFaces(const PieceValues& values) {

@@ -10,14 +10,13 @@
 #include "app/document/layout.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
+#include "app/text/drawing_words.h"
 #include "app/views/tools/sheet_map.h"
-#include "core/export/grain_line.h"
 
 namespace toile {
 
 namespace {
 
-constexpr double kShare = 0.72;            // of the cloth's extent along the arrow
 constexpr double kShortest = 28;           // pixels, however narrow the cloth
 constexpr double kHead = 10;               // pixels
 constexpr double kHalo = 3.2;              // pixels, both sides together
@@ -57,20 +56,14 @@ std::optional<GrainArrow> grainArrow(const Document& document, int piece,
     if (!document.scene() || at >= document.scene()->pieces.size() || !result || !result->flat) {
         return std::nullopt;
     }
-    const PieceScene& drawn = document.scene()->pieces[at];
-    if (!drawn.flat) {
-        return std::nullopt;
-    }
-    const double grain = grainOf(document.settings()[at]);
-    const Eigen::Vector2d direction(std::cos(grain), std::sin(grain));
-    const auto chord = chordAt(flatLoops(document, piece), drawn.arrow, direction);
-    // The same to either side of its place, so that the middle stays while it is turned.
-    const double room = chord ? std::min((chord->to - drawn.arrow).dot(direction),
-                                         (drawn.arrow - chord->from).dot(direction))
-                              : 0;
     const Placement placement = placementOf(document, piece);
-    return GrainArrow{placement.applied(drawn.arrow), placement.linear() * direction,
-                      std::max(2 * kShare * room, kShortest / pixelsPerMillimetre)};
+    const PieceMarks& marks = document.marks().of(document, piece, drawingWords());
+    const double grain = grainOf(document.settings()[at]);
+    const Eigen::Vector2d direction =
+        placement.linear() * Eigen::Vector2d(std::cos(grain), std::sin(grain));
+    const Chord line = marks.grain.value_or(Chord{marks.label.position, marks.label.position});
+    return GrainArrow{placement.offset + 0.5 * (line.from + line.to), direction,
+                      std::max((line.to - line.from).norm(), kShortest / pixelsPerMillimetre)};
 }
 
 void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail,
@@ -102,18 +95,14 @@ void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMa
 }
 
 void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolView& view,
-                      const Document& document, int piece) {
-    const auto arrow = grainArrow(document, piece, view.pixelsPerMillimetre());
-    if (!arrow) {
-        return;
-    }
+                      const GrainArrow& arrow) {
     const SheetMap onScreen(view);
     painter.save();
-    paintArrow(painter, onScreen(arrow->end(-0.5)), onScreen(arrow->end(0.5)), style.selection,
+    paintArrow(painter, onScreen(arrow.end(-0.5)), onScreen(arrow.end(0.5)), style.selection,
                style.plate, 2.4, true);
     painter.setPen(QPen(style.selection, 1.5));
     painter.setBrush(style.plate);
-    painter.drawEllipse(onScreen(arrow->middle), 3.5, 3.5);
+    painter.drawEllipse(onScreen(arrow.middle), 3.5, 3.5);
     painter.restore();
 }
 

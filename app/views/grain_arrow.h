@@ -24,8 +24,8 @@ struct GrainArrow {
     Eigen::Vector2d end(double share) const { return middle + share * length * direction; }
 };
 
-/// Through PieceScene::arrow, as long as the cloth there has room, but long enough to be seen and
-/// grabbed however narrow it is; nothing where the piece is not flat. Cost: the outline.
+/// Where files have the piece's grain line (`MarkPlaces`), but long enough to be seen and grabbed
+/// however narrow the cloth is; nothing where the piece is not flat.
 /// @param pixelsPerMillimetre  of the screen that it is for
 std::optional<GrainArrow> grainArrow(const Document& document, int piece,
                                      double pixelsPerMillimetre);
@@ -39,8 +39,8 @@ void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail
 /// it
 void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                       const Document& document, bool strong);
-/// Paints the arrow of one piece as held or pointed at.
+/// Paints one arrow as held or pointed at.
 void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolView& view,
-                      const Document& document, int piece);
+                      const GrainArrow& arrow);
 
 }  // namespace toile

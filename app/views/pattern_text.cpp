@@ -11,6 +11,7 @@
 #include "app/render/picking.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
+#include "app/text/drawing_words.h"
 #include "app/views/flags.h"
 #include "app/views/grain_arrow.h"
 #include "app/views/name_plates.h"
@@ -41,6 +42,7 @@ void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& 
                 std::vector<QRectF> taken) {
     const Scene& scene = *text.document.scene();
     const SheetMap onScreen(text.camera);
+    const DrawingWords words = drawingWords();
     std::vector<NamedPiece> pieces;
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         const PieceScene& piece = scene.pieces[i];
@@ -51,7 +53,11 @@ void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& 
         const QString name = QString::fromStdString(text.document.garment()->pieces[i]->name);
         const QString whole =
             placement.mirrored ? PatternWords::tr("%1 · wrong side up").arg(name) : name;
-        pieces.push_back({name, whole.mid(name.size()), onScreen(placement.applied(piece.label)),
+        // Where files have its name, as it lies.
+        const PieceMarks& marks =
+            text.document.marks().of(text.document, static_cast<int>(i), words);
+        pieces.push_back({name, whole.mid(name.size()),
+                          onScreen(placement.offset + marks.label.position),
                           onScreen(placedBox(piece.flatBox, placement)),
                           text.document.isSelected(static_cast<int>(i))});
     }

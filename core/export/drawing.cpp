@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/export/grain_line.h"
-#include "core/export/label.h"
 #include "core/export/seam_marks.h"
 
 namespace toile {
@@ -16,38 +14,9 @@ constexpr double kMargin = 10;      // mm, around all
 constexpr double kCheckGap = 20;    // mm, between the pieces and the check square
 constexpr double kCheckSide = 100;  // mm
 constexpr double kCheckTextHeight = 3.5;
-constexpr const char* kAllowanceNote = "net outline, no allowance";
-constexpr const char* kMirroredNote = "mirrored: wrong side of the fabric up";
-constexpr const char* kCheckText = "check square 100 mm x 100 mm";
 
-/// Keeps a text on the page: a tiny piece may be narrower than its own name.
-void keepOnPage(DrawnText& text, const Drawing& drawing) {
-    const Eigen::Vector2d half = 0.5 * textExtent(text.lines, text.height);
-    const auto keep = [](double value, double least, double most) {
-        return least > most ? 0.5 * (least + most) : std::clamp(value, least, most);
-    };
-    const double below = 2 * half.y() - 0.5 * text.height;  // of the first line's middle
-    text.position.x() = keep(text.position.x(), half.x(), drawing.width - half.x());
-    text.position.y() = keep(text.position.y(), below, drawing.height - 0.5 * text.height);
-}
-
-void addGrainLine(Drawing& drawing, const PatternPiece& piece, const std::vector<Points2>& loops,
-                  const DrawnText& name) {
-    const Eigen::Vector2d size = textExtent(name.lines, name.height);
-    const Eigen::Vector2d top = name.position + Eigen::Vector2d(0, 0.5 * name.height);
-    const Eigen::AlignedBox2d words(Eigen::Vector2d(top.x() - 0.5 * size.x(), top.y() - size.y()),
-                                    Eigen::Vector2d(top.x() + 0.5 * size.x(), top.y()));
-    auto line = grainLine(loops, *piece.grain, words);
-    if (!line) {
-        line = grainLine(loops, *piece.grain, {});  // no room beside the name: through it
-    }
-    if (line) {
-        drawing.paths.push_back(
-            {"piece-" + piece.id + "--grain", LayerKind::Grain, arrowPath(*line), false});
-    }
-}
-
-void addPiece(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d& offset) {
+void addPiece(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d& offset,
+              const DrawingWords& words) {
     if (piece.outline.rows() == 0) {
         return;
     }
@@ -56,23 +25,17 @@ void addPiece(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d
     for (Points2& loop : loops) {
         loop.rowwise() += offset.transpose();
     }
-    std::vector<std::string> lines{piece.name};
-    if (std::string note = cuttingNote(piece.quantity, piece.mirroredPair); !note.empty()) {
-        lines.push_back(std::move(note));
-    }
-    lines.emplace_back(kAllowanceNote);
-    if (piece.mirrored) {
-        lines.push_back(kMirroredNote);
-    }
-    const LabelPlace place = placeLabel(loops, lines);
-    DrawnText text{"piece-" + piece.id + "-name", LayerKind::Text, place.position, place.height,
-                   std::move(lines)};
-    keepOnPage(text, drawing);
+    std::vector<std::string> lines = labelLines(piece, words);
+    const auto [label, grain] =
+        placeMarks(loops, lines, piece.grain,
+                   {Eigen::Vector2d::Zero(), Eigen::Vector2d(drawing.width, drawing.height)});
     drawing.paths.push_back({"piece-" + piece.id + "-cut", LayerKind::Cut, loops.front()});
-    if (piece.grain) {
-        addGrainLine(drawing, piece, loops, text);
+    if (grain) {
+        drawing.paths.push_back(
+            {"piece-" + piece.id + "--grain", LayerKind::Grain, arrowPath(*grain), false});
     }
-    drawing.texts.push_back(std::move(text));
+    drawing.texts.push_back({"piece-" + piece.id + "-name", LayerKind::Text, label.position,
+                             label.height, std::move(lines)});
     for (std::size_t k = 1; k < loops.size(); ++k) {
         drawing.paths.push_back(
             {"piece-" + piece.id + "--hole-" + std::to_string(k), LayerKind::Cut, loops[k]});
@@ -80,14 +43,14 @@ void addPiece(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d
     addSeamMarks(drawing, piece, offset);
 }
 
-void addCheckSquare(Drawing& drawing, const Eigen::Vector2d& corner) {
+void addCheckSquare(Drawing& drawing, const Eigen::Vector2d& corner, const std::string& words) {
     Points2 square(4, 2);
     square << 0, 0, kCheckSide, 0, kCheckSide, kCheckSide, 0, kCheckSide;
     square.rowwise() += corner.transpose();
     const Eigen::Vector2d middle = corner + Eigen::Vector2d::Constant(0.5 * kCheckSide);
     drawing.paths.push_back({"check-square", LayerKind::Check, std::move(square)});
     drawing.texts.push_back(
-        {"check-square-text", LayerKind::Check, middle, kCheckTextHeight, {kCheckText}});
+        {"check-square-text", LayerKind::Check, middle, kCheckTextHeight, {words}});
 }
 
 }  // namespace
@@ -98,7 +61,7 @@ bool hasLayer(const Drawing& drawing, LayerKind kind) {
            });
 }
 
-Drawing draw(const Pattern& pattern, const Sheet& sheet) {
+Drawing draw(const Pattern& pattern, const Sheet& sheet, const DrawingWords& words) {
     // The check square stands to the right on whole millimetres, so that its sides come out as
     // exactly 100 in any number of decimals.
     const double left = sheet.width > 0 ? std::ceil(kMargin + sheet.width + kCheckGap) : kMargin;
@@ -107,9 +70,10 @@ Drawing draw(const Pattern& pattern, const Sheet& sheet) {
     drawing.width = left + kCheckSide + kMargin;
     drawing.height = std::ceil(std::max(sheet.height, kCheckSide)) + 2 * kMargin;
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
-        addPiece(drawing, pattern.pieces[i], sheet.offset[i] + Eigen::Vector2d::Constant(kMargin));
+        addPiece(drawing, pattern.pieces[i], sheet.offset[i] + Eigen::Vector2d::Constant(kMargin),
+                 words);
     }
-    addCheckSquare(drawing, {left, kMargin});
+    addCheckSquare(drawing, {left, kMargin}, words.checkSquare);
     return drawing;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/mesh/mesh_arrays.h"
-#include "core/pattern/pattern.h"
+#include "core/pattern/piece_marks.h"
 #include "core/sheet/sheet.h"
 
 namespace toile {
@@ -18,11 +18,6 @@ enum class LayerKind { Cut, Marks, Grain, Text, Check };
 /// piece has a grain line.
 inline constexpr std::array kLayerKinds{LayerKind::Cut, LayerKind::Marks, LayerKind::Grain,
                                         LayerKind::Text, LayerKind::Check};
-
-/// From one baseline of a text to the next, in heights of a capital letter.
-inline constexpr double kLineSpacing = 1.7;
-/// Width of a character, in heights of a capital letter: a fair average of usual fonts.
-inline constexpr double kCharacterWidth = 0.8;
 
 struct DrawnPath {
     std::string id;  ///< unique in the drawing
@@ -52,13 +47,12 @@ struct Drawing {
 /// True where the drawing has the layer: see kLayerKinds.
 bool hasLayer(const Drawing& drawing, LayerKind kind);
 
-/// Draws every piece's net outline and holes, its name with how often it is cut (`cuttingNote`),
-/// "net outline, no allowance" and, where it is mirrored, "wrong side up", its grain line where the
-/// grain is stated (grain_line.h), the names and ticks of its seams (seam_marks.h), and a 100 mm
+/// Draws every piece's net outline and holes, its label (`labelLines`), its grain line where the
+/// grain is stated (`placeMarks`), the names and ticks of its seams (seam_marks.h), and a 100 mm
 /// check square to the right of the pieces, with a margin of 10 mm around all. Width and height are
 /// whole millimetres. Ids: `piece-<id>-cut`, `piece-<id>--hole-<k>`, `piece-<id>-name`,
 /// `piece-<id>--grain`, `check-square`, `check-square-text`. Cost: that of placeLabel (label.h) per
 /// piece.
-Drawing draw(const Pattern& pattern, const Sheet& sheet);
+Drawing draw(const Pattern& pattern, const Sheet& sheet, const DrawingWords& words = {});
 
 }  // namespace toile

@@ -4,10 +4,10 @@
 
 #include <Eigen/Geometry>
 
-#include "core/base/text.h"
 #include "core/base/characters.h"
-#include "core/export/label.h"
+#include "core/base/text.h"
 #include "core/export/writers.h"
+#include "core/pattern/label.h"
 
 namespace toile {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/base/characters.h"
 #include "core/export/obj_faces.h"
 #include "core/export/problems.h"
 #include "core/export/writers.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "core/export/label.h"
+#include "core/pattern/label.h"
 
 namespace toile {
 namespace {

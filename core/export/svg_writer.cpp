@@ -3,9 +3,9 @@
 
 #include <pugixml.hpp>
 
+#include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/base/characters.h"
 #include "core/export/writers.h"
 
 namespace toile {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 
 #include "core/base/text.h"
 #include "core/flatten/flatten.h"
@@ -29,10 +30,9 @@ PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat, const S
     PatternPiece made;
     made.name = piece.name;
     made.id = slug(piece.name);
-    made.outline = flat.Q(piece.boundary, Eigen::all);
-    for (const auto& hole : piece.holes) {
-        made.holes.emplace_back(flat.Q(hole, Eigen::all));
-    }
+    made.holes = flatLoops(piece, flat.Q);
+    made.outline = std::move(made.holes.front());
+    made.holes.erase(made.holes.begin());
     std::set<int> touched;
     if (index < static_cast<int>(seams.seamsOfEdge.size())) {
         for (const std::vector<int>& ofEdge : seams.seamsOfEdge[index]) {
@@ -53,11 +53,12 @@ PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat, const S
     return made;
 }
 
-std::string cuttingNote(int quantity, bool mirroredPair) {
-    if (mirroredPair) {
-        return "cut " + std::to_string(quantity) + (quantity == 1 ? " pair" : " pairs");
+std::vector<Points2> flatLoops(const Piece& piece, const Points2& Q) {
+    std::vector<Points2> loops{Q(piece.boundary, Eigen::all)};
+    for (const auto& hole : piece.holes) {
+        loops.emplace_back(Q(hole, Eigen::all));
     }
-    return quantity == 1 ? std::string() : "cut " + std::to_string(quantity);
+    return loops;
 }
 
 void makeIdsUnique(Pattern& pattern) {

@@ -36,10 +36,6 @@ struct PatternPiece {
     bool mirroredPair = false;  ///< each of them also mirrored: left and right
 };
 
-/// What stands on a piece that is not cut once: "cut 3", or "cut 2 pairs" where each of them is cut
-/// mirrored too. Empty for a single piece.
-std::string cuttingNote(int quantity, bool mirroredPair);
-
 struct Pattern {
     std::string name;  ///< of the garment
     std::vector<PatternPiece> pieces;
@@ -49,6 +45,10 @@ struct Pattern {
 /// @param index  of the piece in the garment that the seams belong to
 PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat, const SeamGraph& seams,
                               int index);
+
+/// The outline, then the rims of the holes; closed, first point not repeated.
+/// @param Q  #V x 2, the piece's flat coordinates
+std::vector<Points2> flatLoops(const Piece& piece, const Points2& Q);
 
 /// Pieces whose names give the same slug get "-2", "-3" in pattern order.
 void makeIdsUnique(Pattern& pattern);

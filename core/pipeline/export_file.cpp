@@ -21,7 +21,8 @@ constexpr double kLaidOutShare = 0.2, kMakingShare = 0.8;
 
 /// @param ending  one that `canExport`
 std::string bytesOf(const std::string& ending, const Garment& garment, const PieceResults& results,
-                    const std::vector<PieceOnSheet>& places, const Progress& progress) {
+                    const std::vector<PieceOnSheet>& places, const Progress& progress,
+                    const DrawingWords& words) {
     if (ending == ".json") {
         return writeReport(garment, results, places);
     }
@@ -33,7 +34,7 @@ std::string bytesOf(const std::string& ending, const Garment& garment, const Pie
     if (ending == ".obj") {
         return writeObj(garment, results, laid.placements);
     }
-    const Drawing drawing = draw(laid.pattern, laid.sheet);
+    const Drawing drawing = draw(laid.pattern, laid.sheet, words);
     return ending == ".svg" ? writeSvg(drawing) : writeDxf(drawing);
 }
 
@@ -74,12 +75,13 @@ bool canExport(const std::filesystem::path& path) {
 
 Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
                         const PieceResults& results, const std::vector<PieceOnSheet>& places,
-                        const Progress& progress) {
+                        const Progress& progress, const DrawingWords& words) {
     if (!canExport(path)) {
         return Error{ErrorCode::UnknownFormat, path.string(),
                      "ending \"" + lowerCaseEnding(path) + "\""};
     }
-    const std::string bytes = bytesOf(lowerCaseEnding(path), garment, results, places, progress);
+    const std::string bytes =
+        bytesOf(lowerCaseEnding(path), garment, results, places, progress, words);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, {}, {}};
     }

@@ -11,7 +11,7 @@
 #include "core/flatten/flatten.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
-#include "core/pattern/pattern.h"
+#include "core/pattern/piece_marks.h"
 #include "core/sheet/placement.h"
 #include "core/sheet/sheet.h"
 
@@ -87,9 +87,10 @@ bool canExport(const std::filesystem::path& path);
 /// Writes one file in the format of its ending (.svg, .dxf, .obj, .json).
 /// @param places    as for `layOut`
 /// @param progress  cancelled before the file is written, nothing is
+/// @param words     what drawings say
 /// Errors: UnknownFormat, FileUnwritable, Cancelled.
 Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
                         const PieceResults& results, const std::vector<PieceOnSheet>& places = {},
-                        const Progress& progress = {});
+                        const Progress& progress = {}, const DrawingWords& words = {});
 
 }  // namespace toile

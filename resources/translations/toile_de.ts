@@ -2825,6 +2825,30 @@
         <source>The program met an unexpected fault (%1). Please report it with the garment file.</source>
         <translation>Im Programm ist ein unerwarteter Fehler aufgetreten (%1). Bitte melden Sie ihn mit der Datei des Kleidungsstücks.</translation>
     </message>
+    <message>
+        <source>net outline, no allowance</source>
+        <translation>Umriss ohne Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>mirrored: wrong side of the fabric up</source>
+        <translation>gespiegelt: linke Stoffseite oben</translation>
+    </message>
+    <message>
+        <source>cut %1</source>
+        <translation>%1 × zuschneiden</translation>
+    </message>
+    <message>
+        <source>cut 1 pair</source>
+        <translation>1 Paar zuschneiden</translation>
+    </message>
+    <message>
+        <source>cut %1 pairs</source>
+        <translation>%1 Paare zuschneiden</translation>
+    </message>
+    <message>
+        <source>check square 100 mm x 100 mm</source>
+        <translation>Prüfquadrat 100 mm x 100 mm</translation>
+    </message>
 </context>
 <context>
     <name>toile::Banner</name>

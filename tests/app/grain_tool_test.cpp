@@ -5,6 +5,8 @@
 
 #include "app/views/grain_arrow.h"
 #include "app/widgets/banner.h"
+#include "core/export/drawing.h"
+#include "core/pipeline/pipeline.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/sheet_bench.h"
@@ -30,17 +32,23 @@ private slots:
         const QPointF middle = onScreen(arrow->middle), tip = onScreen(arrow->end(0.45));
         const double reach = middle.y() - tip.y();
         QVERIFY(reach > 10);
+        const auto away = [reach](const QPointF& from, double angle) {
+            return from + reach * QPointF(std::cos(angle), -std::sin(angle));
+        };
         const double angle = 70 * std::numbers::pi / 180;
-        drag(tip, middle + reach * QPointF(std::cos(angle), -std::sin(angle)));
+        // As long as it is held it turns about its middle, on the way too.
+        press(tip);
+        move(away(middle, 1.0));
+        QVERIFY(std::abs(*document().settings()[0].grain - 1.0) < 1e-9);
+        move(away(middle, angle));
+        release(away(middle, angle));
         QVERIFY(std::abs(*document().settings()[0].grain - angle) < 1e-9);
         QCOMPARE(steps(), 1);
-        QVERIFY((grainArrow(document(), 0, view().camera().pixelsPerMillimetre())->middle -
-                 arrow->middle)
-                    .norm() < 1e-9);
         document().setSnapping(true);
-        const QPointF now = middle + reach * QPointF(std::cos(angle), -std::sin(angle));
+        const QPointF now =
+            onScreen(grainArrow(document(), 0, view().camera().pixelsPerMillimetre())->middle);
         const double nearly = 46.5 * std::numbers::pi / 180;
-        drag(now, middle + reach * QPointF(std::cos(nearly), -std::sin(nearly)));
+        drag(away(now, angle), away(now, nearly));
         QVERIFY(std::abs(*document().settings()[0].grain - std::numbers::pi / 4) < 1e-9);
         // The piece turns so that its grain runs upwards.
         action(ActionId::ToolSelect).trigger();
@@ -77,8 +85,10 @@ private slots:
         QVERIFY(arrow);
         QVERIFY(arrow->length * scale >= 28 - 1e-9);
         QVERIFY2(arrow->length > 12, "longer than the band is wide");
-        const auto& band = document().scene()->pieces[0];
-        QVERIFY((placement(0).undone(arrow->middle) - band.label).norm() > 100);
+        const LabelPlace label = document().marks().of(document(), 0, {}).label;
+        const double words = textExtent({"net outline, no allowance"}, label.height).x();
+        const double beside = arrow->middle.x() - placement(0).offset.x() - label.position.x();
+        QVERIFY2(std::abs(beside) > 0.5 * words, qPrintable(QString::number(beside)));
         QVERIFY(box(0).contains(arrow->middle));
         // It is there to be seen: dark strokes on a light halo.
         document().setOverlay(Overlay::None);
@@ -97,8 +107,45 @@ private slots:
         drag(tip, middle + QPointF(middle.y() - tip.y(), 0));
         QVERIFY(document().settings()[0].grain);
         QVERIFY(std::abs(*document().settings()[0].grain) < 1e-6);
-        const auto turned = grainArrow(document(), 0, scale);
-        QVERIFY((turned->middle - arrow->middle).norm() < 1e-9);
+        QVERIFY(box(0).contains(grainArrow(document(), 0, scale)->middle));
+    }
+
+    /// What is seen on the sheet is what is cut: names and grain lines lie where files have them.
+    void namesAndArrowsLieWhereFilesHaveThem() {
+        setGrain(document(), "Grain", {{0, 0.3}, {1, 2.0}, {2, kRightAngle}});
+        turnTogether(document(), "Turn", {0}, 0.5);
+        mirrorTogether(document(), "Mirror", {1}, Mirroring::LeftRight);
+        std::vector<PieceOnSheet> places;
+        for (const PieceSettings& piece : document().settings()) {
+            places.push_back(onSheet(piece));
+        }
+        const LaidOutPattern laid = layOut(*document().garment(), document().results(), places);
+        const Drawing drawing = draw(laid.pattern, laid.sheet);
+        int lines = 0;
+        for (int i = 0; i < document().pieceCount(); ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            const Eigen::Vector2d shift =
+                placement(i).offset - laid.offsets[at] - Eigen::Vector2d(10, 10);  // the margin
+            const std::string id = "piece-" + laid.pattern.pieces[at].id;
+            for (const DrawnText& text : drawing.texts) {
+                const auto& label = document().marks().of(document(), i, {}).label;
+                QVERIFY(text.id != id + "-name" ||
+                        (text.position + shift - placement(i).offset - label.position).norm() <
+                            1e-6);
+            }
+            for (const DrawnPath& path : drawing.paths) {
+                if (path.id == id + "--grain") {
+                    const auto arrow = grainArrow(document(), i, 1e6);
+                    const auto off = [&](int end, double share) {
+                        return (path.points.row(end).transpose() + shift - arrow->end(share))
+                            .norm();
+                    };
+                    QVERIFY2(off(0, -0.5) < 1e-6 && off(1, 0.5) < 1e-6, id.c_str());
+                    ++lines;
+                }
+            }
+        }
+        QCOMPARE(lines, 3);
     }
 
     void aPieceThatGoesWhileItsGrainIsTurnedIsLetGo() {

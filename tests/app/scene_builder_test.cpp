@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "app/render/colour_map.h"
-#include "app/render/label_point.h"
 #include "app/render/piece_table.h"
 #include "app/render/sheet_places.h"
 #include "app/render/vertex_values.h"
@@ -215,14 +214,16 @@ private slots:
 
     void labelOfACrescentLiesInside() {
         // A frame open on one side, whose centroid is in the hole.
-        Points2 Q(8, 2);
-        Q << 0, 0, 100, 0, 100, 30, 20, 30, 20, 70, 100, 70, 100, 100, 0, 100;
-        Triangles F(6, 3);
-        F << 0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 7, 4, 5, 6, 4, 6, 7;
-        Piece frame;
-        frame.mesh.F = F;
-        frame.boundary = {0, 1, 2, 3, 4, 5, 6, 7};
-        const Eigen::Vector2d at = labelPoint(frame, Q);
+        MeshArrays frame;
+        frame.V.setZero(8, 3);
+        frame.V.leftCols<2>() << 0, 0, 100, 0, 100, 30, 20, 30, 20, 70, 100, 70, 100, 100, 0, 100;
+        frame.F.resize(6, 3);
+        frame.F << 0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 7, 4, 5, 6, 4, 6, 7;
+        const auto garment = test::makeGarment({{"frame", frame}});
+        Progress progress;
+        const auto scene =
+            buildScene(*garment, {flatResult(garment->pieces[0], frame.V.leftCols<2>())}, progress);
+        const Eigen::Vector2d at = scene->pieces[0].label;
         const bool inHole = at.x() > 20 && at.y() > 30 && at.y() < 70;
         QVERIFY(!inHole);
         QVERIFY(at.x() > 0 && at.x() < 100 && at.y() > 0 && at.y() < 100);

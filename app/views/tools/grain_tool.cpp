@@ -70,6 +70,7 @@ bool GrainTool::press(ToolView& view, const Pointer& pointer) {
                        document_.newGesture(),
                        {{*piece, document_.settings()[static_cast<std::size_t>(*piece)].grain}},
                        arrow->middle,
+                       arrow->length,
                        std::atan2(arrow->direction.y(), arrow->direction.x()),
                        directionTo(arrow->middle, view.onSheet(pointer.at)),
                        pointer.at,
@@ -180,13 +181,18 @@ void GrainTool::cancel() {
 }
 
 void GrainTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {
-    const int piece = turning_ ? turning_->piece : hovered_;
     if (view.kind() == ViewKind::Garment) {
-        garmentArrows_.paint(painter, style, view, document_, piece);
+        garmentArrows_.paint(painter, style, view, document_,
+                             turning_ ? turning_->piece : hovered_);
         return;
     }
-    if (piece >= 0 && piece < document_.pieceCount()) {
-        paintMarkedArrow(painter, style, view, document_, piece);
+    if (turning_ && !isStale(*turning_)) {
+        const Eigen::Vector2d direction(std::cos(turning_->now), std::sin(turning_->now));
+        paintMarkedArrow(painter, style, view, {turning_->middle, direction, turning_->length});
+    } else if (hovered_ >= 0 && hovered_ < document_.pieceCount()) {
+        if (const auto arrow = grainArrow(document_, hovered_, view.pixelsPerMillimetre())) {
+            paintMarkedArrow(painter, style, view, *arrow);
+        }
     }
     if (turning_ && turning_->moved) {
         paintNote(painter, style, turning_->pointer, {angleWithUnit(turning_->now)});

@@ -44,7 +44,8 @@ private:
         int piece;
         int gesture;
         PieceGrains before;
-        Eigen::Vector2d middle;  ///< on the sheet
+        Eigen::Vector2d middle;  ///< on the sheet: it turns about it, wherever it goes then
+        double length;           ///< mm
         double start;            ///< the arrow's direction on the sheet at the press
         double from;             ///< the pointer's, seen from the middle
         QPointF pressed, pointer;

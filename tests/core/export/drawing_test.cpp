@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/export/label.h"
 #include "core/export/writers.h"
+#include "core/pattern/label.h"
 #include "tests/core/export/export_fixtures.h"
 
 namespace toile {
@@ -74,6 +74,25 @@ TEST(Draw, NamesPiecesAndSaysThatThereIsNoAllowance) {
         EXPECT_TRUE(ids.insert(text.id).second) << text.id;
     }
     EXPECT_TRUE(ids.contains("piece-aermel-cut") && ids.contains("piece-cuff-2-name"));
+}
+
+TEST(Draw, SpeaksTheWordsOfItsCaller) {
+    Pattern pattern = test::sewingPattern();
+    pattern.pieces[0].quantity = 3;
+    pattern.pieces[1].mirrored = pattern.pieces[1].mirroredPair = true;
+    const Drawing drawing = draw(pattern, layOutInRows(pattern),
+                                 {.noAllowance = "ohne Zugabe",
+                                  .mirrored = "gespiegelt",
+                                  .cut = "%1 x",
+                                  .cutPair = "ein Paar",
+                                  .cutPairs = "%1 Paare",
+                                  .checkSquare = "zum Messen"});
+    const auto below = [&](std::size_t i) {
+        return std::vector(drawing.texts[i].lines.begin() + 1, drawing.texts[i].lines.end());
+    };
+    EXPECT_EQ(below(0), (std::vector<std::string>{"3 x", "ohne Zugabe"}));
+    EXPECT_EQ(below(1), (std::vector<std::string>{"ein Paar", "ohne Zugabe", "gespiegelt"}));
+    EXPECT_EQ(drawing.texts.back().lines, std::vector<std::string>{"zum Messen"});
 }
 
 TEST(Draw, SaysHowOftenAPieceIsCut) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/grain_line.h"
+#include "core/pattern/grain_line.h"
 
 #include <numbers>
 
@@ -71,19 +71,6 @@ TEST(GrainLine, KeepsOffHoles) {
     ASSERT_TRUE(line);
     EXPECT_TRUE(line->from.x() < 80 || line->from.x() > 120);
     EXPECT_GT((line->to - line->from).norm(), 200);
-    const auto chord = chordAt({outline, hole}, {100, 40}, {0, 1});
-    ASSERT_TRUE(chord);
-    EXPECT_NEAR(chord->to.y(), 100, 1e-9);
-}
-
-TEST(ChordAt, TakesTheStretchThatHoldsThePoint) {
-    // A U: the line across its arms has two stretches inside.
-    const Points2 outline = test::horseshoe(0, 0, 100, 20);
-    const auto chord = chordAt({outline}, {90, 80}, {1, 0});
-    ASSERT_TRUE(chord);
-    EXPECT_NEAR((chord->to - chord->from).norm(), 20, 1e-9);
-    EXPECT_GT(chord->from.x(), 75);
-    EXPECT_FALSE(chordAt({outline}, {0, 500}, {1, 0}));
 }
 
 TEST(GrainLine, IsDrawnOnALayerOfItsOwnWhereStated) {

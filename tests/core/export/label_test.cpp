@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/label.h"
+#include "core/pattern/label.h"
 
 #include <cmath>
 

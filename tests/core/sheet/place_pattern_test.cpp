@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/pattern/piece_marks.h"
+
 namespace toile {
 namespace {
 

@@ -8,6 +8,11 @@
 
 namespace toile {
 
+/// From one baseline of a text to the next, in heights of a capital letter.
+inline constexpr double kLineSpacing = 1.7;
+/// Width of a character, in heights of a capital letter: a fair average of usual fonts.
+inline constexpr double kCharacterWidth = 0.8;
+
 /// Where a block of text goes and how high its capital letters are, mm.
 struct LabelPlace {
     Eigen::Vector2d position;  ///< middle of the first line

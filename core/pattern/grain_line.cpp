@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/grain_line.h"
+#include "core/pattern/grain_line.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace toile {
@@ -73,21 +72,6 @@ Chord shortened(const Eigen::Vector2d& point, const Eigen::Vector2d& direction, 
 }
 
 }  // namespace
-
-std::optional<Chord> chordAt(const std::vector<Points2>& loops, const Eigen::Vector2d& point,
-                             const Eigen::Vector2d& direction) {
-    const std::vector<double> places = crossings(loops, point, direction);
-    std::optional<Chord> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < places.size(); i += 2) {
-        const double distance = std::max({places[i], -places[i + 1], 0.0});
-        if (distance < least) {
-            least = distance;
-            best = {point + places[i] * direction, point + places[i + 1] * direction};
-        }
-    }
-    return best;
-}
 
 std::optional<Chord> grainLine(const std::vector<Points2>& loops, double angle,
                                const Eigen::AlignedBox2d& off) {

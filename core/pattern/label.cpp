@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/label.h"
+#include "core/pattern/label.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
 #include "core/base/characters.h"
-#include "core/export/drawing.h"
 
 namespace toile {
 namespace {

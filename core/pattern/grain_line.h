@@ -14,13 +14,6 @@ struct Chord {
     Eigen::Vector2d from, to;
 };
 
-/// The stretch of a straight line on the cloth of a piece that holds a point, or else the nearest
-/// to it. Nothing where the line misses the piece.
-/// @param loops      the outline, then holes; closed, first point not repeated
-/// @param direction  unit vector  Cost: linear and a sort of the edges met.
-std::optional<Chord> chordAt(const std::vector<Points2>& loops, const Eigen::Vector2d& point,
-                             const Eigen::Vector2d& direction);
-
 /// Where a grain line goes: of several parallel lines across the outline the longest stretch on the
 /// cloth that keeps off a box, shortened to leave room at its ends. Nothing where no line has room.
 /// @param angle  of the line, radians
