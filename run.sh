@@ -22,19 +22,16 @@ packages=(
     libgl1-mesa-dri fonts-dejavu-core
 )
 
-installed() {
-    dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed
-}
-
 # Installs the missing ones of the given packages, saying so.
 install_missing() {
     if ! command -v apt-get >/dev/null; then
         echo "This is no Debian system; install these packages' counterparts by hand: $*"
         return
     fi
-    local missing=()
+    local known missing=()
+    known=" $(dpkg-query -W -f='${db:Status-Status}:${Package} ' "$@" 2>/dev/null || true)"
     for package in "$@"; do
-        installed "$package" || missing+=("$package")
+        [[ $known == *" installed:$package "* ]] || missing+=("$package")
     done
     if [ ${#missing[@]} -eq 0 ]; then
         return
@@ -61,12 +58,42 @@ if [ "${1:-}" = --prepare ]; then
 fi
 install_missing "${packages[@]}"
 
-echo "Building Toile (the first time takes a few minutes) ..."
-cmake --preset release >build.log 2>&1 && cmake --build --preset release --target toile >>build.log 2>&1 || {
+# Says how far the compiler is: one line that moves in a terminal, a line now and then elsewhere.
+show_progress() {
+    local line elapsed percent left next=0
+    while IFS= read -r line; do
+        [[ $line =~ ^@([0-9]+)[.0-9]*\ +([0-9]+)%\ (.*) ]] || continue
+        elapsed=${BASH_REMATCH[1]} percent=${BASH_REMATCH[2]}
+        left=$((percent > 0 ? elapsed * (100 - percent) / percent : 0))
+        if [ -t 1 ]; then
+            printf '\r\033[K[ %3d %% ] about %d:%02d left' "$percent" $((left / 60)) $((left % 60))
+        elif [ "$percent" -ge "$next" ]; then
+            printf '[ %3d %% ] about %d:%02d left\n' "$percent" $((left / 60)) $((left % 60))
+            next=$((percent + 10))
+        fi
+    done
+    [ ! -t 1 ] || printf '\r\033[K'
+}
+
+build() {
+    [ -f build/release/build.ninja ] || cmake --preset release || return
+    # Elapsed seconds and per cent, for show_progress.
+    NINJA_STATUS='@%e %p ' cmake --build --preset release --target toile
+}
+
+[ -x build/release/app/toile ] || echo "Building Toile; the first time takes some minutes ..."
+SECONDS=0
+if ! build 2>&1 | tee build.log | show_progress; then
     tail -n 40 build.log >&2
     echo "The build failed; the whole log is in build.log." >&2
     exit 1
-}
+fi
+if [ "$SECONDS" -ge 5 ]; then
+    times >build/times # not in a pipe: there it would count its own
+    cpu=$(awk 'NR == 2 { split($0, t, /[ms ]+/); print int((t[1] + t[3]) * 60 + t[2] + t[4]) }' build/times)
+    printf 'Built in %d:%02d minutes, %d:%02d of processor time.\n' \
+        $((SECONDS / 60)) $((SECONDS % 60)) $((cpu / 60)) $((cpu % 60))
+fi
 
 toile=$PWD/build/release/app/toile
 if [ $# -gt 0 ]; then

@@ -1,38 +1,72 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds and runs every test: the library, the command line and the samples, the window under a
-# virtual display with software OpenGL, the build without Qt, the core once more under the address
-# and undefined-behaviour sanitizers, a guard on speed, and the source format. Ends with status 0 only
-# if all passed.
+# Builds and runs the tests. Ends with status 0 only if all passed.
 #
-#   ./test.sh            everything
-#   ./test.sh --quick    without the sanitizers
+#   ./test.sh            what every change must pass, as continuous integration runs it: the library,
+#                        the command line and the samples, the window under a virtual display with
+#                        software OpenGL, the core under sanitizers and by another compiler, without
+#                        Qt, and checks of the source
+#   ./test.sh --quick    for daily work: the build, and the tests that take seconds
+#   ./test.sh --nightly  what takes hours (tests/nightly.sh)
 set -euo pipefail
 cd "$(dirname "$0")"
 
-./run.sh --prepare libgtest-dev libbenchmark-dev xvfb clang-format python3-numpy
-
-step() { printf '\n== %s\n' "$1"; }
 jobs=$(nproc)
+started=$SECONDS
+step() { printf '\n== %s (after %d:%02d)\n' "$1" $(((SECONDS - started) / 60)) $(((SECONDS - started) % 60)); }
+skipped() { # PRESET: how many tests its last run left out for want of files
+    sed -n 's/^\[  SKIPPED \] \([0-9]*\) test.*/\1/p' "build/$1/Testing/Temporary/LastTest.log" |
+        awk '{ n += $1 } END { print n + 0 " tests skipped" }'
+}
+
+packages=(libgtest-dev xvfb clang-format python3-numpy)
+case ${1:-} in
+    --quick)
+        ./run.sh --prepare "${packages[@]}"
+        step "Build, warnings are errors"
+        cmake --preset ci -DTOILE_TESTS=ON >/dev/null
+        cmake --build --preset ci --parallel "$jobs"
+        step "Quick tests"
+        ctest --preset ci --parallel "$jobs" -L quick
+        exit
+        ;;
+    --nightly)
+        ./run.sh --prepare "${packages[@]}" libbenchmark-dev libcgal-dev clang clang-tidy libomp-dev \
+            libclang-rt-14-dev python3-ezdxf librsvg2-bin
+        exec tests/nightly.sh
+        ;;
+    "") ;;
+    *)
+        sed -n 's/^#  *\(\.\/test\.sh.*\)/\1/p' "$0" >&2
+        exit 2
+        ;;
+esac
+./run.sh --prepare "${packages[@]}" clang libomp-dev
+
+step "Source: format, and one definition of everything"
+git ls-files -- '*.cpp' '*.h' 2>/dev/null | xargs -r clang-format --dry-run -Werror
+tests/one_definition.py
 
 step "Build, warnings are errors"
 cmake --preset ci -DTOILE_TESTS=ON
 cmake --build --preset ci --parallel "$jobs"
 
-step "Build without Qt"
-cmake --preset core -DTOILE_TESTS=OFF
-cmake --build --preset core --parallel "$jobs"
-./build/core/app/toile flatten resources/samples/cap.obj --unit mm
+step "Tests"
+ctest --preset ci --parallel "$jobs" -L full
+skipped ci
 
-step "Source format"
-git ls-files -- '*.cpp' '*.h' 2>/dev/null | xargs -r clang-format --dry-run -Werror
-
-if [ "${1:-}" != --quick ]; then
-    step "Core under the address and undefined-behaviour sanitizers"
-    cmake --preset asan
-    cmake --build --preset asan --parallel "$jobs"
-    ctest --preset asan --parallel "$jobs" --progress
+step "Core and command line by Clang, without Qt"
+cmake --preset clang
+cmake --build --preset clang --parallel "$jobs" --target toile
+if ldd build/clang/app/toile | grep -iE 'qt6|libGL|libEGL'; then
+    echo "The build without the window must not need these." >&2
+    exit 1
 fi
+./build/clang/app/toile flatten resources/samples/cap.obj --unit mm
 
-step "All tests"
-ctest --preset ci --parallel "$jobs"
+step "Core under the address and undefined-behaviour sanitizers"
+cmake --preset asan -DTOILE_TESTS=ON
+cmake --build --preset asan --parallel "$jobs"
+ctest --preset asan --parallel "$jobs" --progress -L full
+skipped asan
+step "All passed"

@@ -122,7 +122,7 @@ TEST(CutPieces, OneThatFailsLeavesTheOthersAlone) {
 }
 
 TEST(CutPieces, ATangleIsRefusedAndTheOthersAreMade) {
-    const Pieces pieces{sourced(test::planeGrid(2, 2, 50), "front")};
+    const Pieces pieces{fromFile(test::planeGrid(2, 2, 50), "front")};
     const UserCut good{"good", UserCut::Kind::Path, {{50, 0, 0}, {50, 100, 0}}, false};
     UserCut tangle{"tangle", UserCut::Kind::Path, {}, false};
     for (int i = 0; i < 3000; ++i) {
@@ -146,8 +146,8 @@ TEST(CutPieces, ATangleIsRefusedAndTheOthersAreMade) {
 }
 
 TEST(CutPieces, SayHowFarTheyAre) {
-    const Pieces pieces{sourced(test::planeGrid(4, 4, 10), "front"),
-                        sourced(test::tube(16, 6), "sleeve")};
+    const Pieces pieces{fromFile(test::planeGrid(4, 4, 10), "front"),
+                        fromFile(test::tube(16, 6), "sleeve")};
     const UserCut across{"across", UserCut::Kind::Path, {{0, 21, 0}, {40, 21, 0}}, false};
     Progress progress;
     EXPECT_EQ(cutPieces(pieces, {across}, true, progress).cuts.size(), 2U);

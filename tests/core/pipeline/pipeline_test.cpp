@@ -70,8 +70,9 @@ TEST(Pipeline, ReadingLeavesRoomForJoinsCutsAndSeams) {
         loadGarment({folder.write("none.obj", "v 0 0 0\nv 1 0 0\n")}, {}, progress).error().code,
         ErrorCode::NoGeometry);
     EXPECT_LT(progress.fraction(), 0.9);
-    const Garment garment = load({kSamples / "tshirt.obj"});
-    ASSERT_TRUE(loadGarment({kSamples / "tshirt.obj"}, {LengthUnit::Millimetre}, progress));
+    const Garment garment = load({test::sourceFile("resources/samples/tshirt.obj")});
+    ASSERT_TRUE(loadGarment({test::sourceFile("resources/samples/tshirt.obj")},
+                            {LengthUnit::Millimetre}, progress));
     EXPECT_NEAR(progress.fraction(), 1, 1e-9);
     LoadOptions options;
     options.seams.cuts = {{"across", UserCut::Kind::Path, {{-100, 1200, 0}, {100, 1200, 0}}}};

@@ -262,9 +262,6 @@ TEST(PlacePieces, PiecesLaidInOnePlaceAreNoPartsOfOne) {
     }
 }
 
-TEST(PlacePieces, APatchOutOfARealGarmentLeavesEverythingElseInPlace) {
-    const auto path = test::sharedFile("garments/tee_sim.obj");
-
 class PlacedGarments : public testing::TestWithParam<std::pair<const char*, std::size_t>> {};
 
 TEST_P(PlacedGarments, StayWhereTheyAreWhenAPatchIsCutOut) {
