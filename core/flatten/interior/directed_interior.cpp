@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/interior/directed_interior.h"
 
-#include <Eigen/SparseLU>
+#include "core/linalg/sparse_lu.h"
 
 namespace toile {
 namespace {
-
-constexpr double kPivotThreshold = 0.1;
 
 /// Unknown of each vertex, numbered in vertex order; -1 on the boundary.
 std::vector<int> unknowns(int vertexCount, const std::vector<int>& boundary) {
@@ -35,7 +33,7 @@ Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
     if (size == 0) {
         return Q;
     }
-    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<MatrixEntry> entries;
     entries.reserve(static_cast<std::size_t>(4 * graph.edges.rows()));
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(size, 2);
     for (int e = 0; e < graph.edges.rows(); ++e) {
@@ -46,9 +44,9 @@ Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
             if (at < 0) {
                 continue;
             }
-            entries.emplace_back(at, at, weight);
+            entries.push_back({at, at, weight});
             if (unknown[other] >= 0) {
-                entries.emplace_back(at, unknown[other], -weight);
+                entries.push_back({at, unknown[other], -weight});
             } else {
                 right.row(at) += weight * Q.row(other);
             }
@@ -57,28 +55,24 @@ Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
-    Eigen::SparseMatrix<double> matrix(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    // The entries lie symmetrically, and the diagonal is large: minimum degree of rows and columns
-    // alike, and another pivot only where the diagonal is far smaller than its column.
-    Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::AMDOrdering<int>> lu;
-    lu.isSymmetric(true);
-    lu.setPivotThreshold(kPivotThreshold);
-    lu.compute(matrix);
-    if (lu.info() != Eigen::Success) {
-        return Error{ErrorCode::FactorisationFailed, "", "the matrix is singular"};
+    SparseLu lu;
+    const auto factorised = lu.factorise(size, entries);
+    if (!factorised) {
+        return factorised.error();
     }
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
-    Eigen::MatrixXd solved = lu.solve(right);
-    solved += lu.solve(right - matrix * solved);
-    if (!solved.allFinite()) {
+    const auto solved = lu.solve(right);
+    if (!solved) {
+        return solved.error();
+    }
+    if (!solved->allFinite()) {
         return Error{ErrorCode::NotFinite, "", "interior positions"};
     }
     for (int v = 0; v < vertexCount; ++v) {
         if (unknown[v] >= 0) {
-            Q.row(v) = solved.row(unknown[v]);
+            Q.row(v) = solved->row(unknown[v]);
         }
     }
     return Q;
