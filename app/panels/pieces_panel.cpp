@@ -16,8 +16,8 @@
 
 #include "app/document/document.h"
 #include "app/document/piece_edits.h"
-#include "app/panels/pieces_view.h"
 #include "app/panels/pieces_model.h"
+#include "app/panels/pieces_view.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"

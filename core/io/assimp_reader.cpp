@@ -11,11 +11,11 @@
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
+#include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/io/assimp_unit.h"
 #include "core/io/face_names.h"
 #include "core/io/position_merger.h"
-#include "core/base/characters.h"
 #include "core/io/soup_builder.h"
 
 namespace toile {

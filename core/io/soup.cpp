@@ -5,9 +5,9 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/characters.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
-#include "core/base/characters.h"
 #include "core/io/text_cursor.h"
 #ifdef TOILE_ASSIMP
 #include "core/io/assimp_reader.h"
