@@ -6,11 +6,13 @@
 set(translations_folder "${CMAKE_SOURCE_DIR}/resources/translations")
 set(translation_files "${translations_folder}/toile_de.ts")
 
-# Words of core/check are told in the window too. Tables write TR("text") and free functions tr("text"); both have the namespace for their context.
+# Words of the core are told in the window too. Tables write TR("text"), the core worded("text") and
+# translatable("text"), free functions tr("text"); all have the namespace for their context.
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/translations.sh"
 "set -e
 cd '${CMAKE_SOURCE_DIR}'
-'$<TARGET_FILE:Qt6::lupdate>' app core/base/error.cpp core/check -I . -extensions cpp,h -tr-function-alias QT_TR_NOOP+=TR \\
+'$<TARGET_FILE:Qt6::lupdate>' app core -I . -extensions cpp,h \\
+    -tr-function-alias QT_TR_NOOP+=TR,QT_TR_NOOP+=worded,QT_TR_NOOP+=translatable \\
     -locations none -no-obsolete -ts ${translation_files}
 ")
 file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/update_translations.sh"

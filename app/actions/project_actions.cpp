@@ -170,7 +170,7 @@ void ProjectActions::askForMeshes(const std::filesystem::path& project,
                            : dialogs_.findMesh(&window_, folder, textOf(mesh.filename()));
         if (path.isEmpty()) {
             emit failed(errorText({ErrorCode::FileUnreadable, mesh.string(),
-                                   "the project needs it, it is not there"}));
+                                   toile::worded("the project needs it, it is not there")}));
             return;
         }
         folder = QFileInfo(path).absolutePath();

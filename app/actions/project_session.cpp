@@ -140,8 +140,8 @@ void ProjectSession::save(const Path& path, std::function<void()> then, IfChange
             if (of == opened_) {
                 emit changedByOthers(path, then);
             } else {  // there is nothing left to ask about
-                emit failed(errorText(
-                    {ErrorCode::FileUnwritable, path.string(), "another program has changed it"}));
+                emit failed(errorText({ErrorCode::FileUnwritable, path.string(),
+                                       toile::worded("another program has changed it")}));
             }
         }));
     // What is edited while the file is being written is not in it.

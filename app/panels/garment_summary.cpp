@@ -9,6 +9,7 @@
 #include "app/base/translate.h"
 #include "app/document/document.h"
 #include "app/render/scene.h"
+#include "app/text/error_text.h"
 #include "app/text/figures.h"
 
 namespace toile {
@@ -139,10 +140,9 @@ QString garmentReasons(const Document& document) {
         if (files.size() > 1) {
             lines << textOf(file->path.filename());
         }
-        const auto add = [&lines](const QString& what, const std::string& reason,
+        const auto add = [&lines](const QString& what, const Wording& reason,
                                   const QString& stated) {
-            lines << tr("%1: %2").arg(what,
-                                      reason.empty() ? stated : QString::fromStdString(reason));
+            lines << tr("%1: %2").arg(what, reason.empty() ? stated : wordingText(reason));
         };
         add(tr("Unit"), file->unitReason, tr("%1, as stated").arg(wordOf(file->unit)));
         add(tr("Up axis"), file->upReason,

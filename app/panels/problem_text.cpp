@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/base/translate.h"
+#include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
 #include "core/check/finding_words.h"
@@ -62,31 +63,19 @@ QIcon noteMark() {
 
 QString problemText(const Finding& finding) {
     if (finding.error) {
-        return withCapital(QString::fromStdString(description(finding)));
+        return withCapital(errorDescription(*finding.error));
     }
-    QString text = tr(findingWords(finding.kind).describe);
-    // All at once: a reason may hold a percent sign.
-    QString filled;
-    for (qsizetype i = 0; i < text.size(); ++i) {
-        if (text[i] != u'%' || i + 1 == text.size() || !text[i + 1].isDigit()) {
-            filled += text[i];
-            continue;
-        }
-        const auto number = static_cast<std::size_t>(text[++i].digitValue());
-        if (number == 0) {
-            filled += QString::fromStdString(finding.reason);
-        } else if (number <= finding.figures.size()) {
-            filled += figureText(finding.figures[number - 1]);
-        }
-    }
-    return withCapital(filled);
+    return withCapital(filledIn(tr(findingWords(finding.kind).describe), [&finding](int number) {
+        const auto at = static_cast<std::size_t>(number);
+        return number == 0                    ? wordingText(finding.reason)
+               : at <= finding.figures.size() ? figureText(finding.figures[at - 1])
+                                              : QString();
+    }));
 }
 
 QString problemAdvice(const Finding& finding) {
     const char* words = findingWords(finding.kind).advice;
-    return finding.error ? QString::fromStdString(adviceFor(finding))
-           : *words      ? tr(words)
-                         : QString();
+    return finding.error ? errorAdvice(*finding.error) : *words ? tr(words) : QString();
 }
 
 QString problemTitle(FindingKind kind) {

@@ -8,8 +8,7 @@
 
 namespace toile {
 
-/// Findings as the window tells them: in the person's language, with lengths in his unit. What an
-/// error says is English everywhere.
+/// Findings as the window tells them: in the person's language, with lengths in his unit.
 
 /// What was found: the first letter large, no full stop.
 QString problemText(const Finding& finding);

@@ -2,6 +2,7 @@
 #include "app/text/error_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <new>
 
 #include "core/base/characters.h"
@@ -18,16 +19,47 @@ QString translated(std::string_view text) {
 
 }  // namespace
 
+QString filledIn(const QString& pattern, const std::function<QString(int)>& argument) {
+    QString filled;
+    for (qsizetype i = 0; i < pattern.size(); ++i) {
+        const bool isPlace =
+            pattern[i] == u'%' && i + 1 < pattern.size() && pattern[i + 1].isDigit();
+        filled += isPlace ? argument(pattern[++i].digitValue()) : QString(pattern[i]);
+    }
+    return filled;
+}
+
+QString wordingText(const Wording& words) {
+    if (words.decimals() >= 0) {
+        return QLocale().toString(words.value(), 'f', words.decimals());
+    }
+    if (!words.pattern()) {
+        return QString::fromStdString(shownText(words, kMostOfDetail));
+    }
+    return filledIn(translated(words.pattern()), [&words](int number) {
+        return wordingText(words.arguments().at(static_cast<std::size_t>(number - 1)));
+    });
+}
+
+QString errorDescription(const Error& error) {
+    QString text = translated(describe(error.code));
+    if (!error.detail.empty()) {
+        text += " (" + wordingText(error.detail) + ')';
+    }
+    return text;
+}
+
+QString errorAdvice(const Error& error) {
+    return translated(advice(error.code));
+}
+
 QString errorText(const Error& error) {
     QString text;
     if (!error.where.empty()) {
         text += QString::fromStdString(shownText(error.where, kMostOfPlace)) + ": ";
     }
-    text += translated(describe(error.code));
-    if (!error.detail.empty()) {
-        text += " (" + QString::fromStdString(shownText(error.detail, kMostOfDetail)) + ')';
-    }
-    if (QString advised = translated(advice(error.code)); !advised.isEmpty()) {
+    text += errorDescription(error);
+    if (QString advised = errorAdvice(error); !advised.isEmpty()) {
         advised[0] = advised[0].toLower();
         text += "; " + advised;
     }

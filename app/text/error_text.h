@@ -3,15 +3,25 @@
 
 #include <QString>
 #include <exception>
+#include <functional>
 #include <optional>
 
 namespace toile {
 
 struct Error;
+class Wording;
 
-/// `sentence` of core/base/error.h in the person's language: what happened, where, what to try. The
-/// particulars between brackets stay as the core words them.
+/// The core's words in the person's language, figures too.
+QString wordingText(const Wording& words);
+
+/// What stands for %0 to %9 is put in all at once: an argument may hold a percent sign.
+QString filledIn(const QString& pattern, const std::function<QString(int)>& argument);
+
+/// `sentence` of core/base/error.h in the person's language: what happened, where, what to try.
 QString errorText(const Error& error);
+/// What happened alone, with the particulars, and what to try alone; the latter may be empty.
+QString errorDescription(const Error& error);
+QString errorAdvice(const Error& error);
 
 /// What a piece of work that ended with an exception says: that memory ran out and what to try, or
 /// that the program met a fault. Not null.

@@ -212,8 +212,7 @@ Words wordsOf(ErrorCode code) {
 
 }  // namespace
 
-Problems aboutEach(ErrorCode code, const std::vector<std::string>& places,
-                   const std::string& detail) {
+Problems aboutEach(ErrorCode code, const std::vector<std::string>& places, const Wording& detail) {
     constexpr std::size_t kFew = 10, kNamed = 3;
     if (places.size() > kFew) {
         return {{code, quotedList(places, kNamed), detail}};

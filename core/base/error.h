@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/wording.h"
+
 namespace toile {
 
 /// Everything that can be expected to go wrong, or that a user should know about. The kebab-case
@@ -79,15 +81,15 @@ inline constexpr int kErrorCodeCount = static_cast<int>(ErrorCode::Cancelled) + 
 /// An expected failure or a note: what, where, and the particulars. Never thrown.
 struct Error {
     ErrorCode code;
-    std::string where;   ///< the piece or file it is about; empty where it is about everything
-    std::string detail;  ///< the particulars: counts, places, numbers
+    std::string where;  ///< the piece or file it is about; empty where it is about everything
+    Wording detail;     ///< the particulars: counts, places, numbers
 };
 
 using Problems = std::vector<Error>;
 
 /// What is to be said alike of several places: of each where they are few, else in one.
 Problems aboutEach(ErrorCode code, const std::vector<std::string>& places,
-                   const std::string& detail = {});
+                   const Wording& detail = {});
 
 /// Stable kebab-case name, for example "several-loops".
 std::string_view name(ErrorCode code);

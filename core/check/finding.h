@@ -77,7 +77,7 @@ struct Finding {
     std::optional<FindingPlace> place{};  ///< on the first piece: of the worst
     /// What was measured, the telling number first; `findingWords` say where each goes.
     std::vector<Figure> figures{};
-    std::string reason{};          ///< why something was guessed; English, else empty
+    Wording reason{};              ///< why something was guessed, else empty
     std::optional<Error> error{};  ///< that says it all: of NotFlat, OutlineCrosses and Message
 };
 

@@ -36,7 +36,8 @@ void checkOutline(const PieceToCut& checked, FindingList& found) {
     finding.place = placeOnOutline(piece, result.flat->Q, first.first, first.place);
     const auto crossingCount = static_cast<long long>(crossings.size());
     finding.figures = {count(static_cast<double>(crossingCount))};
-    finding.error = {ErrorCode::OutlineCrosses, piece.name, counted(crossingCount, "crossing")};
+    finding.error = {ErrorCode::OutlineCrosses, piece.name,
+                     countWording(crossingCount, "crossing")};
     for (const Error& note : result.flat->notes) {
         if (note.code == ErrorCode::OutlineCrosses) {
             finding.error = note;  // it knows the cut that helps

@@ -182,7 +182,7 @@ private:
         }
         const auto parts = faceComponents(cut->mesh.F, static_cast<int>(cut->mesh.V.rows()));
         if (*std::ranges::max_element(parts) > 0) {
-            return cutError("", "the cuts would separate the piece");
+            return cutError("", toile::worded("the cuts would separate the piece"));
         }
         const auto defect = checkDisk(cut->mesh, "").defect;
         const bool isOnlyShape = defect && (defect->code == ErrorCode::DegenerateFace ||
@@ -213,7 +213,7 @@ Result<AutoCut> proposeCuts(const MeshArrays& mesh, const EdgeTable& table,
     }
     const auto parts = faceComponents(mesh.F, static_cast<int>(mesh.V.rows()));
     if (*std::ranges::max_element(parts) > 0) {
-        return cutError("", "the mesh has several parts");
+        return cutError("", toile::worded("the mesh has several parts"));
     }
     return Proposer(mesh, table, options, progress).run(defect->code);
 }

@@ -45,16 +45,15 @@ Result<std::vector<int>> embed(const FaceParts& parts, FaceSplitter& splitter,
         }
         face = links.commonFace(path.points[i - 1], point, face);
         if (face < 0) {
-            return cutError("", "points " + std::to_string(i) + " and " + std::to_string(i + 1) +
-                                    " of a path share no triangle");
+            return cutError("", worded("points %1 and %2 of a path share no triangle",
+                                       {figure(double(i)), figure(double(i + 1))}));
         }
         if (!splitter.connect(face, vertices.back(), vertex, vertices)) {
-            return cutError("", "a path lost its way in a triangle");
+            return cutError("", worded("a path lost its way in a triangle"));
         }
         if (parts.isCrowded(face)) {
-            return cutError("",
-                            "it crosses itself and the cuts before it so often that a triangle "
-                            "would fall into thousands of parts");
+            return cutError("", worded("it crosses itself and the cuts before it so often that a "
+                                       "triangle would fall into thousands of parts"));
         }
     }
     return vertices;

@@ -5,7 +5,7 @@
 
 namespace toile {
 
-Error cutError(std::string where, std::string detail) {
+Error cutError(std::string where, Wording detail) {
     return {ErrorCode::CutImpossible, std::move(where), std::move(detail)};
 }
 

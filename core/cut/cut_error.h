@@ -8,6 +8,6 @@
 namespace toile {
 
 /// A cut that cannot be made as asked: unconnected points, fewer points than it needs.
-Error cutError(std::string where, std::string detail);
+Error cutError(std::string where, Wording detail);
 
 }  // namespace toile

@@ -107,7 +107,7 @@ Result<EdgePath> edgePath(const MeshArrays& mesh, const EdgeTable& table, int fr
         return Error{ErrorCode::Cancelled, "", ""};
     }
     if (forest.source[to] < 0) {
-        return cutError("", "the points lie on parts that are not connected");
+        return cutError("", worded("the points lie on parts that are not connected"));
     }
     EdgePath path{forest.pathTo(to, table.edges), 0};
     for (std::size_t i = 1; i < path.vertices.size(); ++i) {

@@ -151,7 +151,7 @@ Result<PathPolyline> geodesicPath(const SurfaceLinks& links, const SurfacePoint&
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled, "", ""};
         }
-        return cutError("", "the points lie on parts that are not connected");
+        return cutError("", worded("the points lie on parts that are not connected"));
     }
     return straightened(links, graph.path());
 }

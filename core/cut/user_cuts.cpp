@@ -91,14 +91,14 @@ Result<PathPolyline> wayOfCut(const SurfaceLinks& links, const SurfacePoint& fro
 
 Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
                                   const UserCut& cut, const Progress& progress) {
-    const std::size_t needed = cut.kind == UserCut::Kind::Loop ? 3 : 2;
-    if (cut.points.size() < needed) {
-        return cutError(cut.name, "it needs " + std::to_string(needed) + " points or more");
+    const int needed = cut.kind == UserCut::Kind::Loop ? 3 : 2;
+    if (static_cast<int>(cut.points.size()) < needed) {
+        return cutError(cut.name, worded("it needs %1 points or more", {figure(needed)}));
     }
     std::vector<SurfacePoint> points;
     for (const Eigen::Vector3d& p : cut.points) {
         if (!p.allFinite()) {
-            return cutError(cut.name, "a point is not finite");
+            return cutError(cut.name, worded("a point is not finite"));
         }
         points.push_back(nearest.find(p));
     }
@@ -108,7 +108,7 @@ Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurfac
     } else if (cut.kind == UserCut::Kind::Loop) {
         points.push_back(points.front());
     } else if (!putOnRim(links, points)) {
-        return cutError(cut.name, "a dart starts at the rim, and the piece has none");
+        return cutError(cut.name, worded("a dart starts at the rim, and the piece has none"));
     }
     PathPolyline whole;
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -26,12 +26,17 @@ constexpr double kExactLength = 1e-9;
 /// At the tip of a slit in flat cloth the angle is 2 pi but for rounding, and in range.
 constexpr double kAngleRounding = 1e-9;
 
-std::string place(const Eigen::RowVector3d& p) {
-    return "(" + fixed(p.x(), 1) + ", " + fixed(p.y(), 1) + ", " + fixed(p.z(), 1) + ")";
+Wording place(const Eigen::RowVector3d& p) {
+    return placeWording(p.x(), p.y(), p.z());
 }
 
-std::string flatPlace(const Eigen::RowVector2d& p) {
-    return "(" + fixed(p.x(), 1) + ", " + fixed(p.y(), 1) + ")";
+Wording flatPlace(const Eigen::RowVector2d& p) {
+    return worded("(%1, %2)", {figure(p.x(), 1), figure(p.y(), 1)});
+}
+
+Wording crossingCount(int count) {
+    return count == kMaxOutlineCrossings ? worded("%1 crossings or more", {figure(count)})
+                                         : countWording(count, "crossing");
 }
 
 /// Where on the piece a place on a flat outline edge lies.
@@ -44,15 +49,16 @@ Eigen::RowVector3d onPiece(const Piece& piece, const Points2& Q, int edge,
     return (1 - share) * piece.mesh.V.row(v) + share * piece.mesh.V.row(w);
 }
 
-std::string cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) {
+Wording cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) {
     if (!cut) {
-        return "no cut through the inside was found";
+        return worded("; no cut through the inside was found");
     }
-    const std::string way = place(piece.mesh.V.row(cut->path.front())) + " to " +
-                            place(piece.mesh.V.row(cut->path.back())) + ", " +
-                            fixed(cut->length3d, 0) + " mm";
-    return cut->resolves ? "cut it from " + way
-                         : "one cut is not enough: begin with one from " + way;
+    const std::vector<Wording> way{place(piece.mesh.V.row(cut->path.front())),
+                                   place(piece.mesh.V.row(cut->path.back())),
+                                   figure(cut->length3d)};
+    return cut->resolves
+               ? worded("; cut it from %1 to %2, %3 mm", way)
+               : worded("; one cut is not enough: begin with one from %1 to %2, %3 mm", way);
 }
 
 }  // namespace
@@ -64,12 +70,14 @@ std::optional<Error> crossingNote(const Piece& piece, const Points2& Q) {
     }
     const OutlineCrossing& first = crossings.front();
     const auto count = static_cast<int>(crossings.size());
-    std::string detail = counted(count, "crossing");
-    detail += count == kMaxOutlineCrossings ? " or more" : "";
-    detail += count > 1 ? ", the first at " : " at ";
-    detail += flatPlace(first.place) + " mm of the pattern, where " +
-              place(onPiece(piece, Q, first.first, first.place)) + " and " +
-              place(onPiece(piece, Q, first.second, first.place)) + " mm of the piece meet";
+    const std::vector<Wording> places{crossingCount(count), flatPlace(first.place),
+                                      place(onPiece(piece, Q, first.first, first.place)),
+                                      place(onPiece(piece, Q, first.second, first.place))};
+    Wording detail =
+        count > 1
+            ? worded("%1, the first at %2 mm of the pattern, where %3 and %4 mm of the piece meet",
+                     places)
+            : worded("%1 at %2 mm of the pattern, where %3 and %4 mm of the piece meet", places);
     return Error{ErrorCode::OutlineCrosses, piece.name, detail};
 }
 
@@ -81,7 +89,7 @@ void nameCrossingCut(const Piece& piece, const Points2& Q, const Progress& progr
     }
     const auto cut = cutForCrossings(piece, Q, findOutlineCrossings(Q, piece.boundary), progress);
     if (!progress.isCancelled()) {  // else what was found may not be what there is
-        note->detail += "; " + cutWords(piece, cut);
+        note->detail += cutWords(piece, cut);
     }
 }
 
@@ -95,13 +103,16 @@ void noteFlips(const Piece& piece, const Points2& Q, Problems& notes) {
     areas.minCoeff(&worst);
     const Eigen::RowVector3d middle =
         piece.mesh.V(piece.mesh.F.row(worst), Eigen::all).colwise().mean();
-    std::string detail = std::to_string(flipped) + " of " + counted(areas.size(), "triangle") +
-                         ", " + (flipped > 1 ? "the worst at " : "at ") + place(middle) + " mm";
+    const std::vector<Wording> words{figure(flipped), countWording(areas.size(), "triangle"),
+                                     place(middle)};
+    Wording detail = flipped > 1 ? worded("%1 of %2, the worst at %3 mm", words)
+                                 : worded("%1 of %2, at %3 mm", words);
     std::erase_if(notes, [&detail](const Error& note) {
         if (note.code != ErrorCode::EndedEarly) {
             return false;
         }
-        detail += "; " + note.detail;
+        detail += "; ";
+        detail += note.detail;
         return true;
     });
     notes.push_back({ErrorCode::TrianglesFlipped, piece.name, detail});
@@ -117,20 +128,21 @@ std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q) {
         return std::nullopt;
     }
     const long long count = (off > kExactLength).count();
+    const std::vector<Wording> words{countWording(count, "edge"), shortest(on[worst]),
+                                     place(piece.mesh.V.row(piece.boundary[worst])),
+                                     shortest(most)};
     return Error{ErrorCode::EdgesTooShort, piece.name,
-                 counted(count, "edge") + (count > 1 ? ", the worst of " : " of ") +
-                     shortest(on[worst]) + " mm at " +
-                     place(piece.mesh.V.row(piece.boundary[worst])) + " mm, off by " +
-                     shortest(most) + " of it"};
+                 count > 1 ? worded("%1, the worst of %2 mm at %3 mm, off by %4 of it", words)
+                           : worded("%1 of %2 mm at %3 mm, off by %4 of it", words)};
 }
 
 Error uncrossedNote(const Piece& piece, int crossings) {
-    return {ErrorCode::OutlineUncrossed, piece.name, counted(crossings, "crossing")};
+    return {ErrorCode::OutlineUncrossed, piece.name, crossingCount(crossings)};
 }
 
 std::optional<Error> degenerateNote(const Piece& piece) {
     int count = 0;
-    std::string named;
+    Wording named;
     for (int f = 0; f < piece.mesh.F.rows(); ++f) {
         const Eigen::RowVector3d a = piece.mesh.V.row(piece.mesh.F(f, 0));
         const Eigen::RowVector3d b = piece.mesh.V.row(piece.mesh.F(f, 1));
@@ -149,16 +161,19 @@ std::optional<Error> degenerateNote(const Piece& piece) {
         if (count++ < kNamedFaces) {
             const bool hasSource = f < static_cast<int>(piece.sourceFace.size());
             const int face = hasSource ? piece.sourceFace[f] : f;
-            named += (named.empty() ? ": " : ", ");
-            named += (face >= 0 ? "face " + std::to_string(face) : std::string("a filled-in face"));
-            named += " at " + place(Eigen::RowVector3d((a + b + c) / 3)) + " mm";
+            named += named.empty() ? ": " : ", ";
+            const Wording at = place(Eigen::RowVector3d((a + b + c) / 3));
+            named += face >= 0 ? worded("face %1 at %2 mm", {std::to_string(face), at})
+                               : worded("a filled-in face at %1 mm", {at});
         }
     }
     if (count == 0) {
         return std::nullopt;
     }
-    return Error{ErrorCode::DegenerateTriangles, piece.name,
-                 counted(count, "triangle") + named + (count > kNamedFaces ? ", ..." : "")};
+    Wording detail = countWording(count, "triangle");
+    detail += named;
+    detail += count > kNamedFaces ? ", ..." : "";
+    return Error{ErrorCode::DegenerateTriangles, piece.name, detail};
 }
 
 std::optional<Error> anglesNote(const Piece& piece, const Eigen::VectorXd& angles) {
@@ -172,28 +187,29 @@ std::optional<Error> anglesNote(const Piece& piece, const Eigen::VectorXd& angle
     if (count == 0) {
         return std::nullopt;
     }
-    return Error{ErrorCode::AnglesOutOfRange, piece.name,
-                 counted(count, "outline vertex") + ", " +
-                     fixed(angles[first] * 180 / std::numbers::pi, 0) + " degrees at " +
-                     place(piece.mesh.V.row(piece.boundary[first])) + " mm"};
+    return Error{
+        ErrorCode::AnglesOutOfRange, piece.name,
+        worded("%1, %2 degrees at %3 mm", {countWording(count, "outline vertex"),
+                                           figure(angles[first] * 180 / std::numbers::pi),
+                                           place(piece.mesh.V.row(piece.boundary[first]))})};
 }
 
-Error endedEarlyNote(const Piece& piece, const std::string& how) {
+Error endedEarlyNote(const Piece& piece, const Wording& how) {
     return {ErrorCode::EndedEarly, piece.name, how};
 }
 
-Error rimsNote(const Piece& piece, const Points2& Q, const std::string& why) {
+Error rimsNote(const Piece& piece, const Points2& Q, const Wording& why) {
     double furthest = -1;
-    std::string text;
+    Wording text;
     for (const auto& rim : piece.holes) {
         const double on = boundaryLengths3d(piece.mesh.V, rim).sum();
         const double flat = boundaryLengths2d(Q, rim).sum();
         if (std::abs(flat - on) > furthest) {
             furthest = std::abs(flat - on);
-            text = fixed(flat, 1) + " mm flat, " + fixed(on, 1) + " mm on the garment";
+            text = worded("%1 mm flat, %2 mm on the garment", {figure(flat, 1), figure(on, 1)});
         }
     }
-    return {ErrorCode::RimsNotKept, piece.name, why.empty() ? text : text + "; " + why};
+    return {ErrorCode::RimsNotKept, piece.name, why.empty() ? text : worded("%1; %2", {text, why})};
 }
 
 }  // namespace toile

@@ -46,10 +46,10 @@ std::optional<Error> degenerateNote(const Piece& piece);
 std::optional<Error> anglesNote(const Piece& piece, const Eigen::VectorXd& angles);
 
 /// EndedEarly. @param how  "after 12 steps"
-Error endedEarlyNote(const Piece& piece, const std::string& how);
+Error endedEarlyNote(const Piece& piece, const Wording& how);
 
 /// RimsNotKept: how far the rim of a hole is from its length that is furthest off.
 /// @param why  said after it, or empty
-Error rimsNote(const Piece& piece, const Points2& Q, const std::string& why);
+Error rimsNote(const Piece& piece, const Points2& Q, const Wording& why);
 
 }  // namespace toile

@@ -34,16 +34,16 @@ Distance distanceTo(const MeshArrays& mesh, const NearestSurface& surface, const
 }
 
 /// What is wrong with a cut before any piece is looked at; empty where nothing is.
-std::string faultOf(const UserCut& cut) {
+Wording faultOf(const UserCut& cut) {
     if (cut.points.empty()) {
-        return "it has no points";
+        return worded("it has no points");
     }
     for (const Eigen::Vector3d& point : cut.points) {
         if (!point.allFinite()) {
-            return "a point is not finite";
+            return worded("a point is not finite");
         }
     }
-    return "";
+    return {};
 }
 
 }  // namespace
@@ -78,15 +78,15 @@ CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
     const double limit = box.isEmpty() ? 0 : kFarFromSurface * box.diagonal().norm();
     for (std::size_t c = 0; c < cuts.size(); ++c) {
         const auto& [distance, piece] = best[c];
-        if (const std::string fault = faultOf(cuts[c]); !fault.empty()) {
+        if (const Wording fault = faultOf(cuts[c]); !fault.empty()) {
             owners.problems.push_back(cutError(cuts[c].name, fault));
         } else if (piece == pieces.size()) {
-            owners.problems.push_back(cutError(cuts[c].name, "there is no piece to cut"));
+            owners.problems.push_back(cutError(cuts[c].name, worded("there is no piece to cut")));
         } else if (distance.farthest > limit) {
             owners.problems.push_back(
-                cutError(cuts[c].name, "its point " + std::to_string(distance.point + 1) +
-                                           " lies " + fixed(distance.farthest, 0) +
-                                           " mm from the nearest piece, " + pieces[piece]->name));
+                cutError(cuts[c].name, worded("its point %1 lies %2 mm from the nearest piece, %3",
+                                              {figure(distance.point + 1.0),
+                                               figure(distance.farthest), pieces[piece]->name})));
         } else {
             owners.cutsOf[piece].push_back(&cuts[c]);
         }

@@ -162,18 +162,22 @@ private:
                 made_.cuts.push_back({traced[c]->name, CutAuthor::User, traced[c]->kind, piece.name,
                                       opened[c].length, std::move(opened[c].middles)});
             } else {
-                fail(cutError(traced[c]->name, "in " + piece.name +
-                                                   " it runs along the outline or along another "
-                                                   "cut, and opens nothing"));
+                fail(cutError(
+                    traced[c]->name,
+                    toile::worded("in %1 it runs along the outline or along another cut, and "
+                                  "opens nothing",
+                                  {piece.name})));
             }
         }
         return areAllOut ? std::vector<Piece>{} : std::move(*parts);
     }
 
     void failIn(const Piece& piece, const UserCut& cut, const Error& error) {
-        fail(cutError(cut.name, "in " + piece.name + ", " +
-                                    (error.detail.empty() ? std::string(describe(error.code))
-                                                          : error.detail)));
+        fail(cutError(
+            cut.name,
+            toile::worded("in %1, %2", {piece.name, error.detail.empty()
+                                                        ? toile::worded(describe(error.code).data())
+                                                        : error.detail})));
     }
 
     /// Makes a disk of a piece, or says in its defect why that is not done.
@@ -192,7 +196,8 @@ private:
         auto parts = cutPiece(piece, paths, {}, progress, opened);
         if (!parts || parts->size() != 1) {
             piece.defect =
-                parts ? cutError(piece.name, "the cuts would separate the piece") : parts.error();
+                parts ? cutError(piece.name, toile::worded("the cuts would separate the piece"))
+                      : parts.error();
             return;
         }
         for (std::size_t c = 0; c < opened.size(); ++c) {

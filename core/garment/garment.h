@@ -22,10 +22,10 @@ namespace toile {
 struct SourceFile {
     std::filesystem::path path;
     LengthUnit unit = LengthUnit::Millimetre;
-    std::string unitReason;  ///< why this unit, where it was not stated; else empty
+    Wording unitReason;  ///< why this unit, where it was not stated; else empty
     bool unitInDoubt = false;
     UpAxis up = UpAxis::Y;  ///< the file's axis that points up; pieces have y up
-    std::string upReason;   ///< why this axis, where it was not stated; else empty
+    Wording upReason;       ///< why this axis, where it was not stated; else empty
     bool upInDoubt = false;
     PolygonSoup soup;
     SplitChoice split;  ///< by what the file was divided, and why

@@ -26,7 +26,7 @@ using PiecePointer = std::shared_ptr<const Piece>;
 /// length: the mesh may have changed a little since the points were set.
 constexpr double kNearlyThere = 0.5;
 
-Error joinError(const UserJoin& join, std::string detail) {
+Error joinError(const UserJoin& join, Wording detail) {
     return {ErrorCode::JoinImpossible, join.name, std::move(detail)};
 }
 
@@ -53,11 +53,11 @@ public:
 
     Result<void> join(const UserJoin& join) {
         if (join.points.size() < 2) {
-            return joinError(join, "it needs 2 points or more");
+            return joinError(join, toile::worded("it needs %1 points or more", {figure(2)}));
         }
         if (std::ranges::any_of(join.points,
                                 [](const Eigen::Vector3d& p) { return !p.allFinite(); })) {
-            return joinError(join, "a point is not finite");
+            return joinError(join, toile::worded("a point is not finite"));
         }
         if (!rims_) {
             rims_.emplace(pieces_);
@@ -68,8 +68,9 @@ public:
         }
         const SewnChain weld = weldAlong(chainAround(*rims_, *seed), join);
         if (pieces_[weld.left]->file != pieces_[weld.right]->file) {
-            return joinError(join, pieces_[weld.left]->name + " and " + pieces_[weld.right]->name +
-                                       " come from different files");
+            return joinError(join,
+                             toile::worded("%1 and %2 come from different files",
+                                           {pieces_[weld.left]->name, pieces_[weld.right]->name}));
         }
         return apply(join, weld);
     }
@@ -124,11 +125,11 @@ private:
             }
         }
         if (nearest < 0) {
-            return joinError(join, "no piece has an edge");
+            return joinError(join, toile::worded("no piece has an edge"));
         }
         if (toNearest > limit()) {
-            return joinError(
-                join, "it lies " + fixed(toNearest, 0) + " mm from the nearest edge of any piece");
+            return joinError(join, toile::worded("it lies %1 mm from the nearest edge of any piece",
+                                                 {figure(toNearest)}));
         }
         const double allowed =
             toNearest +
@@ -137,11 +138,15 @@ private:
             return paired;
         }
         const std::string& name = pieces_[edge(nearest).piece]->name;
-        return joinError(join,
-                         edge(nearest).mate == RimPairs::kSeveral
-                             ? "more than two edges lie on each other there, one of them of " + name
-                             : "the vertices of the two edges there, one of them of " + name +
-                                   ", do not lie on each other one to one");
+        return joinError(
+            join,
+            edge(nearest).mate == RimPairs::kSeveral
+                ? toile::worded("more than two edges lie on each other there, one of them of %1",
+                                {name})
+                : toile::worded(
+                      "the vertices of the two edges there, one of them of %1, do not lie "
+                      "on each other one to one",
+                      {name}));
     }
 
     /// Lengths along a chain up to each of its vertices.
@@ -229,7 +234,9 @@ private:
         Piece made = welded(left, right, weld);
         if (made.defect && isNoSurface(made.defect->code)) {
             return joinError(
-                join, made.name + ", the result: " + std::string(describe(made.defect->code)));
+                join,
+                toile::worded("%1, the result: %2",
+                              {made.name, toile::worded(describe(made.defect->code).data())}));
         }
         if (!itself) {
             made.name = freeName(left.name + " + " + right.name);

@@ -160,20 +160,22 @@ SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangu
         if (islands > 1 &&
             static_cast<double>(triangles.F.rows()) >= kFewestTrianglesPerIsland * islands &&
             diskShare(division) >= kMostIslandsAreDisks) {
-            return {SplitMode::Uv, "the UV map is a flat pattern of " + counted(islands, "panel") +
-                                       " (" + fixed(100 * scale->closeShare, 0) +
-                                       " % of its edges keep their length)"};
+            return {SplitMode::Uv,
+                    worded("the UV map is a flat pattern of %1 (%2 % of its edges keep "
+                           "their length)",
+                           {countWording(islands, "panel"), figure(100 * scale->closeShare)})};
         }
     }
     if (soup.objects.size() > 1) {
         return {SplitMode::Objects,
-                "the file names " + std::to_string(soup.objects.size()) + " objects"};
+                worded("the file names %1 objects", {figure(double(soup.objects.size()))})};
     }
     if (soup.groups.size() > 1) {
         return {SplitMode::Groups,
-                "the file names " + std::to_string(soup.groups.size()) + " groups"};
+                worded("the file names %1 groups", {figure(double(soup.groups.size()))})};
     }
-    return {SplitMode::Components, "connected parts, as the file names no objects or groups"};
+    return {SplitMode::Components,
+            worded("connected parts, as the file names no objects or groups")};
 }
 
 std::string_view name(SplitMode mode) {

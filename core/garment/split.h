@@ -26,7 +26,7 @@ enum class SplitMode {
 /// A mode other than Auto, and why it was taken where the user stated none.
 struct SplitChoice {
     SplitMode mode = SplitMode::Components;
-    std::string reason;  ///< for a person; empty where the mode was stated
+    Wording reason;  ///< for a person; empty where the mode was stated
 };
 
 /// The mode to use. For Auto: UV islands where they lie close to isometric and are disks (then they

@@ -138,7 +138,9 @@ Problems weldSoup(PolygonSoup& soup, bool wanted, double millimetres, const std:
     }
     rename(soup, renamed);
     // The note of the first object that has any, with the count of all.
-    note.detail = counted(merged, "vertex") + note.detail.substr(note.detail.find(" welded"));
+    std::vector<Wording> words = note.detail.arguments();
+    words.front() = countWording(merged, "vertex");
+    note.detail = worded(note.detail.pattern(), std::move(words));
     return {note};
 }
 

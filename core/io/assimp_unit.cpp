@@ -25,11 +25,11 @@ AssimpUnit unitOfFbx(const aiScene& scene) {
          {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
         const double centimetres = millimetresPer(unit) / 10;
         if (std::abs(factor / centimetres - 1) < kSame) {
-            return {StatedUnit{unit, "stated in the FBX file"}};
+            return {StatedUnit{unit, worded("stated in the FBX file")}};
         }
     }
     return {StatedUnit{LengthUnit::Centimetre,
-                       "the FBX file's own unit is " + fixed(factor, 3) + " cm"},
+                       worded("the FBX file's own unit is %1 cm", {figure(factor, 3)})},
             factor};
 }
 
@@ -37,11 +37,12 @@ AssimpUnit unitOfFbx(const aiScene& scene) {
 
 AssimpUnit unitOf(const aiScene& scene, std::string_view ending) {
     if (equalsIgnoringCase(ending, ".glb") || equalsIgnoringCase(ending, ".gltf")) {
-        return {StatedUnit{LengthUnit::Metre, "glTF files are in metres"}};
+        return {StatedUnit{LengthUnit::Metre, worded("glTF files are in metres")}};
     }
     if (equalsIgnoringCase(ending, ".dae")) {
         // Assimp scales the root by the unit that the file states, metres where it states none.
-        return {StatedUnit{LengthUnit::Metre, "Collada files state their unit; read as metres"}};
+        return {StatedUnit{LengthUnit::Metre,
+                           worded("Collada files state their unit; read as metres")}};
     }
     return equalsIgnoringCase(ending, ".fbx") ? unitOfFbx(scene) : AssimpUnit{};
 }

@@ -25,7 +25,7 @@ struct TextSpan {
 /// The unit that a file or its format fixes, and what says so, for a person.
 struct StatedUnit {
     LengthUnit unit;
-    std::string reason;  ///< "glTF files are in metres"
+    Wording reason;  ///< "glTF files are in metres"
 };
 
 /// What a mesh file says, before anything is divided or checked: polygons over shared positions,

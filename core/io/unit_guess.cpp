@@ -16,32 +16,23 @@ constexpr double kCentimetresUpTo = 250;  // a floor-length dress has 160 cm, a 
 // 170 cm, or a sock of 170 mm.
 constexpr double kDoubt[2][2] = {{3, 25}, {150, 350}};
 
-std::string_view pluralOf(LengthUnit unit) {
-    switch (unit) {
-        case LengthUnit::Millimetre:
-            return "millimetres";
-        case LengthUnit::Centimetre:
-            return "centimetres";
-        case LengthUnit::Metre:
-            return "metres";
-        case LengthUnit::Inch:
-            return "inches";
-    }
-    return "";
+Wording reasonFor(LengthUnit unit, const std::vector<Wording>& extents) {
+    return unit == LengthUnit::Metre ? worded("largest extent %1, read as metres: %2 mm", extents)
+           : unit == LengthUnit::Centimetre
+               ? worded("largest extent %1, read as centimetres: %2 mm", extents)
+               : worded("largest extent %1, read as millimetres", extents);
 }
 
 /// About four digits, without needless zeros: "1.52", "1520", "0.0000001".
-std::string rounded(double value) {
+Wording rounded(double value) {
     if (!(value > 1e-9 && value < 1e9)) {
         return shortest(value);
     }
-    const int decimals = std::max(0, 3 - static_cast<int>(std::floor(std::log10(value))));
-    std::string text = fixed(value, decimals);
-    if (decimals > 0) {
-        text.erase(text.find_last_not_of('0') + 1);
-        text.erase(text.find_last_not_of('.') + 1);
+    int decimals = std::max(0, 3 - static_cast<int>(std::floor(std::log10(value))));
+    while (decimals > 0 && fixed(value, decimals).back() == '0') {
+        --decimals;
     }
-    return text;
+    return figure(value, decimals);
 }
 
 }  // namespace
@@ -49,7 +40,7 @@ std::string rounded(double value) {
 UnitGuess guessUnit(double largestExtent) {
     const double e = largestExtent;
     if (!std::isfinite(e) || e <= 0) {
-        return {LengthUnit::Millimetre, true, "no extent, read as millimetres"};
+        return {LengthUnit::Millimetre, true, worded("no extent, read as millimetres")};
     }
     const LengthUnit unit = e < kMetresBelow        ? LengthUnit::Metre
                             : e <= kCentimetresUpTo ? LengthUnit::Centimetre
@@ -57,12 +48,7 @@ UnitGuess guessUnit(double largestExtent) {
     const bool inDoubt = std::any_of(std::begin(kDoubt), std::end(kDoubt), [e](const auto& range) {
         return e >= range[0] && e <= range[1];
     });
-    std::string reason = "largest extent " + rounded(e) + ", read as ";
-    reason += pluralOf(unit);
-    if (unit != LengthUnit::Millimetre) {
-        reason += ": " + rounded(e * millimetresPer(unit)) + " mm";
-    }
-    return {unit, inDoubt, reason};
+    return {unit, inDoubt, reasonFor(unit, {rounded(e), rounded(e * millimetresPer(unit))})};
 }
 
 }  // namespace toile

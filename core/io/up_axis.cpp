@@ -18,12 +18,13 @@ UpGuess guessUpAxis(const Eigen::Vector3d& extents) {
     const double z = extents.z();
     const bool wideAsDeep = std::abs(x - z) <= kAlike * std::max(x, z);
     if (y < x && y < kFlatBySure * z && !wideAsDeep) {
-        return {UpAxis::Z, false, "flattest along y, as a body is from front to back: z is up"};
+        return {UpAxis::Z, false,
+                worded("flattest along y, as a body is from front to back: z is up")};
     }
     if (y < x && y < kFlatPerhaps * z && !wideAsDeep) {
-        return {UpAxis::Y, true, "flatter along y than along z: z may be up"};
+        return {UpAxis::Y, true, worded("flatter along y than along z: z may be up")};
     }
-    return {UpAxis::Y, false, "y is up, as in most files"};
+    return {UpAxis::Y, false, worded("y is up, as in most files")};
 }
 
 Eigen::RowVector3d withYUp(UpAxis axis, const Eigen::RowVector3d& inFile) {

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include <Eigen/Core>
+
+#include "core/base/wording.h"
 
 namespace toile {
 
@@ -16,7 +17,7 @@ enum class UpAxis { Y, Z };
 struct UpGuess {
     UpAxis axis = UpAxis::Y;
     bool inDoubt = false;  ///< the other axis would be as likely
-    std::string reason;    ///< for a person
+    Wording reason;        ///< for a person
 };
 
 /// Proposes z where the garment is flattest along y, by far, and no wider than deep by chance: a

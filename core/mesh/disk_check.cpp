@@ -55,24 +55,26 @@ private:
     int opposite(int use) const { return mesh_.F(use / 3, (use % 3 + 2) % 3); }
     const int* firstUse(int e) const { return table_.use.data() + table_.useStart[e]; }
 
-    std::string place(int vertex) const {
+    Wording place(int vertex) const {
         const auto p = mesh_.V.row(vertex);
-        return "at " + fixed(p.x(), 1) + ", " + fixed(p.y(), 1) + ", " + fixed(p.z(), 1) + " mm";
+        return toile::worded("at %1, %2, %3 mm",
+                             {figure(p.x(), 1), figure(p.y(), 1), figure(p.z(), 1)});
     }
 
-    bool fail(ErrorCode code, const std::string& detail) {
+    bool fail(ErrorCode code, const Wording& detail) {
         result_.defect = Error{code, name_, detail};
         return false;
     }
 
     bool fail(ErrorCode code, const Fault& fault, std::string_view noun) {
-        return fail(code, counted(fault.count, noun) + ", " +
-                              (fault.count > 1 ? "the first " : "") + place(fault.firstVertex));
+        const Wording count = countWording(fault.count, noun), at = place(fault.firstVertex);
+        return fail(code, fault.count > 1 ? toile::worded("%1, the first %2", {count, at})
+                                          : toile::worded("%1, %2", {count, at}));
     }
 
     bool checkFinite() {
         // Positions may overflow on their way to millimetres.
-        return mesh_.V.allFinite() || fail(ErrorCode::NotFinite, "positions in mm");
+        return mesh_.V.allFinite() || fail(ErrorCode::NotFinite, toile::worded("positions in mm"));
     }
 
     /// Repeated corners, faces on the same three vertices, edges with more than two faces.
@@ -179,11 +181,11 @@ private:
             }
         }
         if (boundaryEdges == 0) {
-            return fail(ErrorCode::ClosedSurface, counted(faceCount(), "face"));
+            return fail(ErrorCode::ClosedSurface, countWording(faceCount(), "face"));
         }
         std::vector<char> seen(vertexCount(), 0);
         int loops = 0;
-        std::string places;
+        Wording places;
         for (int v = 0; v < vertexCount(); ++v) {
             if (next[v] < 0 || seen[v] != 0) {
                 continue;
@@ -198,18 +200,20 @@ private:
                 }
             }
             if (loops <= kNamedLoops) {
-                places += (loops > 1 ? "; " : "") + fixed(length, 0) + " mm " + place(v);
+                places += loops > 1 ? "; " : "";
+                places += toile::worded("%1 mm %2", {figure(length), place(v)});
             }
         }
         if (loops > 1) {
             result_.boundary.clear();
-            return fail(ErrorCode::SeveralLoops, counted(loops, "loop") + ": " + places +
-                                                     (loops > kNamedLoops ? "; ..." : ""));
+            return fail(ErrorCode::SeveralLoops,
+                        toile::worded("%1: %2%3", {countWording(loops, "loop"), places,
+                                                   loops > kNamedLoops ? "; ..." : ""}));
         }
         if (vertexCount() - edgeCount() + faceCount() != 1) {
             const int handles = (1 - (vertexCount() - edgeCount() + faceCount())) / 2;
             result_.boundary.clear();
-            return fail(ErrorCode::Handle, counted(handles, "handle"));
+            return fail(ErrorCode::Handle, countWording(handles, "handle"));
         }
         return true;
     }

@@ -24,7 +24,7 @@ void noteUnusedVertices(const MeshPart& part, RepairNotes& notes) {
     }
     for (std::size_t v = 0; v < used.size(); ++v) {
         if (used[v] == 0) {
-            notes.add(ErrorCode::UnusedVertices, "vertex", "left out",
+            notes.add(ErrorCode::UnusedVertices, "vertex", translatable("left out"),
                       part.mesh.V.row(static_cast<Eigen::Index>(v)));
         }
     }
@@ -33,7 +33,8 @@ void noteUnusedVertices(const MeshPart& part, RepairNotes& notes) {
 void noteFlatsLeft(const MeshPart& part, RepairNotes& notes) {
     for (int f = 0; f < part.mesh.F.rows(); ++f) {
         if (shapeOf(part.mesh, f).flat) {
-            notes.add(ErrorCode::FlatFacesRemoved, "triangle", "still there: all around is as flat",
+            notes.add(ErrorCode::FlatFacesRemoved, "triangle",
+                      translatable("still there: all around is as flat"),
                       part.mesh.V.row(part.mesh.F(f, 0)));
         }
     }

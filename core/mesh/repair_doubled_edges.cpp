@@ -67,7 +67,8 @@ private:
         V.row(nextVertex_) =
             0.5 * (V.row(tailOf(part_.mesh.F, side)) + V.row(headOf(part_.mesh.F, side)));
         part_.sourceVertex[nextVertex_] = -1;
-        notes_.add(ErrorCode::VerticesAdded, "vertex", "added", V.row(nextVertex_));
+        notes_.add(ErrorCode::VerticesAdded, "vertex", toile::translatable("added"),
+                   V.row(nextVertex_));
         const int second = halve(side);
         if (other >= 0) {
             const int otherSecond = halve(other);

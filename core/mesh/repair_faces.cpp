@@ -33,7 +33,8 @@ bool collapseRound(MeshPart& part, RepairNotes& notes) {
             const int b = mesh.F(f, (k + 1) % 3);
             if ((mesh.V.row(b) - mesh.V.row(a)).norm() <= none && same.root(a) != same.root(b)) {
                 same.join(a, b);
-                notes.add(ErrorCode::EdgesCollapsed, "edge", "collapsed", mesh.V.row(a));
+                notes.add(ErrorCode::EdgesCollapsed, "edge", translatable("collapsed"),
+                          mesh.V.row(a));
                 any = true;
             }
         }
@@ -61,9 +62,9 @@ void dropUnusableFaces(MeshPart& part, RepairNotes& notes) {
         const auto place = mesh.V.row(mesh.F(f, 0));
         if (!place.allFinite() || !mesh.V.row(mesh.F(f, 1)).allFinite() ||
             !mesh.V.row(mesh.F(f, 2)).allFinite()) {
-            notes.add(ErrorCode::NonFinitePosition, "face", "left out", place);
+            notes.add(ErrorCode::NonFinitePosition, "face", translatable("left out"), place);
         } else if (repeatsCorner(mesh.F, f)) {
-            notes.add(ErrorCode::DegenerateFaceRecord, "face", "left out", place);
+            notes.add(ErrorCode::DegenerateFaceRecord, "face", translatable("left out"), place);
         } else {
             continue;
         }
@@ -103,7 +104,7 @@ EdgeTable dropDuplicates(MeshPart& part, RepairNotes& notes) {
             if (apexes[i].first == apexes[i - 1].first) {
                 erased[apexes[i].second] = 1;
                 any = true;
-                notes.add(ErrorCode::DuplicateFacesRemoved, "face", "removed",
+                notes.add(ErrorCode::DuplicateFacesRemoved, "face", translatable("removed"),
                           part.mesh.V.row(table.edges(e, 0)));
             }
         }

@@ -36,7 +36,8 @@ void separateFans(MeshPart& part, const Gluing& gluing, RepairNotes& notes) {
         copies.push_back(v);
         if (isNoted[v] == 0) {  // the ends of edges cut apart are part of that note
             isNoted[v] = 1;
-            notes.add(ErrorCode::VerticesSplit, "vertex", "split", part.mesh.V.row(v));
+            notes.add(ErrorCode::VerticesSplit, "vertex", translatable("split"),
+                      part.mesh.V.row(v));
         }
     }
     if (copies.empty()) {

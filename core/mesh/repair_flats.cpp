@@ -56,7 +56,7 @@ private:
         }
     }
 
-    void note(std::string_view what, int side) {
+    void note(const char* what, int side) {
         notes_.add(kCode, "triangle", what, part_.mesh.V.row(apexOf(F_, side)));
     }
 
@@ -82,14 +82,14 @@ private:
     void take(int side) {
         const int other = twin_[side];
         if (other < 0) {
-            note("dropped at the border", side);
+            note(toile::translatable("dropped at the border"), side);
             drop(side / 3);
         } else if (apexOf(F_, side) == apexOf(F_, other)) {
-            note("dropped in pairs", side);
+            note(toile::translatable("dropped in pairs"), side);
             zip(side, other);
         } else {
             if (!shapeOf(part_.mesh, other / 3).flat) {  // else it is only passed on
-                note("given to the neighbour", side);
+                note(toile::translatable("given to the neighbour"), side);
             }
             flip(side, other);
         }
@@ -150,7 +150,7 @@ private:
         }
         for (int f = 0; f < F_.rows(); ++f) {
             if (hasArea[sides.component[f]] == 0) {
-                note("dropped with all around them", 3 * f);
+                note(toile::translatable("dropped with all around them"), 3 * f);
                 gone_[f] = 1;
             }
         }

@@ -53,7 +53,7 @@ public:
                 for (const int v : {table_.edges(e, 0), table_.edges(e, 1)}) {
                     gluing_.cutAtVertex[v] = 1;
                 }
-                notes_.add(ErrorCode::EdgesCutApart, "edge", "cut apart",
+                notes_.add(ErrorCode::EdgesCutApart, "edge", toile::translatable("cut apart"),
                            mesh_.V.row(table_.edges(e, 0)));
             }
         }

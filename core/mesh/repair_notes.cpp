@@ -7,10 +7,10 @@
 
 namespace toile {
 
-void RepairNotes::add(ErrorCode code, std::string_view noun, std::string_view what,
+void RepairNotes::add(ErrorCode code, std::string_view noun, const char* what,
                       const Eigen::RowVector3d& place) {
     for (Entry& entry : entries_) {
-        if (entry.code == code && entry.noun == noun && entry.what == what) {
+        if (entry.code == code && entry.noun == noun && entry.what == std::string_view(what)) {
             ++entry.count;
             return;
         }
@@ -24,15 +24,17 @@ Problems RepairNotes::problems(const std::string& where) const {
                      [](const Entry& a, const Entry& b) { return a.code < b.code; });
     Problems problems;
     for (const Entry& entry : sorted) {
-        std::string text = counted(entry.count, entry.noun);
-        text.append(" ").append(entry.what);
+        Wording text = toile::worded(
+            "%1 %2", {countWording(entry.count, entry.noun), toile::worded(entry.what)});
         if (entry.first.allFinite()) {
-            text += entry.count == 1 ? ", at " : ", the first at ";
-            text += fixed(entry.first.x(), 1) + ", " + fixed(entry.first.y(), 1) + ", " +
-                    fixed(entry.first.z(), 1) + " mm";
+            text += entry.count == 1 ? toile::worded(", at ") : toile::worded(", the first at ");
+            text += toile::worded("%1, %2, %3 mm",
+                                  {figure(entry.first.x(), 1), figure(entry.first.y(), 1),
+                                   figure(entry.first.z(), 1)});
         }
         if (!problems.empty() && problems.back().code == entry.code) {
-            problems.back().detail += "; " + text;
+            problems.back().detail += "; ";
+            problems.back().detail += text;
         } else {
             problems.push_back({entry.code, where, text});
         }

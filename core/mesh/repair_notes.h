@@ -15,8 +15,9 @@ namespace toile {
 /// the first place.
 class RepairNotes {
 public:
-    /// One more repair: `noun` is what it befell ("face"), `what` what became of it, both literals.
-    void add(ErrorCode code, std::string_view noun, std::string_view what,
+    /// One more repair: `noun` is what it befell ("face"), `what` what became of it, both literals;
+    /// `what` is one for the translations (`translatable`).
+    void add(ErrorCode code, std::string_view noun, const char* what,
              const Eigen::RowVector3d& place);
 
     bool empty() const { return entries_.empty(); }
@@ -28,7 +29,8 @@ public:
 private:
     struct Entry {
         ErrorCode code;
-        std::string_view noun, what;
+        std::string_view noun;
+        const char* what;
         Eigen::RowVector3d first;
         int count;
     };

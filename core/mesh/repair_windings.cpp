@@ -97,7 +97,8 @@ void turnWindings(MeshPart& part, Gluing& gluing, RepairNotes& notes) {
     for (int f = 0; f < F.rows(); ++f) {
         if (sides.turn[f] != 0) {
             std::swap(F(f, 1), F(f, 2));
-            notes.add(ErrorCode::WindingsTurned, "face", "turned", part.mesh.V.row(F(f, 0)));
+            notes.add(ErrorCode::WindingsTurned, "face", translatable("turned"),
+                      part.mesh.V.row(F(f, 0)));
         }
     }
 }

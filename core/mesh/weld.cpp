@@ -175,10 +175,11 @@ Error weldNote(const Weld& weld, PointsView V, const std::string& name) {
     while (weld.target[first] == first) {
         ++first;
     }
+    const std::vector<Wording> words{countWording(weld.merged, "vertex"), figure(V(first, 0), 1),
+                                     figure(V(first, 1), 1), figure(V(first, 2), 1)};
     return {ErrorCode::VerticesWelded, name,
-            counted(weld.merged, "vertex") + " welded to another, " +
-                (weld.merged == 1 ? "at " : "the first at ") + fixed(V(first, 0), 1) + ", " +
-                fixed(V(first, 1), 1) + ", " + fixed(V(first, 2), 1) + " mm"};
+            weld.merged == 1 ? worded("%1 welded to another, at %2, %3, %4 mm", words)
+                             : worded("%1 welded to another, the first at %2, %3, %4 mm", words)};
 }
 
 double weldTolerance(const Triangles& F, PointsView V) {

@@ -27,10 +27,10 @@ void noteHoles(Garment& garment) {
                 longest = std::max(longest, boundaryLengths3d(piece->mesh.V, hole).sum());
             }
             const auto count = static_cast<long long>(piece->holes.size());
+            const std::vector<Wording> words{countWording(count, "hole"), figure(longest, 1)};
             garment.problems.push_back({ErrorCode::HolesKept, piece->name,
-                                        counted(count, "hole") + ", " +
-                                            (count > 1 ? "the longest rim " : "its rim ") +
-                                            fixed(longest, 1) + " mm"});
+                                        count > 1 ? worded("%1, the longest rim %2 mm", words)
+                                                  : worded("%1, its rim %2 mm", words)});
         }
     }
 }
@@ -50,7 +50,7 @@ void setEase(Garment& garment, const SeamsFile& seams) {
         }
     }
     const Problems problems =
-        aboutEach(ErrorCode::NoSuchSeam, unknown, "the seams file gives it an ease");
+        aboutEach(ErrorCode::NoSuchSeam, unknown, worded("the seams file gives it an ease"));
     garment.problems.insert(garment.problems.end(), problems.begin(), problems.end());
 }
 

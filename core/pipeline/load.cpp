@@ -70,8 +70,9 @@ void noteUnusedVertices(SourceFile& file) {
     }
     const auto unused = std::count(used.begin(), used.end(), 0);
     if (unused > 0) {
-        file.problems.push_back({ErrorCode::UnusedVertices, file.path.filename().string(),
-                                 counted(unused, "vertex") + " of " + std::to_string(used.size())});
+        file.problems.push_back(
+            {ErrorCode::UnusedVertices, file.path.filename().string(),
+             worded("%1 of %2", {countWording(unused, "vertex"), figure(double(used.size()))})});
     }
 }
 
@@ -161,7 +162,7 @@ Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOption
     }
     if (garment.wholes.empty()) {
         return Error{ErrorCode::NoGeometry, paths.empty() ? "" : paths.front().string(),
-                     "no usable face is left"};
+                     worded("no usable face is left")};
     }
     return cutGarment(garment, options, Progress(progress, 1 - kReadingShare));
 }

@@ -2849,6 +2849,462 @@
         <source>check square 100 mm x 100 mm</source>
         <translation>Prüfquadrat 100 mm x 100 mm</translation>
     </message>
+    <message>
+        <source>the project needs it, it is not there</source>
+        <translation>das Projekt braucht sie, sie ist nicht da</translation>
+    </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>ein anderes Programm hat sie geändert</translation>
+    </message>
+    <message>
+        <source>1 corner</source>
+        <translation>1 Ecke</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>1 crossing</source>
+        <translation>1 Kreuzung</translation>
+    </message>
+    <message>
+        <source>%1 crossings</source>
+        <translation>%1 Kreuzungen</translation>
+    </message>
+    <message>
+        <source>1 edge</source>
+        <translation>1 Kante</translation>
+    </message>
+    <message>
+        <source>%1 edges</source>
+        <translation>%1 Kanten</translation>
+    </message>
+    <message>
+        <source>1 face</source>
+        <translation>1 Fläche</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 Flächen</translation>
+    </message>
+    <message>
+        <source>1 handle</source>
+        <translation>1 Henkel</translation>
+    </message>
+    <message>
+        <source>%1 handles</source>
+        <translation>%1 Henkel</translation>
+    </message>
+    <message>
+        <source>1 hole</source>
+        <translation>1 Loch</translation>
+    </message>
+    <message>
+        <source>%1 holes</source>
+        <translation>%1 Löcher</translation>
+    </message>
+    <message>
+        <source>1 loop</source>
+        <translation>1 Rand</translation>
+    </message>
+    <message>
+        <source>%1 loops</source>
+        <translation>%1 Ränder</translation>
+    </message>
+    <message>
+        <source>1 outline vertex</source>
+        <translation>1 Punkt des Umrisses</translation>
+    </message>
+    <message>
+        <source>%1 outline vertices</source>
+        <translation>%1 Punkte des Umrisses</translation>
+    </message>
+    <message>
+        <source>1 panel</source>
+        <translation>1 Schnittteil</translation>
+    </message>
+    <message>
+        <source>%1 panels</source>
+        <translation>%1 Schnittteilen</translation>
+    </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 Dreieck</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>1 vertex</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 vertices</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3)</source>
+        <translation>(%1; %2; %3)</translation>
+    </message>
+    <message>
+        <source>the cuts would separate the piece</source>
+        <translation>die Einschnitte würden das Schnittteil zerteilen</translation>
+    </message>
+    <message>
+        <source>the mesh has several parts</source>
+        <translation>das Netz hat mehrere Teile</translation>
+    </message>
+    <message>
+        <source>points %1 and %2 of a path share no triangle</source>
+        <translation>die Punkte %1 und %2 eines Weges liegen in keinem gemeinsamen Dreieck</translation>
+    </message>
+    <message>
+        <source>a path lost its way in a triangle</source>
+        <translation>ein Weg ließ sich durch ein Dreieck nicht fortsetzen</translation>
+    </message>
+    <message>
+        <source>the points lie on parts that are not connected</source>
+        <translation>die Punkte liegen auf Teilen, die nicht zusammenhängen</translation>
+    </message>
+    <message>
+        <source>it needs %1 points or more</source>
+        <translation>mindestens %1 Punkte sind nötig</translation>
+    </message>
+    <message>
+        <source>a point is not finite</source>
+        <translation>die Koordinaten eines Punktes sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>a dart starts at the rim, and the piece has none</source>
+        <translation>ein Abnäher beginnt am Rand, und das Schnittteil hat keinen</translation>
+    </message>
+    <message>
+        <source>boundary lengths or angles are not finite</source>
+        <translation>Längen oder Winkel des Randes sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>the edge has %1, the others together %2</source>
+        <translation>die Kante hat %1, die anderen zusammen %2</translation>
+    </message>
+    <message>
+        <source>closing gap %1 of the perimeter</source>
+        <translation>Lücke von %1 des Umfangs</translation>
+    </message>
+    <message>
+        <source>not within %1 steps, gradient %2</source>
+        <translation>nicht in %1 Schritten, Gradient %2</translation>
+    </message>
+    <message>
+        <source>(%1, %2)</source>
+        <translation>(%1; %2)</translation>
+    </message>
+    <message>
+        <source>%1 crossings or more</source>
+        <translation>%1 Kreuzungen oder mehr</translation>
+    </message>
+    <message>
+        <source>; no cut through the inside was found</source>
+        <translation>; kein Einschnitt durch das Innere wurde gefunden</translation>
+    </message>
+    <message>
+        <source>; cut it from %1 to %2, %3 mm</source>
+        <translation>; schneiden Sie es von %1 bis %2 ein, %3 mm</translation>
+    </message>
+    <message>
+        <source>; one cut is not enough: begin with one from %1 to %2, %3 mm</source>
+        <translation>; ein Einschnitt reicht nicht: beginnen Sie mit einem von %1 bis %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, the first at %2 mm of the pattern, where %3 and %4 mm of the piece meet</source>
+        <translation>%1, die erste bei %2 mm im Schnitt, wo %3 und %4 mm des Schnittteils aufeinandertreffen</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm of the pattern, where %3 and %4 mm of the piece meet</source>
+        <translation>%1 bei %2 mm im Schnitt, wo %3 und %4 mm des Schnittteils aufeinandertreffen</translation>
+    </message>
+    <message>
+        <source>face %1 at %2 mm</source>
+        <translation>Fläche %1 bei %2 mm</translation>
+    </message>
+    <message>
+        <source>a filled-in face at %1 mm</source>
+        <translation>eine eingesetzte Fläche bei %1 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2 degrees at %3 mm</source>
+        <translation>%1, %2 Grad bei %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm flat, %2 mm on the garment</source>
+        <translation>%1 mm flach, %2 mm am Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>a rim would cross itself</source>
+        <translation>ein Rand würde sich selbst kreuzen</translation>
+    </message>
+    <message>
+        <source>the outline would cross itself</source>
+        <translation>der Umriss würde sich selbst kreuzen</translation>
+    </message>
+    <message>
+        <source>it would take too much strain</source>
+        <translation>es wäre zu viel Dehnung nötig</translation>
+    </message>
+    <message>
+        <source>after %1 steps</source>
+        <translation>nach %1 Schritten</translation>
+    </message>
+    <message>
+        <source>angles that fit in the plane are met to %1 radians only</source>
+        <translation>Winkel, die in die Ebene passen, sind nur auf %1 rad genau erreicht</translation>
+    </message>
+    <message>
+        <source>no start without flipped triangles was found</source>
+        <translation>kein Anfang ohne umgeklappte Dreiecke wurde gefunden</translation>
+    </message>
+    <message>
+        <source>it has no points</source>
+        <translation>er hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>there is no piece to cut</source>
+        <translation>es gibt kein Schnittteil zum Einschneiden</translation>
+    </message>
+    <message>
+        <source>its point %1 lies %2 mm from the nearest piece, %3</source>
+        <translation>sein Punkt %1 liegt %2 mm vom nächsten Schnittteil entfernt, %3</translation>
+    </message>
+    <message>
+        <source>in %1, %2</source>
+        <translation>in %1: %2</translation>
+    </message>
+    <message>
+        <source>in %1 it runs along the outline or along another cut, and opens nothing</source>
+        <translation>in %1 läuft er am Umriss oder an einem anderen Einschnitt entlang und öffnet nichts</translation>
+    </message>
+    <message>
+        <source>%1 and %2 come from different files</source>
+        <translation>%1 und %2 stammen aus verschiedenen Dateien</translation>
+    </message>
+    <message>
+        <source>no piece has an edge</source>
+        <translation>kein Schnittteil hat einen Rand</translation>
+    </message>
+    <message>
+        <source>it lies %1 mm from the nearest edge of any piece</source>
+        <translation>sie liegt %1 mm vom nächsten Rand eines Schnittteils entfernt</translation>
+    </message>
+    <message>
+        <source>more than two edges lie on each other there, one of them of %1</source>
+        <translation>mehr als zwei Kanten liegen dort aufeinander, eine davon von %1</translation>
+    </message>
+    <message>
+        <source>the vertices of the two edges there, one of them of %1, do not lie on each other one to one</source>
+        <translation>die Punkte der beiden Kanten dort, eine davon von %1, liegen nicht paarweise aufeinander</translation>
+    </message>
+    <message>
+        <source>%1, the result: %2</source>
+        <translation>%1, das Ergebnis: %2</translation>
+    </message>
+    <message>
+        <source>the UV map is a flat pattern of %1 (%2 % of its edges keep their length)</source>
+        <translation>die UV-Abwicklung ist ein flacher Schnitt aus %1 (%2 % ihrer Kanten behalten ihre Länge)</translation>
+    </message>
+    <message>
+        <source>the file names %1 objects</source>
+        <translation>die Datei nennt %1 Objekte</translation>
+    </message>
+    <message>
+        <source>the file names %1 groups</source>
+        <translation>die Datei nennt %1 Gruppen</translation>
+    </message>
+    <message>
+        <source>connected parts, as the file names no objects or groups</source>
+        <translation>zusammenhängende Teile, da die Datei weder Objekte noch Gruppen nennt</translation>
+    </message>
+    <message>
+        <source>stated in the FBX file</source>
+        <translation>in der FBX-Datei angegeben</translation>
+    </message>
+    <message>
+        <source>the FBX file&apos;s own unit is %1 cm</source>
+        <translation>die Einheit der FBX-Datei ist %1 cm</translation>
+    </message>
+    <message>
+        <source>glTF files are in metres</source>
+        <translation>glTF-Dateien sind in Metern</translation>
+    </message>
+    <message>
+        <source>Collada files state their unit; read as metres</source>
+        <translation>Collada-Dateien nennen ihre Einheit; als Meter gelesen</translation>
+    </message>
+    <message>
+        <source>largest extent %1, read as metres: %2 mm</source>
+        <translation>größte Ausdehnung %1, als Meter gelesen: %2 mm</translation>
+    </message>
+    <message>
+        <source>largest extent %1, read as centimetres: %2 mm</source>
+        <translation>größte Ausdehnung %1, als Zentimeter gelesen: %2 mm</translation>
+    </message>
+    <message>
+        <source>largest extent %1, read as millimetres</source>
+        <translation>größte Ausdehnung %1, als Millimeter gelesen</translation>
+    </message>
+    <message>
+        <source>no extent, read as millimetres</source>
+        <translation>ohne Ausdehnung, als Millimeter gelesen</translation>
+    </message>
+    <message>
+        <source>flattest along y, as a body is from front to back: z is up</source>
+        <translation>am flachsten entlang y, wie ein Körper von vorn nach hinten: z zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>flatter along y than along z: z may be up</source>
+        <translation>flacher entlang y als entlang z: z könnte nach oben zeigen</translation>
+    </message>
+    <message>
+        <source>y is up, as in most files</source>
+        <translation>y zeigt nach oben, wie in den meisten Dateien</translation>
+    </message>
+    <message>
+        <source>at %1, %2, %3 mm</source>
+        <translation>bei %1; %2; %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, the first %2</source>
+        <translation>%1, zuerst %2</translation>
+    </message>
+    <message>
+        <source>positions in mm</source>
+        <translation>Positionen in mm</translation>
+    </message>
+    <message>
+        <source>%1 mm %2</source>
+        <translation>%1 mm %2</translation>
+    </message>
+    <message>
+        <source>%1: %2%3</source>
+        <translation>%1: %2%3</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
+    </message>
+    <message>
+        <source>still there: all around is as flat</source>
+        <translation>noch da: ringsum ist alles ebenso flach</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>hinzugefügt</translation>
+    </message>
+    <message>
+        <source>collapsed</source>
+        <translation>zusammengezogen</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>entfernt</translation>
+    </message>
+    <message>
+        <source>split</source>
+        <translation>geteilt</translation>
+    </message>
+    <message>
+        <source>dropped at the border</source>
+        <translation>am Rand weggelassen</translation>
+    </message>
+    <message>
+        <source>dropped in pairs</source>
+        <translation>paarweise weggelassen</translation>
+    </message>
+    <message>
+        <source>given to the neighbour</source>
+        <translation>dem Nachbarn zugeschlagen</translation>
+    </message>
+    <message>
+        <source>dropped with all around them</source>
+        <translation>mit allem ringsum weggelassen</translation>
+    </message>
+    <message>
+        <source>cut apart</source>
+        <translation>aufgetrennt</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>, at </source>
+        <translation>, bei </translation>
+    </message>
+    <message>
+        <source>, the first at </source>
+        <translation>, zuerst bei </translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 mm</source>
+        <translation>%1; %2; %3 mm</translation>
+    </message>
+    <message>
+        <source>turned</source>
+        <translation>gewendet</translation>
+    </message>
+    <message>
+        <source>%1 welded to another, at %2, %3, %4 mm</source>
+        <translation>%1 mit anderen verschmolzen, bei %2; %3; %4 mm</translation>
+    </message>
+    <message>
+        <source>%1 welded to another, the first at %2, %3, %4 mm</source>
+        <translation>%1 mit anderen verschmolzen, zuerst bei %2; %3; %4 mm</translation>
+    </message>
+    <message>
+        <source>%1, the longest rim %2 mm</source>
+        <translation>%1, der längste Rand %2 mm</translation>
+    </message>
+    <message>
+        <source>%1, its rim %2 mm</source>
+        <translation>%1, sein Rand %2 mm</translation>
+    </message>
+    <message>
+        <source>the seams file gives it an ease</source>
+        <translation>die Nahtdatei gibt ihr eine Einhalteweite</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>no usable face is left</source>
+        <translation>keine brauchbare Fläche bleibt übrig</translation>
+    </message>
+    <message>
+        <source>it crosses itself and the cuts before it so often that a triangle would fall into thousands of parts</source>
+        <translation>er kreuzt sich selbst und die Einschnitte davor so oft, dass ein Dreieck in Tausende Teile zerfiele</translation>
+    </message>
+    <message>
+        <source>%1 of %2, the worst at %3 mm</source>
+        <translation>%1 von %2, das schlimmste bei %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2, at %3 mm</source>
+        <translation>%1 von %2, bei %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, the worst of %2 mm at %3 mm, off by %4 of it</source>
+        <translation>%1, die schlimmste von %2 mm bei %3 mm, um %4 ihrer Länge falsch</translation>
+    </message>
+    <message>
+        <source>%1 of %2 mm at %3 mm, off by %4 of it</source>
+        <translation>%1 von %2 mm bei %3 mm, um %4 ihrer Länge falsch</translation>
+    </message>
 </context>
 <context>
     <name>toile::Banner</name>

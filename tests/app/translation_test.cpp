@@ -14,6 +14,10 @@
 #include "app/compare/comparison_rows.h"
 #include "app/resources.h"
 #include "app/settings/language.h"
+#include "app/text/drawing_words.h"
+#include "app/text/error_text.h"
+#include "core/base/error.h"
+#include "core/io/unit_guess.h"
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
@@ -108,6 +112,24 @@ class TranslationTest : public QObject {
 private:
     QList<Message> german_;
 
+    /// All texts of some folders, as `cmake --build BUILD --target translations` finds them.
+    static QList<Message> collected(const QStringList& folders) {
+        QTemporaryDir folder;
+        const QString fresh = folder.filePath("fresh.ts");
+        QProcess lupdate;
+        lupdate.setWorkingDirectory(TOILE_SOURCE_DIR);
+        lupdate.setStandardOutputFile(QProcess::nullDevice());
+        lupdate.setStandardErrorFile(QProcess::nullDevice());
+        lupdate.start(
+            TOILE_LUPDATE,
+            folders + QStringList{"-I", ".", "-extensions", "cpp,h", "-tr-function-alias",
+                                  "QT_TR_NOOP+=TR,QT_TR_NOOP+=worded,"
+                                  "QT_TR_NOOP+=translatable",
+                                  "-locations", "none", "-target-language", "de", "-ts", fresh});
+        const bool isDone = lupdate.waitForFinished(120000) && lupdate.exitCode() == 0;
+        return isDone ? messagesOf(fresh) : QList<Message>();
+    }
+
 private slots:
     void initTestCase() {
         loadResources();
@@ -128,18 +150,6 @@ private slots:
 
     void germanKnowsEveryTextOfTheWindow() {
         // Collected anew: a text that the file has not met would be shown in English, unnoticed.
-        QTemporaryDir folder;
-        const QString fresh = folder.filePath("fresh.ts");
-        QProcess lupdate;
-        lupdate.setWorkingDirectory(TOILE_SOURCE_DIR);
-        lupdate.setStandardOutputFile(QProcess::nullDevice());
-        lupdate.setStandardErrorFile(QProcess::nullDevice());
-        lupdate.start(TOILE_LUPDATE,
-                      {"app", "core/base/error.cpp", "core/check", "-I", ".", "-extensions",
-                       "cpp,h", "-tr-function-alias", "QT_TR_NOOP+=TR", "-locations", "none",
-                       "-target-language", "de", "-ts", fresh});
-        QVERIFY(lupdate.waitForFinished(120000));
-        QCOMPARE(lupdate.exitCode(), 0);
         const auto texts = [](const QList<Message>& messages) {
             QSet<QString> set;
             for (const Message& message : messages) {
@@ -147,7 +157,7 @@ private slots:
             }
             return set;
         };
-        const QSet<QString> used = texts(messagesOf(fresh)), known = texts(german_);
+        const QSet<QString> used = texts(collected({"app", "core"})), known = texts(german_);
         QVERIFY(used.size() > 300);
         for (const QString& text : used - known) {
             qInfo().noquote() << "not in toile_de.ts:" << text;
@@ -157,6 +167,14 @@ private slots:
         }
         QVERIFY2(used == known,
                  "bring the file up to date: cmake --build BUILD --target translations");
+    }
+
+    void textsOfTheCoreAreLookedUpWhereTheyAreCollected() {
+        const QList<Message> messages = collected({"core"});
+        QVERIFY(messages.size() > 100);
+        for (const Message& message : messages) {
+            QVERIFY2(message.context == "toile", qPrintable(message.context + message.source));
+        }
     }
 
     void freeTextsAreLookedUpWhereTheyAreCollected() {
@@ -193,6 +211,16 @@ private slots:
         const ActionRegistry actions;
         QVERIFY(actions.title(ActionId::Wireframe) != QString("Show wireframe"));
         QVERIFY(actions.title(ActionId::Undo) != QString("Undo"));
+    }
+
+    void particularsOfTheCoreAreSpokenToo() {
+        useLanguage(Language::German);
+        QCOMPARE(wordingText(guessUnit(1.52).reason),
+                 QString("größte Ausdehnung 1,52, als Meter gelesen: 1.520 mm"));
+        const QString said = errorText({ErrorCode::CutImpossible, "Abnäher",
+                                        worded("it needs %1 points or more", {figure(3)})});
+        QVERIFY2(said.contains("mindestens 3 Punkte sind nötig"), qPrintable(said));
+        QCOMPARE(drawingWords().cutPairs, std::string("%1 Paare zuschneiden"));
     }
 
     void namesAreLookedUpWhereTheyAreCollected() {

@@ -75,13 +75,13 @@ Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolve
                                    const Progress& progress) {
     const double perimeter = problem.lengths.sum();
     if (!std::isfinite(perimeter) || !problem.angles.allFinite()) {
-        return Error{ErrorCode::NotFinite, "", "boundary lengths or angles are not finite"};
+        return Error{ErrorCode::NotFinite, "", worded("boundary lengths or angles are not finite")};
     }
     const double longest = problem.lengths.maxCoeff();
     if (!(longest < 0.5 * perimeter)) {
         return Error{ErrorCode::NoClosedOutline, "",
-                     "the edge has " + shortest(longest) + ", the others together " +
-                         shortest(perimeter - longest)};
+                     worded("the edge has %1, the others together %2",
+                            {shortest(longest), shortest(perimeter - longest)})};
     }
     // Lengths relative to the perimeter: one set of tolerances fits every scale.
     const BoundaryProblem scaled{problem.lengths / perimeter, problem.angles};
@@ -102,7 +102,7 @@ Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolve
     }
     if (!isClosed(*solved)) {
         return Error{ErrorCode::BoundaryNotConverged, "",
-                     "closing gap " + shortest(solved->closureGap) + " of the perimeter"};
+                     worded("closing gap %1 of the perimeter", {shortest(solved->closureGap)})};
     }
     solved->points *= perimeter;
     return solved;

@@ -82,8 +82,9 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
         theta += gradient - A.transpose() * step;  // eq. (21)
         lambda += step;
     }
-    return Error{ErrorCode::BoundaryNotConverged, "",
-                 "not within " + counted(kMaxPrograms, "step") + ", gradient " + shortest(size)};
+    return Error{
+        ErrorCode::BoundaryNotConverged, "",
+        worded("not within %1 steps, gradient %2", {figure(kMaxPrograms), shortest(size)})};
 }
 
 }  // namespace toile

@@ -50,15 +50,15 @@ Result<DescentResult> descend(const Piece& piece, const Points2& Q, Quality qual
 }
 
 /// What speaks against it; empty where nothing does.
-std::string objection(const Piece& piece, const Points2& before, const DescentResult& kept) {
+Wording objection(const Piece& piece, const Points2& before, const DescentResult& kept) {
     if (!rimsAreSimple(piece, kept.Q)) {
-        return "a rim would cross itself";
+        return worded("a rim would cross itself");
     }
     if (!outlineIsSimple(kept.Q, piece.boundary) && outlineIsSimple(before, piece.boundary)) {
-        return "the outline would cross itself";
+        return worded("the outline would cross itself");
     }
     const double energy = SymmetricDirichlet(piece.mesh, piece.table).energy(before);
-    return isNear(kept.distortion, energy) ? "" : "it would take too much strain";
+    return isNear(kept.distortion, energy) ? Wording() : worded("it would take too much strain");
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ Result<void> keepRimLengths(const Piece& piece, Quality quality, FlatPiece& flat
         return kept.error();
     }
     flat.interiorSeconds += time.seconds();
-    const std::string against = kept ? objection(piece, flat.Q, *kept) : "";
+    const Wording against = kept ? objection(piece, flat.Q, *kept) : Wording();
     if (!kept || !against.empty()) {
         flat.notes.push_back(rimsNote(piece, flat.Q, against));
         return {};
@@ -82,7 +82,7 @@ Result<void> keepRimLengths(const Piece& piece, Quality quality, FlatPiece& flat
     std::erase_if(flat.notes, [](const Error& e) { return e.code == ErrorCode::EndedEarly; });
     if (!kept->converged) {
         flat.notes.push_back(
-            endedEarlyNote(piece, "after " + std::to_string(kept->iterations) + " steps"));
+            endedEarlyNote(piece, worded("after %1 steps", {figure(kept->iterations)})));
     }
     flat.Q = std::move(kept->Q);
     flat.interiorIterations += kept->iterations;

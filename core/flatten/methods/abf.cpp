@@ -35,9 +35,9 @@ Result<FlatPiece> flattenAbf(const Piece& piece, const FlattenOptions& /*options
     if (flat) {
         flat->interiorIterations = planar->iterations;
         if (planar->residual > kUnmet) {
-            flat->notes.push_back(endedEarlyNote(piece, "angles that fit in the plane are met to " +
-                                                            shortest(planar->residual) +
-                                                            " radians only"));
+            flat->notes.push_back(endedEarlyNote(
+                piece, worded("angles that fit in the plane are met to %1 radians only",
+                              {shortest(planar->residual)})));
         }
     }
     return flat;

@@ -133,7 +133,7 @@ Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece fla
     flat.notes.clear();  // what there was to say of the start
     if (!lowest.converged) {
         flat.notes.push_back(
-            endedEarlyNote(piece, "after " + std::to_string(lowest.iterations) + " steps"));
+            endedEarlyNote(piece, worded("after %1 steps", {figure(lowest.iterations)})));
     }
     flat.interiorIterations = lowest.iterations;
     flat.Q = lowest.Q;
@@ -219,7 +219,7 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
         // In a piece much deeper than its rim is long even the circle's triangles vanish in
         // rounding. The conformal result is what there is; its flips are counted.
         flat->notes.push_back(
-            endedEarlyNote(piece, "no start without flipped triangles was found"));
+            endedEarlyNote(piece, worded("no start without flipped triangles was found")));
         return flat;
     }
     if (!lowest) {
