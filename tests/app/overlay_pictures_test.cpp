@@ -166,7 +166,9 @@ private slots:
         showStretched(0.05);
         document().setOverlay(Overlay::Weft);
         const Rgb stripe{247, 247, 247};
-        QCOMPARE(shareLike(stripe), 0.0);
+        // The light rim of the grain arrow has some pixels of the same colour.
+        constexpr double kNone = 1e-3;
+        QVERIFY2(shareLike(stripe) < kNone, qPrintable(QString::number(shareLike(stripe))));
         setFabric("denim");  // +1.5 % along the weft
         const double striped = shareLike(stripe);
         QVERIFY2(striped > 0.08 && striped < 0.4, qPrintable(QString::number(striped)));
@@ -174,7 +176,7 @@ private slots:
         const auto& bar = fixture_.find<ColourBar>("colourBar");
         QVERIFY2(bar.summary().contains("100 %"), qPrintable(bar.summary()));
         setFabric("jersey");
-        QCOMPARE(shareLike(stripe), 0.0);
+        QVERIFY2(shareLike(stripe) < kNone, qPrintable(QString::number(shareLike(stripe))));
         QVERIFY2(bar.summary().contains("within"), qPrintable(bar.summary()));
     }
 

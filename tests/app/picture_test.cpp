@@ -153,7 +153,8 @@ private slots:
                 openStretched(stretch);
                 document().setOverlay(Overlay::Weft);
                 const double share = shareLike(view, stripe);
-                QVERIFY2(striped ? share > 0.08 && share < 0.4 : share == 0,
+                // The light rim of the grain arrow has some pixels of the same colour.
+                QVERIFY2(striped ? share > 0.08 && share < 0.4 : share < 1e-4,
                          qPrintable(QString::number(share)));
             }
         }
@@ -162,6 +163,7 @@ private slots:
     void bothSidesOfASeamHaveItsColourAndNothingElseHas() {
         openFlattened(test::makeSewnCap());
         document().setOverlay(Overlay::None);
+        toile::setGrain(document(), "Grain", {{0, 0.0}, {1, 0.0}});  // no arrow along the seam
         const Scene& scene = *document().scene();
         const std::vector<int> colours = seamColours(document().garment()->seams);
         Camera2D camera;

@@ -185,7 +185,7 @@ private slots:
         for (const QString& file : contexts.keys()) {
             QVERIFY2(contexts[file] == "toile", qPrintable(file));
         }
-        QVERIFY(contexts.size() > 3);
+        QVERIFY(!contexts.isEmpty());
     }
 
     void translationsKeepWhatTheProgramFillsIn() {
