@@ -27,19 +27,18 @@ CrossPainter::CrossPainter(FrameCounts& counts) : counts_(counts) {}
 
 CrossPainter::~CrossPainter() = default;
 
-bool CrossPainter::initialize(Gl& gl, const std::vector<std::string_view>& files,
-                              QString& problem) {
-    program_ = loadProgram(gl, files, problem);
+bool CrossPainter::initialize(const std::vector<std::string_view>& files, QString& problem) {
+    program_ = loadProgram(files, problem);
     return program_ != nullptr;
 }
 
-void CrossPainter::upload(Gl& gl, const StretchCrosses& crosses) {
-    gl.glDeleteVertexArrays(1, &array_);
-    gl.glDeleteBuffers(1, &vertices_);
-    vertices_ = makeVertexBuffer(gl, crosses.vertices.data(),
-                                 crosses.vertices.size() * sizeof(CrossVertex));
+void CrossPainter::upload(const StretchCrosses& crosses) {
+    glDeleteVertexArrays(1, &array_);
+    glDeleteBuffers(1, &vertices_);
+    vertices_ =
+        makeVertexBuffer(crosses.vertices.data(), crosses.vertices.size() * sizeof(CrossVertex));
     counts_.uploadedBytes += crosses.vertices.size() * sizeof(CrossVertex);
-    array_ = makeVertexArray(gl, vertices_, sizeof(CrossVertex), kCrossAttributes);
+    array_ = makeVertexArray(vertices_, sizeof(CrossVertex), kCrossAttributes);
 }
 
 ShaderProgram& CrossPainter::begin() {
@@ -47,21 +46,21 @@ ShaderProgram& CrossPainter::begin() {
     return *program_;
 }
 
-void CrossPainter::draw(Gl& gl, const StretchCrosses& crosses, double millimetresPerPixel) {
+void CrossPainter::draw(const StretchCrosses& crosses, double millimetresPerPixel) {
     const CrossRun run = crossesAt(crosses, kLeastSpacing * millimetresPerPixel);
     if (run.count == 0) {
         return;
     }
     program_->setUniformValue("halfLength", static_cast<float>(kStrokeShare * run.spacing / 2));
-    gl.glBindVertexArray(array_);
-    gl.glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(run.count));
+    glBindVertexArray(array_);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(run.count));
     ++counts_.drawCalls;
-    gl.glBindVertexArray(0);
+    glBindVertexArray(0);
 }
 
-void CrossPainter::release(Gl& gl) {
-    gl.glDeleteVertexArrays(1, &array_);
-    gl.glDeleteBuffers(1, &vertices_);
+void CrossPainter::release() {
+    glDeleteVertexArrays(1, &array_);
+    glDeleteBuffers(1, &vertices_);
     array_ = vertices_ = 0;
     program_.reset();
 }

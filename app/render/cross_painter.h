@@ -20,14 +20,14 @@ public:
     ~CrossPainter();
 
     /// @return whether the driver takes the shaders; `problem` receives its words where not
-    bool initialize(Gl& gl, const std::vector<std::string_view>& files, QString& problem);
+    bool initialize(const std::vector<std::string_view>& files, QString& problem);
     /// Replaces what was there.
-    void upload(Gl& gl, const StretchCrosses& crosses);
+    void upload(const StretchCrosses& crosses);
     /// The bound program, for the uniforms that the renderers share.
     ShaderProgram& begin();
     /// @param millimetresPerPixel of the cloth, logical pixels
-    void draw(Gl& gl, const StretchCrosses& crosses, double millimetresPerPixel);
-    void release(Gl& gl);
+    void draw(const StretchCrosses& crosses, double millimetresPerPixel);
+    void release();
 
 private:
     FrameCounts& counts_;

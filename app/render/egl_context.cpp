@@ -85,11 +85,8 @@ std::unique_ptr<OffscreenContext> makeEglContext() {
     return made;
 }
 
-GlLookup currentEglLookup() {
-    if (eglGetCurrentContext() == EGL_NO_CONTEXT) {
-        return {};
-    }
-    return [](const char* name) -> GlFunction { return eglGetProcAddress(name); };
+bool isEglCurrent() {
+    return eglGetCurrentContext() != EGL_NO_CONTEXT;
 }
 
 #else
@@ -98,8 +95,8 @@ std::unique_ptr<OffscreenContext> makeEglContext() {
     return nullptr;
 }
 
-GlLookup currentEglLookup() {
-    return {};
+bool isEglCurrent() {
+    return false;
 }
 
 #endif

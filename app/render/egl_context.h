@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "app/render/gl.h"
 #include "app/render/offscreen_context.h"
 
 namespace toile {
@@ -13,7 +12,7 @@ namespace toile {
 /// processor). Null where there is no such thing, or Toile was built without EGL.
 std::unique_ptr<OffscreenContext> makeEglContext();
 
-/// For the EGL context that is current on this thread; empty where there is none.
-GlLookup currentEglLookup();
+/// Whether a context of EGL is current on this thread.
+bool isEglCurrent();
 
 }  // namespace toile

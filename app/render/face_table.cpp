@@ -21,43 +21,43 @@ std::vector<FaceValues> garmentFaces(const Scene& scene) {
     return faces;
 }
 
-bool FaceTable::upload(Gl& gl, std::span<const FaceValues> faces) {
+bool FaceTable::upload(std::span<const FaceValues> faces) {
     GLint most = 0;
-    gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     const std::size_t rows =
         std::max<std::size_t>(1, (faces.size() + kFacesPerRow - 1) / kFacesPerRow);
     if (rows > static_cast<std::size_t>(most)) {
         return false;
     }
     if (texture_ == 0) {
-        gl.glGenTextures(1, &texture_);
+        glGenTextures(1, &texture_);
     }
-    gl.glBindTexture(GL_TEXTURE_2D, texture_);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kFaceTableWidth, static_cast<GLsizei>(rows), 0,
-                    GL_RGBA, GL_FLOAT, nullptr);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kFaceTableWidth, static_cast<GLsizei>(rows), 0,
+                 GL_RGBA, GL_FLOAT, nullptr);
     const std::size_t whole = faces.size() / kFacesPerRow, rest = faces.size() % kFacesPerRow;
     if (whole > 0) {
-        gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kFaceTableWidth, static_cast<GLsizei>(whole),
-                           GL_RGBA, GL_FLOAT, faces.data());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kFaceTableWidth, static_cast<GLsizei>(whole),
+                        GL_RGBA, GL_FLOAT, faces.data());
     }
     if (rest > 0) {
-        gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(whole),
-                           static_cast<GLsizei>(2 * rest), 1, GL_RGBA, GL_FLOAT,
-                           faces.data() + whole * kFacesPerRow);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(whole),
+                        static_cast<GLsizei>(2 * rest), 1, GL_RGBA, GL_FLOAT,
+                        faces.data() + whole * kFacesPerRow);
     }
     counts_.uploadedBytes += faces.size_bytes();
     return true;
 }
 
-void FaceTable::bind(Gl& gl, int unit) const {
-    gl.glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    gl.glBindTexture(GL_TEXTURE_2D, texture_);
+void FaceTable::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture_);
 }
 
-void FaceTable::release(Gl& gl) {
-    gl.glDeleteTextures(1, &texture_);
+void FaceTable::release() {
+    glDeleteTextures(1, &texture_);
     texture_ = 0;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/render/frame_counts.h"
-#include "app/render/gl_support.h"
+#include "app/render/gl.h"
 #include "app/render/scene.h"
 
 namespace toile {
@@ -25,9 +25,9 @@ public:
 
     /// Replaces what was there.
     /// @return false where the graphics card has no room for so many triangles
-    bool upload(Gl& gl, std::span<const FaceValues> faces);
-    void bind(Gl& gl, int unit) const;
-    void release(Gl& gl);
+    bool upload(std::span<const FaceValues> faces);
+    void bind(int unit) const;
+    void release();
 
 private:
     FrameCounts& counts_;

@@ -11,11 +11,11 @@ namespace {
 
 constexpr int kFlags = 8;  ///< of errors, more than OpenGL has
 
-GLuint makeRenderbuffer(Gl& gl, int samples, GLenum format, int width, int height) {
+GLuint makeRenderbuffer(int samples, GLenum format, int width, int height) {
     GLuint buffer = 0;
-    gl.glGenRenderbuffers(1, &buffer);
-    gl.glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    gl.glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+    glGenRenderbuffers(1, &buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
     return buffer;
 }
 
@@ -27,37 +27,36 @@ Framebuffer::~Framebuffer() {
 }
 
 void Framebuffer::freeTarget(Target& target) {
-    gl_.glDeleteFramebuffers(1, &target.framebuffer);
-    gl_.glDeleteRenderbuffers(1, &target.colour);
-    gl_.glDeleteRenderbuffers(1, &target.depth);
+    glDeleteFramebuffers(1, &target.framebuffer);
+    glDeleteRenderbuffers(1, &target.colour);
+    glDeleteRenderbuffers(1, &target.depth);
     target = {};
 }
 
 bool Framebuffer::makeTarget(Target& target, int samples, bool withDepth) {
-    gl_.glGenFramebuffers(1, &target.framebuffer);
-    gl_.glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    target.colour = makeRenderbuffer(gl_, samples, GL_RGBA8, width_, height_);
-    gl_.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                                  target.colour);
+    glGenFramebuffers(1, &target.framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    target.colour = makeRenderbuffer(samples, GL_RGBA8, width_, height_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.colour);
     if (withDepth) {
-        target.depth = makeRenderbuffer(gl_, samples, GL_DEPTH_COMPONENT24, width_, height_);
-        gl_.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                                      target.depth);
+        target.depth = makeRenderbuffer(samples, GL_DEPTH_COMPONENT24, width_, height_);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                  target.depth);
     }
-    return gl_.glGetError() == GL_NO_ERROR &&
-           gl_.glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    return glGetError() == GL_NO_ERROR &&
+           glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 bool Framebuffer::make(int width, int height) {
     GLint most = 0, samples = 0;
-    gl_.glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
-    gl_.glGetIntegerv(GL_MAX_SAMPLES, &samples);
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
+    glGetIntegerv(GL_MAX_SAMPLES, &samples);
     if (width < 1 || height < 1 || width > most || height > most) {
         return false;
     }
     width_ = width;
     height_ = height;
-    for (int i = 0; i < kFlags && gl_.glGetError() != GL_NO_ERROR; ++i) {
+    for (int i = 0; i < kFlags && glGetError() != GL_NO_ERROR; ++i) {
         // What came before is not ours.
     }
     return makeTarget(resolved_, 0, false) &&
@@ -65,18 +64,18 @@ bool Framebuffer::make(int width, int height) {
 }
 
 QImage Framebuffer::read() {
-    gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
-    gl_.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
-    gl_.glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
-                          GL_NEAREST);
-    gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.framebuffer);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.framebuffer);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer);
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.framebuffer);
     QImage image(width_, height_, QImage::Format_RGBX8888);
     if (image.isNull()) {
         return image;
     }
-    gl_.glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl_.glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.bits());
-    gl_.glBindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.bits());
+    glBindFramebuffer(GL_FRAMEBUFFER, drawn_.framebuffer);
     return image.mirrored();
 }
 

@@ -11,8 +11,7 @@ namespace toile {
 /// Every call, the destructor's too, needs the same context current.
 class Framebuffer {
 public:
-    /// @param gl  outlives this
-    explicit Framebuffer(Gl& gl) : gl_(gl) {}
+    Framebuffer() = default;
     ~Framebuffer();
     Framebuffer(const Framebuffer&) = delete;
     Framebuffer& operator=(const Framebuffer&) = delete;
@@ -30,7 +29,6 @@ private:
     bool makeTarget(Target& target, int samples, bool withDepth);
     void freeTarget(Target& target);
 
-    Gl& gl_;
     Target drawn_, resolved_;
     int width_ = 0, height_ = 0;
 };

@@ -47,18 +47,18 @@ SceneRenderer::ProgramFiles GarmentRenderer::programFiles() const {
             {"cross.glsl", "garment_cross.vert", "cross.geom", "cross.glsl", "cross.frag"}};
 }
 
-void GarmentRenderer::upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
-    mesh.upload(gl, scene.garment, kGarmentAttributes);
-    lines.upload(gl, scene.garmentLines, kGarmentLineAttributes);
+void GarmentRenderer::upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
+    mesh.upload(scene.garment, kGarmentAttributes);
+    lines.upload(scene.garmentLines, kGarmentLineAttributes);
 }
 
 void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style,
                             int width, int height, double pixelRatio, const Morph& morph) {
-    if (!gl_) {
+    if (!isReady_) {
         return;
     }
-    gl_->glViewport(0, 0, width, height);
-    gl_->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glViewport(0, 0, width, height);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     Frame frame{glm::mat4(1.0F), view, style, width, height, static_cast<float>(pixelRatio)};
     paintBackdrop(frame);
     if (!synchronize(view)) {
@@ -76,8 +76,8 @@ void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const
     frame.viewProjection = glm::mat4(camera.projection(box) * eye);
     const auto depthShift = static_cast<float>(camera.depthShift(box, kLineDepthShift));
 
-    gl_->glEnable(GL_DEPTH_TEST);
-    gl_->glDepthFunc(GL_LEQUAL);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
     paintCloth(frame, camera);
 
     if (morph.way == 0) {  // strokes on the garment, which do not come along to the sheet
@@ -89,46 +89,46 @@ void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const
                      (camera.pointAtTargetDepth(kPixels, 0) - here).norm() / kPixels);
     }
     paintLines(frame, depthShift);
-    gl_->glDisable(GL_DEPTH_TEST);
+    glDisable(GL_DEPTH_TEST);
 }
 
 void GarmentRenderer::paintCloth(const Frame& frame, const Camera3D& camera) {
-    gl_->glEnable(GL_POLYGON_OFFSET_FILL);
-    gl_->glPolygonOffset(1.0F, 1.0F);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.0F, 1.0F);
     ShaderProgram& cloth = beginCloth(frame);
-    setUniform(*gl_, cloth, "normalToView", glm::mat3(glm::dmat3(camera.view())));
+    setUniform(cloth, "normalToView", glm::mat3(glm::dmat3(camera.view())));
     cloth.setUniformValue("clothAlpha", 1.0F);
     cloth.setUniformValue("shaded", frame.view.shaded);
     if (xray_) {
         paintSheets(cloth);
     } else {
-        mesh_.drawTriangles(*gl_);
+        mesh_.drawTriangles();
     }
     cloth.release();
-    gl_->glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void GarmentRenderer::paintSheets(ShaderProgram& cloth) {
-    beginBlending(*gl_);
+    beginBlending();
     // Where the nearest sheet is: nothing of it is seen yet.
     cloth.setUniformValue("clothAlpha", 0.0F);
-    mesh_.drawTriangles(*gl_);
-    gl_->glDepthMask(GL_FALSE);
+    mesh_.drawTriangles();
+    glDepthMask(GL_FALSE);
     // What lies behind it; what faces away first, for most of that is farther back.
-    gl_->glDepthFunc(GL_GREATER);
+    glDepthFunc(GL_GREATER);
     cloth.setUniformValue("clothAlpha", kXrayBehind);
-    gl_->glEnable(GL_CULL_FACE);
+    glEnable(GL_CULL_FACE);
     for (const GLenum culled : {GL_FRONT, GL_BACK}) {
-        gl_->glCullFace(culled);
-        mesh_.drawTriangles(*gl_);
+        glCullFace(culled);
+        mesh_.drawTriangles();
     }
-    gl_->glDisable(GL_CULL_FACE);
-    gl_->glDepthFunc(GL_LEQUAL);
+    glDisable(GL_CULL_FACE);
+    glDepthFunc(GL_LEQUAL);
     cloth.setUniformValue("clothAlpha", kXrayNearest);
-    mesh_.drawTriangles(*gl_);
-    gl_->glDepthMask(GL_TRUE);
-    gl_->glDisable(GL_BLEND);
-    gl_->glClear(GL_DEPTH_BUFFER_BIT);  // lines are seen through all sheets
+    mesh_.drawTriangles();
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glClear(GL_DEPTH_BUFFER_BIT);  // lines are seen through all sheets
 }
 
 void GarmentRenderer::synchronizeMorph(const Morph& morph) {
@@ -161,12 +161,12 @@ void GarmentRenderer::synchronizeMorph(const Morph& morph) {
 void GarmentRenderer::setOwnUniforms(ShaderProgram& program) {
     program.setUniformValue("bend", bend_);
     program.setUniformValue("morphTable", kMorphTableUnit);
-    gl_->glActiveTexture(GL_TEXTURE0 + kMorphTableUnit);
-    gl_->glBindTexture(GL_TEXTURE_2D, morphTable_);
+    glActiveTexture(GL_TEXTURE0 + kMorphTableUnit);
+    glBindTexture(GL_TEXTURE_2D, morphTable_);
 }
 
 void GarmentRenderer::releaseOwn() {
-    gl_->glDeleteTextures(1, &morphTable_);
+    glDeleteTextures(1, &morphTable_);
     morphTable_ = 0;
     tableContent_ = -1;
 }

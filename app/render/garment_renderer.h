@@ -20,7 +20,7 @@ public:
 
 protected:
     ProgramFiles programFiles() const override;
-    void upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) override;
+    void upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) override;
     std::vector<FaceValues> faceValues(const Scene& scene) const override {
         return garmentFaces(scene);
     }

@@ -6,6 +6,7 @@
 #include <QOpenGLContext>
 
 #include "app/render/egl_context.h"
+#include "app/render/gl.h"
 
 namespace toile {
 
@@ -38,7 +39,7 @@ QString glProblem() {
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();
-    if (!context.makeCurrent(&surface) || !currentGl()) {
+    if (!context.makeCurrent(&surface) || !hasGl()) {
         const auto [major, minor] = context.format().version();
         return QCoreApplication::translate(
                    "GlSupport",
@@ -51,18 +52,15 @@ QString glProblem() {
     return {};
 }
 
-std::unique_ptr<Gl> currentGl() {
-    if (const QOpenGLContext* context = QOpenGLContext::currentContext()) {
-        return loadGl([context](const char* name) { return context->getProcAddress(name); });
-    }
-    const GlLookup lookup = currentEglLookup();
-    return lookup ? loadGl(lookup) : nullptr;
+bool hasGl() {
+    return (QOpenGLContext::currentContext() || isEglCurrent()) && epoxy_is_desktop_gl() &&
+           epoxy_gl_version() >= 33;
 }
 
-void beginBlending(Gl& gl) {
-    gl.glEnable(GL_BLEND);
+void beginBlending() {
+    glEnable(GL_BLEND);
     // Alpha of the framebuffer stays 1: the window is not to shine through.
-    gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 }  // namespace toile

@@ -3,9 +3,6 @@
 
 #include <QString>
 #include <QSurfaceFormat>
-#include <memory>
-
-#include "app/render/gl.h"
 
 namespace toile {
 
@@ -23,11 +20,10 @@ bool hasScreen();
 /// well. GUI thread.
 QString glProblem();
 
-/// The functions of the current context, be it Qt's or one of offscreen_context.h; null where there
-/// is none, or one older than 3.3 core.
-std::unique_ptr<Gl> currentGl();
+/// Whether a context is current, be it Qt's or one of offscreen_context.h, and has OpenGL 3.3.
+bool hasGl();
 
 /// What is drawn next covers by its alpha.
-void beginBlending(Gl& gl);
+void beginBlending();
 
 }  // namespace toile

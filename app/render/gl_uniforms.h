@@ -13,12 +13,12 @@ namespace toile {
 
 /// Uniforms from the types that cameras and styles speak; the program must be bound.
 
-inline void setUniform(Gl& gl, ShaderProgram& program, const char* name, const glm::mat4& matrix) {
-    gl.glUniformMatrix4fv(program.uniformLocation(name), 1, GL_FALSE, glm::value_ptr(matrix));
+inline void setUniform(ShaderProgram& program, const char* name, const glm::mat4& matrix) {
+    glUniformMatrix4fv(program.uniformLocation(name), 1, GL_FALSE, glm::value_ptr(matrix));
 }
 
-inline void setUniform(Gl& gl, ShaderProgram& program, const char* name, const glm::mat3& matrix) {
-    gl.glUniformMatrix3fv(program.uniformLocation(name), 1, GL_FALSE, glm::value_ptr(matrix));
+inline void setUniform(ShaderProgram& program, const char* name, const glm::mat3& matrix) {
+    glUniformMatrix3fv(program.uniformLocation(name), 1, GL_FALSE, glm::value_ptr(matrix));
 }
 
 /// As vec3, without alpha.

@@ -5,15 +5,15 @@
 
 namespace toile {
 
-void GpuLines::uploadVertices(Gl& gl, const void* data, std::size_t count, std::size_t stride,
+void GpuLines::uploadVertices(const void* data, std::size_t count, std::size_t stride,
                               std::span<const VertexAttribute> attributes) {
-    release(gl);
-    vertices_ = makeVertexBuffer(gl, data, count * stride);
-    array_ = makeVertexArray(gl, vertices_, stride, attributes);
+    release();
+    vertices_ = makeVertexBuffer(data, count * stride);
+    array_ = makeVertexArray(vertices_, stride, attributes);
     counts_.uploadedBytes += count * stride;
 }
 
-void GpuLines::uploadSegments(Gl& gl, const LineRuns& runs) {
+void GpuLines::uploadSegments(const LineRuns& runs) {
     std::vector<std::uint32_t> indices;
     const auto add = [&indices](const VertexRun& run) {
         for (std::uint32_t i = 1; i < run.count; ++i) {
@@ -42,22 +42,22 @@ void GpuLines::uploadSegments(Gl& gl, const LineRuns& runs) {
         outline_.push_back(rangeSince(first));
     }
     const std::size_t bytes = indices.size() * sizeof(std::uint32_t);
-    gl.glGenBuffers(1, &indices_);
-    gl.glBindVertexArray(array_);
-    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);  // stays with the vertex array
-    gl.glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), indices.data(),
-                    GL_STATIC_DRAW);
-    gl.glBindVertexArray(0);
+    glGenBuffers(1, &indices_);
+    glBindVertexArray(array_);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);  // stays with the vertex array
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), indices.data(),
+                 GL_STATIC_DRAW);
+    glBindVertexArray(0);
     counts_.uploadedBytes += bytes;
 }
 
-void GpuLines::drawSeam(Gl& gl, int seam) const {
+void GpuLines::drawSeam(int seam) const {
     if (seam >= 0 && seam < static_cast<int>(seam_.size())) {
-        draw(gl, seam_[static_cast<std::size_t>(seam)]);
+        draw(seam_[static_cast<std::size_t>(seam)]);
     }
 }
 
-void GpuLines::drawOutline(Gl& gl, int piece, int first, int count) const {
+void GpuLines::drawOutline(int piece, int first, int count) const {
     if (piece < 0 || piece >= static_cast<int>(outline_.size())) {
         return;
     }
@@ -66,25 +66,25 @@ void GpuLines::drawOutline(Gl& gl, int piece, int first, int count) const {
     first = std::clamp(first, 0, size);
     count = std::clamp(count, 0, size);
     const int before = std::min(count, size - first);
-    draw(gl, {whole.first + static_cast<std::size_t>(first), static_cast<std::size_t>(before)});
-    draw(gl, {whole.first, static_cast<std::size_t>(count - before)});
+    draw({whole.first + static_cast<std::size_t>(first), static_cast<std::size_t>(before)});
+    draw({whole.first, static_cast<std::size_t>(count - before)});
 }
 
-void GpuLines::draw(Gl& gl, const Range& range) const {
+void GpuLines::draw(const Range& range) const {
     if (array_ == 0 || range.count == 0) {
         return;
     }
-    gl.glBindVertexArray(array_);
-    gl.glDrawElements(GL_LINES, static_cast<GLsizei>(2 * range.count), GL_UNSIGNED_INT,
-                      reinterpret_cast<const void*>(2 * range.first * sizeof(std::uint32_t)));
-    gl.glBindVertexArray(0);
+    glBindVertexArray(array_);
+    glDrawElements(GL_LINES, static_cast<GLsizei>(2 * range.count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(2 * range.first * sizeof(std::uint32_t)));
+    glBindVertexArray(0);
     ++counts_.drawCalls;
 }
 
-void GpuLines::release(Gl& gl) {
-    gl.glDeleteVertexArrays(1, &array_);
-    gl.glDeleteBuffers(1, &vertices_);
-    gl.glDeleteBuffers(1, &indices_);
+void GpuLines::release() {
+    glDeleteVertexArrays(1, &array_);
+    glDeleteBuffers(1, &vertices_);
+    glDeleteBuffers(1, &indices_);
     array_ = vertices_ = indices_ = 0;
     seams_ = designer_ = {};
     seam_.clear();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/render/frame_counts.h"
-#include "app/render/gl_support.h"
+#include "app/render/gl.h"
 #include "app/render/gpu_mesh.h"
 #include "app/render/scene.h"
 
@@ -21,20 +21,18 @@ public:
 
     /// Replaces what was there.
     template <class Vertex>
-    void upload(Gl& gl, const LineBuffers<Vertex>& lines,
-                std::span<const VertexAttribute> attributes) {
-        uploadVertices(gl, lines.vertices.data(), lines.vertices.size(), sizeof(Vertex),
-                       attributes);
-        uploadSegments(gl, lines.runs);
+    void upload(const LineBuffers<Vertex>& lines, std::span<const VertexAttribute> attributes) {
+        uploadVertices(lines.vertices.data(), lines.vertices.size(), sizeof(Vertex), attributes);
+        uploadSegments(lines.runs);
     }
 
-    void drawSeams(Gl& gl) const { draw(gl, seams_); }
+    void drawSeams() const { draw(seams_); }
     /// Both its sides.
-    void drawSeam(Gl& gl, int seam) const;
-    void drawDesigner(Gl& gl) const { draw(gl, designer_); }
+    void drawSeam(int seam) const;
+    void drawDesigner() const { draw(designer_); }
     /// Edges of an outline, as counted by OutlineRun: it may pass the outline's beginning.
-    void drawOutline(Gl& gl, int piece, int first, int count) const;
-    void release(Gl& gl);
+    void drawOutline(int piece, int first, int count) const;
+    void release();
 
 private:
     /// Segments in the index buffer.
@@ -42,10 +40,10 @@ private:
         std::size_t first = 0, count = 0;
     };
 
-    void uploadVertices(Gl& gl, const void* data, std::size_t count, std::size_t stride,
+    void uploadVertices(const void* data, std::size_t count, std::size_t stride,
                         std::span<const VertexAttribute> attributes);
-    void uploadSegments(Gl& gl, const LineRuns& runs);
-    void draw(Gl& gl, const Range& range) const;
+    void uploadSegments(const LineRuns& runs);
+    void draw(const Range& range) const;
 
     FrameCounts& counts_;
     GLuint array_ = 0, vertices_ = 0, indices_ = 0;

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/render/frame_counts.h"
-#include "app/render/gl_support.h"
+#include "app/render/gl.h"
 #include "app/render/scene.h"
 
 namespace toile {
@@ -17,8 +17,8 @@ struct VertexAttribute {
 };
 
 /// A vertex buffer with these bytes, and a vertex array that reads attributes from one.
-GLuint makeVertexBuffer(Gl& gl, const void* data, std::size_t bytes);
-GLuint makeVertexArray(Gl& gl, GLuint buffer, std::size_t stride,
+GLuint makeVertexBuffer(const void* data, std::size_t bytes);
+GLuint makeVertexArray(GLuint buffer, std::size_t stride,
                        std::span<const VertexAttribute> attributes);
 
 /// The GPU's copy of a MeshBuffers. Every call needs the same context current; `release` must be
@@ -30,17 +30,16 @@ public:
 
     /// Replaces what was there.
     template <class Vertex>
-    void upload(Gl& gl, const MeshBuffers<Vertex>& buffers,
-                std::span<const VertexAttribute> attributes) {
-        uploadVertices(gl, buffers.vertices.data(), buffers.vertices.size(), sizeof(Vertex),
+    void upload(const MeshBuffers<Vertex>& buffers, std::span<const VertexAttribute> attributes) {
+        uploadVertices(buffers.vertices.data(), buffers.vertices.size(), sizeof(Vertex),
                        attributes);
-        uploadIndices(gl, {buffers.triangles, buffers.edges, buffers.outline});
+        uploadIndices({buffers.triangles, buffers.edges, buffers.outline});
     }
 
-    void drawTriangles(Gl& gl) const { draw(gl, GL_TRIANGLES, 0); }
-    void drawEdges(Gl& gl) const { draw(gl, GL_LINES, 1); }
-    void drawOutline(Gl& gl) const { draw(gl, GL_LINES, 2); }
-    void release(Gl& gl);
+    void drawTriangles() const { draw(GL_TRIANGLES, 0); }
+    void drawEdges() const { draw(GL_LINES, 1); }
+    void drawOutline() const { draw(GL_LINES, 2); }
+    void release();
 
     /// How often a mesh was sent to the GPU: a camera that moves must not raise it.
     int uploads() const { return uploads_; }
@@ -53,10 +52,10 @@ private:
         GLsizei count = 0;
     };
 
-    void uploadVertices(Gl& gl, const void* data, std::size_t count, std::size_t stride,
+    void uploadVertices(const void* data, std::size_t count, std::size_t stride,
                         std::span<const VertexAttribute> attributes);
-    void uploadIndices(Gl& gl, const IndexLists& lists);
-    void draw(Gl& gl, GLenum mode, std::size_t list) const;
+    void uploadIndices(const IndexLists& lists);
+    void draw(GLenum mode, std::size_t list) const;
 
     FrameCounts& counts_;
     GLuint array_ = 0, vertices_ = 0, indices_ = 0;

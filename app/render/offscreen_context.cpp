@@ -22,7 +22,7 @@ public:
         }
         surface_.setFormat(context_.format());
         surface_.create();
-        return context_.makeCurrent(&surface_) && currentGl();
+        return context_.makeCurrent(&surface_) && hasGl();
     }
     ~QtContext() override { context_.doneCurrent(); }
 
@@ -41,7 +41,7 @@ std::unique_ptr<OffscreenContext> makeOffscreenContext(QString& problem) {
         }
     }
     auto context = makeEglContext();
-    if (!context || !currentGl()) {
+    if (!context || !hasGl()) {
         problem = QCoreApplication::translate(
             "OffscreenContext",
             "pictures need OpenGL 3.3, and there is neither a display that offers it nor a driver "

@@ -53,9 +53,9 @@ SceneRenderer::ProgramFiles PatternRenderer::programFiles() const {
              "cross.frag"}};
 }
 
-void PatternRenderer::upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
-    mesh.upload(gl, scene.pattern, kPatternAttributes);
-    lines.upload(gl, scene.patternLines, kPatternLineAttributes);
+void PatternRenderer::upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
+    mesh.upload(scene.pattern, kPatternAttributes);
+    lines.upload(scene.patternLines, kPatternLineAttributes);
 }
 
 void PatternRenderer::setGrid(const Camera2D& camera, bool shown, double pixelRatio) {
@@ -83,11 +83,11 @@ void PatternRenderer::setGrid(const Camera2D& camera, bool shown, double pixelRa
 
 void PatternRenderer::paint(const Camera2D& camera, const ViewState& view, const RenderStyle& style,
                             int width, int height, double pixelRatio) {
-    if (!gl_) {
+    if (!isReady_) {
         return;
     }
-    gl_->glViewport(0, 0, width, height);
-    gl_->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glViewport(0, 0, width, height);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Frame frame{glm::mat4(camera.projection()),
                       view,
                       style,
@@ -101,7 +101,7 @@ void PatternRenderer::paint(const Camera2D& camera, const ViewState& view, const
         return;
     }
     ShaderProgram& cloth = beginCloth(frame);
-    mesh_.drawTriangles(*gl_);
+    mesh_.drawTriangles();
     cloth.release();
     paintCrosses(frame, 0.0F, 1 / camera.pixelsPerMillimetre());
     paintLines(frame, 0.0F);

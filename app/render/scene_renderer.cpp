@@ -36,23 +36,23 @@ constexpr float kDashPixels = 11.0F;
 /// How much of a seam shows through the cloth that hides it.
 constexpr int kHiddenSeamAlpha = 75;
 
-GLuint makeTexture(Gl& gl, GLint filter) {
+GLuint makeTexture(GLint filter) {
     GLuint texture = 0;
-    gl.glGenTextures(1, &texture);
-    gl.glBindTexture(GL_TEXTURE_2D, texture);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     return texture;
 }
 
-GLuint makeColourMapTexture(Gl& gl, const ColourMap& map) {
-    const GLuint texture = makeTexture(gl, GL_LINEAR);
-    gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, kColourMapSize, 1, 0, GL_RGB, GL_UNSIGNED_BYTE,
-                    map.data());
-    gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+GLuint makeColourMapTexture(const ColourMap& map) {
+    const GLuint texture = makeTexture(GL_LINEAR);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, kColourMapSize, 1, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 map.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     return texture;
 }
 
@@ -63,45 +63,45 @@ SceneRenderer::SceneRenderer() = default;
 SceneRenderer::~SceneRenderer() = default;
 
 QString SceneRenderer::initialize() {
-    gl_ = currentGl();
-    if (!gl_) {
+    isReady_ = hasGl();
+    if (!isReady_) {
         return QCoreApplication::translate(
             "SceneRenderer",
             "This view needs OpenGL 3.3, which the graphics driver does not offer.");
     }
     const ProgramFiles files = programFiles();
     QString problem;
-    cloth_ = loadProgram(*gl_, files.cloth, problem);
+    cloth_ = loadProgram(files.cloth, problem);
     if (cloth_) {
-        lines_ = loadProgram(*gl_, files.lines, problem);
+        lines_ = loadProgram(files.lines, problem);
     }
     if (lines_) {
-        backdrop_ = loadProgram(*gl_, {"backdrop.vert", "backdrop.frag"}, problem);
+        backdrop_ = loadProgram({"backdrop.vert", "backdrop.frag"}, problem);
     }
-    if (!cloth_ || !lines_ || !backdrop_ || !crosses_.initialize(*gl_, files.crosses, problem)) {
+    if (!cloth_ || !lines_ || !backdrop_ || !crosses_.initialize(files.crosses, problem)) {
         return QCoreApplication::translate("SceneRenderer",
                                            "The graphics driver refused to draw this view (%1).")
             .arg(problem);
     }
-    gl_->glGenVertexArrays(1, &emptyArray_);
-    pieceTable_ = makeTexture(*gl_, GL_NEAREST);
+    glGenVertexArrays(1, &emptyArray_);
+    pieceTable_ = makeTexture(GL_NEAREST);
     uploadColourMaps();
     sceneChanged_ = tableChanged_ = scene_ != nullptr;
     return {};
 }
 
 void SceneRenderer::release() {
-    if (!gl_) {
+    if (!std::exchange(isReady_, false)) {
         return;
     }
-    mesh_.release(*gl_);
-    overLines_.release(*gl_);
-    faces_.release(*gl_);
-    crosses_.release(*gl_);
+    mesh_.release();
+    overLines_.release();
+    faces_.release();
+    crosses_.release();
     facesOf_ = crossesOf_ = -1;
-    gl_->glDeleteVertexArrays(1, &emptyArray_);
+    glDeleteVertexArrays(1, &emptyArray_);
     for (GLuint* texture : {&pieceTable_, &divergingMap_, &sequentialMap_}) {
-        gl_->glDeleteTextures(1, texture);
+        glDeleteTextures(1, texture);
         *texture = 0;
     }
     emptyArray_ = 0;
@@ -109,7 +109,6 @@ void SceneRenderer::release() {
     cloth_.reset();
     lines_.reset();
     backdrop_.reset();
-    gl_.reset();
 }
 
 void SceneRenderer::setScene(std::shared_ptr<const Scene> scene) {
@@ -141,7 +140,7 @@ bool SceneRenderer::synchronize(const ViewState& view) {
         return false;
     }
     if (std::exchange(sceneChanged_, false)) {
-        upload(*gl_, *scene_, mesh_, overLines_);
+        upload(*scene_, mesh_, overLines_);
     }
     if (std::exchange(pieceColours_, view.pieceColours) != view.pieceColours) {
         tableChanged_ = true;
@@ -162,35 +161,35 @@ void SceneRenderer::uploadPieceTable() {
 }
 
 void SceneRenderer::uploadTable(GLuint texture, int height, const std::vector<float>& texels) {
-    gl_->glBindTexture(GL_TEXTURE_2D, texture);
-    gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kPieceTableWidth, height, 0, GL_RGBA, GL_FLOAT,
-                      texels.data());
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kPieceTableWidth, height, 0, GL_RGBA, GL_FLOAT,
+                 texels.data());
     counts_.uploadedBytes += texels.size() * sizeof(float);
 }
 
 GLuint SceneRenderer::makeTableTexture() {
-    return makeTexture(*gl_, GL_NEAREST);
+    return makeTexture(GL_NEAREST);
 }
 
 void SceneRenderer::uploadColourMaps() {
-    divergingMap_ = makeColourMapTexture(*gl_, divergingMap());
-    sequentialMap_ = makeColourMapTexture(*gl_, sequentialMap());
+    divergingMap_ = makeColourMapTexture(divergingMap());
+    sequentialMap_ = makeColourMapTexture(sequentialMap());
 }
 
 void SceneRenderer::bindPieceTable() {
-    gl_->glActiveTexture(GL_TEXTURE0 + kPieceTableUnit);
-    gl_->glBindTexture(GL_TEXTURE_2D, pieceTable_);
+    glActiveTexture(GL_TEXTURE0 + kPieceTableUnit);
+    glBindTexture(GL_TEXTURE_2D, pieceTable_);
 }
 
 void SceneRenderer::bindColourMap(Overlay overlay) {
-    gl_->glActiveTexture(GL_TEXTURE0 + kColourMapUnit);
-    gl_->glBindTexture(GL_TEXTURE_2D, isSigned(overlay) ? divergingMap_ : sequentialMap_);
+    glActiveTexture(GL_TEXTURE0 + kColourMapUnit);
+    glBindTexture(GL_TEXTURE_2D, isSigned(overlay) ? divergingMap_ : sequentialMap_);
 }
 
 bool SceneRenderer::hasFaceTable() {
     if (facesOf_ != sceneNumber_) {
-        gl_->glActiveTexture(GL_TEXTURE0 + kFaceTableUnit);
-        facesFit_ = faces_.upload(*gl_, faceValues(*scene_));
+        glActiveTexture(GL_TEXTURE0 + kFaceTableUnit);
+        facesFit_ = faces_.upload(faceValues(*scene_));
         facesOf_ = sceneNumber_;
     }
     return facesFit_;
@@ -201,7 +200,7 @@ ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
     const OverlayScale scale = scaleOf(overlay);
     const bool triangleTable =
         isMeasured(overlay) && (scale.limited || frame.view.valuesPerTriangle) && hasFaceTable();
-    faces_.bind(*gl_, kFaceTableUnit);
+    faces_.bind(kFaceTableUnit);
     bindColourMap(overlay);
     bindPieceTable();
 
@@ -217,7 +216,7 @@ ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
     program.setUniformValue("triangleTable", triangleTable);
     program.setUniformValue("perTriangle", triangleTable && frame.view.valuesPerTriangle);
     program.setUniformValue("pixelRatio", frame.pixelRatio);
-    setUniform(*gl_, program, "viewProjection", frame.viewProjection);
+    setUniform(program, "viewProjection", frame.viewProjection);
     setUniform(program, "selectionColour", frame.style.selection);
     setOwnUniforms(program);
     return program;
@@ -228,7 +227,7 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
         return;
     }
     if (crossesOf_ != sceneNumber_) {
-        crosses_.upload(*gl_, scene_->crosses);
+        crosses_.upload(scene_->crosses);
         crossesOf_ = sceneNumber_;
     }
     const OverlayScale scale = scaleOf(Overlay::Principal);
@@ -243,12 +242,12 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
     program.setUniformValue("pixelRatio", frame.pixelRatio);
     program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
                             static_cast<float>(frame.height));
-    setUniform(*gl_, program, "viewProjection", frame.viewProjection);
-    beginBlending(*gl_);
-    gl_->glDepthMask(GL_FALSE);  // the faint rim of a stroke would cut into its neighbour
-    crosses_.draw(*gl_, scene_->crosses, millimetresPerPixel);
-    gl_->glDepthMask(GL_TRUE);
-    gl_->glDisable(GL_BLEND);
+    setUniform(program, "viewProjection", frame.viewProjection);
+    beginBlending();
+    glDepthMask(GL_FALSE);  // the faint rim of a stroke would cut into its neighbour
+    crosses_.draw(scene_->crosses, millimetresPerPixel);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
     program.release();
 }
 
@@ -262,7 +261,7 @@ ShaderProgram& SceneRenderer::beginLines(const Frame& frame, float depthShift) {
     program.setUniformValue("fade", 0.0F, 0.0F);
     program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
                             static_cast<float>(frame.height));
-    setUniform(*gl_, program, "viewProjection", frame.viewProjection);
+    setUniform(program, "viewProjection", frame.viewProjection);
     program.setUniformValue("tinted", false);
     setOwnUniforms(program);
     return program;
@@ -281,13 +280,13 @@ void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
         paintWireframe(frame);
     }
     setLine(frame.style.outline, kOutlineWidth, false, frame);
-    mesh_.drawOutline(*gl_);
+    mesh_.drawOutline();
     if (frame.view.seams) {
         program.setUniformValue("depthShift", 1.25F * depthShift);
         // A halo that leaves no depth behind, so that the seam's own colour stays upon it.
-        gl_->glDepthMask(GL_FALSE);
+        glDepthMask(GL_FALSE);
         paintChosenOutlines(frame, kSelectedHaloWidth, kHoveredHaloWidth);
-        gl_->glDepthMask(GL_TRUE);
+        glDepthMask(GL_TRUE);
         program.setUniformValue("depthShift", 1.5F * depthShift);
         paintSeams(frame);
         program.setUniformValue("depthShift", 2 * depthShift);
@@ -315,7 +314,7 @@ void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
 
 void SceneRenderer::paintChosenOutlines(const Frame& frame, float selected, float hovered) {
     setLine(frame.style.selection, selected, true, frame);
-    mesh_.drawOutline(*gl_);
+    mesh_.drawOutline();
     if (hover_ && hover_->kind == Feature::Kind::Piece) {
         setLine(frame.style.selection, hovered, false, frame);
         drawFeature(*hover_);
@@ -332,27 +331,27 @@ void SceneRenderer::paintSeams(const Frame& frame) {
     setUniform(*lines_, "freeColour", frame.style.freeEdge);
     lines_->setUniformValue("tinted", true);
     setLine(frame.style.outline, kPlainSeamWidth, false, frame);
-    overLines_.drawSeams(*gl_);
+    overLines_.drawSeams();
     lines_->setUniformValue("tinted", false);
 }
 
 void SceneRenderer::paintWireframe(const Frame& frame) {
     QColor wire = frame.style.wire;
     wire.setAlpha(110);
-    beginBlending(*gl_);
+    beginBlending();
     setLine(wire, kWireWidth, false, frame);
     lines_->setUniformValue("fade", kWireFadesOut * frame.pixelRatio,
                             kWireFadesIn * frame.pixelRatio);
-    mesh_.drawEdges(*gl_);
+    mesh_.drawEdges();
     lines_->setUniformValue("fade", 0.0F, 0.0F);
-    gl_->glDisable(GL_BLEND);
+    glDisable(GL_BLEND);
 }
 
 void SceneRenderer::paintDesignerLines(const Frame& frame) {
     lines_->setUniformValue("dashLength",
                             kDashPixels * frame.pixelRatio * frame.millimetresPerPixel);
     setLine(frame.style.designer, kDesignerWidth, false, frame);
-    overLines_.drawDesigner(*gl_);
+    overLines_.drawDesigner();
     lines_->setUniformValue("dashLength", 0.0F);
 }
 
@@ -360,13 +359,13 @@ void SceneRenderer::drawFeature(const Feature& feature) {
     constexpr int kWholeOutline = std::numeric_limits<int>::max();
     switch (feature.kind) {
         case Feature::Kind::Piece:
-            overLines_.drawOutline(*gl_, feature.piece, 0, kWholeOutline);
+            overLines_.drawOutline(feature.piece, 0, kWholeOutline);
             break;
         case Feature::Kind::Seam:
-            overLines_.drawSeam(*gl_, feature.seam);
+            overLines_.drawSeam(feature.seam);
             break;
         case Feature::Kind::Run:
-            overLines_.drawOutline(*gl_, feature.piece, feature.first, feature.count);
+            overLines_.drawOutline(feature.piece, feature.first, feature.count);
             break;
         case Feature::Kind::Vertex:
             break;
@@ -380,35 +379,35 @@ void SceneRenderer::paintLitUp(const Frame& frame, float depthShift, const Featu
         // Faintly through the cloth, so that a seam on the far side is found.
         QColor hidden = frame.style.seam;
         hidden.setAlpha(kHiddenSeamAlpha);
-        gl_->glDisable(GL_DEPTH_TEST);
-        beginBlending(*gl_);
+        glDisable(GL_DEPTH_TEST);
+        beginBlending();
         setLine(hidden, share * kSeamWidth, false, frame);
         drawFeature(feature);
-        gl_->glDisable(GL_BLEND);
-        gl_->glEnable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+        glEnable(GL_DEPTH_TEST);
     }
     // The halo leaves no depth behind: at bends it would cover parts of the line itself.
-    gl_->glDepthMask(GL_FALSE);
+    glDepthMask(GL_FALSE);
     lines_->setUniformValue("depthShift", 3 * depthShift);
     setLine(frame.style.seamHalo, share * kSeamHaloWidth, false, frame);
     drawFeature(feature);
     setLine(frame.style.seam, share * kSeamWidth, false, frame);
     drawFeature(feature);
-    gl_->glDepthMask(GL_TRUE);
+    glDepthMask(GL_TRUE);
 }
 
 void SceneRenderer::paintBackdrop(const Frame& frame) {
-    gl_->glDisable(GL_DEPTH_TEST);
-    gl_->glDisable(GL_CULL_FACE);
-    gl_->glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
     backdrop_->bind();
     setUniform(*backdrop_, "topColour", frame.style.top);
     setUniform(*backdrop_, "bottomColour", frame.style.bottom);
     setUniform(*backdrop_, "gridColour", frame.style.grid);
-    gl_->glBindVertexArray(emptyArray_);
-    gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(emptyArray_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
     ++counts_.drawCalls;
-    gl_->glBindVertexArray(0);
+    glBindVertexArray(0);
     backdrop_->release();
 }
 

@@ -71,7 +71,7 @@ protected:
     SceneRenderer();
 
     virtual ProgramFiles programFiles() const = 0;
-    virtual void upload(Gl& gl, const Scene& scene, GpuMesh& mesh, GpuLines& lines) = 0;
+    virtual void upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) = 0;
     /// In the order of the mesh's triangles.
     virtual std::vector<FaceValues> faceValues(const Scene& scene) const = 0;
     /// Of the programs for cloth and lines alike, while they are bound.
@@ -103,7 +103,7 @@ protected:
     /// A float texture of four numbers a texel, `kPieceTableWidth` texels a row.
     void uploadTable(GLuint texture, int height, const std::vector<float>& texels);
 
-    std::unique_ptr<Gl> gl_;
+    bool isReady_ = false;  ///< there is a context that it can draw in
     FrameCounts counts_;
     GpuMesh mesh_{counts_};
     std::shared_ptr<const Scene> scene_;

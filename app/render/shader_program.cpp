@@ -27,79 +27,78 @@ QString wordsOf(GLuint object, Parameter parameter, Log log) {
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(Gl& gl) : gl_(gl), program_(gl.glCreateProgram()) {}
+ShaderProgram::ShaderProgram() : program_(glCreateProgram()) {}
 
 ShaderProgram::~ShaderProgram() {
-    gl_.glDeleteProgram(program_);
+    glDeleteProgram(program_);
 }
 
 QString ShaderProgram::addStage(GLenum stage, const QByteArray& source) {
-    const GLuint shader = gl_.glCreateShader(stage);
+    const GLuint shader = glCreateShader(stage);
     const char* text = source.constData();
     const auto length = static_cast<GLint>(source.size());
-    gl_.glShaderSource(shader, 1, &text, &length);
-    gl_.glCompileShader(shader);
+    glShaderSource(shader, 1, &text, &length);
+    glCompileShader(shader);
     GLint done = GL_FALSE;
-    gl_.glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
     QString problem;
     if (done == GL_TRUE) {
-        gl_.glAttachShader(program_, shader);
+        glAttachShader(program_, shader);
     } else {
-        problem = wordsOf(shader, gl_.glGetShaderiv, gl_.glGetShaderInfoLog);
+        problem = wordsOf(shader, glGetShaderiv, glGetShaderInfoLog);
     }
-    gl_.glDeleteShader(shader);  // the program keeps it as long as it needs it
+    glDeleteShader(shader);  // the program keeps it as long as it needs it
     return problem;
 }
 
 QString ShaderProgram::link() {
-    gl_.glLinkProgram(program_);
+    glLinkProgram(program_);
     GLint done = GL_FALSE;
-    gl_.glGetProgramiv(program_, GL_LINK_STATUS, &done);
-    return done == GL_TRUE ? QString()
-                           : wordsOf(program_, gl_.glGetProgramiv, gl_.glGetProgramInfoLog);
+    glGetProgramiv(program_, GL_LINK_STATUS, &done);
+    return done == GL_TRUE ? QString() : wordsOf(program_, glGetProgramiv, glGetProgramInfoLog);
 }
 
 void ShaderProgram::bind() {
-    gl_.glUseProgram(program_);
+    glUseProgram(program_);
 }
 
 void ShaderProgram::release() {
-    gl_.glUseProgram(0);
+    glUseProgram(0);
 }
 
 GLint ShaderProgram::uniformLocation(const char* name) const {
-    return gl_.glGetUniformLocation(program_, name);
+    return glGetUniformLocation(program_, name);
 }
 
 void ShaderProgram::setUniformValue(const char* name, int value) {
-    gl_.glUniform1i(uniformLocation(name), value);
+    glUniform1i(uniformLocation(name), value);
 }
 
 void ShaderProgram::setUniformValue(const char* name, float value) {
-    gl_.glUniform1f(uniformLocation(name), value);
+    glUniform1f(uniformLocation(name), value);
 }
 
 void ShaderProgram::setUniformValue(const char* name, float x, float y) {
-    gl_.glUniform2f(uniformLocation(name), x, y);
+    glUniform2f(uniformLocation(name), x, y);
 }
 
 void ShaderProgram::setUniformValue(const char* name, float x, float y, float z) {
-    gl_.glUniform3f(uniformLocation(name), x, y, z);
+    glUniform3f(uniformLocation(name), x, y, z);
 }
 
 void ShaderProgram::setUniformValue(const char* name, const QColor& colour) {
-    gl_.glUniform4f(uniformLocation(name), colour.redF(), colour.greenF(), colour.blueF(),
-                    colour.alphaF());
+    glUniform4f(uniformLocation(name), colour.redF(), colour.greenF(), colour.blueF(),
+                colour.alphaF());
 }
 
 void ShaderProgram::setUniformValueArray(const char* name, const QVector3D* values, int count) {
     static_assert(sizeof(QVector3D) == 3 * sizeof(float));
-    gl_.glUniform3fv(uniformLocation(name), count, reinterpret_cast<const float*>(values));
+    glUniform3fv(uniformLocation(name), count, reinterpret_cast<const float*>(values));
 }
 
-std::unique_ptr<ShaderProgram> loadProgram(Gl& gl, const std::vector<std::string_view>& files,
+std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,
                                            QString& problem) {
-    std::unique_ptr<ShaderProgram> program(new ShaderProgram(gl));
+    std::unique_ptr<ShaderProgram> program(new ShaderProgram());
     const QByteArray version = "#version 330 core\n";
     QByteArray source = version;
     for (const std::string_view name : files) {

@@ -33,23 +33,20 @@ public:
     void setUniformValueArray(const char* name, const QVector3D* values, int count);
 
 private:
-    friend std::unique_ptr<ShaderProgram> loadProgram(Gl& gl,
-                                                      const std::vector<std::string_view>& files,
+    friend std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,
                                                       QString& problem);
-    explicit ShaderProgram(Gl& gl);
+    ShaderProgram();
     /// @return the driver's words where it refuses the source; else empty
     QString addStage(GLenum stage, const QByteArray& source);
     QString link();
 
-    Gl& gl_;
     GLuint program_ = 0;
 };
 
 /// Links a program from resources/shaders; files of one stage are joined in the order given, the
 /// `#version` line is put in front. Stage by ending: .vert, .geom, .frag; .glsl joins the next.
-/// @param gl  outlives the program
 /// @param problem receives the driver's words where null is returned
-std::unique_ptr<ShaderProgram> loadProgram(Gl& gl, const std::vector<std::string_view>& files,
+std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,
                                            QString& problem);
 
 }  // namespace toile

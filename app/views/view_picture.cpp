@@ -67,9 +67,8 @@ private:
 
 template <class Renderer, class Paint>
 void PicturePainter::drawScene(QPainter& picture, const QRect& part, const Paint& paint) {
-    const std::unique_ptr<Gl> gl = currentGl();
     Renderer renderer;
-    if (problem_ = renderer.initialize(); !problem_.isEmpty() || !gl) {
+    if (problem_ = renderer.initialize(); !problem_.isEmpty()) {
         return;
     }
     renderer.setScene(document_.scene());
@@ -79,7 +78,7 @@ void PicturePainter::drawScene(QPainter& picture, const QRect& part, const Paint
     renderer.setSeam(document_.seam());
     renderer.setMarks(markedFeatures(document_));
     QImage image;
-    Framebuffer framebuffer(*gl);
+    Framebuffer framebuffer;
     if (framebuffer.make(part.width(), part.height())) {
         paint(renderer);
         image = framebuffer.read();

@@ -423,7 +423,7 @@ private slots:
         QVERIFY2(share < kSamePicture, qPrintable(QString::number(share)));
         QString problem;
         context_.reset();
-        QVERIFY(!currentGl());
+        QVERIFY(!hasGl());
         QVERIFY(drawViews(document(), options(ViewsShown::Garment), problem).isNull());
         QVERIFY2(problem.contains("OpenGL 3.3"), qPrintable(problem));
     }

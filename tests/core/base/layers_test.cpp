@@ -208,7 +208,8 @@ TEST(Layers, TheCommandLineIsFreeOfQt) {
 /// leave app/render.
 TEST(Layers, OnlyRenderDrawsWithOpenGL) {
     const std::regex gl(
-        "^(E?GL/|qopengl|glm/|QOpenGL(Functions|ExtraFunctions|Shader|Buffer|VertexArray|Texture|"
+        "^(E?GL/|epoxy/|qopengl|glm/"
+        "|QOpenGL(Functions|ExtraFunctions|Shader|Buffer|VertexArray|Texture|"
         "Framebuffer|Version))");
     int seen = 0;
     forEachInclude(kRoot / "app", [&](const fs::path& file, const std::string& included) {
