@@ -198,7 +198,7 @@ private slots:
         const auto scene = flatScene(wavySheet(250, 250));
         QCOMPARE(scene->pieces.size(), std::size_t{1});
         const PieceScene& piece = scene->pieces[0];
-        const auto expectFew = [](const auto& tree, const Eigen::Vector2d& at) {
+        const auto expectFew = [](const auto& tree, const Eigen::Vector2f& at) {
             int boxes = 0, faces = 0;
             tree.search(
                 [&](const auto& box) {
@@ -213,8 +213,9 @@ private slots:
         };
         for (int i = 1; i < 100; ++i) {
             const Eigen::Vector2d at(2.4 * i, 250 - 2.3 * i);
-            expectFew(piece.patternTree, at);
-            expectFew(piece.garmentTree, at - scene->origin.head<2>());  // straight down
+            expectFew(piece.patternTree, at.cast<float>());
+            // Straight down.
+            expectFew(piece.garmentTree, (at - scene->origin.head<2>()).cast<float>());
         }
     }
 };
