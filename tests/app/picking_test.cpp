@@ -209,7 +209,7 @@ private slots:
                 },
                 [&faces](std::uint32_t) { ++faces; });
             QVERIFY2(faces > 0 && faces <= 100, qPrintable(QString::number(faces)));
-            QVERIFY2(boxes <= 300, qPrintable(QString::number(boxes)));  // of some 30 000
+            QVERIFY2(boxes <= 600, qPrintable(QString::number(boxes)));  // of some 30 000
         };
         for (int i = 1; i < 100; ++i) {
             const Eigen::Vector2d at(2.4 * i, 250 - 2.3 * i);
