@@ -21,7 +21,7 @@ trap 'exit 1' HUP INT TERM
 Xvfb -displayfd 3 -screen 0 1600x1000x24 +extension GLX -noreset -nolisten tcp \
     3>"$folder/number" >"$folder/log" 2>&1 &
 server=$!
-until grep -q . "$folder/number"; do
+until grep -qs . "$folder/number"; do
     if ! kill -0 "$server" 2>/dev/null; then
         echo "Xvfb did not start:" >&2
         cat "$folder/log" >&2
