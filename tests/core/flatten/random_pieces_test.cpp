@@ -16,13 +16,12 @@
 namespace toile {
 namespace {
 
-constexpr unsigned kSeedsOfAShard = 50;
+constexpr unsigned kSeeds = 1000, kSeedsOfAShard = 50;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr unsigned kQuickShards = 1, kShards = 1;
 #else
-constexpr unsigned kQuickShards = 3, kShards = 20;
+constexpr unsigned kQuickShards = 3, kShards = kSeeds / kSeedsOfAShard;
 #endif
-constexpr unsigned kSeeds = kShards * kSeedsOfAShard;
 constexpr std::array kMethods = {Method::Wang2005, Method::Curvature, Method::Isometric};
 constexpr std::array kSolvers = {BoundarySolver::Newton, BoundarySolver::Slcp};
 
