@@ -60,7 +60,7 @@ bool Framebuffer::make(int width, int height) {
         // What came before is not ours.
     }
     return makeTarget(resolved_, 0, false) &&
-           makeTarget(drawn_, std::min<int>(kSamples, samples), true);
+           makeTarget(drawn_, std::min(samplesPerPixel(), samples), true);
 }
 
 QImage Framebuffer::read() {

@@ -7,7 +7,7 @@
 
 namespace toile {
 
-/// Something to draw on that is no window: colour with `kSamples` samples per pixel, and depth.
+/// Something to draw on that is no window: colour with `samplesPerPixel()`, and depth.
 /// Every call, the destructor's too, needs the same context current.
 class Framebuffer {
 public:

@@ -10,6 +10,13 @@
 
 namespace toile {
 
+int samplesPerPixel() {
+    constexpr int kUsual = 4;
+    bool isNumber = false;
+    const int said = qEnvironmentVariableIntValue("TOILE_SAMPLES", &isNumber);
+    return isNumber && said > 0 ? said : kUsual;
+}
+
 QSurfaceFormat sceneSurfaceFormat() {
     QSurfaceFormat format;
     format.setRenderableType(QSurfaceFormat::OpenGL);
@@ -17,7 +24,7 @@ QSurfaceFormat sceneSurfaceFormat() {
     format.setVersion(3, 3);
     format.setDepthBufferSize(24);
     format.setStencilBufferSize(8);  // for QPainter over the scene
-    format.setSamples(kSamples);
+    format.setSamples(samplesPerPixel());
     return format;
 }
 

@@ -6,10 +6,11 @@
 
 namespace toile {
 
-/// Samples per pixel, in windows and pictures alike.
-inline constexpr int kSamples = 4;
+/// Samples per pixel, in windows and pictures alike: 4, or what the environment says in
+/// TOILE_SAMPLES (1 halves the work where a processor draws, and edges show steps).
+int samplesPerPixel();
 
-/// OpenGL 3.3 core with depth and four samples per pixel: what every view asks for.
+/// OpenGL 3.3 core with depth and so many samples per pixel: what every view asks for.
 QSurfaceFormat sceneSurfaceFormat();
 
 /// False on platforms of Qt without a screen. Some make contexts where an X display answers too,
