@@ -20,6 +20,7 @@ skipped() { # PRESET: how many tests its last run left out for want of files
 }
 
 packages=(libgtest-dev xvfb clang-format python3-numpy)
+clang_packages=(clang clang-tidy libclang-rt-14-dev libomp-dev)
 case ${1:-} in
     --quick)
         ./run.sh --prepare "${packages[@]}"
@@ -31,8 +32,8 @@ case ${1:-} in
         exit
         ;;
     --nightly)
-        ./run.sh --prepare "${packages[@]}" libbenchmark-dev libcgal-dev clang clang-tidy libomp-dev \
-            libclang-rt-14-dev python3-ezdxf librsvg2-bin
+        ./run.sh --prepare "${packages[@]}" "${clang_packages[@]}" \
+            libbenchmark-dev libcgal-dev python3-ezdxf librsvg2-bin
         exec tests/nightly.sh
         ;;
     "") ;;
@@ -41,21 +42,22 @@ case ${1:-} in
         exit 2
         ;;
 esac
-./run.sh --prepare "${packages[@]}"
+./run.sh --prepare "${packages[@]}" "${clang_packages[@]}"
 
-step "Source: format, and one definition of everything"
+step "Source: format, one definition of everything, clang-tidy on what has changed"
 git ls-files -- '*.cpp' '*.h' 2>/dev/null | xargs -r clang-format --dry-run -Werror
 tests/one_definition.py
+tests/tidy.py
 
 step "Build, warnings are errors"
 cmake --preset ci -DTOILE_TESTS=ON
 cmake --build --preset ci --parallel "$jobs"
 
 step "Tests"
-ctest --preset ci --parallel "$jobs" -L full
+ctest --preset ci --parallel $((jobs + 1)) -L full # those of the window wait now and then
 skipped ci
 
-step "Core and command line without Qt, under the address and undefined-behaviour sanitizers"
+step "Core and command line by Clang, without Qt, under sanitizers"
 cmake --preset asan -DTOILE_TESTS=ON
 cmake --build --preset asan --parallel "$jobs"
 if ldd build/asan/app/toile | grep -iE 'qt6|libGL|libEGL'; then

@@ -34,7 +34,9 @@ def said(*command):
 
 
 def changed():
-    head = said("git", "rev-parse", "HEAD")[0]
+    head = "".join(said("git", "rev-parse", "HEAD"))
+    if not head:
+        return []  # an archive, no clone
     base = [line for branch in ("origin/main", "main")
             for line in said("git", "merge-base", "HEAD", branch)]
     if not base or base[0] == head:
