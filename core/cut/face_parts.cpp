@@ -14,8 +14,8 @@ constexpr std::size_t kMaxNewVertices = 1000000;
 
 /// Asked of every part in turn: without branches.
 bool holdsBoth(const FaceParts::Part& part, int a, int b) {
-    const int hasA = (part[0] == a) | (part[1] == a) | (part[2] == a);
-    const int hasB = (part[0] == b) | (part[1] == b) | (part[2] == b);
+    const int hasA = int{part[0] == a} | int{part[1] == a} | int{part[2] == a};
+    const int hasB = int{part[0] == b} | int{part[1] == b} | int{part[2] == b};
     return (hasA & hasB) != 0;
 }
 

@@ -151,7 +151,9 @@ TEST(Layers, TheTablesGoDownwardsAndNameEveryFolder) {
 TEST(Layers, CoreFoldersIncludeOnlyWhatTheirLineNames) {
     const std::map<std::string, Folders> mayUse = mayUseOf(foldersOf(kCoreTable));
     int seen = 0;
-    for (const auto& [folder, allowed] : mayUse) {
+    for (const auto& line : mayUse) {
+        const std::string& folder = line.first;
+        const Folders& allowed = line.second;
         forEachInclude(
             kRoot / "core" / folder, [&](const fs::path& file, const std::string& included) {
                 if (included.starts_with("core/")) {

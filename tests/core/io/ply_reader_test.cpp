@@ -90,7 +90,7 @@ TEST(PlyReader, ConvertsFloatsExactly) {
     std::string bytes = samplePlyBinary();
     const std::size_t body = bytes.find("end_header\n") + 11;
     bytes.replace(body, 4, bytesOf(0.1f));
-    EXPECT_EQ(readPlySoup(bytes).positions[0].x(), double{0.1f});
+    EXPECT_EQ(readPlySoup(bytes).positions[0].x(), static_cast<double>(0.1f));
     EXPECT_EQ(readPlySoup(ascii("element vertex 3\n" + kXyz + "element face 1\n" + kList,
                                 "0.1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"))
                   .positions[0]
