@@ -153,8 +153,7 @@ TEST(CutAlong, KeepsAreaAndSidesOnRandomPaths) {
         const SurfaceLinks links(mesh, table);
         std::mt19937 random(11);
         for (int i = 0; i < 50; ++i) {
-            const auto path = geodesicPath(links, test::randomPoint(mesh, random),
-                                           test::randomPoint(mesh, random));
+            const auto path = test::randomPath(links, random);
             cut(mesh, {*path}, "random " + std::to_string(done++));
         }
     }
@@ -167,8 +166,7 @@ TEST(CutAlong, MakesNoNeedles) {
     const SurfaceLinks links(grid, table);
     std::mt19937 random(12);
     for (int i = 0; i < 100; ++i) {
-        const auto path =
-            geodesicPath(links, test::randomPoint(grid, random), test::randomPoint(grid, random));
+        const auto path = test::randomPath(links, random);
         const auto result = cutAlong(grid, {*path});
         ASSERT_TRUE(result);
         EXPECT_GT(test::leastAngle(result->mesh), 0.4 * std::numbers::pi / 180);
@@ -184,8 +182,7 @@ TEST(CutAlong, StandsManyCrossingPaths) {
             std::mt19937 random(seed);
             std::vector<PathPolyline> paths;
             for (int i = 0; i < 12; ++i) {
-                paths.push_back(*geodesicPath(links, test::randomPoint(mesh, random),
-                                              test::randomPoint(mesh, random)));
+                paths.push_back(*test::randomPath(links, random));
             }
             cut(mesh, paths, "crossing " + std::to_string(seed));
         }

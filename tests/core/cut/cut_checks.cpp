@@ -99,6 +99,12 @@ SurfacePoint randomPoint(const MeshArrays& mesh, std::mt19937& random) {
     return point;
 }
 
+Result<PathPolyline> randomPath(const SurfaceLinks& links, std::mt19937& random) {
+    const SurfacePoint to = randomPoint(links.mesh(), random);
+    const SurfacePoint from = randomPoint(links.mesh(), random);
+    return geodesicPath(links, from, to);
+}
+
 void expectSoundCut(const MeshArrays& source, const CutResult& cut, const std::string& what) {
     const double area = totalArea(source);
     EXPECT_NEAR(totalArea(cut.mesh), area, 1e-12 * area) << what;

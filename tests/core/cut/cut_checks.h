@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/cut/cut_along.h"
+#include "core/cut/geodesic.h"
 
 namespace toile::test {
 
@@ -16,6 +17,8 @@ int componentCount(const MeshArrays& mesh);
 
 /// A point of a random triangle; the engine's own numbers, so the same everywhere.
 SurfacePoint randomPoint(const MeshArrays& mesh, std::mt19937& random);
+/// The shortest way between two of them.
+Result<PathPolyline> randomPath(const SurfaceLinks& links, std::mt19937& random);
 
 /// Expects what holds for every cut: same area, every part on its source's side with an area above
 /// zero, vertices where they say they are, runs whose sides lie at the same places and are rims,

@@ -83,7 +83,8 @@ TEST(PaperIteration, FindsAWrongOutlineOfACubeSlitAlongOneEdge) {
 }
 
 TEST(PaperIteration, DoesNotCloseSomePiecesButOursDoes) {
-    for (const unsigned seed : {23U, 95U, 417U, 950U}) {
+    // Others stay open by one compiler and close by another: there rounding decides.
+    for (const unsigned seed : {23U, 95U, 564U, 817U}) {
         SCOPED_TRACE(seed);
         const auto piece = test::asPiece(test::randomPiece(seed));
         const BoundaryProblem problem = unitProblemOf(*piece);

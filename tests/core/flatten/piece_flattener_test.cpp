@@ -38,12 +38,16 @@ public:
 
     PiecePointer next() {
         switch (below(5)) {
-            case 0:
-                cuts_.push_back(test::dartAlongEdges(*original_, rim(), 2 + below(8)));
+            case 0: {
+                const int length = 2 + below(8);
+                cuts_.push_back(test::dartAlongEdges(*original_, rim(), length));
                 break;
-            case 1:
-                cuts_.push_back(test::straightDart(*original_, rim(), 2 + below(8)));
+            }
+            case 1: {
+                const int length = 2 + below(8);
+                cuts_.push_back(test::straightDart(*original_, rim(), length));
                 break;
+            }
             case 2:
                 if (!cuts_.empty()) {
                     cuts_.erase(cuts_.begin() + below(static_cast<int>(cuts_.size())));
@@ -67,8 +71,9 @@ private:
         const Points3& V = original_->mesh.V;
         const double edge =
             (V.row(original_->mesh.F(0, 0)) - V.row(original_->mesh.F(0, 1))).norm();
-        original_ = test::dragged(*original_, vertex,
-                                  0.1 * edge * Eigen::RowVector3d(below(3) - 1, below(3) - 1, 1));
+        const int across = below(3) - 1, along = below(3) - 1;
+        original_ =
+            test::dragged(*original_, vertex, 0.1 * edge * Eigen::RowVector3d(along, across, 1));
     }
 
     PiecePointer original_;
