@@ -47,6 +47,13 @@ std::string fixed(double value, int decimals) {
     return out;
 }
 
+std::string scientific(double value, int decimals) {
+    char buffer[kMaxDigits];
+    const auto end =
+        std::to_chars(buffer, buffer + kMaxDigits, value, std::chars_format::scientific, decimals);
+    return {buffer, end.ptr};
+}
+
 std::string counted(long long count, std::string_view noun) {
     std::string out = std::to_string(count) + " " + std::string(noun);
     if (count == 1) {

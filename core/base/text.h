@@ -16,6 +16,8 @@ void appendShortest(std::string& out, double value);
 /// Fixed decimals, rounded to nearest; never "-0.0000".
 std::string fixed(double value, int decimals);
 void appendFixed(std::string& out, double value, int decimals);
+/// A digit, decimals and a power of ten: "5.77e+300".
+std::string scientific(double value, int decimals);
 /// "1 face", "2 faces": the noun gets an s where the count asks for it.
 std::string counted(long long count, std::string_view noun);
 /// The first `most` texts in quotes, and how many more there are: "\"a\", \"b\" and 3 more".

@@ -11,6 +11,9 @@
 namespace toile {
 namespace {
 
+/// Beyond, a number is no measure of anything any more, and its digits would fill the sentence.
+constexpr double kWrittenOut = 1e12;
+
 std::string filledIn(const char* pattern, const std::vector<Wording>& arguments) {
     std::string text;
     for (const char* at = pattern; *at != '\0'; ++at) {
@@ -70,7 +73,8 @@ Wording countWording(long long count, std::string_view noun) {
 }
 
 Wording figure(double value, int decimals) {
-    return {value, decimals};
+    return std::abs(value) < kWrittenOut || !std::isfinite(value) ? Wording(value, decimals)
+                                                                  : Wording(scientific(value, 2));
 }
 
 Wording placeWording(double x, double y, double z) {

@@ -46,7 +46,7 @@ constexpr const char* translatable(const char* text) {
 }
 /// "1 face", "2 faces" (`counted` of text.h).
 Wording countWording(long long count, std::string_view noun);
-/// A number with so many decimals, never "-0.0".
+/// A number with so many decimals, never "-0.0"; one that is too large for anything as "5.77e+300".
 Wording figure(double value, int decimals = 0);
 /// "(1.0, 2.0, 3.0)", as the places of messages are written.
 Wording placeWording(double x, double y, double z);

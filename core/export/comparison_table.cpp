@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <charconv>
-
 #include "core/base/text.h"
 #include "core/export/comparison_writer.h"
 
@@ -11,19 +9,11 @@ constexpr double kMillisecondsPerSecond = 1000;
 /// Above this an energy says only that the map is bad, and how many digits of it there are.
 constexpr double kLongNumber = 1000;
 
-/// Two digits and a power of ten, for what spans many of them.
-std::string scientific(double value) {
-    char text[32];
-    const auto end =
-        std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 1);
-    return {text, end.ptr};
-}
-
 std::string cell(const std::optional<double>& value, int decimals) {
     if (!value) {
         return "-";
     }
-    return *value < kLongNumber ? fixed(*value, decimals) : scientific(*value);
+    return *value < kLongNumber ? fixed(*value, decimals) : scientific(*value, 1);
 }
 
 bool nothingFlat(const ComparedFigures& figures) {
@@ -56,7 +46,7 @@ constexpr Column kColumns[] = {
     {"SD", [](const ComparedFigures& f) { return cell(f.symmetricDirichlet, 4); }, always},
     {"length error",
      [](const ComparedFigures& f) {
-         return f.maxBoundaryLengthError ? scientific(*f.maxBoundaryLengthError) : "-";
+         return f.maxBoundaryLengthError ? scientific(*f.maxBoundaryLengthError, 1) : "-";
      },
      always},
     {"flips", [](const ComparedFigures& f) { return count(f, &ComparedFigures::flippedTriangles); },

@@ -114,7 +114,7 @@ private:
         for (const auto& rim : rims_->rims()) {
             for (const int e : rim) {
                 const double distance = nearestOn(e, middle).distance;
-                if (distance < toNearest) {
+                if (nearest < 0 || distance < toNearest) {
                     nearest = e;
                     toNearest = distance;
                 }

@@ -14,6 +14,9 @@ TEST(Wording, IsItsEnglishText) {
     EXPECT_EQ(countWording(1, "vertex"), "1 vertex");
     EXPECT_EQ(countWording(1234, "vertex"), "1234 vertices");
     EXPECT_EQ(countWording(2, "needle"), "2 needles");
+    EXPECT_EQ(figure(123456789012.25, 1), "123456789012.2");
+    EXPECT_EQ(figure(-5.77350269e300, 1), "-5.77e+300");
+    EXPECT_EQ(figure(-5.77350269e300, 1).decimals(), -1);
     EXPECT_EQ(placeWording(1, -2.5, 0), "(1.0, -2.5, 0.0)");
     const Error error{ErrorCode::CutImpossible, "dart", worded("it has no points")};
     EXPECT_NE(sentence(error).find("dart: the cut cannot be made (it has no points)"),

@@ -121,6 +121,17 @@ TEST(CutPieces, OneThatFailsLeavesTheOthersAlone) {
     }
 }
 
+TEST(CutPieces, SayShortlyThatAPointIsFarOut) {
+    const Pieces pieces{fromFile(test::planeGrid(10, 10, 10), "front")};
+    for (const double far : {1e13, 1e100, -1e300}) {
+        const UserCut out{"out", UserCut::Kind::Path, {{50, 0, 0}, {far, 0, 0}}, false};
+        const CutPieces made = cut(pieces, {out}, false);
+        ASSERT_EQ(made.problems.size(), 1U) << far;
+        EXPECT_NE(made.problems[0].detail.find("e+"), std::string::npos) << far;
+        EXPECT_LT(sentence(made.problems[0]).size(), 150U) << sentence(made.problems[0]);
+    }
+}
+
 TEST(CutPieces, ATangleIsRefusedAndTheOthersAreMade) {
     const Pieces pieces{fromFile(test::planeGrid(2, 2, 50), "front")};
     const UserCut good{"good", UserCut::Kind::Path, {{50, 0, 0}, {50, 100, 0}}, false};
