@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "core/base/words.h"
+
 namespace toile {
 namespace {
 
@@ -47,38 +49,16 @@ constexpr std::string_view kLatin =
     "SsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
 static_assert(kLatin.size() == 0x180 - 0xC0);
 
+/// What other characters become, and those above that need several letters.
+constexpr Word<char32_t> kOthers[] = {
+    {0xC6, "AE"},  {0xDE, "Th"},  {0xDF, "ss"},   {0xE6, "ae"},  {0xFE, "th"},
+    {0x132, "IJ"}, {0x133, "ij"}, {0x152, "OE"},  {0x153, "oe"}, {0x2013, "-"},  // dashes
+    {0x2014, "-"}, {0x2019, "'"}, {0x1E9E, "SS"}, {0xA0, " "},  // blank that does not break
+};
+
 std::string_view severalLetters(char32_t c) {
-    switch (c) {
-        case 0xC6:
-            return "AE";
-        case 0xDE:
-            return "Th";
-        case 0xDF:
-            return "ss";
-        case 0xE6:
-            return "ae";
-        case 0xFE:
-            return "th";
-        case 0x132:
-            return "IJ";
-        case 0x133:
-            return "ij";
-        case 0x152:
-            return "OE";
-        case 0x153:
-            return "oe";
-        case 0x2013:  // dashes
-        case 0x2014:
-            return "-";
-        case 0x2019:  // apostrophe
-            return "'";
-        case 0xA0:  // blank that does not break
-            return " ";
-        case 0x1E9E:
-            return "SS";
-        default:
-            return "_";
-    }
+    const auto known = std::ranges::find(kOthers, c, &Word<char32_t>::first);
+    return known == std::end(kOthers) ? "_" : known->second;
 }
 
 bool isCombiningMark(char32_t c) {

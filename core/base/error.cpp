@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
 
-#include <cctype>
+#include <algorithm>
+#include <functional>
 
 #include "core/base/characters.h"
 #include "core/base/text.h"
@@ -13,6 +14,7 @@ namespace toile {
 namespace {
 
 struct Words {
+    ErrorCode code;
     std::string_view name;      ///< kebab-case, as in the report
     std::string_view describe;  ///< what happened
     std::string_view advice;    ///< what to try
@@ -20,194 +22,140 @@ struct Words {
     bool namesPiece = true;     ///< not a file, a cut, a join or a seam
 };
 
-Words wordsOf(ErrorCode code) {
-    switch (code) {
-        case ErrorCode::FileUnreadable:
-            return {"file-unreadable", TR("the file cannot be read"),
-                    TR("Check its name and permissions"), false, false};
-        case ErrorCode::FileUnwritable:
-            return {"file-unwritable", TR("the file cannot be written"),
-                    TR("Check that the folder exists, is writable and has room"), false, false};
-        case ErrorCode::UnknownFormat:
-            return {"unknown-format", TR("the file's ending names no format Toile knows"),
-                    TR("Read .obj, .off, .ply or .stl; write .svg, .dxf, .obj or .json"), false,
-                    false};
-        case ErrorCode::MalformedFile:
-            return {"malformed-file", TR("the file breaks the rules of its format"),
-                    TR("Export it again from the program it came from"), false, false};
-        case ErrorCode::NoGeometry:
-            return {"no-geometry", TR("the file holds no faces"),
-                    TR("Export the garment as a mesh with faces"), false, false};
-        case ErrorCode::MalformedProject:
-            return {"malformed-project", TR("the project file breaks the rules of its format"),
-                    TR("Open an older copy of it, or mend the place named with a text editor"),
-                    false, false};
-        case ErrorCode::NewerProject:
-            return {"newer-project", TR("the project was saved by a newer version of Toile"),
-                    TR("Open it with that version"), false, false};
-        case ErrorCode::UnitGuessed:
-            return {"unit-guessed", TR("the file states no unit and its size leaves doubt"),
-                    TR("State the unit if the size is wrong"), true, false};
-        case ErrorCode::IndexOutOfRange:
-            return {"index-out-of-range", TR("faces name vertices that the file does not have"),
-                    TR("They are left out; export the file again if something is missing"), true};
-        case ErrorCode::NonFinitePosition:
-            return {"non-finite-position", TR("positions are not finite numbers"),
-                    TR("Faces on them are left out; export the file again if something is missing"),
-                    true};
-        case ErrorCode::DegenerateFaceRecord:
-            return {"degenerate-face-record", TR("faces have fewer than three different corners"),
-                    TR("They are left out"), true};
-        case ErrorCode::PolygonNotSimple:
-            return {"polygon-not-simple", TR("polygons could not be divided by their shape"),
-                    TR("They are divided as a fan, which may fold over; triangulate them in the "
-                       "modelling program"),
-                    true};
-        case ErrorCode::UnusedVertices:
-            return {"unused-vertices", TR("vertices belong to no face"), "", true};
-        case ErrorCode::OutputDiffers:
-            return {"output-differs", TR("a mesh written from this file differs from it"), "",
-                    true};
-        case ErrorCode::UnknownKey:
-            return {"unknown-key", TR("the file says things that this Toile does not know"),
-                    TR("They do nothing, and are gone once the project is saved here; look for a "
-                       "misspelt name"),
-                    true, false};
-        case ErrorCode::FileChanged:
-            return {"file-changed", TR("the file is not as it was when the project was saved"),
-                    TR("Cuts, ease and places are kept; look whether they still fit"), true, false};
-        case ErrorCode::PieceGone:
-            return {"piece-gone", TR("the garment has no piece of this name any more"),
-                    TR("What the project says of it is left out"), true};
-        case ErrorCode::EdgesCrowd:
-            return {"edges-crowd", TR("the edges of outlines crowd as those of no garment do"),
-                    TR("Seams are not looked for there"), true};
-        case ErrorCode::EdgesCollapsed:
-            return {"edges-collapsed", TR("edges have no length"),
-                    TR("Their two ends are made one vertex"), true};
-        case ErrorCode::FlatFacesRemoved:
-            return {"flat-faces-removed", TR("triangles have no area"),
-                    TR("They are removed so that no hole opens"), true};
-        case ErrorCode::DuplicateFacesRemoved:
-            return {"duplicate-faces-removed", TR("faces lie twice on the same vertices"),
-                    TR("One of each is kept"), true};
-        case ErrorCode::WindingsTurned:
-            return {"windings-turned", TR("faces look to the other side than their neighbours"),
-                    TR("They are turned over to agree with the larger area"), true};
-        case ErrorCode::EdgesCutApart:
-            return {
-                "edges-cut-apart", TR("edges are shared by more than two faces"),
-                TR("The faces that continue each other best stay joined; the others are cut free"),
-                true};
-        case ErrorCode::VerticesSplit:
-            return {"vertices-split", TR("parts of the surface touch in a single vertex"),
-                    TR("Each part gets a vertex of its own"), true};
-        case ErrorCode::VerticesAdded:
-            return {"vertices-added",
-                    TR("different edges of the surface join the same two vertices"),
-                    TR("All but one of them get a vertex in their middle"), true};
-        case ErrorCode::VerticesWelded:
-            return {"vertices-welded", TR("vertices lie on each other without being joined"),
-                    TR("They are made one"), true};
-        case ErrorCode::HolesKept:
-            return {"holes-kept", TR("holes in the cloth stay open inside the outline"),
-                    TR("The isometric method keeps the lengths of their rims; the others measure "
-                       "them only"),
-                    true};
-        case ErrorCode::OutlineCrosses:
-            return {"outline-crosses", TR("the flat outline crosses itself"),
-                    TR("Divide the piece by a cut before it is cut out of cloth"), true};
-        case ErrorCode::OutlineUncrossed:
-            return {"outline-uncrossed",
-                    TR("the flat outline crossed itself and was moved apart, keeping its lengths"),
-                    "", true};
-        case ErrorCode::TrianglesFlipped:
-            return {"triangles-flipped", TR("triangles lie turned over in the pattern"),
-                    TR("Choose another method, or cut the piece where it curves most"), true};
-        case ErrorCode::EdgesTooShort:
-            return {"edges-too-short",
-                    TR("boundary edges are too short for their lengths to be exact"),
-                    TR("Look for doubled vertices and extreme coordinates in the piece"), true};
-        case ErrorCode::DegenerateTriangles:
-            return {
-                "degenerate-triangles", TR("triangles have almost no height"),
-                TR("The pattern may be uneven next to them; merge doubled vertices or remove the "
-                   "slivers in the modelling program"),
-                true};
-        case ErrorCode::AnglesOutOfRange:
-            return {"angles-out-of-range",
-                    TR("the surface's curvature asks for corners that no flat outline has"),
-                    TR("Cut the piece where it curves most if the pattern looks folded there"),
-                    true};
-        case ErrorCode::EndedEarly:
-            return {"ended-early", TR("the method ended before it reached its goal"),
-                    TR("The pattern can be used as it is; look for slivers in the piece, or cut it "
-                       "where it curves most"),
-                    true};
-        case ErrorCode::RimsNotKept:
-            return {"rims-not-kept", TR("the rims of holes are not as long as on the garment"),
-                    TR("Cut from the rim to the outline if a patch is to be sewn in"), true};
-        case ErrorCode::ClosedSurface:
-            return {"closed-surface", TR("the piece is closed and has no outline"),
-                    TR("Cut it open along a seam, or let Toile do it (--auto-cut)")};
-        case ErrorCode::SeveralLoops:
-            return {"several-loops", TR("the piece has several boundary loops"),
-                    TR("Cut it from loop to loop, or let Toile do it (--auto-cut)")};
-        case ErrorCode::Handle:
-            return {"handle", TR("the piece has a handle, like a ring or a cup"),
-                    TR("Cut the handle open along a seam, or let Toile do it (--auto-cut)")};
-        case ErrorCode::NonManifoldEdge:
-            return {"non-manifold-edge", TR("edges are shared by more than two faces"),
-                    TR("Separate the layers that meet there")};
-        case ErrorCode::NonManifoldVertex:
-            return {"non-manifold-vertex", TR("parts of the piece touch in a single vertex"),
-                    TR("Separate the parts, or join them along an edge")};
-        case ErrorCode::OpposedWinding:
-            return {"opposed-winding", TR("neighbouring faces look to opposite sides"),
-                    TR("Make the normals consistent in the modelling program")};
-        case ErrorCode::NotOrientable:
-            return {"not-orientable", TR("the piece has one side only, like a Moebius strip"),
-                    TR("Cut it across")};
-        case ErrorCode::DuplicateFace:
-            return {"duplicate-face", TR("faces lie twice on the same vertices"),
-                    TR("Remove the doubled faces in the modelling program")};
-        case ErrorCode::DegenerateFace:
-            return {"degenerate-face", TR("triangles have no area"),
-                    TR("Merge doubled vertices or remove the slivers in the modelling program")};
-        case ErrorCode::ZeroLengthEdge:
-            return {"zero-length-edge", TR("boundary edges have no length"),
-                    TR("Merge the doubled vertices in the modelling program")};
-        case ErrorCode::CutImpossible:
-            return {"cut-impossible", TR("the cut cannot be made"),
-                    TR("Move its points, or mend the piece first"), false, false};
-        case ErrorCode::JoinImpossible:
-            return {"join-impossible", TR("the seam cannot be taken out"),
-                    TR("Leave it, or join the parts in the modelling program"), false, false};
-        case ErrorCode::NoSuchSeam:
-            return {"no-such-seam", TR("the garment has no seam of this name"),
-                    TR("See the names with \"toile info\""), false, false};
-        case ErrorCode::NoClosedOutline:
-            return {"no-closed-outline",
-                    TR("one boundary edge is as long as all the others together, so that no flat "
-                       "outline has these lengths"),
-                    TR("Refine the boundary or move the seam")};
-        case ErrorCode::BoundaryNotConverged:
-            return {"boundary-not-converged",
-                    TR("no closed outline near the surface's angles was found"),
-                    TR("Cut the piece where it curves most, or choose the other boundary solver")};
-        case ErrorCode::FactorisationFailed:
-            return {"factorisation-failed", TR("the interior's equations could not be solved"),
-                    TR("Look for slivers and extreme differences of edge length in the piece")};
-        case ErrorCode::NotFinite:
-            return {"not-finite", TR("the result is not a finite number"),
-                    TR("Look for extreme coordinates in the piece")};
-        case ErrorCode::OutOfMemory:
-            return {"out-of-memory", TR("there is not enough memory"),
-                    TR("Close other programs, or flatten fewer or coarser pieces at a time")};
-        case ErrorCode::Cancelled:
-            return {"cancelled", TR("cancelled"), ""};
-    }
-    return {"unknown", "unknown error", ""};  // unreachable: the switch has every code
+using enum ErrorCode;
+
+/// In the order of the codes.
+constexpr Words kWords[] = {
+    {FileUnreadable, "file-unreadable", TR("the file cannot be read"),
+     TR("Check its name and permissions"), false, false},
+    {FileUnwritable, "file-unwritable", TR("the file cannot be written"),
+     TR("Check that the folder exists, is writable and has room"), false, false},
+    {UnknownFormat, "unknown-format", TR("the file's ending names no format Toile knows"),
+     TR("Read .obj, .off, .ply or .stl; write .svg, .dxf, .obj or .json"), false, false},
+    {MalformedFile, "malformed-file", TR("the file breaks the rules of its format"),
+     TR("Export it again from the program it came from"), false, false},
+    {NoGeometry, "no-geometry", TR("the file holds no faces"),
+     TR("Export the garment as a mesh with faces"), false, false},
+    {MalformedProject, "malformed-project", TR("the project file breaks the rules of its format"),
+     TR("Open an older copy of it, or mend the place named with a text editor"), false, false},
+    {NewerProject, "newer-project", TR("the project was saved by a newer version of Toile"),
+     TR("Open it with that version"), false, false},
+    {UnitGuessed, "unit-guessed", TR("the file states no unit and its size leaves doubt"),
+     TR("State the unit if the size is wrong"), true, false},
+    {IndexOutOfRange, "index-out-of-range", TR("faces name vertices that the file does not have"),
+     TR("They are left out; export the file again if something is missing"), true},
+    {NonFinitePosition, "non-finite-position", TR("positions are not finite numbers"),
+     TR("Faces on them are left out; export the file again if something is missing"), true},
+    {DegenerateFaceRecord, "degenerate-face-record",
+     TR("faces have fewer than three different corners"), TR("They are left out"), true},
+    {PolygonNotSimple, "polygon-not-simple", TR("polygons could not be divided by their shape"),
+     TR("They are divided as a fan, which may fold over; triangulate them in the "
+        "modelling program"),
+     true},
+    {UnusedVertices, "unused-vertices", TR("vertices belong to no face"), "", true},
+    {OutputDiffers, "output-differs", TR("a mesh written from this file differs from it"), "",
+     true},
+    {UnknownKey, "unknown-key", TR("the file says things that this Toile does not know"),
+     TR("They do nothing, and are gone once the project is saved here; look for a "
+        "misspelt name"),
+     true, false},
+    {FileChanged, "file-changed", TR("the file is not as it was when the project was saved"),
+     TR("Cuts, ease and places are kept; look whether they still fit"), true, false},
+    {PieceGone, "piece-gone", TR("the garment has no piece of this name any more"),
+     TR("What the project says of it is left out"), true},
+    {EdgesCrowd, "edges-crowd", TR("the edges of outlines crowd as those of no garment do"),
+     TR("Seams are not looked for there"), true},
+    {EdgesCollapsed, "edges-collapsed", TR("edges have no length"),
+     TR("Their two ends are made one vertex"), true},
+    {FlatFacesRemoved, "flat-faces-removed", TR("triangles have no area"),
+     TR("They are removed so that no hole opens"), true},
+    {DuplicateFacesRemoved, "duplicate-faces-removed", TR("faces lie twice on the same vertices"),
+     TR("One of each is kept"), true},
+    {WindingsTurned, "windings-turned", TR("faces look to the other side than their neighbours"),
+     TR("They are turned over to agree with the larger area"), true},
+    {EdgesCutApart, "edges-cut-apart", TR("edges are shared by more than two faces"),
+     TR("The faces that continue each other best stay joined; the others are cut free"), true},
+    {VerticesSplit, "vertices-split", TR("parts of the surface touch in a single vertex"),
+     TR("Each part gets a vertex of its own"), true},
+    {VerticesAdded, "vertices-added",
+     TR("different edges of the surface join the same two vertices"),
+     TR("All but one of them get a vertex in their middle"), true},
+    {VerticesWelded, "vertices-welded", TR("vertices lie on each other without being joined"),
+     TR("They are made one"), true},
+    {HolesKept, "holes-kept", TR("holes in the cloth stay open inside the outline"),
+     TR("The isometric method keeps the lengths of their rims; the others measure "
+        "them only"),
+     true},
+    {OutlineCrosses, "outline-crosses", TR("the flat outline crosses itself"),
+     TR("Divide the piece by a cut before it is cut out of cloth"), true},
+    {OutlineUncrossed, "outline-uncrossed",
+     TR("the flat outline crossed itself and was moved apart, keeping its lengths"), "", true},
+    {TrianglesFlipped, "triangles-flipped", TR("triangles lie turned over in the pattern"),
+     TR("Choose another method, or cut the piece where it curves most"), true},
+    {EdgesTooShort, "edges-too-short",
+     TR("boundary edges are too short for their lengths to be exact"),
+     TR("Look for doubled vertices and extreme coordinates in the piece"), true},
+    {DegenerateTriangles, "degenerate-triangles", TR("triangles have almost no height"),
+     TR("The pattern may be uneven next to them; merge doubled vertices or remove the "
+        "slivers in the modelling program"),
+     true},
+    {AnglesOutOfRange, "angles-out-of-range",
+     TR("the surface's curvature asks for corners that no flat outline has"),
+     TR("Cut the piece where it curves most if the pattern looks folded there"), true},
+    {EndedEarly, "ended-early", TR("the method ended before it reached its goal"),
+     TR("The pattern can be used as it is; look for slivers in the piece, or cut it "
+        "where it curves most"),
+     true},
+    {RimsNotKept, "rims-not-kept", TR("the rims of holes are not as long as on the garment"),
+     TR("Cut from the rim to the outline if a patch is to be sewn in"), true},
+    {ClosedSurface, "closed-surface", TR("the piece is closed and has no outline"),
+     TR("Cut it open along a seam, or let Toile do it (--auto-cut)")},
+    {SeveralLoops, "several-loops", TR("the piece has several boundary loops"),
+     TR("Cut it from loop to loop, or let Toile do it (--auto-cut)")},
+    {Handle, "handle", TR("the piece has a handle, like a ring or a cup"),
+     TR("Cut the handle open along a seam, or let Toile do it (--auto-cut)")},
+    {NonManifoldEdge, "non-manifold-edge", TR("edges are shared by more than two faces"),
+     TR("Separate the layers that meet there")},
+    {NonManifoldVertex, "non-manifold-vertex", TR("parts of the piece touch in a single vertex"),
+     TR("Separate the parts, or join them along an edge")},
+    {OpposedWinding, "opposed-winding", TR("neighbouring faces look to opposite sides"),
+     TR("Make the normals consistent in the modelling program")},
+    {NotOrientable, "not-orientable", TR("the piece has one side only, like a Moebius strip"),
+     TR("Cut it across")},
+    {DuplicateFace, "duplicate-face", TR("faces lie twice on the same vertices"),
+     TR("Remove the doubled faces in the modelling program")},
+    {DegenerateFace, "degenerate-face", TR("triangles have no area"),
+     TR("Merge doubled vertices or remove the slivers in the modelling program")},
+    {ZeroLengthEdge, "zero-length-edge", TR("boundary edges have no length"),
+     TR("Merge the doubled vertices in the modelling program")},
+    {CutImpossible, "cut-impossible", TR("the cut cannot be made"),
+     TR("Move its points, or mend the piece first"), false, false},
+    {JoinImpossible, "join-impossible", TR("the seam cannot be taken out"),
+     TR("Leave it, or join the parts in the modelling program"), false, false},
+    {NoSuchSeam, "no-such-seam", TR("the garment has no seam of this name"),
+     TR("See the names with \"toile info\""), false, false},
+    {NoClosedOutline, "no-closed-outline",
+     TR("one boundary edge is as long as all the others together, so that no flat "
+        "outline has these lengths"),
+     TR("Refine the boundary or move the seam")},
+    {BoundaryNotConverged, "boundary-not-converged",
+     TR("no closed outline near the surface's angles was found"),
+     TR("Cut the piece where it curves most, or choose the other boundary solver")},
+    {FactorisationFailed, "factorisation-failed",
+     TR("the interior's equations could not be solved"),
+     TR("Look for slivers and extreme differences of edge length in the piece")},
+    {NotFinite, "not-finite", TR("the result is not a finite number"),
+     TR("Look for extreme coordinates in the piece")},
+    {OutOfMemory, "out-of-memory", TR("there is not enough memory"),
+     TR("Close other programs, or flatten fewer or coarser pieces at a time")},
+    {Cancelled, "cancelled", TR("cancelled"), ""},
+};
+
+static_assert(std::size(kWords) == kErrorCodeCount &&
+              std::ranges::is_sorted(kWords, std::less_equal<>(), &Words::code));
+
+const Words& wordsOf(ErrorCode code) {
+    return kWords[static_cast<std::size_t>(code)];
 }
 
 }  // namespace
@@ -245,7 +193,7 @@ bool isNote(ErrorCode code) {
 }
 
 std::string sentence(const Error& error) {
-    const Words words = wordsOf(error.code);
+    const Words& words = wordsOf(error.code);
     std::string text;
     if (!error.where.empty()) {
         text += shownText(error.where, kMostOfPlace) + ": ";
@@ -256,7 +204,7 @@ std::string sentence(const Error& error) {
     }
     if (!words.advice.empty()) {
         text += "; ";
-        text += static_cast<char>(std::tolower(static_cast<unsigned char>(words.advice.front())));
+        text += lowered(words.advice.front());
         text += words.advice.substr(1);
     }
     return text + ".";

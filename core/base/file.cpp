@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <limits>
 #include <new>
 #include <random>
 #include <system_error>
@@ -21,8 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// No reader counts farther, and what comes through a pipe may have no end.
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{2} << 30;
+// 2 GiB: no reader counts farther, and what comes through a pipe may have no end.
+constexpr std::uintmax_t kMostBytes = std::numeric_limits<int>::max();
 constexpr int kMostLinks = 40;  // as the system has it
 
 Error unreadable(const fs::path& path, std::string why) {
@@ -197,6 +198,11 @@ bool mayNotReplace(const std::error_code& failed) {
 }
 
 }  // namespace
+
+std::string pathText(const fs::path& path) {
+    const std::u8string text = path.generic_u8string();
+    return {text.begin(), text.end()};
+}
 
 Result<std::string> readFile(const fs::path& path) {
     std::error_code failed;

@@ -13,6 +13,9 @@ namespace toile {
 /// GiB or than there is memory).
 Result<std::string> readFile(const std::filesystem::path& path);
 
+/// A path with forward slashes, as UTF-8.
+std::string pathText(const std::filesystem::path& path);
+
 /// Writes beside the target, flushes to the disk, renames: the target is either the old file or the
 /// whole new one, whatever happens, and nothing else is left. Links lead on to what they name, also
 /// where that is not there yet; owner, permissions and access list of an old file stay.

@@ -13,6 +13,7 @@
 
 #include "core/base/length_unit.h"
 #include "core/base/result.h"
+#include "core/base/words.h"
 
 namespace toile {
 
@@ -117,6 +118,12 @@ public:
                 fail(key, "must be " + std::string(words));
             }
         }
+    }
+
+    template <class Value, std::size_t n>
+    void readWord(std::string_view key, Value& value, const Word<Value> (&words)[n]) {
+        readWord(key, value, wordList(words),
+                 [&words](std::string_view text) { return parseWord(words, text); });
     }
 
 private:

@@ -2,10 +2,8 @@
 #include "core/base/length_text.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -20,8 +18,7 @@ constexpr std::string_view kMinus = "\u2212", kDash = "\u2013";
 /// Beyond, whole numbers are no longer exact and no garment is meant.
 constexpr double kLargest = 1e12;
 
-std::string decimal(double value, int decimals, std::string_view mark) {
-    std::string text = fixed(value, decimals);
+std::string withMark(std::string text, std::string_view mark) {
     if (const auto at = text.find('.'); at != std::string::npos) {
         text.replace(at, 1, mark);
     }
@@ -192,12 +189,7 @@ private:
     bool accept(std::string_view token) {
         const std::size_t before = at_;
         skipSpace();
-        const std::string_view next = text_.substr(at_, token.size());
-        const bool same = std::equal(
-            next.begin(), next.end(), token.begin(), token.end(), [](char typed, char known) {
-                return typed == known ||
-                       (typed >= 'A' && typed <= 'Z' && typed - 'A' + 'a' == known);
-            });
+        const bool same = equalsIgnoringCase(text_.substr(at_, token.size()), token);
         at_ = same ? at_ + token.size() : before;
         return same;
     }
@@ -230,16 +222,7 @@ private:
 }  // namespace
 
 int lengthDecimals(LengthUnit unit) {
-    switch (unit) {
-        case LengthUnit::Millimetre:
-            return 1;
-        case LengthUnit::Centimetre:
-        case LengthUnit::Inch:
-            return 2;
-        case LengthUnit::Metre:
-            return 4;
-    }
-    return 1;
+    return unit == LengthUnit::Millimetre ? 1 : unit == LengthUnit::Metre ? 4 : 2;
 }
 
 std::string lengthNumber(double millimetres, const LengthFormat& format) {
@@ -249,7 +232,7 @@ std::string lengthNumber(double millimetres, const LengthFormat& format) {
     const double value = millimetres / millimetresPer(format.unit);
     return format.unit == LengthUnit::Inch && format.denominator > 0
                ? fraction(value, format.denominator)
-               : decimal(value, lengthDecimals(format.unit), format.decimalMark);
+               : withMark(fixed(value, lengthDecimals(format.unit)), format.decimalMark);
 }
 
 std::string lengthText(double millimetres, const LengthFormat& format) {
@@ -268,10 +251,7 @@ std::string angleText(double radians, int decimals, std::string_view decimalMark
             text.pop_back();
         }
     }
-    if (const auto at = text.find('.'); at != std::string::npos) {
-        text.replace(at, 1, decimalMark);
-    }
-    return text + "\u00b0";
+    return withMark(std::move(text), decimalMark) + "\u00b0";
 }
 
 std::optional<double> parseAngle(std::string_view text) {

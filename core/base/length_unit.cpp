@@ -1,44 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/length_unit.h"
 
+#include <iterator>
+
+#include "core/base/words.h"
+
 namespace toile {
+namespace {
+
+/// In the order of the enumeration, as the numbers below.
+constexpr Word<LengthUnit> kSymbols[] = {{LengthUnit::Millimetre, "mm"},
+                                         {LengthUnit::Centimetre, "cm"},
+                                         {LengthUnit::Metre, "m"},
+                                         {LengthUnit::Inch, "in"}};
+constexpr double kMillimetres[] = {1, 10, 1000, 25.4};
+
+}  // namespace
 
 double millimetresPer(LengthUnit unit) {
-    switch (unit) {
-        case LengthUnit::Millimetre:
-            return 1.0;
-        case LengthUnit::Centimetre:
-            return 10.0;
-        case LengthUnit::Metre:
-            return 1000.0;
-        case LengthUnit::Inch:
-            return 25.4;
-    }
-    return 1.0;
+    return kMillimetres[static_cast<std::size_t>(unit)];
 }
 
 std::string_view symbol(LengthUnit unit) {
-    switch (unit) {
-        case LengthUnit::Millimetre:
-            return "mm";
-        case LengthUnit::Centimetre:
-            return "cm";
-        case LengthUnit::Metre:
-            return "m";
-        case LengthUnit::Inch:
-            return "in";
-    }
-    return "mm";
+    return wordOf(kSymbols, unit);
 }
 
 std::optional<LengthUnit> parseLengthUnit(std::string_view text) {
-    for (const LengthUnit unit :
-         {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
-        if (text == symbol(unit)) {
-            return unit;
-        }
-    }
-    return std::nullopt;
+    return parseWord(kSymbols, text);
 }
 
 }  // namespace toile

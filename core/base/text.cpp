@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "core/base/characters.h"
 
@@ -75,12 +75,16 @@ std::string quotedList(const std::vector<std::string>& texts, std::size_t most) 
                                : out;
 }
 
+bool equalsIgnoringCase(std::string_view text, std::string_view word) {
+    return std::ranges::equal(text, word, {}, lowered);
+}
+
 std::string slug(std::string_view text) {
     std::string out;
-    for (const char c : text) {
-        const bool upper = c >= 'A' && c <= 'Z';
-        if (upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
-            out += upper ? static_cast<char>(c - 'A' + 'a') : c;
+    for (const char typed : text) {
+        const char c = lowered(typed);
+        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
+            out += c;
         } else if (!out.empty() && out.back() != '-') {
             out += '-';
         }

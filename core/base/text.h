@@ -22,6 +22,12 @@ std::string scientific(double value, int decimals);
 std::string counted(long long count, std::string_view noun);
 /// The first `most` texts in quotes, and how many more there are: "\"a\", \"b\" and 3 more".
 std::string quotedList(const std::vector<std::string>& texts, std::size_t most);
+/// An ASCII letter in lower case; any other character as it is.
+constexpr char lowered(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+/// True where `text` is `word` but for the case of ASCII letters; `word` is given in lower case.
+bool equalsIgnoringCase(std::string_view text, std::string_view word);
 /// Lower case ASCII letters, digits and single hyphens, for ids and file names; never empty.
 std::string slug(std::string_view text);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -18,6 +19,17 @@ using Word = std::pair<Value, std::string_view>;
 template <class Value, std::size_t n>
 std::string_view wordOf(const Word<Value> (&words)[n], Value value) {
     return std::ranges::find(words, value, &Word<Value>::first)->second;
+}
+
+/// "\"a\", \"b\" or \"c\"": all of them, for a person.
+template <class Value, std::size_t n>
+std::string wordList(const Word<Value> (&words)[n]) {
+    std::string list;
+    for (std::size_t k = 0; k < n; ++k) {
+        list += k == 0 ? "\"" : k + 1 < n ? "\", \"" : "\" or \"";
+        list += words[k].second;
+    }
+    return list + '"';
 }
 
 template <class Value, std::size_t n>

@@ -105,7 +105,7 @@ std::string sentence(const Finding& finding) {
     text += description(finding);
     std::string help = adviceFor(finding);
     if (!help.empty()) {
-        help.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(help.front())));
+        help.front() = lowered(help.front());
         text += "; " + help;
     }
     return text + ".";

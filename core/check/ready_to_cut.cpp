@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/file.h"
 #include "core/check/finding_list.h"
 #include "core/check/piece_check.h"
 #include "core/seam/seam_fit.h"
@@ -59,7 +60,7 @@ private:
         for (const auto& file : garment_.files) {
             Finding finding;
             finding.severity = Severity::Doubt;
-            finding.where = nameOf(*file);
+            finding.where = pathText(file->path.filename());
             if (file->unitInDoubt && !plan_.guessesKept) {
                 finding.kind = FindingKind::UnitInDoubt;
                 finding.reason = file->unitReason;
@@ -79,11 +80,6 @@ private:
         for (const Error& problem : garment_.problems) {
             found_.add(problem, piecesOf(problem));
         }
-    }
-
-    static std::string nameOf(const SourceFile& file) {
-        const std::u8string text = file.path.filename().u8string();
-        return {text.begin(), text.end()};
     }
 
     std::vector<int> piecesOf(const Error& problem) const {

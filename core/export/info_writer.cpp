@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/file.h"
 #include "core/base/version.h"
 #include "core/export/json.h"
 #include "core/export/problems.h"

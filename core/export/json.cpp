@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "core/base/file.h"
 #include "core/cut/seams_file.h"
 #include "core/export/problems.h"
 #include "core/seam/seam_measure.h"

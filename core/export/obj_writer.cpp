@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/base/characters.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/export/obj_faces.h"

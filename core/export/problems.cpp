@@ -35,9 +35,4 @@ bool changesOutput(ErrorCode code) {
     }
 }
 
-std::string pathText(const std::filesystem::path& path) {
-    const std::u8string text = path.generic_u8string();
-    return {text.begin(), text.end()};
-}
-
 }  // namespace toile

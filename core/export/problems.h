@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
-#include <string>
-
 #include "core/base/error.h"
 
 namespace toile {
@@ -16,8 +13,5 @@ Problems problemsOf(const SourceFile& file);
 
 /// True where a mesh written from the file cannot equal it because of this problem.
 bool changesOutput(ErrorCode code);
-
-/// A path with forward slashes, as UTF-8.
-std::string pathText(const std::filesystem::path& path);
 
 }  // namespace toile

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/assimp_reader.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -13,8 +14,7 @@
 
 #include "core/base/characters.h"
 #include "core/base/file.h"
-#include "core/io/assimp_unit.h"
-#include "core/io/face_names.h"
+#include "core/base/text.h"
 #include "core/io/position_merger.h"
 #include "core/io/soup_builder.h"
 
@@ -40,6 +40,46 @@ Matrix4d matrixOf(const aiMatrix4x4& m) {
 
 Vector3d vectorOf(const aiVector3D& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+/// The unit of the coordinates that assimp gives for a file with this ending (".fbx", in any case).
+struct AssimpUnit {
+    std::optional<StatedUnit> stated;  ///< none where neither format nor file says it
+    double scale = 1;                  ///< factor from assimp's coordinates to that unit
+};
+
+/// FBX states how many centimetres its unit has; assimp leaves the coordinates as they are.
+AssimpUnit unitOfFbx(const aiScene& scene) {
+    float stated = 0;
+    const bool known =
+        scene.mMetaData != nullptr && scene.mMetaData->Get("UnitScaleFactor", stated);
+    if (!known || !std::isfinite(stated) || stated <= 0) {
+        return {};
+    }
+    const auto factor = static_cast<double>(stated);
+    constexpr double kSame = 1e-6;  // the factor is a float
+    for (const LengthUnit unit :
+         {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
+        const double centimetres = millimetresPer(unit) / 10;
+        if (std::abs(factor / centimetres - 1) < kSame) {
+            return {StatedUnit{unit, worded("stated in the FBX file")}};
+        }
+    }
+    return {StatedUnit{LengthUnit::Centimetre,
+                       worded("the FBX file's own unit is %1 cm", {figure(factor, 3)})},
+            factor};
+}
+
+AssimpUnit unitOf(const aiScene& scene, std::string_view ending) {
+    if (equalsIgnoringCase(ending, ".glb") || equalsIgnoringCase(ending, ".gltf")) {
+        return {StatedUnit{LengthUnit::Metre, worded("glTF files are in metres")}};
+    }
+    if (equalsIgnoringCase(ending, ".dae")) {
+        // Assimp scales the root by the unit that the file states, metres where it states none.
+        return {StatedUnit{LengthUnit::Metre,
+                           worded("Collada files state their unit; read as metres")}};
+    }
+    return equalsIgnoringCase(ending, ".fbx") ? unitOfFbx(scene) : AssimpUnit{};
 }
 
 /// Positions and texture coordinates of one object, equal ones merged.

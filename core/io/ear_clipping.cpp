@@ -2,7 +2,6 @@
 #include "core/io/ear_clipping.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "core/base/tolerances.h"

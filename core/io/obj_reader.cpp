@@ -4,7 +4,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/io/face_names.h"
 #include "core/io/soup.h"
 #include "core/io/soup_builder.h"
 #include "core/io/text_cursor.h"
@@ -157,9 +156,6 @@ private:
 
 Result<PolygonSoup> readObj(std::shared_ptr<const std::string> text, const std::string& name,
                             Progress& progress) {
-    if (auto tooLarge = refuseTooLarge(*text, name)) {
-        return *std::move(tooLarge);
-    }
     return ObjReader(std::move(text), name).read(progress);
 }
 

@@ -131,9 +131,6 @@ private:
 
 Result<PolygonSoup> readOff(std::shared_ptr<const std::string> text, const std::string& name,
                             Progress& progress) {
-    if (auto tooLarge = refuseTooLarge(*text, name)) {
-        return *std::move(tooLarge);
-    }
     return OffReader(std::move(text), name).read(progress);
 }
 

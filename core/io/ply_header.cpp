@@ -1,47 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/ply_header.h"
 
-#include <array>
 #include <charconv>
 #include <utility>
 
+#include "core/base/words.h"
 #include "core/io/text_cursor.h"
 
 namespace toile {
 namespace {
 
-struct TypeName {
-    std::string_view name;
-    PlyType type;
-};
-
-constexpr std::array<TypeName, 16> kTypeNames{{
-    {"char", PlyType::Int8},
-    {"int8", PlyType::Int8},
-    {"uchar", PlyType::UInt8},
-    {"uint8", PlyType::UInt8},
-    {"short", PlyType::Int16},
-    {"int16", PlyType::Int16},
-    {"ushort", PlyType::UInt16},
-    {"uint16", PlyType::UInt16},
-    {"int", PlyType::Int32},
-    {"int32", PlyType::Int32},
-    {"uint", PlyType::UInt32},
-    {"uint32", PlyType::UInt32},
-    {"float", PlyType::Float32},
-    {"float32", PlyType::Float32},
-    {"double", PlyType::Float64},
-    {"float64", PlyType::Float64},
-}};
-
-std::optional<PlyType> parseType(std::string_view text) {
-    for (const TypeName& known : kTypeNames) {
-        if (known.name == text) {
-            return known.type;
-        }
-    }
-    return std::nullopt;
-}
+constexpr Word<PlyType> kTypes[] = {
+    {PlyType::Int8, "char"},      {PlyType::Int8, "int8"},       {PlyType::UInt8, "uchar"},
+    {PlyType::UInt8, "uint8"},    {PlyType::Int16, "short"},     {PlyType::Int16, "int16"},
+    {PlyType::UInt16, "ushort"},  {PlyType::UInt16, "uint16"},   {PlyType::Int32, "int"},
+    {PlyType::Int32, "int32"},    {PlyType::UInt32, "uint"},     {PlyType::UInt32, "uint32"},
+    {PlyType::Float32, "float"},  {PlyType::Float32, "float32"}, {PlyType::Float64, "double"},
+    {PlyType::Float64, "float64"}};
+constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};  // in the order of the types
+constexpr Word<PlyFormat> kFormats[] = {{PlyFormat::Ascii, "ascii"},
+                                        {PlyFormat::LittleEndian, "binary_little_endian"},
+                                        {PlyFormat::BigEndian, "binary_big_endian"}};
 
 bool isWhole(PlyType type) {
     return type != PlyType::Float32 && type != PlyType::Float64;
@@ -90,16 +69,11 @@ private:
     }
 
     Result<void> readFormat() {
-        const std::string_view format = word();
-        if (format == "ascii") {
-            header_.format = PlyFormat::Ascii;
-        } else if (format == "binary_little_endian") {
-            header_.format = PlyFormat::LittleEndian;
-        } else if (format == "binary_big_endian") {
-            header_.format = PlyFormat::BigEndian;
-        } else {
+        const auto format = parseWord(kFormats, word());
+        if (!format) {
             return malformed("an unknown format");
         }
+        header_.format = *format;
         return {};
     }
 
@@ -120,13 +94,13 @@ private:
         std::optional<PlyType> countType;
         std::string_view type = word();
         if (type == "list") {
-            countType = parseType(word());
+            countType = parseWord(kTypes, word());
             if (!countType || !isWhole(*countType)) {
                 return malformed("a list whose count has no whole type");
             }
             type = word();
         }
-        const std::optional<PlyType> known = parseType(type);
+        const std::optional<PlyType> known = parseWord(kTypes, type);
         const std::string_view name = word();
         if (!known || name.empty() || header_.elements.empty()) {
             return malformed("a property that cannot be read");
@@ -187,21 +161,7 @@ private:
 }  // namespace
 
 std::size_t sizeOf(PlyType type) {
-    switch (type) {
-        case PlyType::Int8:
-        case PlyType::UInt8:
-            return 1;
-        case PlyType::Int16:
-        case PlyType::UInt16:
-            return 2;
-        case PlyType::Int32:
-        case PlyType::UInt32:
-        case PlyType::Float32:
-            return 4;
-        case PlyType::Float64:
-            return 8;
-    }
-    return 1;
+    return kSizes[static_cast<std::size_t>(type)];
 }
 
 Result<PlyHeader> readPlyHeader(std::string_view bytes, const std::string& name) {

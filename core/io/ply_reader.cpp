@@ -229,9 +229,6 @@ private:
 
 Result<PolygonSoup> readPly(std::shared_ptr<const std::string> text, const std::string& name,
                             Progress& progress) {
-    if (auto tooLarge = refuseTooLarge(*text, name)) {
-        return *std::move(tooLarge);
-    }
     const Result<PlyHeader> header = readPlyHeader(*text, name);
     if (!header) {
         return header.error();

@@ -8,7 +8,7 @@
 #include "core/base/characters.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
-#include "core/io/text_cursor.h"
+#include "core/base/text.h"
 #ifdef TOILE_ASSIMP
 #include "core/io/assimp_reader.h"
 #endif
@@ -24,23 +24,14 @@ constexpr std::pair<std::string_view, Reader> kOwn[] = {
 constexpr std::string_view kForAssimp[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf"};
 
 Reader readerFor(std::string_view ending) {
-    for (const auto& [known, reader] : kOwn) {
-        if (equalsIgnoringCase(ending, known)) {
-            return reader;
-        }
-    }
-    return nullptr;
+    const auto known = std::ranges::find_if(
+        kOwn, [ending](const auto& own) { return equalsIgnoringCase(ending, own.first); });
+    return known == std::end(kOwn) ? nullptr : known->second;
 }
 
 bool isForAssimp(std::string_view ending) {
-    return std::any_of(
-        std::begin(kForAssimp), std::end(kForAssimp),
-        [ending](std::string_view known) { return equalsIgnoringCase(ending, known); });
-}
-
-std::string utf8(const std::filesystem::path& path) {
-    const std::u8string text = path.u8string();
-    return readableName(std::string(text.begin(), text.end()));
+    return std::ranges::any_of(
+        kForAssimp, [ending](std::string_view known) { return equalsIgnoringCase(ending, known); });
 }
 
 }  // namespace
@@ -57,8 +48,8 @@ std::vector<std::string> readableEndings() {
 }
 
 Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progress) {
-    const std::string name = utf8(path.filename());
-    const std::string ending = utf8(path.extension());
+    const std::string name = readableName(pathText(path.filename()));
+    const std::string ending = readableName(pathText(path.extension()));
     if (isForAssimp(ending)) {
 #ifdef TOILE_ASSIMP
         Result<PolygonSoup> soup = readWithAssimp(path, name, progress);

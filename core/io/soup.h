@@ -73,6 +73,7 @@ std::vector<std::string> readableEndings();
 Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progress);
 
 /// The readers behind `readSoup`, on a file already in memory. `name` is used in messages only.
+/// Precondition: less than 2 GiB, so that every count fits an int (`readFile`).
 Result<PolygonSoup> readObj(std::shared_ptr<const std::string> text, const std::string& name,
                             Progress& progress);
 Result<PolygonSoup> readOff(std::shared_ptr<const std::string> text, const std::string& name,

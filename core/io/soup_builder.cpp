@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/io/text_cursor.h"
 
@@ -134,11 +135,20 @@ Result<PolygonSoup> SoupBuilder::finish() {
     return std::move(soup_);
 }
 
-std::optional<Error> refuseTooLarge(const std::string& bytes, const std::string& name) {
-    if (bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-        return std::nullopt;
+void FaceNames::change(std::string_view text, int faceCount) {
+    if (text.empty()) {
+        current_ = -1;
+        return;
     }
-    return Error{ErrorCode::MalformedFile, name, "larger than 2 GiB"};
+    if (names_.empty()) {
+        perFace_.assign(static_cast<std::size_t>(faceCount), -1);
+    }
+    std::string name = readableName(text);
+    const auto [found, isNew] = index_.try_emplace(name, static_cast<int>(names_.size()));
+    if (isNew) {
+        names_.push_back(std::move(name));
+    }
+    current_ = found->second;
 }
 
 }  // namespace toile

@@ -152,9 +152,6 @@ private:
 
 Result<PolygonSoup> readStl(std::shared_ptr<const std::string> text, const std::string& name,
                             Progress& progress) {
-    if (auto tooLarge = refuseTooLarge(*text, name)) {
-        return *std::move(tooLarge);
-    }
     return isBinary(*text) ? StlReader(std::move(text), name, "facet").readBinary(progress)
                            : StlReader(std::move(text), name, "line").readAscii(progress);
 }

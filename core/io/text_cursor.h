@@ -112,7 +112,4 @@ private:
 /// decimal commas.
 bool hasDecimalComma(std::string_view text);
 
-/// True where `text` is `word` but for the case of ASCII letters; `word` is given in lower case.
-bool equalsIgnoringCase(std::string_view text, std::string_view word);
-
 }  // namespace toile

@@ -3,9 +3,12 @@
 
 #include <cmath>
 
+#include "core/base/words.h"
+
 namespace toile {
 namespace {
 
+constexpr Word<UpAxis> kAxes[] = {{UpAxis::Y, "y"}, {UpAxis::Z, "z"}};
 constexpr double kFlatBySure = 0.4;   // of the extent along z: a body's depth to its height
 constexpr double kFlatPerhaps = 0.6;  // a wide shirt; but a cap with its brim too
 constexpr double kAlike = 0.25;       // a skirt is about as wide as deep: nothing to see there
@@ -36,14 +39,11 @@ Eigen::RowVector3d asInFile(UpAxis axis, const Eigen::RowVector3d& yUp) {
 }
 
 std::string_view name(UpAxis axis) {
-    return axis == UpAxis::Y ? "y" : "z";
+    return wordOf(kAxes, axis);
 }
 
 std::optional<UpAxis> parseUpAxis(std::string_view text) {
-    if (text == "y") {
-        return UpAxis::Y;
-    }
-    return text == "z" ? std::optional(UpAxis::Z) : std::nullopt;
+    return parseWord(kAxes, text);
 }
 
 }  // namespace toile

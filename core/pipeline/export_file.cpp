@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/export/drawing.h"
 #include "core/export/writers.h"
 #include "core/pipeline/pipeline.h"
@@ -10,9 +13,7 @@ namespace {
 
 std::string lowerCaseEnding(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
-    for (char& c : ending) {
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
+    std::ranges::transform(ending, ending.begin(), lowered);
     return ending;
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/base/json_fields.h"
+#include "core/base/text.h"
 #include "core/cut/seams_fields.h"
 #include "core/flatten/option_words.h"
 #include "core/project/project_upgrades.h"
@@ -220,11 +221,7 @@ Result<ReadProject> readDocument(JsonDocument json, const std::string& name,
 }  // namespace
 
 bool isProjectFile(const fs::path& path) {
-    std::string ending = path.extension().string();
-    for (char& c : ending) {
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return ending == kProjectEnding;
+    return equalsIgnoringCase(path.extension().string(), kProjectEnding);
 }
 
 Result<ReadProject> parseProject(std::string_view text, const std::string& name,

@@ -14,12 +14,6 @@ namespace fs = std::filesystem;
 
 constexpr int kIndent = 2;
 
-/// UTF-8, with slashes on every system.
-std::string textOf(const fs::path& path) {
-    const std::u8string text = path.generic_u8string();
-    return {text.begin(), text.end()};
-}
-
 OrderedJson pairOf(const Eigen::Vector2d& point) {
     return OrderedJson::array({point.x(), point.y()});
 }
@@ -31,9 +25,9 @@ OrderedJson filesOf(const Project& project, const fs::path& folder) {
         const fs::path relative =
             folder.empty() ? fs::path() : file.path.lexically_relative(folder);
         if (!relative.empty()) {
-            entry["path"] = textOf(relative);
+            entry["path"] = pathText(relative);
         }
-        entry["absolute"] = textOf(file.path);
+        entry["absolute"] = pathText(file.path);
         if (file.hash) {
             entry["hash"] = hashText(*file.hash);
         }
@@ -144,7 +138,7 @@ std::string projectText(const Project& project, const fs::path& folder) {
                      {"pieces", piecesOf(project)},
                      {"view", viewOf(project.view)}};
     if (project.recoveryOf) {
-        json["recoveryOf"] = textOf(*project.recoveryOf);
+        json["recoveryOf"] = pathText(*project.recoveryOf);
     }
     return json.dump(kIndent, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
