@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/progress.h"
-#include "core/cut/cut_error.h"
 #include "core/cut/surface_links.h"
+#include "core/cut/surface_point.h"
 #include "core/cut/user_cuts.h"
 
 namespace toile {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/face_normal.h"
+#include "core/mesh/sides.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 

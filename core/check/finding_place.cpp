@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/face_normal.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 namespace {

@@ -9,13 +9,12 @@
 #include <Eigen/Geometry>
 
 #include "core/base/text.h"
-#include "core/cut/cloth_holes.h"
-#include "core/cut/cut_error.h"
 #include "core/cut/cut_graph.h"
 #include "core/cut/edge_path.h"
-#include "core/cut/shorten_cut.h"
+#include "core/cut/straighten.h"
+#include "core/cut/surface_point.h"
 #include "core/mesh/disk_check.h"
-#include "core/mesh/face_normal.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 namespace {

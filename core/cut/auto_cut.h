@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/cut/cloth_holes.h"
 #include "core/cut/cut_along.h"
+#include "core/cut/fill_holes.h"
 
 namespace toile {
 

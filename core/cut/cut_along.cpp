@@ -2,11 +2,8 @@
 #include "core/cut/cut_along.h"
 
 #include <algorithm>
-#include <optional>
 #include <set>
-#include <string>
 
-#include "core/cut/cut_error.h"
 #include "core/cut/face_splitter.h"
 #include "core/cut/open_cuts.h"
 

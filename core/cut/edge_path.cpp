@@ -7,7 +7,7 @@
 #include <queue>
 #include <utility>
 
-#include "core/cut/cut_error.h"
+#include "core/cut/surface_point.h"
 
 namespace toile {
 namespace {

@@ -6,8 +6,8 @@
 #include <queue>
 #include <utility>
 
-#include "core/cut/cut_error.h"
 #include "core/cut/straighten.h"
+#include "core/cut/surface_point.h"
 
 namespace toile {
 namespace {
@@ -154,11 +154,6 @@ Result<PathPolyline> geodesicPath(const SurfaceLinks& links, const SurfacePoint&
         return cutError("", worded("the points lie on parts that are not connected"));
     }
     return straightened(links, graph.path());
-}
-
-Result<PathPolyline> geodesicPath(const MeshArrays& mesh, const EdgeTable& table,
-                                  const SurfacePoint& from, const SurfacePoint& to) {
-    return geodesicPath(SurfaceLinks(mesh, table), from, to);
 }
 
 }  // namespace toile

@@ -18,8 +18,4 @@ namespace toile {
 Result<PathPolyline> geodesicPath(const SurfaceLinks& links, const SurfacePoint& from,
                                   const SurfacePoint& to, const Progress& progress = Progress());
 
-/// One path.
-Result<PathPolyline> geodesicPath(const MeshArrays& mesh, const EdgeTable& table,
-                                  const SurfacePoint& from, const SurfacePoint& to);
-
 }  // namespace toile

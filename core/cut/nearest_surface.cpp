@@ -130,8 +130,4 @@ SurfacePoint NearestSurface::find(const Eigen::Vector3d& p) const {
     return best;
 }
 
-SurfacePoint nearestSurfacePoint(const MeshArrays& mesh, const Eigen::Vector3d& p) {
-    return NearestSurface(mesh).find(p);
-}
-
 }  // namespace toile

@@ -33,9 +33,6 @@ private:
     std::vector<Box> boxes_;
 };
 
-/// One question. Cost: that of building the tree.
-SurfacePoint nearestSurfacePoint(const MeshArrays& mesh, const Eigen::Vector3d& p);
-
 /// Weights of the point of a triangle nearest to `p`; exact zeros on its edges and corners.
 /// After Ericson, Real-Time Collision Detection, section 5.1.5.
 Eigen::Vector3d nearestInTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,

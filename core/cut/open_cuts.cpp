@@ -10,23 +10,6 @@
 namespace toile {
 namespace {
 
-int findEdge(const Edges& edges, int a, int b) {
-    const std::pair<int, int> wanted = std::minmax(a, b);
-    int low = 0;
-    int high = static_cast<int>(edges.rows());
-    while (low < high) {
-        const int middle = (low + high) / 2;
-        if (std::pair(edges(middle, 0), edges(middle, 1)) < wanted) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    const bool found =
-        low < edges.rows() && edges(low, 0) == wanted.first && edges(low, 1) == wanted.second;
-    return found ? low : -1;
-}
-
 /// A path's edge with the sides to its left and right.
 struct Step {
     int left, right;  ///< uses

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cut/seams_file.h"
 
-#include <algorithm>
-#include <array>
-
 #include "core/base/file.h"
 #include "core/base/text.h"
-#include "core/cut/ease_limit.h"
 #include "core/cut/seams_fields.h"
 
 namespace toile {
@@ -15,18 +11,11 @@ namespace {
 constexpr int kVersion = 1;
 constexpr int kIndent = 2;
 constexpr double kPercent = 100;
-constexpr std::array kKinds{UserCut::Kind::Path, UserCut::Kind::Loop, UserCut::Kind::Dart};
-
-std::optional<UserCut::Kind> parseKind(const std::string& text) {
-    const auto known = std::ranges::find(kKinds, text, [](UserCut::Kind k) { return name(k); });
-    return known == kKinds.end() ? std::nullopt : std::optional(*known);
-}
-
-std::optional<bool> parseAlong(const std::string& text) {
-    return text == "edges"     ? std::optional(true)
-           : text == "surface" ? std::optional(false)
-                               : std::nullopt;
-}
+/// The most ease that can be stated, as a part of the seam's right side: ten times as long again.
+constexpr double kMostEase = 10;
+constexpr Word<UserCut::Kind> kKinds[] = {
+    {UserCut::Kind::Path, "path"}, {UserCut::Kind::Loop, "loop"}, {UserCut::Kind::Dart, "dart"}};
+constexpr Word<bool> kAlongEdges[] = {{false, "surface"}, {true, "edges"}};
 
 /// @param name  what the entry is called where it does not say
 void readNameAndPoints(JsonFields& fields, std::string& name,
@@ -60,8 +49,8 @@ void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit) {
     fields.readObjects("cuts", [&seams](JsonFields& at) {
         UserCut& cut = seams.cuts.emplace_back();
         cut.name = "cut " + std::to_string(seams.cuts.size());
-        at.readWord("kind", cut.kind, R"("path", "loop" or "dart")", parseKind);
-        at.readWord("along", cut.alongEdges, R"("surface" or "edges")", parseAlong);
+        at.readWord("kind", cut.kind, kKinds);
+        at.readWord("along", cut.alongEdges, kAlongEdges);
         readNameAndPoints(at, cut.name, cut.points);
     });
     fields.readObjects("joins", [&seams](JsonFields& at) {
@@ -117,7 +106,7 @@ OrderedJson cutsJson(const SeamsFile& seams) {
     for (const UserCut& cut : seams.cuts) {
         list.push_back({{"name", cut.name},
                         {"kind", std::string(name(cut.kind))},
-                        {"along", cut.alongEdges ? "edges" : "surface"},
+                        {"along", std::string(wordOf(kAlongEdges, cut.alongEdges))},
                         {"points", pointsJson(cut.points)}});
     }
     return list;
@@ -155,15 +144,7 @@ std::string writeSeamsFile(const SeamsFile& file) {
 }
 
 std::string_view name(UserCut::Kind kind) {
-    switch (kind) {
-        case UserCut::Kind::Path:
-            return "path";
-        case UserCut::Kind::Loop:
-            return "loop";
-        case UserCut::Kind::Dart:
-            return "dart";
-    }
-    return "";
+    return wordOf(kKinds, kind);
 }
 
 }  // namespace toile

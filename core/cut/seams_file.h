@@ -11,7 +11,6 @@
 #include "core/base/length_unit.h"
 #include "core/base/result.h"
 #include "core/cut/user_cuts.h"
-#include "core/cut/user_join.h"
 
 namespace toile {
 

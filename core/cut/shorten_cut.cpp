@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cut/shorten_cut.h"
 
 #include <algorithm>
 

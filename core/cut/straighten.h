@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
+#include "core/cut/fill_holes.h"
 #include "core/cut/surface_links.h"
 
 namespace toile {
@@ -13,5 +16,10 @@ namespace toile {
 /// Where neighbouring points share no triangle the curve is returned as it is.
 /// Cost: a few passes over the strip.
 PathPolyline straightened(const SurfaceLinks& links, const PathPolyline& path);
+
+/// Pulls a cut tight, and lets an end that lies at a vertex of a rim slide along its loop from
+/// vertex to vertex, as long as that makes the cut shorter. Cost: some dozens of straightenings.
+PathPolyline shortenedCut(const SurfaceLinks& links, const std::vector<RimLoop>& rims,
+                          const PathPolyline& cut);
 
 }  // namespace toile

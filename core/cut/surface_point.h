@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "core/base/error.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -27,9 +30,20 @@ struct PathPolyline {
 };
 
 /// Position in space.
-Eigen::Vector3d positionOf(const MeshArrays& mesh, const SurfacePoint& point);
+inline Eigen::Vector3d positionOf(const MeshArrays& mesh, const SurfacePoint& point) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) {
+        sum += point.barycentric[k] * mesh.V.row(mesh.F(point.face, k)).transpose();
+    }
+    return sum;
+}
 
 /// Sum of the straight pieces. Cost: linear. Pure.
 double measuredLength(const MeshArrays& mesh, const PathPolyline& path);
+
+/// A cut that cannot be made as asked: unconnected points, fewer points than it needs.
+inline Error cutError(std::string where, Wording detail) {
+    return {ErrorCode::CutImpossible, std::move(where), std::move(detail)};
+}
 
 }  // namespace toile

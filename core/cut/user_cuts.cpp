@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "core/cut/cut_error.h"
 #include "core/cut/edge_path.h"
 #include "core/cut/geodesic.h"
+#include "core/cut/surface_point.h"
 #include "core/mesh/segment.h"
 
 namespace toile {
@@ -123,22 +123,6 @@ Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurfac
         whole.length += part->length;
     }
     return whole;
-}
-
-Result<CutResult> applyUserCuts(const MeshArrays& mesh, const std::vector<UserCut>& cuts,
-                                const CutOptions& options) {
-    const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
-    const SurfaceLinks links(mesh, table);
-    const NearestSurface nearest(mesh);
-    std::vector<PathPolyline> paths;
-    for (const UserCut& cut : cuts) {
-        auto path = traceUserCut(links, nearest, cut);
-        if (!path) {
-            return path.error();
-        }
-        paths.push_back(std::move(*path));
-    }
-    return cutAlong(mesh, paths, options);
 }
 
 }  // namespace toile

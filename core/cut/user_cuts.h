@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "core/base/result.h"
 #include "core/cut/cut_along.h"
 #include "core/cut/nearest_surface.h"
@@ -41,8 +43,15 @@ Result<PathPolyline> wayOfCut(const SurfaceLinks& links, const SurfacePoint& fro
 Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
                                   const UserCut& cut, const Progress& progress = Progress());
 
-/// Traces all cuts and cuts the mesh along them, in order. Errors: those of the two steps.
-Result<CutResult> applyUserCuts(const MeshArrays& mesh, const std::vector<UserCut>& cuts,
-                                const CutOptions& options = {});
+/// A seam of the garment's own division that the user has taken out: the cloth on its two sides
+/// becomes one. Known by points along it, so that it outlives a change of the mesh.
+struct UserJoin {
+    std::string name;
+    /// mm, from one end of the seam to the other, two or more. A seam that is a closed line repeats
+    /// its first point at the end and has points enough between to tell the way round.
+    std::vector<Eigen::Vector3d> points;
+
+    bool operator==(const UserJoin&) const = default;
+};
 
 }  // namespace toile

@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 
 #include "core/base/text.h"
-#include "core/cut/cut_error.h"
 #include "core/cut/nearest_surface.h"
+#include "core/cut/surface_point.h"
 
 namespace toile {
 namespace {

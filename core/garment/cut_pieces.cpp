@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
-#include "core/cut/cut_error.h"
+#include "core/cut/surface_point.h"
 #include "core/garment/cut_owner.h"
-#include "core/mesh/connected_parts.h"
+#include "core/mesh/repair_part.h"
 
 namespace toile {
 namespace {

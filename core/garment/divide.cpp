@@ -10,8 +10,8 @@
 #include "core/garment/corner_uv.h"
 #include "core/garment/piece_names.h"
 #include "core/io/triangulate.h"
-#include "core/mesh/connected_parts.h"
 #include "core/mesh/repair.h"
+#include "core/mesh/repair_part.h"
 
 namespace toile {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
-#include "core/cut/user_join.h"
+#include "core/cut/user_cuts.h"
 #include "core/garment/piece.h"
 
 namespace toile {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/cut/cloth_holes.h"
+#include "core/cut/fill_holes.h"
 #include "core/mesh/disk_check.h"
 
 namespace toile {

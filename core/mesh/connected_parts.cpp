@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/connected_parts.h"
-
 #include <algorithm>
 #include <numeric>
 
 #include "core/mesh/edge_table.h"
+#include "core/mesh/repair_part.h"
 
 namespace toile {
 namespace {

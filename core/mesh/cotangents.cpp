@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/cotangents.h"
 
-#include "core/mesh/corner_products.h"
-
 namespace toile {
 
 Eigen::VectorXd cotangentWeights(const MeshArrays& mesh, const EdgeTable& table) {

@@ -6,10 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "core/base/text.h"
 #include "core/base/tolerances.h"
 #include "core/mesh/disjoint_sets.h"
-#include "core/mesh/sound_surface.h"
 
 namespace toile {
 namespace {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
+#include <ranges>
+#include <utility>
 
 #include "core/mesh/disjoint_sets.h"
 
@@ -131,6 +133,14 @@ std::vector<int> faceComponents(const Triangles& F, int vertexCount) {
         label[f] = known;
     }
     return label;
+}
+
+int findEdge(const Edges& edges, int a, int b) {
+    const std::pair<int, int> wanted = std::minmax(a, b);
+    const auto ends = [&edges](int e) { return std::pair(edges(e, 0), edges(e, 1)); };
+    const auto all = std::views::iota(0, static_cast<int>(edges.rows()));
+    const auto found = std::ranges::lower_bound(all, wanted, {}, ends);
+    return found != all.end() && ends(*found) == wanted ? *found : -1;
 }
 
 }  // namespace toile

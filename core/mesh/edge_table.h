@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -22,7 +24,16 @@ struct EdgeTable {
 /// Cost: linear (buckets by vertex, tiny sorts inside). Pure.
 EdgeTable buildEdgeTable(const Triangles& F, int vertexCount);
 
+/// The edge between two vertices, -1 where there is none. Logarithmic. Pure.
+int findEdge(const Edges& edges, int a, int b);
+
 /// Label of the connected component (by shared vertices) of each face, numbered by first face.
 std::vector<int> faceComponents(const Triangles& F, int vertexCount);
+
+/// A graph on the vertices of a mesh, with a symmetric weight per edge.
+struct WeightedEdges {
+    Edges edges;              ///< #E x 2, sorted as in EdgeTable
+    Eigen::VectorXd weights;  ///< #E
+};
 
 }  // namespace toile

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/exact_orientation.h"
-
 #include <array>
 #include <cmath>
+
+#include "core/mesh/segment.h"
 
 namespace toile {
 namespace {

@@ -5,7 +5,6 @@
 #include "core/base/result.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
-#include "core/mesh/weighted_edges.h"
 
 namespace toile {
 

@@ -3,11 +3,8 @@
 
 #include <utility>
 
-#include "core/mesh/repair_faces.h"
-#include "core/mesh/repair_fans.h"
-#include "core/mesh/repair_flats.h"
-#include "core/mesh/repair_gluing.h"
-#include "core/mesh/sound_surface.h"
+#include "core/mesh/disk_check.h"
+#include "core/mesh/repair_steps.h"
 
 namespace toile {
 namespace {

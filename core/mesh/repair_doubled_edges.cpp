@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/edge_table.h"
-#include "core/mesh/repair_fans.h"
+#include "core/mesh/repair_steps.h"
 
 namespace toile {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/repair_faces.h"
-
 #include <algorithm>
 
 #include "core/base/tolerances.h"
 #include "core/mesh/disjoint_sets.h"
+#include "core/mesh/repair_steps.h"
 
 namespace toile {
 namespace {

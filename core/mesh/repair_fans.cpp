@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/repair_fans.h"
-
 #include "core/mesh/disjoint_sets.h"
+#include "core/mesh/repair_steps.h"
 
 namespace toile {
 

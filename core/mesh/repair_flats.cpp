@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/repair_flats.h"
-
 #include <queue>
+
+#include "core/mesh/repair_steps.h"
 
 namespace toile {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/repair_gluing.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "core/mesh/disjoint_sets.h"
+#include "core/mesh/repair_steps.h"
 
 namespace toile {
 namespace {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/repair_notes.h"
-
 #include <algorithm>
 
-#include "core/base/text.h"
+#include "core/mesh/repair_steps.h"
 
 namespace toile {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <Eigen/Geometry>
 
-#include "core/mesh/repair_gluing.h"
+#include "core/mesh/repair_steps.h"
 
 namespace toile {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -25,6 +27,15 @@ inline int headOf(const Triangles& F, int side) {
 
 inline int apexOf(const Triangles& F, int side) {
     return F.data()[previousSide(side)];
+}
+
+/// At right angles to a triangle, towards the side from which it runs anti-clockwise, and twice its
+/// area long.
+inline Eigen::Vector3d doubleAreaNormal(const MeshArrays& mesh, Eigen::Index face) {
+    const Eigen::Vector3d a = mesh.V.row(mesh.F(face, 0)).transpose();
+    const Eigen::Vector3d b = mesh.V.row(mesh.F(face, 1)).transpose();
+    const Eigen::Vector3d c = mesh.V.row(mesh.F(face, 2)).transpose();
+    return (b - a).cross(c - a);
 }
 
 }  // namespace toile

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/sound_surface.h"
-
 #include <algorithm>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "core/base/tolerances.h"
+#include "core/mesh/disk_check.h"
 #include "core/mesh/sides.h"
 
 namespace toile {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/tri_mesh.h"
 
+#include "core/mesh/lazy_tri_mesh.h"
 #include "core/mesh/sides.h"
 
 namespace toile {
@@ -75,6 +76,11 @@ std::shared_ptr<const TriMesh> buildTriMesh(const MeshArrays& mesh, const EdgeTa
     auto halfedges = std::make_shared<TriMesh>();
     Linker(mesh, table, *halfedges).run();
     return halfedges;
+}
+
+const TriMesh& LazyTriMesh::get(const MeshArrays& mesh, const EdgeTable& table) const {
+    std::call_once(built_, [&] { halfedges_ = buildTriMesh(mesh, table); });
+    return *halfedges_;
 }
 
 }  // namespace toile

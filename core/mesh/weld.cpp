@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/base/text.h"
 #include "core/mesh/edge_table.h"
 
 namespace toile {
@@ -160,14 +159,6 @@ Weld findWeld(const Triangles& F, PointsView V, const WeldOptions& options) {
         }
     }
     return weld;
-}
-
-MeshPart applyWeld(MeshPart part, const Weld& weld) {
-    for (int& v : cornersOf(part.mesh.F)) {
-        v = weld.target[v];
-    }
-    eraseUnusedVertices(part);
-    return part;
 }
 
 Error weldNote(const Weld& weld, PointsView V, const std::string& name) {

@@ -32,10 +32,6 @@ struct Weld {
 /// Cost: linear on average, in all of V and F. Pure; does not depend on the order of faces.
 Weld findWeld(const Triangles& F, PointsView V, const WeldOptions& options);
 
-/// The part with each vertex replaced by its target, and vertices without use taken out. Faces that
-/// come to repeat a corner stay, for `repair` to name.
-MeshPart applyWeld(MeshPart part, const Weld& weld);
-
 /// The note VerticesWelded: how many, and where the first. Precondition: weld.merged > 0.
 Error weldNote(const Weld& weld, PointsView V, const std::string& name);
 

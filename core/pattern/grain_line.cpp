@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/mesh/segment.h"
+
 namespace toile {
 namespace {
 
@@ -45,23 +47,9 @@ bool meets(const Chord& chord, const Eigen::AlignedBox2d& box) {
     if (box.isEmpty()) {
         return false;
     }
-    // Clips the chord by the box's four sides.
-    double from = 0, to = 1;
     const Eigen::Vector2d way = chord.to - chord.from;
-    for (const int axis : {0, 1}) {
-        const double low = box.min()[axis] - chord.from[axis];
-        const double high = box.max()[axis] - chord.from[axis];
-        if (way[axis] == 0) {
-            if (low > 0 || high < 0) {
-                return false;
-            }
-            continue;
-        }
-        const double first = low / way[axis], second = high / way[axis];
-        from = std::max(from, std::min(first, second));
-        to = std::min(to, std::max(first, second));
-    }
-    return from <= to;
+    const ShareInBox share = shareInBox<Eigen::Vector2d>(chord.from, way, box.min(), box.max());
+    return share.first <= share.last;
 }
 
 Chord shortened(const Eigen::Vector2d& point, const Eigen::Vector2d& direction, double from,

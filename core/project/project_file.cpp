@@ -101,15 +101,11 @@ private:
 
     static void flattening(JsonFields& fields, FlattenOptions& options) {
         fields.readWord("method", options.method, "the name of a method", parseMethod);
-        fields.readWord("quality", options.quality, R"("draft", "standard" or "fine")",
-                        [](std::string_view text) { return parseWord(kQualityWords, text); });
+        fields.readWord("quality", options.quality, kQualityWords);
         fields.readWord("boundarySolver", options.boundarySolver, R"("newton" or "slcp")",
                         parseBoundarySolver);
-        fields.readWord("freeBoundary", options.freeBoundary, R"("pinned" or "spectral")",
-                        [](std::string_view text) { return parseWord(kFreeBoundaryWords, text); });
-        fields.readWord(
-            "stretchOutline", options.stretchOutline, R"("circle" or "curvature")",
-            [](std::string_view text) { return parseWord(kStretchOutlineWords, text); });
+        fields.readWord("freeBoundary", options.freeBoundary, kFreeBoundaryWords);
+        fields.readWord("stretchOutline", options.stretchOutline, kStretchOutlineWords);
         fields.read("authalic", options.authalic, 0, 1);
     }
 

@@ -6,16 +6,14 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/segment.h"
+
 namespace toile {
 namespace {
 
 /// Angle between two vectors by atan2: exact digits for thin triangles, where acos loses half.
 double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-double cross2(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 template <class Points>
@@ -68,7 +66,7 @@ Eigen::VectorXd boundaryAngles2d(const Points2& Q, const std::vector<int>& bound
         const Eigen::RowVector2d at = Q.row(boundary[i]);
         const Eigen::RowVector2d forward = Q.row(boundary[(i + 1) % n]) - at;
         const Eigen::RowVector2d backward = Q.row(boundary[(i + n - 1) % n]) - at;
-        const double angle = std::atan2(cross2(forward, backward), forward.dot(backward));
+        const double angle = std::atan2(cross(forward, backward), forward.dot(backward));
         angles[i] = angle < 0 ? angle + 2 * std::numbers::pi : angle;
     }
     return angles;
@@ -103,7 +101,7 @@ Eigen::VectorXd triangleAreas3d(const MeshArrays& mesh) {
 Eigen::VectorXd triangleAreas2d(const Points2& Q, const Triangles& F) {
     Eigen::VectorXd areas(F.rows());
     for (int f = 0; f < F.rows(); ++f) {
-        areas[f] = 0.5 * cross2(Q.row(F(f, 1)) - Q.row(F(f, 0)), Q.row(F(f, 2)) - Q.row(F(f, 0)));
+        areas[f] = 0.5 * cross(Q.row(F(f, 1)) - Q.row(F(f, 0)), Q.row(F(f, 2)) - Q.row(F(f, 0)));
     }
     return areas;
 }
@@ -126,7 +124,7 @@ Eigen::MatrixX3d cornerAngles2d(const Points2& Q, const Triangles& F) {
         for (int k = 0; k < 3; ++k) {
             const Eigen::RowVector2d a = Q.row(F(f, (k + 1) % 3)) - Q.row(F(f, k));
             const Eigen::RowVector2d b = Q.row(F(f, (k + 2) % 3)) - Q.row(F(f, k));
-            angles(f, k) = std::atan2(std::abs(cross2(a, b)), a.dot(b));
+            angles(f, k) = std::atan2(std::abs(cross(a, b)), a.dot(b));
         }
     }
     return angles;
@@ -148,7 +146,7 @@ Eigen::MatrixX2d singularValues(const MeshArrays& mesh, const Points2& Q) {
         const double uu = u.squaredNorm();
         const double vv = v.squaredNorm();
         const double larger = std::sqrt((uu + vv + std::hypot(uu - vv, 2 * u.dot(v))) / 2);
-        const double determinant = std::abs(u.x() * v.y() - u.y() * v.x());
+        const double determinant = std::abs(cross(u, v));
         values(f, 0) = larger;
         values(f, 1) = larger > 0 ? determinant / larger : 0.0;
     }

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/face_normal.h"
+#include "core/mesh/sides.h"
 #include "core/quality/measures.h"
 
 namespace toile {

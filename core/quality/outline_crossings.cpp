@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "core/mesh/exact_orientation.h"
+#include "core/mesh/segment.h"
 #include "core/quality/measures.h"
 #include "core/quality/segment_pairs.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/piece_quality.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/garment/garment.h"

@@ -2,12 +2,12 @@
 #include "core/quality/segment_pairs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <tuple>
 #include <utility>
+
+#include "core/mesh/segment.h"
 
 namespace toile {
 namespace {
@@ -30,24 +30,11 @@ struct Span {
 
 /// The part of the segment in the cell grown by the margin; false where there is none.
 bool clip(const Segment2& s, const PlaneCell& cell, double margin, Segment2& part) {
-    double enters = 0;
-    double leaves = 1;
     const Eigen::RowVector2d along = s.b - s.a;
-    for (int axis = 0; axis < 2; ++axis) {
-        const double toLow = cell.low[axis] - margin - s.a[axis];
-        const double toHigh = cell.high[axis] + margin - s.a[axis];
-        if (along[axis] == 0) {
-            if (toLow > 0 || toHigh < 0) {
-                return false;
-            }
-            continue;
-        }
-        const auto [first, last] = std::minmax({toLow / along[axis], toHigh / along[axis]});
-        enters = std::max(enters, first);
-        leaves = std::min(leaves, last);
-    }
-    part = {s.a + enters * along, s.a + leaves * along};
-    return enters <= leaves;
+    const Eigen::RowVector2d low = cell.low.array() - margin, high = cell.high.array() + margin;
+    const ShareInBox share = shareInBox(s.a, along, low, high);
+    part = {s.a + share.first * along, s.a + share.last * along};
+    return share.first <= share.last;
 }
 
 class Search {

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/mesh/corner_products.h"
+#include "core/mesh/cotangents.h"
 #include "core/quality/measures.h"
 
 namespace toile {

@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/segment.h"
+
 namespace toile {
 namespace {
 
@@ -41,21 +43,11 @@ struct Cell {
 
     /// Whether the edge comes within its reach of the cell, along each axis.
     bool isReachedBy(const Stretch& edge) const {
-        double first = 0, last = 1;  // the part of the edge that does
-        for (int axis = 0; axis < 3; ++axis) {
-            const double before = low[axis] - edge.reach - edge.from[axis];
-            const double beyond = low[axis] + side + edge.reach - edge.from[axis];
-            const double way = edge.to[axis] - edge.from[axis];
-            if (way == 0) {
-                if (before > 0 || beyond < 0) {
-                    return false;
-                }
-                continue;
-            }
-            first = std::max(first, std::min(before / way, beyond / way));
-            last = std::min(last, std::max(before / way, beyond / way));
-        }
-        return first <= last;
+        const Eigen::Vector3d below = low.array() - edge.reach;
+        const Eigen::Vector3d above = low.array() + side + edge.reach;
+        const Eigen::Vector3d way = edge.to - edge.from;
+        const ShareInBox share = shareInBox(edge.from, way, below, above);
+        return share.first <= share.last;
     }
 };
 

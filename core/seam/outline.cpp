@@ -17,20 +17,7 @@ constexpr int kSpacingReach = 2;
 
 /// The corner opposite to edge (u, v) in its one triangle.
 int oppositeVertex(const Piece& piece, int u, int v) {
-    const Edges& edges = piece.table.edges;
-    const int low = std::min(u, v), high = std::max(u, v);
-    Eigen::Index from = 0;
-    for (Eigen::Index count = edges.rows(); count > 0;) {
-        const Eigen::Index half = count / 2;
-        const auto row = edges.row(from + half);
-        if (row[0] < low || (row[0] == low && row[1] < high)) {
-            from += half + 1;
-            count -= half + 1;
-        } else {
-            count = half;
-        }
-    }
-    const int use = piece.table.use[piece.table.useStart[from]];
+    const int use = piece.table.use[piece.table.useStart[findEdge(piece.table.edges, u, v)]];
     return piece.mesh.F(use / 3, (use % 3 + 2) % 3);
 }
 

@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/exact_orientation.h"
 #include "core/mesh/segment.h"
 #include "core/quality/segment_pairs.h"
 

@@ -96,8 +96,8 @@ private slots:
         const auto piece =
             std::make_shared<const Piece>(makePiece("sheet", test::makeSheet(200, 100, 700, 350)));
         const auto wish = [&piece](const Eigen::Vector3d& to) -> PathWish {
-            return {piece, nearestSurfacePoint(piece->mesh, {1, 1, 0}),
-                    nearestSurfacePoint(piece->mesh, to)};
+            return {piece, NearestSurface(piece->mesh).find({1, 1, 0}),
+                    NearestSurface(piece->mesh).find(to)};
         };
         const PathWish first = wish({199, 99, 0}), last = wish({60, 60, 0});
         VERIFY_WITHIN(50, milliseconds([&] {

@@ -16,7 +16,7 @@ struct TestSheet {
     Piece piece = makePiece("sheet", test::makeSheet(200, 100, 20, 10));
     Points2 twice = 2 * piece.mesh.V.leftCols<2>();
 
-    SurfacePoint at(double x, double y) const { return nearestSurfacePoint(piece.mesh, {x, y, 0}); }
+    SurfacePoint at(double x, double y) const { return NearestSurface(piece.mesh).find({x, y, 0}); }
 };
 
 bool near(double a, double b) {

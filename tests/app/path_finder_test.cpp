@@ -21,7 +21,7 @@ std::shared_ptr<const Piece> sheet(int columns, int rows) {
 
 PathWish wish(const std::shared_ptr<const Piece>& piece, const Eigen::Vector3d& from,
               const Eigen::Vector3d& to) {
-    return {piece, nearestSurfacePoint(piece->mesh, from), nearestSurfacePoint(piece->mesh, to)};
+    return {piece, NearestSurface(piece->mesh).find(from), NearestSurface(piece->mesh).find(to)};
 }
 
 }  // namespace

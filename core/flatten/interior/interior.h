@@ -8,7 +8,6 @@
 #include "core/linalg/sparse_cholesky.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
-#include "core/mesh/weighted_edges.h"
 
 namespace toile {
 

@@ -36,7 +36,7 @@ void ToolBench::open(const QString& file) {
 
 QPointF ToolBench::at(SceneView& view, int piece, const Eigen::Vector3d& point) {
     const MeshArrays& mesh = document().garment()->pieces[static_cast<std::size_t>(piece)]->mesh;
-    const SurfacePoint place = nearestSurfacePoint(mesh, point);
+    const SurfacePoint place = NearestSurface(mesh).find(point);
     return view.onScreen(piece, place.face, place.barycentric).value_or(QPointF(-1, -1));
 }
 

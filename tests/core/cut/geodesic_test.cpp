@@ -132,7 +132,7 @@ TEST(Geodesic, IsTheUnrolledStraightLineOnACone) {
 TEST(Geodesic, GoesAroundTheCornerOfABox) {
     const Surface s(test::openBox(6, 60));
     const auto at = [&](double x, double y, double z) {
-        return nearestSurfacePoint(s.mesh, {x, y, z});
+        return NearestSurface(s.mesh).find({x, y, z});
     };
     // From one side wall over the lid to the neighbouring wall, or straight across their edge.
     const auto across = geodesicPath(s.links, at(60, 47, 33), at(48, 60, 35));

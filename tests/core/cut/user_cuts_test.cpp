@@ -12,6 +12,22 @@
 namespace toile {
 namespace {
 
+/// Traces all cuts and cuts the mesh along them, in order.
+Result<CutResult> applyUserCuts(const MeshArrays& mesh, const std::vector<UserCut>& cuts) {
+    const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+    const SurfaceLinks links(mesh, table);
+    const NearestSurface nearest(mesh);
+    std::vector<PathPolyline> paths;
+    for (const UserCut& cut : cuts) {
+        auto path = traceUserCut(links, nearest, cut);
+        if (!path) {
+            return path.error();
+        }
+        paths.push_back(std::move(*path));
+    }
+    return cutAlong(mesh, paths);
+}
+
 CutResult cut(const MeshArrays& mesh, const std::vector<UserCut>& cuts) {
     auto result = applyUserCuts(mesh, cuts);
     EXPECT_TRUE(result) << (result ? "" : sentence(result.error()));

@@ -135,7 +135,7 @@ TEST(RepairFiles, TheWeldedCapsuleIsClosed) {
     const double area = test::areaOf(part.mesh);
     const Weld weld = findWeld(part.mesh.F, part.mesh.V, {});
     EXPECT_EQ(weld.merged, indexEntry("nasty/capsule.obj").value("duplicate_positions", 0));
-    const RepairResult result = repair(applyWeld(std::move(part), weld), {}, "capsule");
+    const RepairResult result = repair(test::applyWeld(std::move(part), weld), {}, "capsule");
     test::expectOrientedManifold(result.part.mesh);
     EXPECT_EQ(outcomes(result.part.mesh), (Outcomes{{"closed-surface", 1}}));
     EXPECT_EQ(result.part.mesh.F.rows(), 10000);
@@ -151,7 +151,7 @@ TEST(RepairFiles, WeldingFindsTheDoubledPositions) {
         const Weld weld = findWeld(part.mesh.F, part.mesh.V, {.borderOnly = false});
         EXPECT_EQ(weld.merged, indexEntry(file).value("duplicate_positions", -1)) << file;
         EXPECT_FALSE(looksUnwelded(part.mesh.F, part.mesh.V)) << file;
-        const RepairResult result = repair(applyWeld(part, weld), {}, file);
+        const RepairResult result = repair(test::applyWeld(part, weld), {}, file);
         test::expectOrientedManifold(result.part.mesh);
     }
 }

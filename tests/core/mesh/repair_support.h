@@ -12,11 +12,21 @@
 
 #include "core/mesh/disk_check.h"
 #include "core/mesh/repair.h"
+#include "core/mesh/weld.h"
 #include "tests/core/support/literal_mesh.h"
 
 namespace toile::test {
 
 /// The mesh as if it were the whole file.
+/// The part with each vertex replaced by its target, and vertices without use taken out.
+inline MeshPart applyWeld(MeshPart part, const Weld& weld) {
+    for (int& v : cornersOf(part.mesh.F)) {
+        v = weld.target[v];
+    }
+    eraseUnusedVertices(part);
+    return part;
+}
+
 inline MeshPart asPart(MeshArrays mesh) {
     MeshPart part{std::move(mesh), {}, {}};
     part.sourceVertex.resize(part.mesh.V.rows());

@@ -27,7 +27,7 @@ TEST(Weld, JoinsLooseTrianglesAgain) {
         const MeshArrays loose = loosened(mesh);
         const Weld weld = findWeld(loose.F, loose.V, {});
         EXPECT_EQ(weld.merged, loose.V.rows() - mesh.V.rows());
-        const MeshPart part = applyWeld(test::asPart(loose), weld);
+        const MeshPart part = test::applyWeld(test::asPart(loose), weld);
         EXPECT_EQ(part.mesh.V.rows(), mesh.V.rows());
         EXPECT_EQ(checkDisk(part.mesh, "").defect.has_value(),
                   checkDisk(mesh, "").defect.has_value());

@@ -8,7 +8,7 @@
 #include "core/cut/cut_along.h"
 #include "core/cut/edge_path.h"
 #include "core/cut/geodesic.h"
-#include "core/mesh/connected_parts.h"
+#include "core/mesh/repair_part.h"
 
 namespace toile::test {
 namespace {
