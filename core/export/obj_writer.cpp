@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <set>
 
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/base/unique_names.h"
 #include "core/base/version.h"
 #include "core/export/obj_faces.h"
 #include "core/export/problems.h"
@@ -29,15 +29,11 @@ std::string groupWord(const std::string& pieceName) {
 }
 
 std::vector<std::string> groupNames(const Garment& garment) {
-    std::set<std::string> taken{kUnassignedGroup};
+    UniqueNames taken;
+    taken.take(kUnassignedGroup);
     std::vector<std::string> names;
     for (const auto& piece : garment.pieces) {
-        const std::string word = groupWord(piece->name);
-        std::string unique = word;
-        for (int n = 2; !taken.insert(unique).second; ++n) {
-            unique = word + "_" + std::to_string(n);
-        }
-        names.push_back(std::move(unique));
+        names.push_back(taken.free(groupWord(piece->name), "_"));
     }
     return names;
 }

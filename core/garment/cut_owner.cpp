@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/base/text.h"
 #include "core/cut/nearest_surface.h"
 #include "core/cut/surface_point.h"
 

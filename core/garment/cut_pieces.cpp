@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/garment/cut_pieces.h"
 
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
+#include "core/base/unique_names.h"
 #include "core/cut/surface_point.h"
 #include "core/garment/cut_owner.h"
 #include "core/mesh/repair_part.h"
@@ -90,7 +89,7 @@ class Cutter {
 public:
     Cutter(const std::vector<PiecePointer>& wholes, bool automatic) : automatic_(automatic) {
         for (const PiecePointer& whole : wholes) {
-            names_.insert(whole->name);
+            names_.take(whole->name);
         }
     }
 
@@ -107,7 +106,7 @@ public:
         const bool several = parts.size() > 1;
         for (Piece& part : parts) {
             if (several) {
-                part.name = numbered(whole->name);
+                part.name = names_.numbered(whole->name);
                 if (part.defect) {
                     part.defect->where = part.name;
                 }
@@ -208,18 +207,8 @@ private:
         piece = std::move(parts->front());
     }
 
-    std::string numbered(const std::string& name) {
-        for (int& k = nextNumber_[name];;) {
-            std::string candidate = name + " " + std::to_string(++k);
-            if (names_.insert(candidate).second) {
-                return candidate;
-            }
-        }
-    }
-
     bool automatic_;
-    std::set<std::string> names_;
-    std::map<std::string, int> nextNumber_;
+    UniqueNames names_;
     CutPieces made_;
 };
 

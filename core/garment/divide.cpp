@@ -6,9 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/base/unique_names.h"
 #include "core/garment/corner_uv.h"
-#include "core/garment/piece_names.h"
 #include "core/io/triangulate.h"
 #include "core/mesh/repair.h"
 #include "core/mesh/repair_part.h"
@@ -19,6 +18,39 @@ namespace {
 /// A UV map whose scale is this close to 1 is in the file's own unit: the draped cloth differs from
 /// its flat panel by no more. Any other scale was normalised and is fitted.
 constexpr double kExactScaleBand = 0.1;
+
+constexpr const char* kPanel = "panel";
+
+std::string nameOf(const std::vector<int>& ofFace, const std::vector<std::string>& names,
+                   int face) {
+    return ofFace.empty() || ofFace[face] < 0 ? std::string() : names[ofFace[face]];
+}
+
+/// What the file calls the piece that a face belongs to: by the mode's own kind of name, else its
+/// object, its group; "panel" where a UV map's islands have no names of their own, else "piece".
+std::string nameInFile(const PolygonSoup& soup, SplitMode mode, int face) {
+    std::string name;
+    if (mode == SplitMode::Materials) {
+        name = nameOf(soup.faceMaterial, soup.materials, face);
+    } else if (mode == SplitMode::Groups) {
+        name = nameOf(soup.faceGroup, soup.groups, face);
+    } else if (mode == SplitMode::Uv) {
+        // One name over the whole garment says nothing about its panels.
+        if (soup.objects.size() > 1) {
+            name = nameOf(soup.faceObject, soup.objects, face);
+        } else if (soup.groups.size() > 1) {
+            name = nameOf(soup.faceGroup, soup.groups, face);
+        }
+        return name.empty() ? kPanel : name;
+    }
+    if (name.empty()) {
+        name = nameOf(soup.faceObject, soup.objects, face);
+    }
+    if (name.empty()) {
+        name = nameOf(soup.faceGroup, soup.groups, face);
+    }
+    return name.empty() ? "piece" : name;
+}
 
 /// The parts of a division one by one.
 class Parts {
@@ -133,18 +165,18 @@ public:
             }
         }
         const Parts parts(file_, triangles, division);
-        PieceNames names(file_.soup, divided_.split.mode);
         for (int p = 0; p < division.partCount; ++p) {
-            addPieces(parts.gather(p), names);
+            addPieces(parts.gather(p));
         }
         return std::move(divided_);
     }
 
 private:
     /// Adds the piece, or the pieces, that a part of the division becomes.
-    void addPieces(MeshPart part, PieceNames& names) {
-        const std::string wanted = names.inFile(part.sourceFace.front());
-        std::string name = names.unique(wanted);
+    void addPieces(MeshPart part) {
+        const std::string wanted =
+            nameInFile(file_.soup, divided_.split.mode, part.sourceFace.front());
+        std::string name = uniqueName(wanted);
         if (options_.repair) {
             RepairResult mended = repair(std::move(part), RepairOptions{}, prefix_ + name);
             part = std::move(mended.part);
@@ -159,10 +191,15 @@ private:
         }
         for (auto& [connected, ignored] : connectedParts(std::move(part))) {
             if (name.empty()) {
-                name = names.unique(wanted);  // the part fell apart: its pieces share the name
+                name = uniqueName(wanted);  // the part fell apart: its pieces share the name
             }
             add(makePiece(prefix_ + std::exchange(name, ""), std::move(connected.mesh)), connected);
         }
+    }
+
+    /// Panels without a name are numbered from 1: there will be more.
+    std::string uniqueName(const std::string& wanted) {
+        return wanted == kPanel ? names_.numbered(wanted) : names_.free(wanted);
     }
 
     /// @param sources  where the piece comes from; gives them away
@@ -183,6 +220,7 @@ private:
     const std::string& prefix_;
     const DivideOptions& options_;
     std::optional<UvScale> uvScale_;
+    UniqueNames names_;
     DividedFile divided_;
 };
 

@@ -5,13 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "core/base/result.h"
-#include "core/base/text.h"
+#include "core/base/unique_names.h"
 #include "core/garment/cut_owner.h"
 #include "core/garment/rim_pairs.h"
 #include "core/mesh/disjoint_sets.h"
@@ -47,7 +46,7 @@ class Joiner {
 public:
     explicit Joiner(const std::vector<PiecePointer>& wholes) : pieces_(wholes) {
         for (const PiecePointer& whole : wholes) {
-            names_.insert(whole->name);
+            names_.take(whole->name);
         }
     }
 
@@ -239,7 +238,7 @@ private:
                               {made.name, toile::worded(describe(made.defect->code).data())}));
         }
         if (!itself) {
-            made.name = freeName(left.name + " + " + right.name);
+            made.name = names_.free(left.name + " + " + right.name);
             if (made.defect) {
                 made.defect->where = made.name;
             }
@@ -307,17 +306,9 @@ private:
                defect == ErrorCode::DuplicateFace || defect == ErrorCode::DegenerateFace;
     }
 
-    std::string freeName(const std::string& wanted) {
-        std::string name = wanted;
-        for (int k = 2; !names_.insert(name).second; ++k) {
-            name = wanted + " " + std::to_string(k);
-        }
-        return name;
-    }
-
     std::vector<PiecePointer> pieces_;  ///< null where a piece has become part of another
     std::optional<RimPairs> rims_;      ///< of these, once there is a join
-    std::set<std::string> names_;
+    UniqueNames names_;
     JoinedPieces made_;
 };
 

@@ -55,4 +55,8 @@ std::vector<double> loopLengths(const Piece& piece);
 /// and faces first, with the same indices. Precondition: no defect. Cost: linear.
 Piece withHolesFilled(const Piece& piece);
 
+/// True where one may take the other's place: the same name, mesh and origin in the file.
+/// Cost: linear. Pure.
+bool isSamePiece(const Piece& a, const Piece& b);
+
 }  // namespace toile

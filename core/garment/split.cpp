@@ -2,44 +2,30 @@
 #include "core/garment/split.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/base/words.h"
 #include "core/garment/corner_uv.h"
 #include "core/mesh/edge_table.h"
 
 namespace toile {
 namespace {
 
-constexpr std::array kModes = {SplitMode::Auto,   SplitMode::Components, SplitMode::Objects,
-                               SplitMode::Groups, SplitMode::Materials,  SplitMode::Uv,
-                               SplitMode::Seams};
+constexpr Word<SplitMode> kModes[] = {
+    {SplitMode::Auto, "auto"},           {SplitMode::Components, "components"},
+    {SplitMode::Objects, "objects"},     {SplitMode::Groups, "groups"},
+    {SplitMode::Materials, "materials"}, {SplitMode::Uv, "uv"},
+    {SplitMode::Seams, "seams"}};
 
-bool hasClasses(SplitMode mode) {
-    return mode == SplitMode::Objects || mode == SplitMode::Groups || mode == SplitMode::Materials;
-}
-
-/// What keeps a face apart from others: its object, group or material, 0 where the mode has none.
-int classOf(SplitMode mode, const PolygonSoup& soup, int face) {
-    const auto in = [face](const std::vector<int>& labels) {
-        return labels.empty() ? -1 : labels[face];
-    };
-    switch (mode) {
-        case SplitMode::Objects:
-            return in(soup.faceObject);
-        case SplitMode::Groups:
-            return in(soup.faceGroup);
-        case SplitMode::Materials:
-            return in(soup.faceMaterial);
-        case SplitMode::Auto:
-        case SplitMode::Components:
-        case SplitMode::Uv:
-        case SplitMode::Seams:
-            return 0;
-    }
-    return 0;
+/// By what a mode keeps faces apart from others: their objects, groups or materials; null where it
+/// does not.
+const std::vector<int>* classesOf(SplitMode mode, const PolygonSoup& soup) {
+    return mode == SplitMode::Objects     ? &soup.faceObject
+           : mode == SplitMode::Groups    ? &soup.faceGroup
+           : mode == SplitMode::Materials ? &soup.faceMaterial
+                                          : nullptr;
 }
 
 /// Makes a vertex of each position and kind that a corner has, in order of both, and gives corners
@@ -92,15 +78,15 @@ void numberVertices(const Triangles& F, const std::vector<int>& kind, int positi
 std::vector<int> kindsOfCorners(SplitMode mode, const PolygonSoup& soup,
                                 const Triangulation& triangles) {
     std::vector<int> kinds;
-    const bool byUv = mode == SplitMode::Uv;
-    if (!byUv && !hasClasses(mode)) {
+    const std::vector<int>* classes = classesOf(mode, soup);
+    if (mode != SplitMode::Uv && (!classes || classes->empty())) {
         return kinds;
     }
     kinds.resize(static_cast<std::size_t>(triangles.F.size()));
     CornerUvs uvs(soup);
     for (std::size_t c = 0; c < kinds.size(); ++c) {
         const int face = triangles.sourceFace[c / 3];
-        kinds[c] = byUv ? uvs.at(face, triangles.F.data()[c]) : classOf(mode, soup, face);
+        kinds[c] = classes ? (*classes)[face] : uvs.at(face, triangles.F.data()[c]);
     }
     return kinds;
 }
@@ -179,32 +165,47 @@ SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangu
 }
 
 std::string_view name(SplitMode mode) {
-    switch (mode) {
-        case SplitMode::Auto:
-            return "auto";
-        case SplitMode::Components:
-            return "components";
-        case SplitMode::Objects:
-            return "objects";
-        case SplitMode::Groups:
-            return "groups";
-        case SplitMode::Materials:
-            return "materials";
-        case SplitMode::Uv:
-            return "uv";
-        case SplitMode::Seams:
-            return "seams";
-    }
-    return "";
+    return wordOf(kModes, mode);
 }
 
 std::optional<SplitMode> parseSplitMode(std::string_view text) {
-    for (const SplitMode mode : kModes) {
-        if (text == name(mode)) {
-            return mode;
+    return parseWord(kModes, text);
+}
+
+std::optional<UvScale> measureUvScale(const PolygonSoup& soup, const Triangulation& triangles) {
+    if (soup.cornerUvs.empty()) {
+        return std::nullopt;
+    }
+    std::vector<double> ratios;
+    int uncovered = 0;
+    CornerUvs uvs(soup);
+    for (int t = 0; t < triangles.F.rows(); ++t) {
+        const int face = triangles.sourceFace[t];
+        for (int k = 0; k < 3; ++k) {
+            const int v = triangles.F(t, k);
+            const int w = triangles.F(t, (k + 1) % 3);
+            const int a = uvs.at(face, v);
+            const int b = uvs.at(face, w);
+            const double flat = a < 0 || b < 0 ? 0.0 : (soup.uvs[a] - soup.uvs[b]).norm();
+            const double ratio = (soup.positions[v] - soup.positions[w]).norm() / flat;
+            if (std::isfinite(ratio) && ratio > 0) {
+                ratios.push_back(ratio);
+            } else {
+                ++uncovered;  // no uv, or an edge without length
+            }
         }
     }
-    return std::nullopt;
+    if (ratios.empty()) {
+        return std::nullopt;
+    }
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    const double median = *middle;
+    const auto close = std::count_if(ratios.begin(), ratios.end(), [median](double ratio) {
+        return std::abs(ratio / median - 1) <= kIsometricBand;
+    });
+    return UvScale{median,
+                   static_cast<double>(close) / (static_cast<double>(ratios.size()) + uncovered)};
 }
 
 }  // namespace toile

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/base/text.h"
 #include "core/mesh/weld.h"
 
 namespace toile {

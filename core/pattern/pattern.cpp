@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/pattern.h"
 
-#include <map>
 #include <set>
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/base/unique_names.h"
 #include "core/flatten/flatten.h"
 #include "core/garment/garment.h"
 #include "core/seam/seam_measure.h"
@@ -62,14 +62,9 @@ std::vector<Points2> flatLoops(const Piece& piece, const Points2& Q) {
 }
 
 void makeIdsUnique(Pattern& pattern) {
-    std::set<std::string> taken;
-    std::map<std::string, int> nextNumber;  // thousands of pieces may share a name
+    UniqueNames names;
     for (PatternPiece& piece : pattern.pieces) {
-        const std::string base = piece.id;
-        int& next = nextNumber.try_emplace(base, 2).first->second;
-        while (!taken.insert(piece.id).second) {
-            piece.id = base + "-" + std::to_string(next++);
-        }
+        piece.id = names.free(piece.id, "-");
     }
 }
 

@@ -3,13 +3,12 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "core/base/text.h"
-#include "core/garment/same_piece.h"
+#include "core/garment/piece.h"
 #include "core/pipeline/file_space.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/seam/find_seams.h"
-#include "core/seam/name_after_cuts.h"
+#include "core/seam/seam_origin.h"
 
 namespace toile {
 namespace {

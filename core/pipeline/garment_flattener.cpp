@@ -2,36 +2,16 @@
 #include "core/pipeline/garment_flattener.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <filesystem>
 #include <map>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "core/garment/garment.h"
 #include "core/pipeline/piece_work.h"
 
 namespace toile {
 namespace {
-
-template <class Matrix>
-bool sameValues(const Matrix& a, const Matrix& b) {
-    return a.rows() == b.rows() && (a.array() == b.array()).all();
-}
-
-/// True where all that a result is made of is the same.
-bool sameContents(const Piece& a, const Piece& b) {
-    return a.name == b.name && a.file == b.file && sameValues(a.mesh.F, b.mesh.F) &&
-           sameValues(a.mesh.V, b.mesh.V) && a.sourceVertex == b.sourceVertex &&
-           a.sourceFace == b.sourceFace && a.boundary == b.boundary && a.holes == b.holes &&
-           a.defect.has_value() == b.defect.has_value() &&
-           a.reference.has_value() == b.reference.has_value() &&
-           (!a.reference || sameValues(*a.reference, *b.reference));
-}
 
 std::filesystem::path pathOf(const Garment& garment, const Piece& piece) {
     const auto file = static_cast<std::size_t>(piece.file);
@@ -151,7 +131,7 @@ PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOpti
         if (!kept[p]) {
             const auto named = byName.find(piece->name);
             if (named != byName.end() && named->second->path == path &&
-                sameContents(*named->second->result->piece, *piece)) {
+                isSamePiece(*named->second->result->piece, *piece)) {
                 auto result = std::make_shared<PieceResult>(*named->second->result);
                 result->piece = piece;
                 kept[p] = std::make_shared<const Kept>(

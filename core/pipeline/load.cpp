@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <set>
 
 #include <Eigen/Geometry>
 
 #include "core/base/stopwatch.h"
-#include "core/base/text.h"
+#include "core/base/unique_names.h"
 #include "core/garment/divide.h"
 #include "core/garment/weld_soup.h"
 #include "core/io/soup.h"
@@ -128,13 +127,9 @@ Result<LoadedFile> loadFile(const fs::path& path, int index, const std::string& 
 /// Stems of the files, made unique, for piece names of a garment of several files.
 std::vector<std::string> prefixes(const std::vector<fs::path>& paths) {
     std::vector<std::string> stems;
-    std::set<std::string> taken;
+    UniqueNames names;
     for (const fs::path& path : paths) {
-        std::string stem = path.stem().string();
-        for (int k = 2; !taken.insert(stem).second; ++k) {
-            stem = path.stem().string() + " " + std::to_string(k);
-        }
-        stems.push_back(stem);
+        stems.push_back(names.free(path.stem().string()));
     }
     return stems;
 }

@@ -9,7 +9,6 @@
 #include <exception>
 #include <future>
 #include <iterator>
-#include <memory>
 #include <mutex>
 #include <new>
 #include <numeric>
