@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "core/base/characters.h"
@@ -48,9 +49,36 @@ std::optional<Blocked> blockedBy(const Eigen::Vector2d& a, const Eigen::Vector2d
     return Blocked{{std::min(x0, x1), std::max(x0, x1)}, (a.y() > middle) != (b.y() > middle)};
 }
 
-/// The widest range over which the whole band from `low` to `high` lies on the cloth.
-Range widestFree(const std::vector<Points2>& loops, double low, double high) {
-    std::vector<Blocked> blocked;
+/// Brings them in order from left to right. Those that begin in one stretch of half the width
+/// `least` are made one, where that is less work than sorting all: no free range of that width lies
+/// between them, and so the time is linear in the edges however they crowd.
+void bringInOrder(std::vector<Blocked>& blocked, double least) {
+    const auto left = [](const Blocked& part) { return part.range.left; };
+    const auto [first, last] = std::ranges::minmax_element(blocked, {}, left);
+    const double from = blocked.empty() ? 0 : left(*first), perMillimetre = 2 / least;
+    const double count = blocked.empty() ? 0 : (left(*last) - from) * perMillimetre + 1;
+    if (!(count < static_cast<double>(blocked.size()))) {
+        std::ranges::sort(blocked, {}, left);
+        return;
+    }
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    std::vector<Blocked> stretches(static_cast<std::size_t>(count) + 1, {{kNone, -kNone}, false});
+    for (const Blocked& part : blocked) {
+        Blocked& all = stretches[static_cast<std::size_t>((left(part) - from) * perMillimetre)];
+        all.range = {std::min(all.range.left, part.range.left),
+                     std::max(all.range.right, part.range.right)};
+        all.crossesMiddle = all.crossesMiddle != part.crossesMiddle;
+    }
+    std::erase_if(stretches, [&](const Blocked& all) { return left(all) == kNone; });
+    blocked.assign(stretches.begin(), stretches.end());
+}
+
+/// The widest range over which the whole band from `low` to `high` lies on the cloth, as long as it
+/// is as wide as `least`; else any that is narrower, or none.
+/// @param blocked  room for the work, kept from one call to the next
+Range widestFree(const std::vector<Points2>& loops, double low, double high, double least,
+                 std::vector<Blocked>& blocked) {
+    blocked.clear();
     for (const Points2& loop : loops) {
         const Eigen::Index n = loop.rows();
         for (Eigen::Index i = 0; i < n; ++i) {
@@ -60,18 +88,16 @@ Range widestFree(const std::vector<Points2>& loops, double low, double high) {
             }
         }
     }
-    std::sort(blocked.begin(), blocked.end(),
-              [](const Blocked& a, const Blocked& b) { return a.range.left < b.range.left; });
     Range best;
     bool inside = false;  // of the gap to the right of all edges seen so far
-    double reach = 0;
-    for (std::size_t i = 0; i < blocked.size(); ++i) {
-        const Range& range = blocked[i].range;
+    double reach = -std::numeric_limits<double>::infinity();
+    bringInOrder(blocked, least);
+    for (const auto& [range, crossesMiddle] : blocked) {
         if (inside && range.left - reach > best.width()) {
             best = {reach, range.left};
         }
-        reach = i == 0 ? range.right : std::max(reach, range.right);
-        inside = inside != blocked[i].crossesMiddle;
+        reach = std::max(reach, range.right);
+        inside = inside != crossesMiddle;
     }
     return best;
 }
@@ -92,10 +118,11 @@ std::optional<Eigen::Vector2d> findRoom(const std::vector<Points2>& loops,
         return std::nullopt;
     }
     std::array<Range, kLevels> free;
+    std::vector<Blocked> blocked;
     const auto fits = [&](int k) { return k >= 0 && k < kLevels && free[k].width() >= size.x(); };
     for (int k = 0; k < kLevels; ++k) {
         const double y = levelHeight(low, high, k);
-        free[k] = widestFree(loops, y - 0.5 * size.y(), y + 0.5 * size.y());
+        free[k] = widestFree(loops, y - 0.5 * size.y(), y + 0.5 * size.y(), size.x(), blocked);
     }
     for (int distance = 0; distance <= kLevels / 2; ++distance) {
         for (const int nearest : {kLevels / 2 + distance, kLevels / 2 - distance}) {
@@ -123,10 +150,11 @@ Eigen::Vector2d middleOfWidestChord(const std::vector<Points2>& loops) {
     const Eigen::Vector2d high = outline.colwise().maxCoeff().transpose();
     Eigen::Vector2d middle = 0.5 * (low + high);
     double width = 0;
+    std::vector<Blocked> blocked;
     for (int distance = 0; distance <= kLevels / 2; ++distance) {
         for (const int k : {kLevels / 2 + distance, kLevels / 2 - distance}) {
             const double y = levelHeight(low.y(), high.y(), k);
-            const Range free = widestFree(loops, y, y);
+            const Range free = widestFree(loops, y, y, kClearlyWider * width, blocked);
             if (free.width() > kClearlyWider * width) {
                 width = free.width();
                 middle = {0.5 * (free.left + free.right), y};

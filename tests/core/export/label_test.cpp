@@ -112,6 +112,46 @@ TEST(PlaceLabel, DoesNotDependOnWinding) {
     EXPECT_NEAR((a.position - b.position).norm(), 0, 1e-9);
 }
 
+/// So many teeth, open at the bottom but for a thin back.
+Points2 comb(int teeth, double width, double height) {
+    Points2 points(4 * teeth, 2);
+    for (int i = 0; i < teeth; ++i) {
+        const double x = width * i / teeth, gap = width / teeth / 2;
+        points.middleRows<4>(4 * i) << x, 0, x, height, x + gap, height, x + gap, 0.1;
+    }
+    return points;
+}
+
+Points2 subdivided(const Points2& outline, int parts) {
+    Points2 points(outline.rows() * parts, 2);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+        const Eigen::RowVector2d from = outline.row(i / parts);
+        const Eigen::RowVector2d to = outline.row((i / parts + 1) % outline.rows());
+        points.row(i) = from + static_cast<double>(i % parts) / parts * (to - from);
+    }
+    return points;
+}
+
+TEST(PlaceLabel, DoesNotDependOnHowFineTheOutlineIs) {
+    for (const Points2& outline :
+         {horseshoe(0, 0, 300, 40), arch(200, 60), turned(rectangle(0, 0, 500, 60), 0.7),
+          rectangle(0, 0, 45, 500), comb(20, 900, 60), comb(5, 900, 60)}) {
+        const LabelPlace coarse = placeLabel({outline}, kLines);
+        const LabelPlace fine = placeLabel({subdivided(outline, 500)}, kLines);
+        EXPECT_EQ(coarse.height, fine.height);
+        EXPECT_NEAR((coarse.position - fine.position).norm(), 0, 1e-6);
+    }
+}
+
+TEST(PlaceLabel, OfCrowdedOutlinesIsWhereSortedEdgesPutIt) {
+    const std::vector<std::string> lines{"sleeve left with a longer name", "cut 2 pairs",
+                                         "net outline, no allowance"};
+    const LabelPlace ofComb = placeLabel({comb(5000, 600, 60)}, lines);
+    EXPECT_EQ(ofComb.height, 1.5);
+    EXPECT_DOUBLE_EQ(ofComb.position.x(), 32.07);
+    EXPECT_DOUBLE_EQ(ofComb.position.y(), 32.549999999999997);
+}
+
 TEST(PlaceLabel, IsAtLeastLegibleWhereNothingFits) {
     const LabelPlace tiny = placeLabel({rectangle(5, 5, 1e-4, 1e-4)}, kLines);
     EXPECT_DOUBLE_EQ(tiny.height, 1.5);
