@@ -8,8 +8,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "core/base/characters.h"
-#include "core/check/check_writer.h"
-#include "core/check/finding_words.h"
+#include "core/check/finding.h"
+#include "core/check/ready_to_cut.h"
 #include "core/project/project.h"
 #include "core/project/rigid_motion.h"
 

@@ -9,7 +9,7 @@
 #include "app/cli/table.h"
 #include "core/base/characters.h"
 #include "core/export/comparison_writer.h"
-#include "core/pipeline/compare.h"
+#include "core/pipeline/pipeline.h"
 
 namespace toile {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "app/base/translate.h"
 #include "app/document/document.h"
+#include "core/sheet/placement.h"
 #include "core/sheet/sheet.h"
-#include "core/sheet/sheet_limit.h"
 
 namespace toile {
 

@@ -10,7 +10,7 @@
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
-#include "core/check/finding_words.h"
+#include "core/check/finding.h"
 
 namespace toile {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/check/check_writer.h"
-
 #include "core/base/version.h"
-#include "core/check/finding_words.h"
+#include "core/check/finding.h"
+#include "core/check/ready_to_cut.h"
 #include "core/export/json.h"
 
 namespace toile {
@@ -11,16 +10,7 @@ namespace {
 constexpr int kCheckVersion = 1;  // of the fields: grows when one changes its meaning or goes
 
 std::string_view unitName(Figure::Unit unit) {
-    switch (unit) {
-        case Figure::Unit::Length:
-            return "mm";
-        case Figure::Unit::Percent:
-        case Figure::Unit::Strain:
-            return "fraction";
-        case Figure::Unit::Count:
-            return "count";
-    }
-    return "";
+    return unit == Figure::Unit::Length ? "mm" : unit == Figure::Unit::Count ? "count" : "fraction";
 }
 
 Json placeJson(const FindingPlace& place) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/check/finding_words.h"
-
 #include <cctype>
 #include <cmath>
 
 #include "core/base/characters.h"
 #include "core/base/text.h"
+#include "core/base/words.h"
+#include "core/check/finding.h"
 
 namespace toile {
 namespace {
@@ -13,35 +13,43 @@ namespace {
 // The window's translations are told of this name (app/translations.cmake).
 #define TR(text) text
 
+constexpr Word<Severity> kSeverities[] = {
+    {Severity::Fault, "fault"}, {Severity::Doubt, "doubt"}, {Severity::Note, "note"}};
+
 constexpr FindingWords kWords[] = {
-    {TR("Not flattened"),
+    {"not-flattened", TR("Not flattened"),
      TR("the pattern does not show the garment as it is now (%1 of %2 pieces)"), TR("Flatten it")},
-    {TR("Pieces that are not flat"), "", ""},
-    {TR("Outlines that cross themselves"), "", ""},
-    {TR("Cloth turned over"), TR("triangles lie turned over in the pattern (%1 of %2)"),
+    {"not-flat", TR("Pieces that are not flat"), "", ""},
+    {"outline-crosses", TR("Outlines that cross themselves"), "", ""},
+    {"flipped-triangles", TR("Cloth turned over"),
+     TR("triangles lie turned over in the pattern (%1 of %2)"),
      TR("Choose another method, or cut the piece where it curves most")},
-    {TR("Seams that do not match"),
+    {"seam-lengths", TR("Seams that do not match"),
      TR("the flat sides of the seam differ by %1 beyond the ease (%2 and %3)"),
      TR("Choose a method that keeps seam lengths, or state the ease that is meant")},
-    {TR("Strain along the warp"),
+    {"strain-warp", TR("Strain along the warp"),
      TR("strain along the warp reaches %1, the fabric takes %2 (%3 of the area lies beyond)"),
      TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
-    {TR("Strain along the weft"),
+    {"strain-weft", TR("Strain along the weft"),
      TR("strain along the weft reaches %1, the fabric takes %2 (%3 of the area lies beyond)"),
      TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
-    {TR("Strain on the bias"),
+    {"strain-bias", TR("Strain on the bias"),
      TR("strain on the bias reaches %1, the fabric takes %2 (%3 of the area lies beyond)"),
      TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
-    {TR("Pieces on each other"), TR("the pieces lie on each other on the sheet"),
+    {"pieces-overlap", TR("Pieces on each other"), TR("the pieces lie on each other on the sheet"),
      TR("Move them apart, or lay them out again")},
-    {TR("Unlikely size"), TR("the garment is %1 at its largest"), TR("State the unit of its file")},
-    {TR("Unit in doubt"), TR("the file states no unit, and its size leaves doubt (%0)"),
+    {"unlikely-size", TR("Unlikely size"), TR("the garment is %1 at its largest"),
+     TR("State the unit of its file")},
+    {"unit-in-doubt", TR("Unit in doubt"),
+     TR("the file states no unit, and its size leaves doubt (%0)"),
      TR("State the unit, or keep it if the size is right")},
-    {TR("Up axis in doubt"), TR("the file does not say which axis points up (%0)"),
+    {"up-axis-in-doubt", TR("Up axis in doubt"),
+     TR("the file does not say which axis points up (%0)"),
      TR("State the axis, or keep it if the garment stands upright")},
-    {TR("Grain not stated"), TR("nobody has said how the grain runs: it is taken to run upwards"),
+    {"grain-missing", TR("Grain not stated"),
+     TR("nobody has said how the grain runs: it is taken to run upwards"),
      TR("Turn the grain arrow, or let Toile find the best grain")},
-    {TR("Messages"), "", ""},
+    {"message", TR("Messages"), "", ""},
 };
 
 #undef TR
@@ -112,49 +120,11 @@ std::string sentence(const Finding& finding) {
 }
 
 std::string_view name(Severity severity) {
-    switch (severity) {
-        case Severity::Fault:
-            return "fault";
-        case Severity::Doubt:
-            return "doubt";
-        case Severity::Note:
-            return "note";
-    }
-    return "";
+    return wordOf(kSeverities, severity);
 }
 
 std::string_view name(FindingKind kind) {
-    switch (kind) {
-        case FindingKind::NotFlattened:
-            return "not-flattened";
-        case FindingKind::NotFlat:
-            return "not-flat";
-        case FindingKind::OutlineCrosses:
-            return "outline-crosses";
-        case FindingKind::FlippedTriangles:
-            return "flipped-triangles";
-        case FindingKind::SeamLengths:
-            return "seam-lengths";
-        case FindingKind::StrainWarp:
-            return "strain-warp";
-        case FindingKind::StrainWeft:
-            return "strain-weft";
-        case FindingKind::StrainBias:
-            return "strain-bias";
-        case FindingKind::PiecesOverlap:
-            return "pieces-overlap";
-        case FindingKind::UnlikelySize:
-            return "unlikely-size";
-        case FindingKind::UnitInDoubt:
-            return "unit-in-doubt";
-        case FindingKind::UpAxisInDoubt:
-            return "up-axis-in-doubt";
-        case FindingKind::GrainMissing:
-            return "grain-missing";
-        case FindingKind::Message:
-            return "message";
-    }
-    return "";
+    return findingWords(kind).name;
 }
 
 }  // namespace toile

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "core/base/text.h"
 #include "core/check/finding_place.h"
 #include "core/check/strain_check.h"
 #include "core/quality/measures.h"

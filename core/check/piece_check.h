@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/check/finding_list.h"
+#include "core/check/readiness.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/project/piece_settings.h"

@@ -2,10 +2,21 @@
 #include "core/check/readiness.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "core/base/text.h"
+#include "core/base/words.h"
 
 namespace toile {
+namespace {
+
+constexpr Word<Verdict> kVerdicts[] = {{Verdict::NotFlattened, "not-flattened"},
+                                       {Verdict::Faults, "faults"},
+                                       {Verdict::Doubts, "doubts"},
+                                       {Verdict::Ready, "ready"}};
+
+}  // namespace
 
 int Readiness::count(Severity severity) const {
     return static_cast<int>(std::ranges::count(findings, severity, &Finding::severity));
@@ -22,17 +33,7 @@ Verdict Readiness::verdict() const {
 }
 
 std::string_view name(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::NotFlattened:
-            return "not-flattened";
-        case Verdict::Faults:
-            return "faults";
-        case Verdict::Doubts:
-            return "doubts";
-        case Verdict::Ready:
-            return "ready";
-    }
-    return "";
+    return wordOf(kVerdicts, verdict);
 }
 
 std::string verdictText(const Readiness& readiness) {
@@ -48,6 +49,32 @@ std::string verdictText(const Readiness& readiness) {
             break;
     }
     return "Ready to cut";
+}
+
+void FindingList::add(Finding finding, double badness) {
+    found_.push_back({std::move(finding), badness});
+}
+
+void FindingList::add(const Error& error, std::vector<int> pieces) {
+    Finding finding;
+    finding.severity = isNote(error.code) ? Severity::Note : Severity::Fault;
+    finding.where = error.where;
+    finding.pieces = std::move(pieces);
+    finding.error = error;
+    add(std::move(finding));
+}
+
+Readiness FindingList::inOrder() {
+    std::ranges::stable_sort(found_, [](const Rated& a, const Rated& b) -> bool {
+        return std::tuple(a.finding.severity, a.finding.kind, -a.badness) <
+               std::tuple(b.finding.severity, b.finding.kind, -b.badness);
+    });
+    Readiness readiness;
+    for (Rated& rated : found_) {
+        readiness.findings.push_back(std::move(rated.finding));
+    }
+    found_.clear();
+    return readiness;
 }
 
 }  // namespace toile

@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include "core/base/file.h"
-#include "core/check/finding_list.h"
 #include "core/check/piece_check.h"
 #include "core/seam/seam_fit.h"
+#include "core/sheet/arrange.h"
 #include "core/sheet/sheet_overlaps.h"
 
 namespace toile {
@@ -165,13 +164,7 @@ private:
             if (!result || !result->flat || !placement) {
                 continue;  // what has no place gets one beside the others
             }
-            const auto& boundary = result->piece->boundary;
-            outlines[i].resize(static_cast<Eigen::Index>(boundary.size()), 2);
-            for (std::size_t k = 0; k < boundary.size(); ++k) {
-                const Eigen::Vector2d point = result->flat->Q.row(boundary[k]).transpose();
-                outlines[i].row(static_cast<Eigen::Index>(k)) =
-                    placement->applied(point).transpose();
-            }
+            outlines[i] = placedOutline(result->flat->Q, result->piece->boundary, *placement);
         }
         for (const auto& [one, other] : overlappingOutlines(outlines)) {
             Finding finding;

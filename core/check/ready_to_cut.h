@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -36,5 +37,8 @@ inline constexpr double kSmallestGarment = 10, kLargestGarment = 10000;
 /// they cross or lie near each other. Pure, thread-safe.
 /// @param progress  looked at between the checks of pieces; cancelled, the findings are incomplete
 Readiness readyToCut(const CutPlan& plan, const Progress& progress = Progress());
+
+/// The verdict and all findings as JSON (docs/ready-to-cut.md). @param readiness  of that garment
+std::string writeReadiness(const Garment& garment, const Readiness& readiness);
 
 }  // namespace toile

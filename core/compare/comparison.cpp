@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/seam/seam_measure.h"
+#include "core/seam/seam_fit.h"
 
 namespace toile {
 namespace {
@@ -41,26 +41,20 @@ void takeLargest(std::optional<double>& largest, double value) {
     largest = std::max(largest.value_or(value), value);
 }
 
-/// How far the two flat sides are from fitting, the ease taken out; nothing where there are not
-/// two.
-/// @param results  null where a piece was not flattened
-std::optional<double> mismatchOf(const Seam& seam, const PieceResults& results) {
-    if (seam.kind == SeamKind::Free) {
-        return std::nullopt;
-    }
-    const PieceResult* left = results[seam.left.piece].get();
-    const PieceResult* right = results[seam.right.piece].get();
-    if (!left || !right || !left->flat || !right->flat) {
-        return std::nullopt;
-    }
-    return std::abs(
-        measureSeam(seam, *left->piece, left->flat->Q, *right->piece, right->flat->Q).errorMm);
+/// How far the two flat sides of a seam are from fitting, the ease taken out; nothing where there
+/// are not two.
+std::optional<double> mismatchOf(const Garment& garment, const PieceResults& results,
+                                 std::size_t seam) {
+    const auto measure = measured(garment, results, static_cast<int>(seam));
+    const bool isSewn = garment.seams.seams[seam].kind != SeamKind::Free;
+    return measure && isSewn ? std::optional(std::abs(measure->errorMm)) : std::nullopt;
 }
 
 /// Notes the mismatch of every seam at the garment and at the pieces that it joins.
 void measureSeams(const Garment& garment, ComparedMethod& method) {
-    for (const Seam& seam : garment.seams.seams) {
-        if (const auto mismatch = mismatchOf(seam, method.results)) {
+    for (std::size_t k = 0; k < garment.seams.seams.size(); ++k) {
+        const Seam& seam = garment.seams.seams[k];
+        if (const auto mismatch = mismatchOf(garment, method.results, k)) {
             takeLargest(method.figures.seamMismatch, *mismatch);
             takeLargest(method.pieceFigures[seam.left.piece].seamMismatch, *mismatch);
             takeLargest(method.pieceFigures[seam.right.piece].seamMismatch, *mismatch);
@@ -150,9 +144,10 @@ ComparedMethod compared(Method method, const Garment& garment, PieceResults resu
 
 ComparedFigures comparedPiece(const Garment& garment, const PieceResults& results, int piece) {
     ComparedFigures figures = figuresOf(*results[static_cast<std::size_t>(piece)]);
-    for (const Seam& seam : garment.seams.seams) {
+    for (std::size_t k = 0; k < garment.seams.seams.size(); ++k) {
+        const Seam& seam = garment.seams.seams[k];
         if (seam.left.piece == piece || seam.right.piece == piece) {
-            if (const auto mismatch = mismatchOf(seam, results)) {
+            if (const auto mismatch = mismatchOf(garment, results, k)) {
                 takeLargest(figures.seamMismatch, *mismatch);
             }
         }

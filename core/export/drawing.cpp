@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/export/seam_marks.h"
-
 namespace toile {
 namespace {
 

@@ -12,28 +12,23 @@
 namespace toile {
 namespace {
 
-constexpr int kDecimals = 4;
 constexpr std::size_t kLongestText = 250;  // R12 holds no longer string
 
-struct LayerStyle {
+struct DxfLayer {
     const char* name;
     int colour;  ///< AutoCAD colour index
 };
 
-LayerStyle styleOf(LayerKind kind) {
-    switch (kind) {
-        case LayerKind::Cut:
-            return {"CUT", 1};  // red
-        case LayerKind::Marks:
-            return {"MARKS", 3};  // green
-        case LayerKind::Grain:
-            return {"GRAIN", 6};  // magenta
-        case LayerKind::Text:
-            return {"TEXT", 7};  // black on white, white on black
-        case LayerKind::Check:
-            return {"CHECK", 5};  // blue
-    }
-    return {"OTHER", 7};  // unreachable: the switch has every kind
+/// In the order of the kinds.
+constexpr DxfLayer kDxfLayers[] = {{"CUT", 1},     // red
+                                   {"MARKS", 3},   // green
+                                   {"GRAIN", 6},   // magenta
+                                   {"TEXT", 7},    // black on white, white on black
+                                   {"CHECK", 5}};  // blue
+static_assert(std::size(kDxfLayers) == kLayerKinds.size());
+
+const DxfLayer& styleOf(LayerKind kind) {
+    return kDxfLayers[static_cast<std::size_t>(kind)];
 }
 
 /// Text that stays text: "%%" starts a control code in a DXF string, as '^' does.
@@ -59,7 +54,9 @@ public:
 
     void tag(int code, int value) { tag(code, std::string_view(std::to_string(value))); }
 
-    void tag(int code, double value) { tag(code, std::string_view(fixed(value, kDecimals))); }
+    void tag(int code, double value) {
+        tag(code, std::string_view(fixed(value, kDrawingDecimals)));
+    }
 
     /// A point as codes first, first + 10 and first + 20.
     void point(int first, double x, double y) {

@@ -198,14 +198,4 @@ std::string writeObj(const Garment& garment, const PieceResults& results,
     return out.append(vertices).append(faces);
 }
 
-std::string writeObj(const Garment& garment, const PieceResults& results,
-                     const std::vector<Eigen::Vector2d>& offsets) {
-    std::vector<Placement> placements;
-    placements.reserve(offsets.size());
-    for (const Eigen::Vector2d& offset : offsets) {
-        placements.push_back({offset});
-    }
-    return writeObj(garment, results, placements);
-}
-
 }  // namespace toile

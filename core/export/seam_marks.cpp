@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/seam_marks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
 
+#include "core/export/drawing.h"
 #include "core/pattern/label.h"
 
 namespace toile {

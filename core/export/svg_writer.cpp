@@ -11,30 +11,21 @@
 namespace toile {
 namespace {
 
-constexpr int kDecimals = 4;
 constexpr double kStroke = 0.3;           // mm
 constexpr double kFontPerCapital = 1.39;  // font size per height of a capital, usual sans-serif
 
-struct LayerStyle {
+struct SvgLayer {
     const char* name;
     const char* colour;  ///< cutters choose the operation by it
 };
 
-LayerStyle styleOf(LayerKind kind) {
-    switch (kind) {
-        case LayerKind::Cut:
-            return {"cut", "#ff0000"};
-        case LayerKind::Marks:
-            return {"marks", "#008000"};
-        case LayerKind::Grain:
-            return {"grain", "#800080"};
-        case LayerKind::Text:
-            return {"text", "#000000"};
-        case LayerKind::Check:
-            return {"check", "#0000ff"};
-    }
-    return {"other", "#000000"};  // unreachable: the switch has every kind
-}
+/// In the order of the kinds.
+constexpr SvgLayer kSvgLayers[] = {{"cut", "#ff0000"},
+                                   {"marks", "#008000"},
+                                   {"grain", "#800080"},
+                                   {"text", "#000000"},
+                                   {"check", "#0000ff"}};
+static_assert(std::size(kSvgLayers) == kLayerKinds.size());
 
 /// Collects what pugixml writes.
 struct StringWriter : pugi::xml_writer {
@@ -50,7 +41,7 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
 }
 
 std::string number(double value) {
-    return fixed(value, kDecimals);
+    return fixed(value, kDrawingDecimals);
 }
 
 std::string plain(double value) {
@@ -63,9 +54,9 @@ std::string pathData(const Points2& points, bool closed, double pageHeight) {
     data.reserve(static_cast<std::size_t>(points.rows()) * 22);
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
         data += i == 0 ? "M " : i == 1 ? " L " : " ";
-        appendFixed(data, points(i, 0), kDecimals);
+        appendFixed(data, points(i, 0), kDrawingDecimals);
         data += ',';
-        appendFixed(data, pageHeight - points(i, 1), kDecimals);
+        appendFixed(data, pageHeight - points(i, 1), kDrawingDecimals);
     }
     return closed ? data + " Z" : data;
 }
@@ -106,7 +97,7 @@ void addText(pugi::xml_node layer, const DrawnText& text, const char* colour, do
 }
 
 void addLayer(pugi::xml_node svg, const Drawing& drawing, LayerKind kind) {
-    const LayerStyle style = styleOf(kind);
+    const SvgLayer& style = kSvgLayers[static_cast<std::size_t>(kind)];
     pugi::xml_node layer = svg.append_child("g");
     set(layer, "id", std::string("layer-") + style.name);
     set(layer, "inkscape:groupmode", "layer");

@@ -14,6 +14,9 @@ namespace toile {
 /// Each writer makes the whole file as bytes; the same input gives the same bytes. Numbers never
 /// follow the user's locale.
 
+/// Of a millimetre, in drawings.
+inline constexpr int kDrawingDecimals = 4;
+
 /// SVG in true millimetres: width and height in mm, a viewBox in mm, one layer per kind, closed
 /// paths ending in Z, ids kept; no transforms but of the names along seams. 4 decimals.
 std::string writeSvg(const Drawing& drawing);
@@ -33,10 +36,6 @@ std::string writeDxf(const Drawing& drawing);
 /// Cost: linear; about a third of a second per million triangles.
 std::string writeObj(const Garment& garment, const PieceResults& results,
                      const std::vector<Placement>& placements);
-/// The same where nothing is turned.
-std::string writeObj(const Garment& garment, const PieceResults& results,
-                     const std::vector<Eigen::Vector2d>& offsets);
-
 /// The JSON report of docs/report.md. Never NaN or Infinity: null.
 /// @param places  one per piece of the garment, or none: each is cut once
 std::string writeReport(const Garment& garment, const PieceResults& results,

@@ -19,4 +19,18 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
     return results;
 }
 
+Comparison compareMethods(const Garment& garment, std::span<const Method> methods,
+                          const FlattenOptions& options, Progress& progress) {
+    Comparison comparison;
+    const auto count = static_cast<double>(methods.size());
+    for (std::size_t k = 0; k < methods.size(); ++k) {
+        progress.setShare(static_cast<double>(k) / count, static_cast<double>(k + 1) / count);
+        FlattenOptions one = options;
+        one.method = methods[k];
+        comparison.methods.push_back(
+            compared(methods[k], garment, flattenGarment(garment, one, progress)));
+    }
+    return comparison;
+}
+
 }  // namespace toile

@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/compare/comparison.h"
 #include "core/cut/seams_file.h"
 #include "core/flatten/flatten.h"
 #include "core/flatten/piece_result.h"
@@ -92,5 +94,13 @@ bool canExport(const std::filesystem::path& path);
 Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
                         const PieceResults& results, const std::vector<PieceOnSheet>& places = {},
                         const Progress& progress = {}, const DrawingWords& words = {});
+
+/// Flattens and measures every piece by every method, one method after the other, pieces side by
+/// side. A piece that fails under one method leaves the others alone.
+/// @param methods  in the order wanted  @param options  `method` is not looked at
+/// @return after a cancel the unfinished pieces carry ErrorCode::Cancelled
+/// Cost: `flattenGarment` once per method; all flat pieces are kept. Re-entrant.
+Comparison compareMethods(const Garment& garment, std::span<const Method> methods,
+                          const FlattenOptions& options, Progress& progress);
 
 }  // namespace toile

@@ -23,17 +23,6 @@ constexpr double kGrownAlike = 0.01;   // a unit is far from another
 constexpr double kStays = 1;           // mm: so far a cut part may get from its place
 constexpr double kChanged = 0.1;       // mm: less is no other shape
 
-/// The outline where it lies on the sheet.
-Points2 placedOutline(const PieceResult& result, const Placement& place) {
-    const std::vector<int>& outline = result.piece->boundary;
-    Points2 points(outline.size(), 2);
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        points.row(static_cast<Eigen::Index>(i)) =
-            place.applied(result.flat->Q.row(outline[i]).transpose()).transpose();
-    }
-    return points;
-}
-
 Eigen::AlignedBox2d boxOf(const Points2& points) {
     return outlineBox(points, Placement{});
 }
@@ -77,7 +66,8 @@ private:
     bool isPlaced(std::size_t i) const { return isFlat(i) && settings_[i].placement; }
 
     Points2 outlineOf(std::size_t i) const {
-        return placedOutline(*results_[i], settings_[i].placement.value_or(Placement{}));
+        return placedOutline(results_[i]->flat->Q, results_[i]->piece->boundary,
+                             settings_[i].placement.value_or(Placement{}));
     }
 
     double gap() const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_file.h"
 
-#include <array>
 #include <climits>
 #include <utility>
 
@@ -12,7 +11,7 @@
 #include "core/cut/seams_fields.h"
 #include "core/flatten/option_words.h"
 #include "core/project/project_upgrades.h"
-#include "core/sheet/sheet_limit.h"
+#include "core/sheet/placement.h"
 
 namespace toile {
 namespace {
@@ -205,7 +204,7 @@ Result<ReadProject> readDocument(JsonDocument json, const std::string& name,
                      "its format is version " + std::to_string(version) + ", this Toile knows " +
                          std::to_string(kProjectVersion)};
     }
-    upgradeProject(json, version, projectUpgrades());
+    upgradeProject(json, version, kProjectUpgrades);
     ReadProject read{Reader(folder, faults).run(json), {}};
     if (!faults.first.empty()) {
         return Error{ErrorCode::MalformedProject, name, faults.first};

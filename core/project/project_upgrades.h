@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "core/base/json_fields.h"
@@ -18,9 +19,19 @@ struct ProjectUpgrade {
 };
 
 /// One for each version before the present one. There are none yet.
-std::span<const ProjectUpgrade> projectUpgrades();
+inline constexpr std::span<const ProjectUpgrade> kProjectUpgrades{};
 
 /// Applies, one after the other, the upgrades from `version` on; each says its new "version".
-void upgradeProject(JsonDocument& document, int version, std::span<const ProjectUpgrade> upgrades);
+inline void upgradeProject(JsonDocument& document, int version,
+                           std::span<const ProjectUpgrade> upgrades) {
+    for (;; ++version) {
+        const auto next = std::ranges::find(upgrades, version, &ProjectUpgrade::from);
+        if (next == upgrades.end()) {
+            return;
+        }
+        next->apply(document);
+        document["version"] = version + 1;
+    }
+}
 
 }  // namespace toile

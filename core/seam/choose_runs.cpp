@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/seam/join_runs.h"
-#include "core/seam/run_parts.h"
-
 namespace toile {
 namespace {
 

@@ -7,7 +7,6 @@
 #include "core/seam/choose_runs.h"
 #include "core/seam/contacts.h"
 #include "core/seam/finish_seam.h"
-#include "core/seam/name_seams.h"
 #include "core/seam/run.h"
 
 namespace toile {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/seam/join_runs.h"
-
 #include <algorithm>
 #include <tuple>
+
+#include "core/seam/choose_runs.h"
 
 namespace toile {
 namespace {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/seam/name_after_cuts.h"
 
 #include <algorithm>
 #include <set>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/seam/name_seams.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
+
+#include "core/seam/finish_seam.h"
 
 namespace toile {
 namespace {

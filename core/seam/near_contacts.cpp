@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include "core/seam/contacts.h"
-#include "core/seam/nearby_edges.h"
 
 namespace toile {
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/seam/nearby_edges.h"
-
 #include <algorithm>
 #include <bit>
-#include <numeric>
 
 #include <Eigen/Geometry>
 
 #include "core/mesh/segment.h"
+#include "core/seam/contacts.h"
 
 namespace toile {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/seam/run_parts.h"
-
 #include <algorithm>
+
+#include "core/seam/choose_runs.h"
 
 namespace toile {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 // overlap by less do not compete.
 constexpr double kMargin = 0.25;
 // Below this fraction of the edge length two sides coincide: a smaller gap is no better.
-constexpr double kCoincident = 1e-3;
+constexpr double kNoGap = 1e-3;
 // A pleat's fold is believed only where no other seam wants the place, unless that lies this much
 // farther off: in a stack of layers everything is near.
 constexpr double kFoldFactor = 10;
@@ -43,8 +43,8 @@ std::vector<std::vector<double>> runEnds(const Outlines& outlines, const std::ve
 
 double costOf(const Run& run, const Outlines& outlines) {
     double cost = run.meanGap() / run.spacing(outlines);
-    cost = cost < kCoincident ? 0 : cost;
-    return run.folded ? kFoldFactor * std::max(cost, kCoincident) : cost;
+    cost = cost < kNoGap ? 0 : cost;
+    return run.folded ? kFoldFactor * std::max(cost, kNoGap) : cost;
 }
 
 struct Claim {

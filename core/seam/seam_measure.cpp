@@ -3,11 +3,17 @@
 
 #include <algorithm>
 
+#include "core/base/words.h"
+
 namespace toile {
 namespace {
 
 /// A place nearer to a vertex than this fraction of the edge is the vertex.
 constexpr double kAtVertex = 1e-9;
+constexpr Word<SeamKind> kKinds[] = {{SeamKind::Seam, "seam"},
+                                     {SeamKind::Dart, "dart"},
+                                     {SeamKind::Fold, "fold"},
+                                     {SeamKind::Free, "free"}};
 
 /// One edge of a stretch of outline and the part of it that belongs to the stretch.
 struct PartOfEdge {
@@ -91,17 +97,7 @@ double easeOf(const Seam& seam) {
 }
 
 std::string_view name(SeamKind kind) {
-    switch (kind) {
-        case SeamKind::Seam:
-            return "seam";
-        case SeamKind::Dart:
-            return "dart";
-        case SeamKind::Fold:
-            return "fold";
-        case SeamKind::Free:
-            return "free";
-    }
-    return "";
+    return wordOf(kKinds, kind);
 }
 
 SeamMeasure measureSeam(const Seam& seam, const Piece& l, const Points2& Ql, const Piece& r,

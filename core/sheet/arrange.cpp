@@ -77,6 +77,16 @@ double directionOnPiece(const Placement& placement, double direction) {
     return wrappedAngle(placement.mirrored ? kPi - turned : turned);
 }
 
+Points2 placedOutline(const Points2& Q, const std::vector<int>& boundary,
+                      const Placement& placement) {
+    Points2 points(boundary.size(), 2);
+    for (std::size_t i = 0; i < boundary.size(); ++i) {
+        points.row(static_cast<Eigen::Index>(i)) =
+            placement.applied(Q.row(boundary[i]).transpose()).transpose();
+    }
+    return points;
+}
+
 Eigen::AlignedBox2d outlineBox(const Points2& outline, const Placement& placement) {
     Eigen::AlignedBox2d box;
     const Eigen::Matrix2d linear = placement.linear();

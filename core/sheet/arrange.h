@@ -38,6 +38,10 @@ Placement mirroredAt(Placement placement, const Eigen::Vector2d& centre, Mirrori
 double directionOnSheet(const Placement& placement, double direction);
 double directionOnPiece(const Placement& placement, double direction);
 
+/// The outline of a piece where it lies on the sheet. @param Q  #V x 2, its flat coordinates
+Points2 placedOutline(const Points2& Q, const std::vector<int>& boundary,
+                      const Placement& placement);
+
 /// The smallest upright box around an outline at its place; empty where there is no point.
 /// @param outline  mm, in the piece's own coordinates
 Eigen::AlignedBox2d outlineBox(const Points2& outline, const Placement& placement);

@@ -43,4 +43,7 @@ struct PieceOnSheet {
     bool operator==(const PieceOnSheet&) const = default;
 };
 
+/// mm from the origin: farther away nothing is laid.
+inline constexpr double kFarthestOnSheet = 1e9;
+
 }  // namespace toile

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window that compares methods: its figures, its pictures, and how it follows the document.
-#include "core/pipeline/compare.h"
-
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
@@ -17,6 +15,7 @@
 #include "app/render/scene.h"
 #include "app/text/figures.h"
 #include "app/views/colour_bar.h"
+#include "core/pipeline/pipeline.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/run_test.h"

@@ -20,7 +20,7 @@ const Garment* dress() {
 }
 
 std::string bytesOf(const Garment& garment, const PieceResults& results) {
-    return writeObj(garment, results, layOut(garment, results).offsets);
+    return writeObj(garment, results, layOut(garment, results).placements);
 }
 
 void measureGarment(benchmark::State& state, int threads) {

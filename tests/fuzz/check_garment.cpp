@@ -79,7 +79,7 @@ std::string whatBreaksIn(const Garment& garment, const PieceResults& results,
     const LaidOutPattern laid = layOut(garment, results, places);
     const Drawing drawing = draw(laid.pattern, laid.sheet);
     for (const std::string& file :
-         {writeSvg(drawing), writeDxf(drawing), writeObj(garment, results, laid.offsets)}) {
+         {writeSvg(drawing), writeDxf(drawing), writeObj(garment, results, laid.placements)}) {
         if (file.find("nan") != std::string::npos || file.find("inf") != std::string::npos) {
             return "a file holds what is no number";
         }

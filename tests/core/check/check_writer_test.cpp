@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/check/check_writer.h"
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/check/ready_to_cut.h"
 #include "tests/core/check/cut_plans.h"
 
 namespace toile {

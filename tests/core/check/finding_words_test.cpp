@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/check/finding_words.h"
-
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include "core/check/finding.h"
 
 namespace toile {
 namespace {

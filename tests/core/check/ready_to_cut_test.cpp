@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/check/finding_words.h"
+#include "core/check/finding.h"
 #include "core/pipeline/pipeline.h"
 #include "core/seam/find_seams.h"
 #include "tests/core/check/cut_plans.h"

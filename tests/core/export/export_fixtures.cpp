@@ -68,7 +68,7 @@ void add(GarmentAndResults& all, const std::shared_ptr<const PieceResult>& resul
          const Eigen::Vector2d& offset) {
     all.garment.pieces.push_back(result->piece);
     all.results.push_back(result);
-    all.offsets.push_back(offset);
+    all.placements.push_back({offset});
 }
 
 std::shared_ptr<SourceFile> textFile() {

@@ -8,6 +8,7 @@
 #include "core/export/drawing.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
+#include "core/sheet/placement.h"
 #include "core/sheet/sheet.h"
 
 namespace toile::test {
@@ -30,7 +31,7 @@ Eigen::VectorXd edgeLengths(const Points2& outline);
 struct GarmentAndResults {
     Garment garment;
     PieceResults results;
-    std::vector<Eigen::Vector2d> offsets;
+    std::vector<Placement> placements;
 };
 
 /// One text file in cm: pieces "front 1" and "back" share two positions; "ring" has failed; one

@@ -31,7 +31,7 @@ struct ObjLines {
 };
 
 ObjLines write(const test::GarmentAndResults& all) {
-    return ObjLines(writeObj(all.garment, all.results, all.offsets));
+    return ObjLines(writeObj(all.garment, all.results, all.placements));
 }
 
 TEST(WriteObj, RepeatsTheDigitsOfTheFile) {
@@ -106,10 +106,10 @@ TEST(WriteObj, KeepsGroupNamesApartAndInOneWord) {
 
 TEST(WriteObj, GivesTheSameBytesTwiceAndInAnyLocale) {
     const test::GarmentAndResults all = test::handmadeGarment();
-    const std::string bytes = writeObj(all.garment, all.results, all.offsets);
-    EXPECT_EQ(bytes, writeObj(all.garment, all.results, all.offsets));
+    const std::string bytes = writeObj(all.garment, all.results, all.placements);
+    EXPECT_EQ(bytes, writeObj(all.garment, all.results, all.placements));
     const test::CommaLocale comma;
-    EXPECT_EQ(bytes, writeObj(all.garment, all.results, all.offsets));
+    EXPECT_EQ(bytes, writeObj(all.garment, all.results, all.placements));
 }
 
 /// A square grid of one piece without text, two triangles per cell.
@@ -142,13 +142,13 @@ test::GarmentAndResults gridGarment(int cells) {
 
 TEST(WriteObj, WritesEveryFaceOfALargePiece) {
     const test::GarmentAndResults all = gridGarment(100);
-    const std::string bytes = writeObj(all.garment, all.results, all.offsets);
+    const std::string bytes = writeObj(all.garment, all.results, all.placements);
     EXPECT_EQ(ObjLines(bytes).faces.size(), 20001u);  // with one g
 }
 
 TEST(WriteObjClock, IsLinearInTheFaces) {
     const auto writing = [](const test::GarmentAndResults& all) {
-        return [&all] { writeObj(all.garment, all.results, all.offsets); };
+        return [&all] { writeObj(all.garment, all.results, all.placements); };
     };
     const test::GarmentAndResults some = gridGarment(150), more = gridGarment(300);
     EXPECT_LT(test::growth(writing(some), writing(more)), 8);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/seam_marks.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "core/export/drawing.h"
 #include "core/export/writers.h"
 #include "tests/core/export/export_fixtures.h"
 

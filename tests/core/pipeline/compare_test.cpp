@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pipeline/compare.h"
 
 #include <algorithm>
 #include <set>

@@ -306,7 +306,7 @@ TEST(ProjectFile, ANewerVersionIsRefusedByName) {
 
 TEST(ProjectFile, EveryOlderVersionHasAnUpgrade) {
     for (int version = 1; version < kProjectVersion; ++version) {
-        EXPECT_EQ(std::ranges::count(projectUpgrades(), version, &ProjectUpgrade::from), 1);
+        EXPECT_EQ(std::ranges::count(kProjectUpgrades, version, &ProjectUpgrade::from), 1);
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/seam/arc_set.h"
-
 #include <gtest/gtest.h>
+
+#include "core/seam/run.h"
 
 namespace toile {
 namespace {

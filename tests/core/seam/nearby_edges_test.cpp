@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/seam/nearby_edges.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "core/seam/contacts.h"
 #include "core/seam/find_seams.h"
 #include "tests/core/seam/seam_shapes.h"
 #include "tests/core/support/shapes.h"
