@@ -78,8 +78,9 @@ void MainWindow::showFindings(const QList<int>& indices) {
     const Finding& first = findings[static_cast<std::size_t>(indices.front())];
     if (const auto overlay = overlayFor(first.kind)) {
         document.setOverlay(*overlay);
-        document.setValuesPerTriangle(document.view().valuesPerTriangle ||
-                                      first.kind == FindingKind::FlippedTriangles);
+        document.setView(
+            &ViewState::valuesPerTriangle,
+            document.view().valuesPerTriangle || first.kind == FindingKind::FlippedTriangles);
     }
     if (indices.size() == 1 && first.seam >= 0) {
         document.setSelection({});

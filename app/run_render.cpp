@@ -68,11 +68,11 @@ void applyView(Document& document, const Arguments& arguments) {
         view = viewOf(arguments.project->view, view);
     }
     const PictureArguments& wishes = arguments.picture;
-    document.setOverlay(arguments.overlay.value_or(view.overlay));
-    document.setWireframe(view.wireframe || wishes.wireframe);
-    document.setDesignerOutline(view.designerOutline);
-    document.setSeamsShown(wishes.seams);
-    document.setXray(wishes.xray);
+    view.overlay = arguments.overlay.value_or(view.overlay);
+    view.wireframe = view.wireframe || wishes.wireframe;
+    view.seams = wishes.seams;
+    view.xray = wishes.xray;
+    document.setView(view);
 }
 
 PictureOptions pictureOptions(const PictureArguments& wishes, Overlay overlay) {

@@ -33,6 +33,20 @@ constexpr std::pair<ActionId, Overlay> kOverlays[] = {
     {ActionId::OverlayDirichlet, Overlay::Dirichlet},
 };
 
+constexpr std::pair<ActionId, bool ViewState::*> kSwitches[] = {
+    {ActionId::Wireframe, &ViewState::wireframe},
+    {ActionId::DesignerOutline, &ViewState::designerOutline},
+    {ActionId::ValuesPerTriangle, &ViewState::valuesPerTriangle},
+    {ActionId::WorstSpots, &ViewState::worstSpots},
+    {ActionId::ShowSeams, &ViewState::seams},
+    {ActionId::Xray, &ViewState::xray},
+    {ActionId::Shaded, &ViewState::shaded},
+    {ActionId::PieceColours, &ViewState::pieceColours},
+    {ActionId::Rulers, &ViewState::rulers},
+    {ActionId::Grid, &ViewState::grid},
+    {ActionId::Snapping, &ViewState::snapping},
+};
+
 constexpr std::pair<ActionId, Quality> kQualities[] = {
     {ActionId::QualityDraft, Quality::Draft},
     {ActionId::QualityStandard, Quality::Standard},
@@ -118,22 +132,10 @@ void GarmentActions::connectView() {
         connect(&actions_[id], &QAction::triggered, this,
                 [this, overlay = overlay] { workspace_.document().setOverlay(overlay); });
     }
-    connect(&actions_[ActionId::Wireframe], &QAction::toggled, &workspace_.document(),
-            &Document::setWireframe);
-    connect(&actions_[ActionId::DesignerOutline], &QAction::toggled, &workspace_.document(),
-            &Document::setDesignerOutline);
-    connect(&actions_[ActionId::ValuesPerTriangle], &QAction::toggled, &workspace_.document(),
-            &Document::setValuesPerTriangle);
-    connect(&actions_[ActionId::WorstSpots], &QAction::toggled, &workspace_.document(),
-            &Document::setWorstSpots);
-    connect(&actions_[ActionId::ShowSeams], &QAction::toggled, &workspace_.document(),
-            &Document::setSeamsShown);
-    connect(&actions_[ActionId::Xray], &QAction::toggled, &workspace_.document(),
-            &Document::setXray);
-    connect(&actions_[ActionId::Shaded], &QAction::toggled, &workspace_.document(),
-            &Document::setShaded);
-    connect(&actions_[ActionId::PieceColours], &QAction::toggled, &workspace_.document(),
-            &Document::setPieceColours);
+    for (const auto& [id, field] : kSwitches) {
+        connect(&actions_[id], &QAction::toggled, this,
+                [this, field = field](bool on) { workspace_.document().setView(field, on); });
+    }
 }
 
 void GarmentActions::connectFlattening() {
@@ -252,14 +254,9 @@ void GarmentActions::onChanged(DocumentChanges what) {
         for (const auto& [id, overlay] : kOverlays) {
             actions_[id].setChecked(document.view().overlay == overlay);
         }
-        actions_[ActionId::Wireframe].setChecked(document.view().wireframe);
-        actions_[ActionId::DesignerOutline].setChecked(document.view().designerOutline);
-        actions_[ActionId::ValuesPerTriangle].setChecked(document.view().valuesPerTriangle);
-        actions_[ActionId::WorstSpots].setChecked(document.view().worstSpots);
-        actions_[ActionId::ShowSeams].setChecked(document.view().seams);
-        actions_[ActionId::Xray].setChecked(document.view().xray);
-        actions_[ActionId::Shaded].setChecked(document.view().shaded);
-        actions_[ActionId::PieceColours].setChecked(document.view().pieceColours);
+        for (const auto& [id, field] : kSwitches) {
+            actions_[id].setChecked(document.view().*field);
+        }
     }
     if (what.testFlag(DocumentChange::Options)) {
         const FlattenOptions& options = document.options();

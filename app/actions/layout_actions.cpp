@@ -33,7 +33,6 @@ LayoutActions::LayoutActions(ActionRegistry& actions, Workspace& workspace, QObj
     : QObject(parent), actions_(actions), workspace_(workspace) {
     connectArranging();
     connectGrain();
-    connectView();
     connect(&workspace_.document(), &Document::changed, this, &LayoutActions::update);
     update();
 }
@@ -129,18 +128,8 @@ void LayoutActions::sayOutdated() {
            "grain was looked for. Ask for it once more."));
 }
 
-void LayoutActions::connectView() {
-    Document& document = workspace_.document();
-    connect(&actions_[ActionId::Rulers], &QAction::toggled, &document, &Document::setRulers);
-    connect(&actions_[ActionId::Grid], &QAction::toggled, &document, &Document::setGrid);
-    connect(&actions_[ActionId::Snapping], &QAction::toggled, &document, &Document::setSnapping);
-}
-
 void LayoutActions::update() {
     const Document& document = workspace_.document();
-    actions_[ActionId::Rulers].setChecked(document.view().rulers);
-    actions_[ActionId::Grid].setChecked(document.view().grid);
-    actions_[ActionId::Snapping].setChecked(document.view().snapping);
     const std::size_t selected = selectedFlat(document).size();
     for (const ActionId id : {ActionId::TurnLeft, ActionId::TurnRight, ActionId::MirrorLeftRight,
                               ActionId::MirrorUpsideDown}) {

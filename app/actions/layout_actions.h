@@ -32,7 +32,6 @@ private:
     std::vector<int> chosen() const;
     void connectArranging();
     void connectGrain();
-    void connectView();
     void lookForBestGrain();
     void sayOutdated();
     void update();

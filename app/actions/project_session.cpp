@@ -89,9 +89,7 @@ void ProjectSession::onOpened(const Path& file, const ProjectJob::Opened& opened
                  : recoveryOf ? OpeningAs{}
                               : OpeningAs{file, opened.known};
     document.open(stateOf(opened.project, opened.garment, opened.scene));
-    document.setOverlay(view.overlay);
-    document.setWireframe(view.wireframe);
-    document.setDesignerOutline(view.designerOutline);
+    document.setView(view);
     if (restoring || moved || recoveryOf) {
         document.history().resetClean();
     }

@@ -301,64 +301,23 @@ void Document::setSeamEase(int seam, std::optional<double> ease) {
     edit(tr("Ease of a seam"), std::move(next));
 }
 
+void Document::setView(const ViewState& view) {
+    if (view != view_) {
+        view_ = view;
+        emit changed(DocumentChange::View);
+    }
+}
+
+void Document::setView(bool ViewState::*field, bool on) {
+    ViewState view = view_;
+    view.*field = on;
+    setView(view);
+}
+
 void Document::setOverlay(Overlay overlay) {
-    if (view_.overlay == overlay) {
-        return;
-    }
-    view_.overlay = overlay;
-    emit changed(DocumentChange::View);
-}
-
-void Document::setWireframe(bool on) {
-    changeView(&ViewState::wireframe, on);
-}
-
-void Document::setDesignerOutline(bool on) {
-    changeView(&ViewState::designerOutline, on);
-}
-
-void Document::setValuesPerTriangle(bool on) {
-    changeView(&ViewState::valuesPerTriangle, on);
-}
-
-void Document::setWorstSpots(bool on) {
-    changeView(&ViewState::worstSpots, on);
-}
-
-void Document::setSeamsShown(bool on) {
-    changeView(&ViewState::seams, on);
-}
-
-void Document::setXray(bool on) {
-    changeView(&ViewState::xray, on);
-}
-
-void Document::setShaded(bool on) {
-    changeView(&ViewState::shaded, on);
-}
-
-void Document::setPieceColours(bool on) {
-    changeView(&ViewState::pieceColours, on);
-}
-
-void Document::setRulers(bool on) {
-    changeView(&ViewState::rulers, on);
-}
-
-void Document::setGrid(bool on) {
-    changeView(&ViewState::grid, on);
-}
-
-void Document::setSnapping(bool on) {
-    changeView(&ViewState::snapping, on);
-}
-
-void Document::changeView(bool ViewState::*field, bool on) {
-    if (view_.*field == on) {
-        return;
-    }
-    view_.*field = on;
-    emit changed(DocumentChange::View);
+    ViewState view = view_;
+    view.overlay = overlay;
+    setView(view);
 }
 
 }  // namespace toile

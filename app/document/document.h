@@ -120,18 +120,10 @@ public:
     /// history.
     /// @param seam an index into Garment::seams; not of a free edge
     void setSeamEase(int seam, std::optional<double> ease);
+    /// What is painted; no step of the history.
+    void setView(const ViewState& view);
+    void setView(bool ViewState::*field, bool on);
     void setOverlay(Overlay overlay);
-    void setWireframe(bool on);
-    void setDesignerOutline(bool on);
-    void setValuesPerTriangle(bool on);
-    void setWorstSpots(bool on);
-    void setSeamsShown(bool on);
-    void setXray(bool on);
-    void setShaded(bool on);
-    void setPieceColours(bool on);
-    void setRulers(bool on);
-    void setGrid(bool on);
-    void setSnapping(bool on);
 
 signals:
     void changed(toile::DocumentChanges what);
@@ -144,7 +136,6 @@ private:
     DocumentChanges differences(const DocumentState& before) const;
     DocumentChanges keepSelection(const DocumentState& before);
     bool isInGarment(const Feature& feature) const;
-    void changeView(bool ViewState::*field, bool on);
 
     DocumentState state_;
     QUndoStack history_;

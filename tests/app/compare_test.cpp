@@ -136,7 +136,7 @@ private slots:
     }
 
     void picturesHaveOneScaleAndMoveTogether() {
-        document().setGrid(false);
+        document().setView(&ViewState::grid, false);
         openAndCompare("sheet.obj");
         const auto extents = [this] {
             std::vector<QRect> found;

@@ -62,7 +62,7 @@ private slots:
         QVERIFY(afterGarment > start);
         document.setSelection({1});
         document.setOverlay(Overlay::Strain);
-        document.setWireframe(true);
+        document.setView(&ViewState::wireframe, true);
         document.setResults(PieceResults(2, std::make_shared<PieceResult>()), nullptr);
         QCOMPARE(document.revision(), afterGarment);
         FlattenOptions natural;
@@ -82,7 +82,7 @@ private slots:
         QSignalSpy spy(&document, &Document::changed);
         document.setSelection({0});
         document.setOverlay(document.view().overlay);
-        document.setWireframe(false);
+        document.setView(&ViewState::wireframe, false);
         document.setOptions(document.options());
         QCOMPARE(spy.count(), 0);
     }

@@ -184,10 +184,10 @@ private slots:
         };
         for (int overlay = 0; overlay < kOverlayCount; ++overlay) {
             document().setOverlay(static_cast<Overlay>(overlay));
-            document().setValuesPerTriangle(false);
+            document().setView(&ViewState::valuesPerTriangle, false);
             QTRY_VERIFY_WITH_TIMEOUT(fixture_.window().views().isUpToDate(), test::kPatience);
             const QStringList smooth = figures();
-            document().setValuesPerTriangle(true);
+            document().setView(&ViewState::valuesPerTriangle, true);
             QTRY_VERIFY_WITH_TIMEOUT(fixture_.window().views().isUpToDate(), test::kPatience);
             QCOMPARE(figures(), smooth);
         }

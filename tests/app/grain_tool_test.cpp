@@ -44,7 +44,7 @@ private slots:
         release(away(middle, angle));
         QVERIFY(std::abs(*document().settings()[0].grain - angle) < 1e-9);
         QCOMPARE(steps(), 1);
-        document().setSnapping(true);
+        document().setView(&ViewState::snapping, true);
         const QPointF now =
             onScreen(grainArrow(document(), 0, view().camera().pixelsPerMillimetre())->middle);
         const double nearly = 46.5 * std::numbers::pi / 180;

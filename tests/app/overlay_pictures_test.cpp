@@ -64,8 +64,8 @@ private:
         document().open(std::move(state));
         // A solver would lay the sheet flat without strain.
         fixture_.workspace().jobs().cancel();
-        document().setWorstSpots(false);
-        document().setValuesPerTriangle(false);
+        document().setView(&ViewState::worstSpots, false);
+        document().setView(&ViewState::valuesPerTriangle, false);
     }
 
     void setFabric(const char* id) {
@@ -149,7 +149,7 @@ private slots:
         showStretched(0.05);
         document().setOverlay(static_cast<Overlay>(overlay));
         for (const bool perTriangle : {false, true}) {
-            document().setValuesPerTriangle(perTriangle);
+            document().setView(&ViewState::valuesPerTriangle, perTriangle);
             const double share = shareLike(mapColour(static_cast<Overlay>(overlay), value));
             QVERIFY2(share > kNineTenths, qPrintable(QString::number(share)));
         }
@@ -158,7 +158,7 @@ private slots:
     void anEdgesStrainIsThatOfTheWorstEdgePerTriangle() {
         showStretched(0.05);
         document().setOverlay(Overlay::Strain);
-        document().setValuesPerTriangle(true);
+        document().setView(&ViewState::valuesPerTriangle, true);
         QVERIFY(shareLike(mapColour(Overlay::Strain, 5)) > kNineTenths);
     }
 
@@ -258,7 +258,7 @@ private slots:
         showStretched(0.3);
         document().setOverlay(Overlay::Weft);
         const QImage pattern = fixture_.patternPicture(), garment = fixture_.garmentPicture();
-        document().setWorstSpots(true);
+        document().setView(&ViewState::worstSpots, true);
         QVERIFY(fixture_.patternPicture() != pattern);
         QVERIFY(fixture_.garmentPicture() != garment);
     }
@@ -272,7 +272,7 @@ private slots:
         showStretched(0.05);
         setFabric("denim");
         document().setOverlay(Overlay::Weft);
-        document().setWorstSpots(true);
+        document().setView(&ViewState::worstSpots, true);
         const QImage image = fixture_.find<ColourBar>("colourBar").grab().toImage();
         if (const QString folder = qEnvironmentVariable("TOILE_PICTURES"); !folder.isEmpty()) {
             fixture_.window().grab().save(folder + "/dark.png");

@@ -49,7 +49,7 @@ private slots:
         const auto shown = static_cast<ViewsShown>(view);
         openStretched(0);
         document().setOverlay(Overlay::Checker);
-        document().setSeamsShown(false);
+        document().setView(&ViewState::seams, false);
         const QImage image = draw(shown);
         const QRect part = inside(shown);
         int least = 255, most = 0;
@@ -105,7 +105,7 @@ private slots:
         QFETCH(double, value);
         openStretched(0.1);
         document().setOverlay(static_cast<Overlay>(overlay));
-        document().setValuesPerTriangle(true);
+        document().setView(&ViewState::valuesPerTriangle, true);
         const QColor colour = mapColour(static_cast<Overlay>(overlay), value);
         for (const ViewsShown view : {ViewsShown::Garment, ViewsShown::Pattern}) {
             const double share = shareLike(view, colour);
@@ -171,7 +171,7 @@ private slots:
         const SheetPlaces places = placesOf(document().settings());
         framePattern(camera, scene, places, {0, 1}, false);
         const QImage shown = draw(ViewsShown::Pattern);
-        document().setSeamsShown(false);
+        document().setView(&ViewState::seams, false);
         const QImage hidden = draw(ViewsShown::Pattern);
         int sewn = 0;
         for (std::size_t seam = 0; seam < scene.seams.size(); ++seam) {
@@ -246,7 +246,7 @@ private slots:
             return image.pixelColor(image.width() / 2 + 40, image.height() / 2 + 40);
         };
         const QColor plain = middle();
-        document().setXray(true);
+        document().setView(&ViewState::xray, true);
         const QColor through = middle();
         const QColor behind = colourOf(pieceColour(1));
         QVERIFY(distance(plain.rgb(), colourOf(pieceColour(0)).rgb()) <= kSameColour);
@@ -271,9 +271,9 @@ private slots:
             open(garment, {resultOf(garment->pieces[0], flat, {})});
             document().setOverlay(Overlay::Weft);
             for (const ViewsShown view : {ViewsShown::Garment, ViewsShown::Pattern}) {
-                document().setWireframe(false);
+                document().setView(&ViewState::wireframe, false);
                 const QImage without = draw(view);
-                document().setWireframe(true);
+                document().setView(&ViewState::wireframe, true);
                 const double share = differing(without, draw(view), 12);
                 QVERIFY2(covered ? share > 0.02 : share < 0.001,
                          qPrintable(QString::number(share)));
@@ -344,8 +344,8 @@ private slots:
     void everySizeIsDrawnAsItIs() {
         QFETCH(QSize, size);
         openStretched(0.1);
-        document().setRulers(true);
-        document().setWorstSpots(true);
+        document().setView(&ViewState::rulers, true);
+        document().setView(&ViewState::worstSpots, true);
         document().setOverlay(Overlay::Strain);
         PictureOptions wishes = options(ViewsShown::Both, size);
         wishes.legend = true;
@@ -363,7 +363,7 @@ private slots:
     void drawnTwiceIsTheSameToTheBit() {
         openFlattened(test::makeSewnCap());
         document().setOverlay(Overlay::Strain);
-        document().setWorstSpots(true);
+        document().setView(&ViewState::worstSpots, true);
         PictureOptions wishes = options(ViewsShown::Both);
         wishes.legend = true;
         QByteArray files[2];

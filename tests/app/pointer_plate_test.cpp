@@ -261,7 +261,7 @@ private slots:
                               Qt::NoModifier, Qt::NoScrollPhase, false);
             QApplication::sendEvent(&patternView(), &event);
         }
-        document().setGrid(false);
+        document().setView(&ViewState::grid, false);
         QVERIFY(patternView().hitAt({kRulerBreadth + 9.0, kRulerBreadth + 21.0}));
         QVERIFY(difference(fixture_.patternPicture()) > 30);
     }

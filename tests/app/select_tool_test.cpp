@@ -180,7 +180,7 @@ private slots:
         near[2] = movedBy(placement(2), box(0).min() - box(2).min() + Eigen::Vector2d(1.5, -300));
         place(document(), "Test", near);
         frameAll();
-        document().setSnapping(true);
+        document().setView(&ViewState::snapping, true);
         const double scale = view().pixelsPerMillimetre();
         const double target = box(0).min().x();
         drag(on(2), on(2) + QPointF(4 - 1.5 * scale, 14));
@@ -214,7 +214,7 @@ private slots:
     }
 
     void turningCatchesAtRightAngles() {
-        document().setSnapping(true);
+        document().setView(&ViewState::snapping, true);
         document().setSelection({2});
         const QPointF centre = onScreen(box(2).center());
         const auto handle = turnHandle(document(), view());

@@ -177,7 +177,7 @@ private slots:
         test::drag(garmentView(), {200, 200}, {260, 240}, Qt::LeftButton);
         document().setOverlay(Overlay::Strain);
         document().setSelection({1});
-        document().setWireframe(true);
+        document().setView(&ViewState::wireframe, true);
         (void)fixture_.garmentPicture();
         QCOMPARE(garmentView().renderer().meshUploads(), uploads);
     }

@@ -131,9 +131,9 @@ protected:
             state.settings[i].placement = Placement{offsets[i]};
         }
         document_->open(std::move(state));
-        document_->setWorstSpots(false);
-        document_->setShaded(false);  // colours as they are in the map
-        document_->setRulers(false);
+        document_->setView(&ViewState::worstSpots, false);
+        document_->setView(&ViewState::shaded, false);  // colours as they are in the map
+        document_->setView(&ViewState::rulers, false);
     }
 
     /// A worn sheet of 200 x 120 mm facing the eye whose cloth is stretched sideways by this part.
@@ -218,8 +218,8 @@ protected:
     /// Pixels between two views drawn with and without something.
     double shareOfCloth(const PictureOptions& wishes) {
         document().setOverlay(Overlay::None);
-        document().setPieceColours(true);
-        document().setSeamsShown(false);
+        document().setView(&ViewState::pieceColours, true);
+        document().setView(&ViewState::seams, false);
         const QColor cloth = colourOf(pieceColour(0));
         const QImage image = draw(wishes);
         int count = 0;

@@ -19,7 +19,7 @@ void SheetBench::initTestCase() {
 void SheetBench::init() {
     fixture_.open();
     QVERIFY(fixture_.openAndWait(fixture_.path("three.obj")));
-    document().setSnapping(false);
+    document().setView(&ViewState::snapping, false);
     (void)fixture_.patternPicture();
 }
 
