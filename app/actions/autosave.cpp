@@ -10,7 +10,7 @@
 
 #include "app/base/path_text.h"
 #include "app/document/document.h"
-#include "app/jobs/save_job.h"
+#include "app/jobs/file_jobs.h"
 #include "core/project/project_file.h"
 
 namespace toile {
@@ -130,15 +130,14 @@ void Autosave::writeNow() {
     sinceWriting_.start();
     sinceChange_.invalidate();
     writing_ = file_;
-    SaveJob::Target target{.path = pathOf(file_), .recoveryOf = session_.project()};
-    jobs_.start(std::make_unique<SaveJob>(document_, std::move(target),
-                                          [this, file = file_](SaveJob::Outcome) {
-                                              if (file != file_) {
-                                                  QFile::remove(file);  // saved meanwhile
-                                              } else {
-                                                  emit written(file);
-                                              }
-                                          }));
+    SaveTarget target{.path = pathOf(file_), .recoveryOf = session_.project()};
+    jobs_.start(saveJob(document_, std::move(target), [this, file = file_](SaveOutcome) {
+        if (file != file_) {
+            QFile::remove(file);  // saved meanwhile
+        } else {
+            emit written(file);
+        }
+    }));
 }
 
 bool Autosave::prepare() {

@@ -8,7 +8,7 @@
 
 #include "app/actions/workspace.h"
 #include "app/document/layout.h"
-#include "app/jobs/grain_job.h"
+#include "app/jobs/garment_jobs.h"
 
 namespace toile {
 
@@ -106,8 +106,8 @@ void LayoutActions::lookForBestGrain() {
     if (pieces.empty()) {
         return;
     }
-    grain_ = workspace_.jobs().start(std::make_unique<GrainJob>(
-        workspace_.document(), pieces, [this](const PieceGrains& found, bool outdated) {
+    grain_ = workspace_.jobs().start(
+        grainJob(workspace_.document(), pieces, [this](const PieceGrains& found, bool outdated) {
             grain_ = 0;
             if (outdated) {
                 sayOutdated();

@@ -160,7 +160,7 @@ void ProjectActions::askAboutOthers(const std::filesystem::path& path,
 void ProjectActions::askForMeshes(const std::filesystem::path& project,
                                   const std::vector<std::filesystem::path>& missing,
                                   const ProjectSession::Retry& retry) {
-    ProjectJob::Found found;
+    FoundMeshes found;
     QString folder = QFileInfo(textOf(project)).absolutePath();
     for (const auto& mesh : missing) {
         // Files that were moved together are found together.

@@ -6,7 +6,6 @@
 #include "app/actions/workspace.h"
 #include "app/base/path_text.h"
 #include "app/document/project_state.h"
-#include "app/jobs/save_job.h"
 #include "app/text/error_text.h"
 
 namespace toile {
@@ -58,12 +57,12 @@ void ProjectSession::restore(const Path& recoveryFile, std::function<void()> don
     start(recoveryFile, {}, true, std::move(done));
 }
 
-void ProjectSession::start(const Path& file, const ProjectJob::Found& found, bool restoring,
+void ProjectSession::start(const Path& file, const FoundMeshes& found, bool restoring,
                            std::function<void()> done) {
     const bool moved = !found.empty();
-    workspace_.openBy(std::make_unique<ProjectJob>(
+    workspace_.openBy(projectJob(
         file, found,
-        [this, file, restoring, moved, done](ProjectJob::Opened opened) {
+        [this, file, restoring, moved, done](OpenedProject opened) {
             workspace_.arrived([this, file, restoring, moved, done, opened = std::move(opened)] {
                 onOpened(file, opened, restoring, moved);
                 if (done) {
@@ -73,13 +72,13 @@ void ProjectSession::start(const Path& file, const ProjectJob::Found& found, boo
         },
         [this, file, restoring, done](const std::vector<Path>& missing) {
             workspace_.notOpened();
-            emit meshesMissing(file, missing, [=, this](const ProjectJob::Found& foundNow) {
+            emit meshesMissing(file, missing, [=, this](const FoundMeshes& foundNow) {
                 start(file, foundNow, restoring, done);
             });
         }));
 }
 
-void ProjectSession::onOpened(const Path& file, const ProjectJob::Opened& opened, bool restoring,
+void ProjectSession::onOpened(const Path& file, const OpenedProject& opened, bool restoring,
                               bool moved) {
     Document& document = workspace_.document();
     const ViewState view = viewOf(opened.project.view, document.view());
@@ -121,12 +120,11 @@ void ProjectSession::save(const Path& path, std::function<void()> then, IfChange
     Document& document = workspace_.document();
     Q_ASSERT(document.garment());
     saving_ = opened_;
-    saves_.start(std::make_unique<SaveJob>(
+    saves_.start(saveJob(
         document,
-        SaveJob::Target{
-            .path = path, .known = known_, .overwrite = ifChanged == IfChanged::Overwrite},
-        [this, path, then, of = opened_](SaveJob::Outcome outcome) {
-            if (outcome == SaveJob::Outcome::Written) {
+        SaveTarget{.path = path, .known = known_, .overwrite = ifChanged == IfChanged::Overwrite},
+        [this, path, then, of = opened_](SaveOutcome outcome) {
+            if (outcome == SaveOutcome::Written) {
                 onSaved(path, of);
                 if (then) {
                     then();

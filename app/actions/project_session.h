@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/document/document_change.h"
+#include "app/jobs/file_jobs.h"
 #include "app/jobs/job_runner.h"
-#include "app/jobs/project_job.h"
 
 namespace toile {
 
@@ -23,7 +23,7 @@ class ProjectSession : public QObject {
 
 public:
     using Path = std::filesystem::path;
-    using Retry = std::function<void(const ProjectJob::Found&)>;
+    using Retry = std::function<void(const FoundMeshes&)>;
 
     /// `workspace` must outlive this.
     explicit ProjectSession(Workspace& workspace, QObject* parent = nullptr);
@@ -74,10 +74,10 @@ signals:
                        const toile::ProjectSession::Retry& retry);
 
 private:
-    void start(const Path& file, const ProjectJob::Found& found, bool restoring,
+    void start(const Path& file, const FoundMeshes& found, bool restoring,
                std::function<void()> done);
     /// @param moved  meshes are elsewhere than the file says
-    void onOpened(const Path& file, const ProjectJob::Opened& opened, bool restoring, bool moved);
+    void onOpened(const Path& file, const OpenedProject& opened, bool restoring, bool moved);
     void onChanged(DocumentChanges what);
     void onLoadingChanged();
     /// What was taken for saved is not.

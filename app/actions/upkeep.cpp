@@ -4,8 +4,7 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/jobs/flatten_job.h"
-#include "app/jobs/scene_job.h"
+#include "app/jobs/garment_jobs.h"
 
 namespace toile {
 
@@ -72,10 +71,10 @@ void Upkeep::catchUp() {
             ticket_ = 0;
             break;
         case Work::Flattening:
-            ticket_ = jobs_.replace(std::make_unique<FlattenJob>(document_));
+            ticket_ = jobs_.replace(flattenJob(document_));
             break;
         case Work::Scene:
-            ticket_ = jobs_.start(std::make_unique<SceneJob>(document_));
+            ticket_ = jobs_.start(sceneJob(document_));
             break;
     }
 }

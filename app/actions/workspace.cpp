@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/base/path_text.h"
-#include "app/jobs/export_job.h"
-#include "app/jobs/import_job.h"
+#include "app/jobs/file_jobs.h"
+#include "app/jobs/garment_jobs.h"
 
 namespace toile {
 
@@ -83,25 +83,21 @@ void Workspace::open(Paths files) {
 void Workspace::startOpening() {
     emit loadingChanged();
     const Opening::Files& files = *opening_.files();
-    begin(std::make_unique<ImportJob>(
-        files.paths, files.loading, std::nullopt,
-        [this](std::shared_ptr<const Garment> garment, std::shared_ptr<const Scene> scene,
-               const std::vector<CarriedFrom>&) {
-            // Another garment is not cut from the same cloth for having been opened later.
-            const bool again = opening_.files()->paths == openPaths();
-            arrived([this, again, loading = opening_.files()->loading, garment = std::move(garment),
-                     scene = std::move(scene)] {
-                DocumentState next;
-                next.loading = loading;
-                next.options = document_.options();
-                if (again || !document_.garment()) {
-                    next.fabric = document_.fabric();
-                }
-                next.garment = garment;
-                next.scene = scene;
-                document_.open(std::move(next));
-            });
-        }));
+    begin(importJob(files.paths, files.loading, std::nullopt, [this](const MadeGarment& made) {
+        // Another garment is not cut from the same cloth for having been opened later.
+        const bool again = opening_.files()->paths == openPaths();
+        arrived([this, again, loading = opening_.files()->loading, made] {
+            DocumentState next;
+            next.loading = loading;
+            next.options = document_.options();
+            if (again || !document_.garment()) {
+                next.fabric = document_.fabric();
+            }
+            next.garment = made.garment;
+            next.scene = made.scene;
+            document_.open(std::move(next));
+        });
+    }));
 }
 
 void Workspace::openBy(std::unique_ptr<Job> reading) {
@@ -265,9 +261,9 @@ bool Workspace::canExport() const {
 
 void Workspace::exportTo(const std::filesystem::path& path) {
     Q_ASSERT(canExport());
-    writing_.start(std::make_unique<ExportJob>(
-        document_, path,
-        [this](const std::filesystem::path& written) { emit exported(textOf(written)); }));
+    writing_.start(exportJob(document_, path, [this](const std::filesystem::path& written) {
+        emit exported(textOf(written));
+    }));
 }
 
 void Workspace::whenWritten(std::function<void()> then) {

@@ -13,9 +13,10 @@
 #include "app/actions/upkeep.h"
 #include "app/document/document.h"
 #include "app/jobs/job_runner.h"
-#include "core/project/carry_settings.h"
 
 namespace toile {
+
+struct MadeGarment;
 
 /// What a person can ask of the open garment, without any widget: opening, cutting, flattening,
 /// writing. What is quick becomes a step of the document's history at once; what is slow a job,
@@ -168,8 +169,7 @@ private:
     template <class Value>
     void wishFor(const QString& text, Value LoadOptions::*field, const Value& value);
     void grantWish();
-    void onGranted(const LoadOptions& loading, std::shared_ptr<const Garment> garment,
-                   std::shared_ptr<const Scene> scene, const std::vector<CarriedFrom>& carried);
+    void onGranted(const LoadOptions& loading, MadeGarment made);
 
     void changeOptions(const QString& text, const FlattenOptions& options);
     void onChanged(DocumentChanges what);

@@ -3,8 +3,7 @@
 #include <utility>
 
 #include "app/actions/workspace.h"
-#include "app/jobs/cut_job.h"
-#include "app/jobs/import_job.h"
+#include "app/jobs/garment_jobs.h"
 #include "app/text/error_text.h"
 
 namespace toile {
@@ -103,24 +102,19 @@ void Workspace::grantWish() {
         follow();
         return;
     }
-    const auto done = [this, loading](std::shared_ptr<const Garment> garment,
-                                      std::shared_ptr<const Scene> scene,
-                                      const std::vector<CarriedFrom>& carried) {
-        onGranted(loading, std::move(garment), std::move(scene), carried);
-    };
+    const auto done = [this, loading](MadeGarment made) { onGranted(loading, std::move(made)); };
     if (wishes_.front().reads || needsReading(document_.loading(), loading)) {
-        begin(std::make_unique<ImportJob>(openPaths(), loading, document_.state(), done));
+        begin(importJob(openPaths(), loading, document_.state(), done));
     } else {
-        begin(std::make_unique<CutJob>(document_.state(), loading, done));
+        begin(cutJob(document_.state(), loading, done));
     }
 }
 
-void Workspace::onGranted(const LoadOptions& loading, std::shared_ptr<const Garment> garment,
-                          std::shared_ptr<const Scene> scene,
-                          const std::vector<CarriedFrom>& carried) {
+void Workspace::onGranted(const LoadOptions& loading, MadeGarment made) {
     const Wish granted = std::move(wishes_.front());
     wishes_.pop_front();
-    if (const auto objection = granted.objection ? granted.objection(*garment) : std::nullopt) {
+    if (const auto objection =
+            granted.objection ? granted.objection(*made.garment) : std::nullopt) {
         emit loadingChanged();
         emit refused(errorText(*objection));
         follow();
@@ -128,12 +122,12 @@ void Workspace::onGranted(const LoadOptions& loading, std::shared_ptr<const Garm
     }
     DocumentState next = document_.state();
     next.loading = loading;
-    next.settings = carriedSettings(carried, next.settings);
+    next.settings = carriedSettings(made.carried, next.settings);
     if (!next.results.empty()) {  // else nothing is flat yet, and all is to be
-        next.results = carriedResults(next.results, *garment);
+        next.results = carriedResults(next.results, *made.garment);
     }
-    next.garment = std::move(garment);
-    next.scene = std::move(scene);
+    next.garment = std::move(made.garment);
+    next.scene = std::move(made.scene);
     document_.edit(granted.text, std::move(next));
     emit loadingChanged();  // the wish waits no more
     follow();

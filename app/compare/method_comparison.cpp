@@ -187,8 +187,8 @@ void MethodComparison::next() {
     workingFraction_ = 0;
     const Method method = entry->method;
     const FlattenOptions options = withMethod(subject_.options, method);
-    CompareJob::Order order{subject_.garment, subject_.piece, options, known(options)};
-    runner_.start(std::make_unique<CompareJob>(
+    CompareOrder order{subject_.garment, subject_.piece, options, known(options)};
+    runner_.start(compareJob(
         std::move(order),
         [this, method, number = ++order_](ComparedPiece made, const PieceResults& results) {
             Entry* done = working();

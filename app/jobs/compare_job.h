@@ -18,34 +18,18 @@ struct ComparedPiece {
     std::shared_ptr<const Scene> scene{};         ///< of this piece alone; null where not flat
 };
 
-/// Flattens one piece, and those that are sewn to it, by one method, and measures it.
-class CompareJob : public Job {
-public:
-    struct Order {
-        std::shared_ptr<const Garment> garment;
-        int piece = 0;
-        FlattenOptions options{};  ///< the method among them
-        /// One per piece: what is known already by these options; null where it is not.
-        PieceResults known{};
-    };
-
-    /// @param results  one per piece of the garment, null where it was of no interest
-    using Done = std::function<void(ComparedPiece made, const PieceResults& results)>;
-
-    /// @param done  called on the GUI thread
-    CompareJob(Order order, Done done);
-
-    QString title() const override;
-    Result<void> process(Progress& progress) override;
-    void finalize() override;
-
-private:
-    void flattenMissing(Progress& progress);
-
-    Order order_;
-    PieceResults results_;
-    ComparedPiece made_;
-    Done done_;
+struct CompareOrder {
+    std::shared_ptr<const Garment> garment;
+    int piece = 0;
+    FlattenOptions options{};  ///< the method among them
+    /// One per piece: what is known already by these options; null where it is not.
+    PieceResults known{};
 };
+
+/// Flattens one piece, and those that are sewn to it, by one method, and measures it.
+/// @param done  called on the GUI thread; `results`: one per piece of the garment, null where it
+///              was of no interest
+std::unique_ptr<Job> compareJob(
+    CompareOrder order, std::function<void(ComparedPiece made, const PieceResults& results)> done);
 
 }  // namespace toile

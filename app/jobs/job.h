@@ -3,7 +3,10 @@
 
 #include <QString>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -29,5 +32,56 @@ public:
     /// Takes the result over. On the GUI thread, only after `process` returned without an error.
     virtual void finalize() = 0;
 };
+
+/// What is unusual about a job; see there.
+struct JobTraits {
+    std::optional<std::uint64_t> revision{};
+    bool isCancellable = true;
+};
+
+/// A job of two functions; see `makeJob`.
+template <class Work, class Done>
+class FunctionJob : public Job {
+public:
+    FunctionJob(QString title, Work work, Done done, const JobTraits& traits)
+        : title_(std::move(title)),
+          work_(std::move(work)),
+          done_(std::move(done)),
+          traits_(traits) {}
+
+    QString title() const override { return title_; }
+    std::optional<std::uint64_t> revision() const override { return traits_.revision; }
+    bool isCancellable() const override { return traits_.isCancellable; }
+    Result<void> process(Progress& progress) override {
+        auto made = work_(progress);
+        if (!made) {
+            return made.error();
+        }
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled, {}, {}};
+        }
+        made_ = std::move(made).value();
+        return {};
+    }
+    void finalize() override { done_(*std::move(made_)); }
+
+private:
+    using Outcome = std::invoke_result_t<Work&, Progress&>;
+
+    QString title_;
+    Work work_;
+    Done done_;
+    JobTraits traits_;
+    std::optional<std::decay_t<decltype(std::declval<Outcome&>().value())>> made_;
+};
+
+/// @param work  `Result<Made>(Progress&)`: what `process` does; what it holds is the snapshot. Once
+///              cancelled it may return anything
+/// @param done  `void(Made)`: takes over what was made
+template <class Work, class Done>
+std::unique_ptr<Job> makeJob(QString title, Work work, Done done, const JobTraits& traits = {}) {
+    return std::make_unique<FunctionJob<Work, Done>>(std::move(title), std::move(work),
+                                                     std::move(done), traits);
+}
 
 }  // namespace toile

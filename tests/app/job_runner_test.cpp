@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "app/document/document.h"
-#include "app/jobs/flatten_job.h"
+#include "app/jobs/garment_jobs.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 
@@ -359,9 +359,9 @@ private slots:
     void flatteningIsAtItsEndWhenTheSceneIsMade() {
         Document document;
         document.setGarment(test::makeSewnCap(), nullptr);
-        FlattenJob job(document);
+        const std::unique_ptr<Job> job = flattenJob(document);
         Progress progress;
-        QVERIFY(job.process(progress));
+        QVERIFY(job->process(progress));
         QVERIFY(std::abs(progress.fraction() - 1) < 1e-12);
         // The parts of the job share the bar: flattening alone does not fill it.
         Progress shared;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/jobs/grain_job.h"
+#include "app/jobs/garment_jobs.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/workspace_fixture.h"
 
@@ -165,14 +165,15 @@ private slots:
             outdated = old;
         };
         Progress progress;
-        GrainJob first(document(), {0, 1}, done), second(document(), {0, 1}, done);
-        QVERIFY(first.process(progress) && second.process(progress));
-        first.finalize();
+        const auto first = grainJob(document(), {0, 1}, done);
+        const auto second = grainJob(document(), {0, 1}, done);
+        QVERIFY(first->process(progress) && second->process(progress));
+        first->finalize();
         QVERIFY(!found.empty());
         QVERIFY(!outdated);
         workspace().setMethod(Method::Natural);
         QVERIFY(waitUntilDone());
-        second.finalize();
+        second->finalize();
         QVERIFY(found.empty());
         QVERIFY(outdated);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/jobs/export_job.h"
+#include "app/jobs/file_jobs.h"
 #include "core/base/file.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/workspace_fixture.h"
@@ -85,14 +85,14 @@ private slots:
         QFETCH(QString, name);
         const std::filesystem::path target = file(qPrintable(name));
         QVERIFY(writeFile(target, "as it was"));
-        ExportJob job(document(), target, [](const auto&) {});
+        const auto job = exportJob(document(), target, [](const auto&) {});
         Progress progress;
         progress.cancel();
-        const auto outcome = job.process(progress);
+        const auto outcome = job->process(progress);
         QVERIFY(!outcome && outcome.error().code == ErrorCode::Cancelled);
         QCOMPARE(*readFile(target), std::string("as it was"));
         Progress another;
-        QVERIFY(job.process(another));
+        QVERIFY(job->process(another));
         QVERIFY(*readFile(target) != "as it was");
     }
 

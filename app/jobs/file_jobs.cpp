@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/file_jobs.h"
+
+#include <QCoreApplication>
+#include <utility>
+
+#include "app/base/path_text.h"
+#include "app/document/disposal.h"
+#include "app/document/document.h"
+#include "app/document/project_state.h"
+#include "app/render/scene_builder.h"
+#include "app/text/drawing_words.h"
+#include "core/base/content_hash.h"
+#include "core/base/file.h"
+#include "core/project/project_file.h"
+
+namespace toile {
+namespace {
+
+/// Of the job's time, about; the rest is the scene.
+constexpr double kProjectReadingShare = 0.97;
+
+/// True where there is such a file, and it holds something else. Reads it.
+bool wasChangedByOthers(const KnownFile& known) {
+    if (!known.hash) {
+        return false;
+    }
+    const auto bytes = readFile(known.path);
+    return bytes && contentHash(*bytes) != *known.hash;
+}
+
+/// What will be saved to, as it is on the disk now.
+KnownFile knownOf(const std::filesystem::path& path, std::uint64_t hash, const Project& project) {
+    if (!project.recoveryOf) {
+        return {path, hash};
+    }
+    const auto bytes = readFile(*project.recoveryOf);
+    return {*project.recoveryOf, bytes ? std::optional(contentHash(*bytes)) : std::nullopt};
+}
+
+struct ReadMeshes {
+    OpenedProject opened;
+    std::vector<std::filesystem::path> lost;  ///< then nothing was opened
+};
+
+Result<ReadMeshes> readMeshes(const std::filesystem::path& path, const FoundMeshes& found,
+                              Progress& progress) {
+    Result<ReadProject> read = readProject(path);
+    if (!read) {
+        return read.error();
+    }
+    ReadMeshes made;
+    OpenedProject& opened = made.opened;
+    Project& project = opened.project = std::move(read->project);
+    opened.notes = std::move(read->notes);
+    opened.known = knownOf(path, read->hash, project);
+    for (MeshReference& file : project.files) {
+        if (const auto place = found.find(file.path); place != found.end()) {
+            file.path = place->second;
+        }
+    }
+    made.lost = locateMeshes(project);
+    if (!made.lost.empty()) {
+        return made;
+    }
+    std::vector<std::filesystem::path> paths;
+    for (const MeshReference& file : project.files) {
+        paths.push_back(file.path);
+    }
+    progress.setShare(0, kProjectReadingShare);
+    Result<Garment> garment = loadGarment(paths, project.loading, progress);
+    if (!garment) {
+        return garment.error();
+    }
+    const Problems differences = differencesTo(project, *garment);
+    opened.notes.insert(opened.notes.end(), differences.begin(), differences.end());
+    opened.garment = sharedForDisposal(std::make_unique<const Garment>(std::move(garment).value()));
+    progress.setShare(kProjectReadingShare, 1);
+    opened.scene = buildScene(*opened.garment, {}, progress);
+    return made;
+}
+
+}  // namespace
+
+std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path path,
+                               std::function<void(const std::filesystem::path&)> done) {
+    std::vector<PieceOnSheet> places;
+    for (const PieceSettings& piece : document.settings()) {
+        places.push_back(onSheet(piece));
+    }
+    const QString name = textOf(path.filename());
+    auto work = [garment = document.garment(), results = document.results(),
+                 places = std::move(places), path = std::move(path),
+                 words = drawingWords()](Progress& progress) -> Result<std::filesystem::path> {
+        const auto written = exportFile(path, *garment, results, places, progress, words);
+        return written ? Result(path) : written.error();
+    };
+    return makeJob(QCoreApplication::translate("ExportJob", "Writing %1").arg(name),
+                   std::move(work), std::move(done));
+}
+
+std::unique_ptr<Job> saveJob(const Document& document, SaveTarget target,
+                             std::function<void(SaveOutcome)> done) {
+    Q_ASSERT(document.garment());
+    const QString name = textOf(target.path.filename());
+    auto work = [state = document.state(), view = document.view(),
+                 target = std::move(target)](Progress&) -> Result<SaveOutcome> {
+        // At the last moment: another program may be at it just now.
+        KnownFile* known = target.known.get();
+        if (known && known->path == target.path && !target.overwrite &&
+            wasChangedByOthers(*known)) {
+            return SaveOutcome::ChangedByOthers;
+        }
+        Project project = projectOf(state, view);
+        project.recoveryOf = target.recoveryOf;
+        const auto written = writeProject(target.path, project);
+        if (!written) {
+            return written.error();
+        }
+        if (known) {
+            *known = {target.path, *written};
+        }
+        return SaveOutcome::Written;
+    };
+    return makeJob(QCoreApplication::translate("SaveJob", "Saving %1").arg(name), std::move(work),
+                   std::move(done), {.isCancellable = false});
+}
+
+std::unique_ptr<Job> projectJob(
+    std::filesystem::path path, FoundMeshes found, std::function<void(OpenedProject)> done,
+    std::function<void(const std::vector<std::filesystem::path>&)> missing) {
+    const QString name = textOf(path.filename());
+    auto work = [path = std::move(path), found = std::move(found)](Progress& progress) {
+        return readMeshes(path, found, progress);
+    };
+    auto taken = [done = std::move(done), missing = std::move(missing)](ReadMeshes made) {
+        made.lost.empty() ? done(std::move(made.opened)) : missing(made.lost);
+    };
+    return makeJob(QCoreApplication::translate("ProjectJob", "Reading %1").arg(name),
+                   std::move(work), std::move(taken));
+}
+
+}  // namespace toile

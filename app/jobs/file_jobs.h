@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/jobs/job.h"
+#include "core/project/project.h"
+
+namespace toile {
+
+class Document;
+struct Scene;
+
+/// The jobs that write files of the document, and the one that reads projects. What they take is a
+/// snapshot: edits may go on. What they are to call is called on the GUI thread.
+
+/// Writes the flat pieces to one file; its ending chooses the format. Cancelled, it leaves the file
+/// as it was.
+/// @param done  called once the file is written
+std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path path,
+                               std::function<void(const std::filesystem::path&)> done);
+
+/// What a project file held when it was last read or written here: what else it holds now, another
+/// program has put there. Shared by those jobs that run one after the other; the GUI thread makes
+/// one, and leaves it to them.
+struct KnownFile {
+    std::filesystem::path path{};
+    std::optional<std::uint64_t> hash{};  ///< contentHash of the bytes; none: not known
+};
+
+/// Whether the file is as it is to be. Not written is only what others have changed.
+enum class SaveOutcome { Written, ChangedByOthers };
+
+struct SaveTarget {
+    std::filesystem::path path{};
+    /// Where this is no saving but a recovery file: the project's path or none.
+    std::optional<std::filesystem::path> recoveryOf{};
+    /// What is known of the files that are written; none: is not asked about. Where the path is
+    /// the known one and others have changed it, nothing is written; else it is known now.
+    std::shared_ptr<KnownFile> known{};
+    bool overwrite = false;  ///< what others have changed too
+};
+
+/// Writes the open document as a project file. Requires an open garment.
+/// @param done  not called where the file cannot be written
+std::unique_ptr<Job> saveJob(const Document& document, SaveTarget target,
+                             std::function<void(SaveOutcome)> done);
+
+/// Where files are found that are not where the project says.
+using FoundMeshes = std::map<std::filesystem::path, std::filesystem::path>;
+
+struct OpenedProject {
+    Project project;  ///< with the paths that were found
+    std::shared_ptr<const Garment> garment;
+    std::shared_ptr<const Scene> scene;
+    Problems notes;   ///< what is other than it was when the project was saved
+    KnownFile known;  ///< the project's file; of a recovery file the one that it is of
+};
+
+/// Reads a project file and its meshes, and prepares what the 3D view shows of them. One of the two
+/// is called.
+/// @param missing  meshes that are not there: nothing was opened
+std::unique_ptr<Job> projectJob(
+    std::filesystem::path path, FoundMeshes found, std::function<void(OpenedProject)> done,
+    std::function<void(const std::vector<std::filesystem::path>&)> missing);
+
+}  // namespace toile
