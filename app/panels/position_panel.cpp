@@ -15,9 +15,8 @@
 #include "app/actions/action_registry.h"
 #include "app/document/document.h"
 #include "app/document/layout.h"
-#include "app/widgets/angle_edit.h"
 #include "app/widgets/field_manners.h"
-#include "app/widgets/length_edit.h"
+#include "app/widgets/number_edits.h"
 #include "core/base/angle.h"
 
 namespace toile {
@@ -205,7 +204,7 @@ void PositionPanel::movePieces() {
     }
     // A field that was not touched holds rounded digits: only what differs from those was typed.
     const auto way = [](const LengthEdit& field, double now) {
-        return std::abs(field.millimetres() - now) > kSameLength ? field.millimetres() - now : 0.0;
+        return std::abs(field.value() - now) > kSameLength ? field.value() - now : 0.0;
     };
     const Eigen::Vector2d move(way(*x_, box.min().x()), way(*y_, box.min().y()));
     PiecePlacements placements;

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/widgets/number_edits.h"
+
+#include <QLocale>
+#include <cmath>
+
+#include "app/settings/length_display.h"
+#include "core/base/angle.h"
+
+namespace toile {
+
+namespace {
+
+/// Of millimetres a thousandth of a micrometre: what is typed in inches keeps its value.
+constexpr int kDecimals = 6;
+constexpr int kDecimalsShown = 2;  ///< of angles and percentages
+constexpr double kLongest = 10'000;
+/// Room for the rounding of an angle's way through radians.
+constexpr double kSlack = 1e-9;
+
+double stepOf(const LengthFormat& format) {
+    const double unit = millimetresPer(format.unit);
+    if (format.unit == LengthUnit::Inch) {
+        return unit / (format.denominator > 0 ? format.denominator : 10);
+    }
+    return 1;  // a millimetre, in centimetres too
+}
+
+}  // namespace
+
+NumberEdit::NumberEdit(QWidget* parent) : QDoubleSpinBox(parent) {
+    setKeyboardTracking(false);
+    setAlignment(Qt::AlignRight);
+}
+
+double NumberEdit::valueFromText(const QString& text) const {
+    return text == textFromValue(value()) ? value() : parsed(text).value_or(value());
+}
+
+QValidator::State NumberEdit::validate(QString& text, int&) const {
+    const auto number = parsed(text);
+    return number && *number >= minimum() - kSlack && *number <= maximum() + kSlack
+               ? QValidator::Acceptable
+               : QValidator::Intermediate;
+}
+
+AngleEdit::AngleEdit(QWidget* parent) : NumberEdit(parent) {
+    setDecimals(kDecimals);
+    setRange(-180, 180);
+    setWrapping(true);
+}
+
+QString AngleEdit::textFromValue(double degrees) const {
+    return QString::fromStdString(
+        angleText(degrees * kDegree, kDecimalsShown, QLocale().decimalPoint().toStdString()));
+}
+
+std::optional<double> AngleEdit::parsed(const QString& text) const {
+    const auto angle = parseAngle(text.toStdString());
+    return angle ? std::optional(*angle / kDegree) : std::nullopt;
+}
+
+LengthEdit::LengthEdit(QWidget* parent) : NumberEdit(parent) {
+    setDecimals(kDecimals);
+    setRange(0, kLongest);
+    updateUnit();
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &LengthEdit::updateUnit);
+}
+
+void LengthEdit::updateUnit() {
+    setSingleStep(stepOf(LengthDisplay::instance().format()));
+    setDecimals(kDecimals);  // writes the text anew
+}
+
+QString LengthEdit::textFromValue(double millimetres) const {
+    return QString::fromStdString(lengthText(millimetres, LengthDisplay::instance().format()));
+}
+
+std::optional<double> LengthEdit::parsed(const QString& text) const {
+    return parseLength(text.toStdString(), LengthDisplay::instance().format());
+}
+
+PercentEdit::PercentEdit(QWidget* parent) : NumberEdit(parent) {
+    setDecimals(kDecimals);
+    setRange(-100, 100);
+    setSingleStep(0.5);
+}
+
+QString PercentEdit::textFromValue(double percent) const {
+    const double places = std::pow(10.0, kDecimalsShown);
+    const double rounded = std::round(percent * places) / places;
+    const QString digits = QLocale().toString(std::abs(rounded), 'g', 6);
+    const QString sign = rounded > 0 ? "+" : rounded < 0 ? QString(QChar(0x2212)) : QString();
+    return tr("%1 %").arg(sign + digits);
+}
+
+std::optional<double> PercentEdit::parsed(const QString& text) const {
+    QString number = text;
+    number.remove('%').replace(QChar(0x2212), '-').replace(',', '.');
+    bool ok = false;
+    const double value = QLocale::c().toDouble(number.simplified().remove(' '), &ok);
+    return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace toile
