@@ -10,7 +10,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
-#include <numbers>
 
 #include "app/actions/autosave.h"
 #include "app/panels/preferences_dialog.h"
@@ -27,8 +26,6 @@
 using namespace toile;
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 double linearChannel(double channel) {
     return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);

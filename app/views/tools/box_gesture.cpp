@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/views/tools/box_gesture.h"
-
 #include <QPainter>
 #include <algorithm>
 
-#include "app/document/layout.h"
+#include "app/views/tools/sheet_gestures.h"
 #include "app/views/tools/sheet_map.h"
 
 namespace toile {

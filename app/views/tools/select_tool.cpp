@@ -12,10 +12,8 @@
 #include "app/views/feature_at.h"
 #include "app/views/feature_text.h"
 #include "app/views/navigation.h"
-#include "app/views/tools/box_gesture.h"
-#include "app/views/tools/move_gesture.h"
-#include "app/views/tools/rotate_gesture.h"
 #include "app/views/tools/selection_frame.h"
+#include "app/views/tools/sheet_gestures.h"
 
 namespace toile {
 

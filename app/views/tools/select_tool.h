@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include "app/views/tools/sheet_gesture.h"
 #include "app/views/tools/tool.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
@@ -12,6 +11,7 @@
 namespace toile {
 
 class Document;
+class SheetGesture;
 class Workspace;
 
 /// A click selects the piece, seam or vertex under it, a double click frames the piece or selects

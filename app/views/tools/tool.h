@@ -5,7 +5,6 @@
 #include <QPointF>
 #include <QString>
 
-#include "app/views/tools/tool_id.h"
 #include "app/views/tools/tool_view.h"
 
 class QKeyEvent;
@@ -14,6 +13,11 @@ class QPainter;
 namespace toile {
 
 struct RenderStyle;
+
+/// Which tool is meant.
+enum class ToolId { Select, Cut, Loop, Dart, Join, Measure, Grain };
+
+inline constexpr int kToolCount = 7;
 
 /// The pointer in a view.
 struct Pointer {

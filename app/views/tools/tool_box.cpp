@@ -4,11 +4,9 @@
 #include <utility>
 
 #include "app/actions/workspace.h"
-#include "app/views/tools/cut_tool.h"
-#include "app/views/tools/dart_tool.h"
+#include "app/views/tools/cut_tools.h"
 #include "app/views/tools/grain_tool.h"
 #include "app/views/tools/join_tool.h"
-#include "app/views/tools/loop_tool.h"
 #include "app/views/tools/measure_tool.h"
 #include "app/views/tools/select_tool.h"
 

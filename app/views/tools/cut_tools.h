@@ -5,6 +5,33 @@
 
 namespace toile {
 
+/// Cuts a piece along the shortest way through places on it.
+class CutTool : public PathTool {
+    Q_OBJECT
+
+public:
+    CutTool(Workspace& workspace, PathFinder& finder)
+        : PathTool(workspace, finder, UserCut::Kind::Path, 2) {}
+
+    ToolId id() const override { return ToolId::Cut; }
+    QString hint(ViewKind view) const override;
+};
+
+/// Cuts along a closed line through three places or more.
+class LoopTool : public PathTool {
+    Q_OBJECT
+
+public:
+    LoopTool(Workspace& workspace, PathFinder& finder)
+        : PathTool(workspace, finder, UserCut::Kind::Loop, 3) {}
+
+    ToolId id() const override { return ToolId::Loop; }
+    QString hint(ViewKind view) const override;
+
+protected:
+    bool fits(const ClothPoint& point) const override;
+};
+
 /// Cuts from an edge to a tip inside the cloth: by one drag, or by two clicks.
 class DartTool : public PathTool {
     Q_OBJECT

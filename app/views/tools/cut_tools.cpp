@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/views/tools/dart_tool.h"
+#include "app/views/tools/cut_tools.h"
 
 #include <QApplication>
 #include <algorithm>
@@ -23,6 +23,36 @@ bool liesOn(const Piece& whole, const PieceRim& rim, const Eigen::Vector3d& poin
 }
 
 }  // namespace
+
+QString CutTool::hint(ViewKind) const {
+    if (draft_.isEmpty()) {
+        return tr(
+            "Click: begin the cut, on an edge to open it there · Ctrl+click: along the "
+            "mesh's edges · Esc: back to selecting");
+    }
+    return hasEnough()
+               ? tr("Click: go on · Double click or Enter: cut · Backspace: take the last point "
+                    "back · Esc: throw the cut away")
+               : tr("Click: next point · Ctrl+click: along the mesh's edges · Backspace: take the "
+                    "point back · Esc: throw the cut away");
+}
+
+bool LoopTool::fits(const ClothPoint& point) const {
+    return point.on != ClothPoint::On::Own && PathTool::fits(point);
+}
+
+QString LoopTool::hint(ViewKind) const {
+    if (draft_.isEmpty()) {
+        return tr(
+            "Click: begin a closed cut · Ctrl+click: along the mesh's edges · Esc: back to "
+            "selecting");
+    }
+    return hasEnough()
+               ? tr("Click: go on · Click the first point, double click or Enter: cut · "
+                    "Backspace: take the last point back · Esc: throw the cut away")
+               : tr("Click: next point, of three or more · Backspace: take the last point back · "
+                    "Esc: throw the cut away");
+}
 
 QString DartTool::hint(ViewKind) const {
     return draft_.isEmpty() ? tr("Drag from an edge to the dart's tip, or click the edge and then "
