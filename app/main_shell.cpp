@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window offers about itself: commands, help, preferences, its own layout.
+// What the window offers beside its own work: commands, the comparison of methods, help,
+// preferences, its layout.
 #include <QDockWidget>
 #include <QMessageBox>
 
 #include "app/actions/command_list.h"
+#include "app/compare/compare_window.h"
 #include "app/main_window.h"
 #include "app/panels/help_page.h"
 #include "app/panels/preferences_dialog.h"
@@ -27,6 +29,7 @@ void MainWindow::connectShell() {
     on(ActionId::Shortcuts, &MainWindow::showHelp);
     on(ActionId::ResetLayout, &MainWindow::resetLayout);
     on(ActionId::About, &MainWindow::showAbout);
+    on(ActionId::CompareMethods, &MainWindow::compareMethods);
     connect(&actions_[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
     connect(&preferences_, &Preferences::lengthUnitChanged, this, &MainWindow::followLengthUnit);
     connect(&preferences_, &Preferences::themeChanged, this,
@@ -59,6 +62,18 @@ void MainWindow::showCommands() {
             workspace_.document().setSeam(seam);
             views_->frameSeam();
         }));
+}
+
+void MainWindow::compareMethods() {
+    if (!compare_) {
+        compare_ = new CompareWindow(workspace_.document(), workspace_.jobs(), this);
+        connect(compare_, &CompareWindow::methodWanted, &workspace_, &Workspace::setMethod);
+        // "Use this method" is taken back where it was done.
+        compare_->addActions({&actions_[ActionId::Undo], &actions_[ActionId::Redo]});
+    }
+    compare_->show();
+    compare_->raise();
+    compare_->activateWindow();
 }
 
 void MainWindow::editPreferences() {

@@ -74,7 +74,6 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
     makeStatusBar();
     connectJobs();
     connectShell();
-    connectCompare();
     connectChecks();
     connect(&workspace_.document(), &Document::changed, this, &MainWindow::onChanged);
     for (QAction* action : actions_.all()) {

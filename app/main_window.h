@@ -88,7 +88,6 @@ private:
     void connectLooks();
     void connectPanels();
     void connectShell();
-    void connectCompare();
     void connectChecks();
     void onChanged(DocumentChanges what);
     /// Selects and frames what these findings of the checker are about.

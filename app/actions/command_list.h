@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/widgets/command.h"
+#include "app/widgets/command_search.h"
 
 namespace toile {
 

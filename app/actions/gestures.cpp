@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/gestures.h"
+#include "app/actions/help_table.h"
 
 namespace toile {
 

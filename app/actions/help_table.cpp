@@ -5,7 +5,6 @@
 #include <QTextStream>
 
 #include "app/actions/action_registry.h"
-#include "app/actions/gestures.h"
 #include "app/actions/menu_table.h"
 #include "app/base/translate.h"
 

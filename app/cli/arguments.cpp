@@ -9,7 +9,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command_line.h"
-#include "app/document/view_words.h"
 #include "core/base/version.h"
 #include "core/flatten/option_words.h"
 #include "core/garment/fabric.h"

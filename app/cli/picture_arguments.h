@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "app/document/view_direction.h"
 #include "app/document/view_state.h"
 
 namespace toile {

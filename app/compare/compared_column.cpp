@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
@@ -79,13 +80,29 @@ void ComparedColumn::show(const MethodComparison::Entry& entry, bool inUse,
 
     const std::shared_ptr<const Scene>& scene = entry.made.scene;
     const SheetPlace place =
-        scene ? place_.of(entry.made.result, reference, settings) : SheetPlace{};
+        scene ? placeOver(entry.made.result, reference, settings) : SheetPlace{};
     box_ = scene ? outlineBox(*scene, place.placement) : Eigen::AlignedBox2d();
     if (picture_) {
         picture_->setPiece(scene, place);
         picture_->setAccessibleName(tr("%1, the flat piece").arg(name_->text()));
         pages_->setCurrentIndex(scene ? 1 : 0);
     }
+}
+
+SheetPlace ComparedColumn::placeOver(const std::shared_ptr<const PieceResult>& result,
+                                     const std::shared_ptr<const PieceResult>& reference,
+                                     PieceSettings settings) {
+    if (result != result_ || reference != reference_) {
+        result_ = result;
+        reference_ = reference;
+        motion_ = flatMotions({reference}, {result}).front();
+    }
+    settings.anchors.clear();
+    settings.placement = settings.placement.value_or(Placement{});
+    if (motion_) {
+        settings = movedSettings(std::move(settings), motion_->oldOfNew, motion_->reach);
+    }
+    return placesOf({settings}).front();
 }
 
 QString ComparedColumn::message(const MethodComparison::Entry& entry) const {

@@ -5,7 +5,7 @@
 
 #include "app/compare/compared_picture.h"
 #include "app/compare/method_comparison.h"
-#include "app/compare/same_place.h"
+#include "core/project/place_pieces.h"
 
 class QLabel;
 class QPushButton;
@@ -23,7 +23,8 @@ public:
     ComparedColumn(LinkedCamera* camera, int number, QWidget* parent = nullptr);
 
     /// @param inUse      whether the document has this method
-    /// @param reference  as SamePlace::of
+    /// @param reference  what the settings are about; may be null or not flat: then the piece lies
+    ///                   as if they were about itself
     void show(const MethodComparison::Entry& entry, bool inUse,
               const std::shared_ptr<const PieceResult>& reference, const PieceSettings& settings);
     /// Null where this computer cannot draw.
@@ -35,10 +36,17 @@ signals:
     void used(toile::Method method);
 
 private:
+    /// Where the result lies so that it covers the reference, as well as two shapes can: flat
+    /// coordinates of two methods have nothing in common.
+    SheetPlace placeOver(const std::shared_ptr<const PieceResult>& result,
+                         const std::shared_ptr<const PieceResult>& reference,
+                         PieceSettings settings);
     QString message(const MethodComparison::Entry& entry) const;
 
     Method method_ = Method::Isometric;
-    SamePlace place_;
+    /// Between these two, which takes a look at every vertex.
+    std::optional<FlatMotion> motion_;
+    std::shared_ptr<const PieceResult> result_, reference_;
     Eigen::AlignedBox2d box_;
     QLabel* name_;
     QStackedWidget* pages_;

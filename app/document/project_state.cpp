@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "app/document/view_words.h"
-
 namespace toile {
 Project projectOf(const DocumentState& state, const ViewState& view) {
     Project project;

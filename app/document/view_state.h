@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <iterator>
+#include <numbers>
+
+#include "core/base/words.h"
+
 namespace toile {
 
 /// What is painted on the cloth, in both views alike. The shaders know them by number: see
@@ -19,6 +24,16 @@ enum class Overlay {
 };
 
 inline constexpr int kOverlayCount = 10;
+
+/// What the overlays are called on the command line and in project files. Once released they stay.
+inline constexpr Word<Overlay> kOverlayWords[] = {
+    {Overlay::None, "none"},           {Overlay::Checker, "checker"},
+    {Overlay::Area, "area"},           {Overlay::Angle, "angle"},
+    {Overlay::Strain, "strain"},       {Overlay::Warp, "warp"},
+    {Overlay::Weft, "weft"},           {Overlay::Bias, "bias"},
+    {Overlay::Principal, "principal"}, {Overlay::Dirichlet, "dirichlet"},
+};
+static_assert(std::size(kOverlayWords) == kOverlayCount, "each overlay needs a word");
 
 /// True where the overlay shows a number and so needs a colour bar.
 constexpr bool isMeasured(Overlay overlay) {
@@ -40,6 +55,22 @@ enum class Panel { Pieces, Seams, ProblemList, History };
 
 /// Of the two views: in pictures of them.
 enum class ViewsShown { Garment, Pattern, Both };
+
+/// From where the garment is looked at, radians: yaw around the upright axis from the front, to the
+/// garment's right side as it is seen (+x), pitch upwards.
+struct ViewDirection {
+    double yaw = 0, pitch = 0;
+
+    bool operator==(const ViewDirection&) const = default;
+};
+
+/// Along the axes.
+inline constexpr ViewDirection kFrontView{0, 0};
+inline constexpr ViewDirection kBackView{std::numbers::pi, 0};
+inline constexpr ViewDirection kRightView{std::numbers::pi / 2, 0};
+inline constexpr ViewDirection kLeftView{-std::numbers::pi / 2, 0};
+inline constexpr ViewDirection kTopView{0, std::numbers::pi / 2};
+inline constexpr ViewDirection kBottomView{0, -std::numbers::pi / 2};
 
 /// How the garment is shown; not part of what is saved with a garment.
 struct ViewState {

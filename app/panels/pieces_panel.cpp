@@ -21,7 +21,7 @@
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
-#include "app/widgets/close_editors.h"
+#include "app/widgets/cell_delegate.h"
 #include "app/widgets/column_chooser.h"
 
 namespace toile {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/render/frame_counts.h"
+#include "app/render/gl_support.h"
 #include "app/render/shader_program.h"
 #include "app/render/stretch_crosses.h"
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "app/render/frame_counts.h"
 #include "app/render/gl.h"
+#include "app/render/gl_support.h"
 #include "app/render/scene.h"
 
 namespace toile {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "app/render/gl_uniforms.h"
 #include "app/render/piece_table.h"
 
 namespace toile {
@@ -96,7 +95,7 @@ void GarmentRenderer::paintCloth(const Frame& frame, const Camera3D& camera) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.0F, 1.0F);
     ShaderProgram& cloth = beginCloth(frame);
-    setUniform(cloth, "normalToView", glm::mat3(glm::dmat3(camera.view())));
+    cloth.setUniformValue("normalToView", glm::mat3(glm::dmat3(camera.view())));
     cloth.setUniformValue("clothAlpha", 1.0F);
     cloth.setUniformValue("shaded", frame.view.shaded);
     if (xray_) {

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <QSurfaceFormat>
+#include <cstddef>
 
 namespace toile {
 
@@ -26,5 +27,12 @@ bool hasGl();
 
 /// What is drawn next covers by its alpha.
 void beginBlending();
+
+/// What the frames of one renderer have asked of the graphics driver so far. Writing over the view
+/// is not in it.
+struct FrameCounts {
+    int drawCalls = 0;
+    std::size_t uploadedBytes = 0;  ///< to buffers and textures
+};
 
 }  // namespace toile

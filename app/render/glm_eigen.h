@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace toile {
@@ -11,15 +10,6 @@ namespace toile {
 
 inline glm::dvec3 toGlm(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
-}
-inline glm::dvec2 toGlm(const Eigen::Vector2d& v) {
-    return {v.x(), v.y()};
-}
-inline Eigen::Vector3d toEigen(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-inline Eigen::Vector2d toEigen(const glm::dvec2& v) {
-    return {v.x, v.y};
 }
 
 }  // namespace toile

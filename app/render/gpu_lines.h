@@ -4,8 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "app/render/frame_counts.h"
-#include "app/render/gl.h"
 #include "app/render/gpu_mesh.h"
 #include "app/render/scene.h"
 

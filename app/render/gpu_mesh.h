@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "app/render/frame_counts.h"
 #include "app/render/gl.h"
+#include "app/render/gl_support.h"
 #include "app/render/scene.h"
 
 namespace toile {

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "app/render/gl_uniforms.h"
-
 namespace toile {
 
 namespace {

@@ -7,10 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include "app/render/colour_map.h"
-#include "app/render/gl_uniforms.h"
 #include "app/render/overlay_values.h"
 #include "app/render/piece_table.h"
 #include "app/render/seam_palette.h"
@@ -216,8 +213,8 @@ ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
     program.setUniformValue("triangleTable", triangleTable);
     program.setUniformValue("perTriangle", triangleTable && frame.view.valuesPerTriangle);
     program.setUniformValue("pixelRatio", frame.pixelRatio);
-    setUniform(program, "viewProjection", frame.viewProjection);
-    setUniform(program, "selectionColour", frame.style.selection);
+    program.setUniformValue("viewProjection", frame.viewProjection);
+    program.setOpaque("selectionColour", frame.style.selection);
     setOwnUniforms(program);
     return program;
 }
@@ -242,7 +239,7 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
     program.setUniformValue("pixelRatio", frame.pixelRatio);
     program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
                             static_cast<float>(frame.height));
-    setUniform(program, "viewProjection", frame.viewProjection);
+    program.setUniformValue("viewProjection", frame.viewProjection);
     beginBlending();
     glDepthMask(GL_FALSE);  // the faint rim of a stroke would cut into its neighbour
     crosses_.draw(scene_->crosses, millimetresPerPixel);
@@ -261,7 +258,7 @@ ShaderProgram& SceneRenderer::beginLines(const Frame& frame, float depthShift) {
     program.setUniformValue("fade", 0.0F, 0.0F);
     program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
                             static_cast<float>(frame.height));
-    setUniform(program, "viewProjection", frame.viewProjection);
+    program.setUniformValue("viewProjection", frame.viewProjection);
     program.setUniformValue("tinted", false);
     setOwnUniforms(program);
     return program;
@@ -328,7 +325,7 @@ void SceneRenderer::paintSeams(const Frame& frame) {
         palette[i] = QVector3D(colour.r, colour.g, colour.b) / 255.0F;
     }
     lines_->setUniformValueArray("seamPalette", palette.data(), kSeamColours);
-    setUniform(*lines_, "freeColour", frame.style.freeEdge);
+    lines_->setOpaque("freeColour", frame.style.freeEdge);
     lines_->setUniformValue("tinted", true);
     setLine(frame.style.outline, kPlainSeamWidth, false, frame);
     overLines_.drawSeams();
@@ -401,9 +398,9 @@ void SceneRenderer::paintBackdrop(const Frame& frame) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     backdrop_->bind();
-    setUniform(*backdrop_, "topColour", frame.style.top);
-    setUniform(*backdrop_, "bottomColour", frame.style.bottom);
-    setUniform(*backdrop_, "gridColour", frame.style.grid);
+    backdrop_->setOpaque("topColour", frame.style.top);
+    backdrop_->setOpaque("bottomColour", frame.style.bottom);
+    backdrop_->setOpaque("gridColour", frame.style.grid);
     glBindVertexArray(emptyArray_);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     ++counts_.drawCalls;

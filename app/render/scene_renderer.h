@@ -13,7 +13,6 @@
 #include "app/document/view_state.h"
 #include "app/render/cross_painter.h"
 #include "app/render/face_table.h"
-#include "app/render/frame_counts.h"
 #include "app/render/gl_support.h"
 #include "app/render/gpu_lines.h"
 #include "app/render/gpu_mesh.h"

@@ -3,6 +3,8 @@
 
 #include <QFile>
 
+#include <glm/gtc/type_ptr.hpp>
+
 namespace toile {
 
 namespace {
@@ -94,6 +96,18 @@ void ShaderProgram::setUniformValue(const char* name, const QColor& colour) {
 void ShaderProgram::setUniformValueArray(const char* name, const QVector3D* values, int count) {
     static_assert(sizeof(QVector3D) == 3 * sizeof(float));
     glUniform3fv(uniformLocation(name), count, reinterpret_cast<const float*>(values));
+}
+
+void ShaderProgram::setUniformValue(const char* name, const glm::mat4& matrix) {
+    glUniformMatrix4fv(uniformLocation(name), 1, GL_FALSE, glm::value_ptr(matrix));
+}
+
+void ShaderProgram::setUniformValue(const char* name, const glm::mat3& matrix) {
+    glUniformMatrix3fv(uniformLocation(name), 1, GL_FALSE, glm::value_ptr(matrix));
+}
+
+void ShaderProgram::setOpaque(const char* name, const QColor& colour) {
+    setUniformValue(name, colour.redF(), colour.greenF(), colour.blueF());
 }
 
 std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,

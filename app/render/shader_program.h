@@ -8,6 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+
 #include "app/render/gl.h"
 
 namespace toile {
@@ -31,6 +34,9 @@ public:
     void setUniformValue(const char* name, float x, float y, float z);
     void setUniformValue(const char* name, const QColor& colour);  ///< vec4
     void setUniformValueArray(const char* name, const QVector3D* values, int count);
+    void setUniformValue(const char* name, const glm::mat4& matrix);
+    void setUniformValue(const char* name, const glm::mat3& matrix);
+    void setOpaque(const char* name, const QColor& colour);  ///< vec3, without alpha
 
 private:
     friend std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,

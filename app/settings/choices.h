@@ -3,10 +3,12 @@
 
 #include <QColor>
 
-#include "app/settings/navigation.h"
 #include "core/base/length_unit.h"
 
 namespace toile {
+
+/// Whose way of moving the garment view with the mouse a person is used to.
+enum class Navigation { Toile, Blender, Clo, Rhino };
 
 /// Of the window: as the desktop has it, or always the same.
 enum class Theme { System, Light, Dark };

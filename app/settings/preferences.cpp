@@ -144,9 +144,6 @@ void Preferences::setChoices(const Choices& choices) {
     if (before.theme != choices.theme) {
         emit themeChanged();
     }
-    if (before.language != choices.language) {
-        emit languageChanged();
-    }
     if (before.navigation != choices.navigation) {
         emit navigationChanged();
     }

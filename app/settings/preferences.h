@@ -57,7 +57,6 @@ public:
 signals:
     void lengthUnitChanged();
     void themeChanged();
-    void languageChanged();
     void navigationChanged();
     void coloursChanged();
     void autosaveMinutesChanged();

@@ -12,7 +12,6 @@
 #include "app/text/overlay_text.h"
 #include "app/text/seam_fit.h"
 #include "app/views/sewn_run.h"
-#include "app/views/shown_value.h"
 
 namespace toile {
 
@@ -132,6 +131,16 @@ QString vertexText(const Document& document, const Piece& piece, const Feature& 
 }
 
 }  // namespace
+
+std::optional<double> shownValueAt(const Document& document, const SurfacePlace& place) {
+    if (!document.scene()) {
+        return std::nullopt;
+    }
+    const Scene& scene = *document.scene();
+    const ViewState& view = document.view();
+    return valueAt(scene, placesOf(document.settings()), place, view.overlay,
+                   overlayScale(scene, view.overlay, document.fabric()), view.valuesPerTriangle);
+}
 
 QString featureText(const Document& document, const Feature& feature,
                     const std::optional<SurfacePlace>& place) {

@@ -260,7 +260,6 @@ void GarmentView::setMorph(double way) {
         camera_.moveTowards(flat, flightOf(way_));
     }
     cameraMoved();
-    emit morphChanged(way_);
 }
 
 void GarmentView::setDirection(const ViewDirection& direction) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/view_direction.h"
+#include "app/document/view_state.h"
 #include "app/render/camera_3d.h"
 #include "app/render/morph.h"
 #include "app/views/navigation.h"
@@ -41,7 +41,6 @@ public:
     void setMorph(double way);
 
 signals:
-    void morphChanged(double way);
     void orthographicChanged(bool on);
 
 protected:

@@ -4,7 +4,11 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPainter>
+#include <QSlider>
+#include <QStyle>
+#include <QStyleOptionSlider>
 #include <QToolButton>
 #include <QVariantAnimation>
 #include <algorithm>
@@ -14,7 +18,6 @@
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
 #include "app/views/garment_view.h"
-#include "app/views/jump_slider.h"
 
 namespace toile {
 
@@ -25,6 +28,34 @@ constexpr int kMilliseconds = 2600;  ///< for the whole way
 constexpr int kWidth = 300, kMargin = 12;
 /// To the right of the axis cross.
 constexpr int kLeft = 92;
+
+/// A slider that goes to where its groove is pressed, whatever the desktop's habit, and can be
+/// dragged on from there.
+class JumpSlider : public QSlider {
+public:
+    using QSlider::QSlider;
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override {
+        QStyleOptionSlider option;
+        initStyleOption(&option);
+        const auto partOf = [&](QStyle::SubControl part) -> QRect {
+            return style()->subControlRect(QStyle::CC_Slider, &option, part, this);
+        };
+        const QRect handle = partOf(QStyle::SC_SliderHandle),
+                    groove = partOf(QStyle::SC_SliderGroove);
+        const QPoint at = event->position().toPoint();
+        if (event->button() == Qt::LeftButton && !handle.contains(at)) {
+            const bool lies = orientation() == Qt::Horizontal;
+            const int size = lies ? handle.width() : handle.height();
+            const int place = (lies ? at.x() - groove.left() : at.y() - groove.top()) - size / 2;
+            const int room = (lies ? groove.width() : groove.height()) - size;
+            setValue(QStyle::sliderValueFromPosition(minimum(), maximum(), place, room,
+                                                     option.upsideDown));
+        }
+        QSlider::mousePressEvent(event);  // on the handle now
+    }
+};
 
 QLabel* end(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);

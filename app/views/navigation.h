@@ -6,7 +6,7 @@
 #include <QtGlobal>
 #include <optional>
 
-#include "app/settings/navigation.h"
+#include "app/settings/choices.h"
 
 namespace toile {
 

@@ -9,11 +9,11 @@
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
 #include "app/views/colour_bar.h"
+#include "app/views/feature_text.h"
 #include "app/views/garment_view.h"
 #include "app/views/morph_bar.h"
 #include "app/views/overlay_watcher.h"
 #include "app/views/pattern_view.h"
-#include "app/views/shown_value.h"
 
 namespace toile {
 

@@ -6,7 +6,7 @@
 
 #include "app/render/overlay_values.h"
 #include "app/render/worst_spots.h"
-#include "app/settings/navigation.h"
+#include "app/settings/choices.h"
 #include "app/views/tools/tool_view.h"
 
 class QSplitter;

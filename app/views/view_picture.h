@@ -6,7 +6,6 @@
 #include <QPalette>
 #include <optional>
 
-#include "app/document/view_direction.h"
 #include "app/document/view_state.h"
 
 namespace toile {

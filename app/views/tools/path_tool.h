@@ -43,7 +43,6 @@ protected:
     /// Orders the cut and begins anew; where the cut bends with a way that is still being looked
     /// for, once that is known.
     void finish();
-    bool isFinishing() const { return isFinishing_; }
     /// What is wrong with the place under the pointer, or has to be done there; usually nothing.
     virtual QString remark(const ClothPoint&) const { return {}; }
     /// As what a dart that begins at an earlier cut has to be cut.
