@@ -49,7 +49,7 @@ void MainWindow::connectChecks() {
     });
     connect(problems_, &ProblemsPanel::wanted, this, &MainWindow::showFindings);
     for (const ActionId id : {ActionId::GoToProblems, ActionId::ReadyToCut}) {
-        connect(&actions_[id], &QAction::triggered, this, [this] { goTo(Panel::ProblemList); });
+        actions_.on(id, this, [this] { goTo(Panel::ProblemList); });
     }
     // After the window's own connections, which keep the answer.
     connect(card_, &GarmentCard::kept, this, [this] { checker_->setGuessesKept(true); });

@@ -25,7 +25,7 @@ void MainWindow::makePropertyDocks() {
     fabric_ = new FabricPanel(workspace_.document());
     fabricDock_ = makeDock(tr("Fabric"), "fabricDock", fabric_);
     const auto onAction = [this](ActionId id, QDockWidget* dock, QWidget& field) {
-        connect(&actions_[id], &QAction::triggered, this, [dock, &field] {
+        actions_.on(id, this, [dock, &field] {
             dock->show();
             dock->raise();
             field.setFocus(Qt::ShortcutFocusReason);

@@ -21,16 +21,13 @@ namespace toile {
 
 void MainWindow::connectShell() {
     palette_ = new CommandPalette(this);
-    const auto on = [this](ActionId id, void (MainWindow::*does)()) {
-        connect(&actions_[id], &QAction::triggered, this, does);
-    };
-    on(ActionId::CommandPalette, &MainWindow::showCommands);
-    on(ActionId::EditPreferences, &MainWindow::editPreferences);
-    on(ActionId::Shortcuts, &MainWindow::showHelp);
-    on(ActionId::ResetLayout, &MainWindow::resetLayout);
-    on(ActionId::About, &MainWindow::showAbout);
-    on(ActionId::CompareMethods, &MainWindow::compareMethods);
-    connect(&actions_[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
+    actions_.on(ActionId::CommandPalette, this, &MainWindow::showCommands);
+    actions_.on(ActionId::EditPreferences, this, &MainWindow::editPreferences);
+    actions_.on(ActionId::Shortcuts, this, &MainWindow::showHelp);
+    actions_.on(ActionId::ResetLayout, this, &MainWindow::resetLayout);
+    actions_.on(ActionId::About, this, &MainWindow::showAbout);
+    actions_.on(ActionId::CompareMethods, this, &MainWindow::compareMethods);
+    actions_.on(ActionId::Quit, this, &QWidget::close);
     connect(&preferences_, &Preferences::lengthUnitChanged, this, &MainWindow::followLengthUnit);
     connect(&preferences_, &Preferences::themeChanged, this,
             [this] { applyTheme(preferences_.theme()); });

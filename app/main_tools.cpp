@@ -44,7 +44,7 @@ QWidget* MainWindow::makeToolPalette() {
 
 void MainWindow::connectTools() {
     for (const auto& [action, tool] : kTools) {
-        connect(&actions_[action], &QAction::triggered, this, [this, tool = tool] {
+        actions_.on(action, this, [this, tool = tool] {
             tools_->choose(tool);
             views_->takeKeyboard(viewInUse_);  // for Escape and Enter
         });

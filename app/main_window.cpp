@@ -120,7 +120,7 @@ void MainWindow::makeCentre() {
     connect(welcome, &WelcomePage::filesWanted, this, &MainWindow::openFiles);
     views_ = new ViewArea(workspace_.document(), *tools_, pages_);
     connect(views_, &ViewArea::failed, banner_, &Banner::showSentence);
-    connect(&actions_[ActionId::Frame], &QAction::triggered, views_, &ViewArea::frameSelection);
+    actions_.on(ActionId::Frame, views_, &ViewArea::frameSelection);
     pages_->addWidget(welcome);
     auto* work = new QWidget(pages_);
     auto* row = new QHBoxLayout(work);
@@ -175,12 +175,11 @@ void MainWindow::connectLooks() {
         {ActionId::Orthographic, ViewKey::Orthographic},
     };
     for (const auto& [id, key] : kLooks) {
-        connect(&actions_[id], &QAction::triggered, view, [view, key = key] { view->look(key); });
+        actions_.on(id, view, [view, key = key] { view->look(key); });
     }
     connect(view, &GarmentView::orthographicChanged, &actions_[ActionId::Orthographic],
             &QAction::setChecked);
-    connect(&actions_[ActionId::PlayMorph], &QAction::triggered, views_->morphBar(),
-            &MorphBar::play);
+    actions_.on(ActionId::PlayMorph, views_->morphBar(), &MorphBar::play);
 }
 
 void MainWindow::connectPanels() {
@@ -194,13 +193,10 @@ void MainWindow::connectPanels() {
     connect(seams_, &SeamsPanel::easeWanted, &workspace_, &Workspace::setEase);
     connect(seams_, &SeamsPanel::cutRemovalWanted, &workspace_, &Workspace::removeCut);
     connect(seams_, &SeamsPanel::joinRemovalWanted, &workspace_, &Workspace::removeJoin);
-    connect(&actions_[ActionId::GoToPieces], &QAction::triggered, this,
-            [this] { goTo(Panel::Pieces); });
-    connect(&actions_[ActionId::GoToSeams], &QAction::triggered, this,
-            [this] { goTo(Panel::Seams); });
-    connect(&actions_[ActionId::GoToHistory], &QAction::triggered, this,
-            [this] { goTo(Panel::History); });
-    connect(&actions_[ActionId::StateEase], &QAction::triggered, this, [this] {
+    actions_.on(ActionId::GoToPieces, this, [this] { goTo(Panel::Pieces); });
+    actions_.on(ActionId::GoToSeams, this, [this] { goTo(Panel::Seams); });
+    actions_.on(ActionId::GoToHistory, this, [this] { goTo(Panel::History); });
+    actions_.on(ActionId::StateEase, this, [this] {
         goTo(Panel::Seams);
         seams_->editEase();
     });

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QObject>
+#include <QAction>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "core/flatten/method.h"
-
-class QAction;
 
 namespace toile {
 
@@ -146,6 +145,11 @@ public:
     explicit ActionRegistry(QObject* parent = nullptr);
 
     QAction& operator[](ActionId id) const { return *actions_.at(id); }
+    /// Does this whenever the action is triggered, for as long as the receiver lives.
+    template <class Receiver, class Slot>
+    void on(ActionId id, const Receiver* receiver, Slot slot) const {
+        connect(&(*this)[id], &QAction::triggered, receiver, std::move(slot));
+    }
     /// In the order of the table.
     const std::vector<ActionId>& ids() const { return ids_; }
     std::vector<QAction*> all() const;

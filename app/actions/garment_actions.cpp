@@ -70,7 +70,7 @@ GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
     connectView();
     connectFlattening();
     connectSeams();
-    new ReadingActions(actions, workspace, this);
+    connectReading(actions, workspace);
     connect(new LayoutActions(actions, workspace, this), &LayoutActions::failed, this,
             &GarmentActions::failed);
     connect(&workspace_.document(), &Document::changed, this, &GarmentActions::onChanged);
@@ -82,20 +82,19 @@ GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
 }
 
 void GarmentActions::connectFiles() {
-    connect(&actions_[ActionId::Open], &QAction::triggered, this, &GarmentActions::askAndOpen);
-    connect(&actions_[ActionId::ExportSvg], &QAction::triggered, this,
-            [this] { askAndExport("svg", tr("SVG drawing (*.svg)")); });
-    connect(&actions_[ActionId::ExportDxf], &QAction::triggered, this,
-            [this] { askAndExport("dxf", tr("DXF drawing (*.dxf)")); });
-    connect(&actions_[ActionId::ExportObj], &QAction::triggered, this,
-            [this] { askAndExport("obj", tr("OBJ mesh (*.obj)")); });
-    connect(&actions_[ActionId::ExportReport], &QAction::triggered, this,
-            [this] { askAndExport("json", tr("JSON report (*.json)")); });
+    actions_.on(ActionId::Open, this, &GarmentActions::askAndOpen);
+    actions_.on(ActionId::ExportSvg, this,
+                [this] { askAndExport("svg", tr("SVG drawing (*.svg)")); });
+    actions_.on(ActionId::ExportDxf, this,
+                [this] { askAndExport("dxf", tr("DXF drawing (*.dxf)")); });
+    actions_.on(ActionId::ExportObj, this, [this] { askAndExport("obj", tr("OBJ mesh (*.obj)")); });
+    actions_.on(ActionId::ExportReport, this,
+                [this] { askAndExport("json", tr("JSON report (*.json)")); });
 }
 
 void GarmentActions::connectHistory() {
-    connect(&actions_[ActionId::Undo], &QAction::triggered, &workspace_, &Workspace::undo);
-    connect(&actions_[ActionId::Redo], &QAction::triggered, &workspace_, &Workspace::redo);
+    actions_.on(ActionId::Undo, &workspace_, &Workspace::undo);
+    actions_.on(ActionId::Redo, &workspace_, &Workspace::redo);
     connect(&workspace_, &Workspace::loadingChanged, this, &GarmentActions::updateHistory);
     connect(&workspace_.document().history(), &QUndoStack::indexChanged, this,
             &GarmentActions::updateHistory);
@@ -113,14 +112,9 @@ void GarmentActions::updateHistory() {
 }
 
 void GarmentActions::connectSelection() {
-    connect(&actions_[ActionId::SelectAll], &QAction::triggered, this, [this] {
-        Document::Selection all;
-        for (int i = 0; i < workspace_.document().pieceCount(); ++i) {
-            all.insert(i);
-        }
-        workspace_.document().setSelection(std::move(all));
-    });
-    connect(&actions_[ActionId::SelectNone], &QAction::triggered, this, [this] {
+    actions_.on(ActionId::SelectAll, this,
+                [this] { workspace_.document().setSelection(workspace_.document().everyPiece()); });
+    actions_.on(ActionId::SelectNone, this, [this] {
         workspace_.document().setSelection({});
         workspace_.document().setSeam({});
         workspace_.document().setMark({});
@@ -129,8 +123,8 @@ void GarmentActions::connectSelection() {
 
 void GarmentActions::connectView() {
     for (const auto& [id, overlay] : kOverlays) {
-        connect(&actions_[id], &QAction::triggered, this,
-                [this, overlay = overlay] { workspace_.document().setOverlay(overlay); });
+        actions_.on(id, this,
+                    [this, overlay = overlay] { workspace_.document().setOverlay(overlay); });
     }
     for (const auto& [id, field] : kSwitches) {
         connect(&actions_[id], &QAction::toggled, this,
@@ -140,31 +134,26 @@ void GarmentActions::connectView() {
 
 void GarmentActions::connectFlattening() {
     for (const MethodTraits& known : allMethods()) {
-        connect(&actions_[actionOf(known.method)], &QAction::triggered, this,
-                [this, method = known.method] { workspace_.setMethod(method); });
+        actions_.on(actionOf(known.method), this,
+                    [this, method = known.method] { workspace_.setMethod(method); });
     }
     for (const auto& [id, quality] : kQualities) {
-        connect(&actions_[id], &QAction::triggered, this,
-                [this, quality = quality] { workspace_.setQuality(quality); });
+        actions_.on(id, this, [this, quality = quality] { workspace_.setQuality(quality); });
     }
-    connect(&actions_[ActionId::SolverNewton], &QAction::triggered, this,
-            [this] { workspace_.setBoundarySolver(BoundarySolver::Newton); });
-    connect(&actions_[ActionId::SolverSlcp], &QAction::triggered, this,
-            [this] { workspace_.setBoundarySolver(BoundarySolver::Slcp); });
-    connect(&actions_[ActionId::FlattenAgain], &QAction::triggered, this,
-            [this] { workspace_.flattenAgain(); });
-    connect(&actions_[ActionId::AutoFlatten], &QAction::triggered, &workspace_,
-            &Workspace::setAutoFlatten);
+    actions_.on(ActionId::SolverNewton, this,
+                [this] { workspace_.setBoundarySolver(BoundarySolver::Newton); });
+    actions_.on(ActionId::SolverSlcp, this,
+                [this] { workspace_.setBoundarySolver(BoundarySolver::Slcp); });
+    actions_.on(ActionId::FlattenAgain, this, [this] { workspace_.flattenAgain(); });
+    actions_.on(ActionId::AutoFlatten, &workspace_, &Workspace::setAutoFlatten);
     actions_[ActionId::AutoFlatten].setChecked(workspace_.autoFlatten());
-    connect(&actions_[ActionId::Cancel], &QAction::triggered, &workspace_, &Workspace::cancel);
+    actions_.on(ActionId::Cancel, &workspace_, &Workspace::cancel);
 }
 
 void GarmentActions::connectSeams() {
-    connect(&actions_[ActionId::SeamsFromFile], &QAction::triggered, this,
-            &GarmentActions::askAndReadSeams);
-    connect(&actions_[ActionId::SeamsToFile], &QAction::triggered, this,
-            &GarmentActions::askAndWriteSeams);
-    connect(&actions_[ActionId::ForgetEase], &QAction::triggered, this, [this] {
+    actions_.on(ActionId::SeamsFromFile, this, &GarmentActions::askAndReadSeams);
+    actions_.on(ActionId::SeamsToFile, this, &GarmentActions::askAndWriteSeams);
+    actions_.on(ActionId::ForgetEase, this, [this] {
         if (const auto seam = workspace_.document().seam()) {
             workspace_.setEase(*seam, std::nullopt);
         }
@@ -278,11 +267,16 @@ void GarmentActions::updateEnabled() {
     const bool open = document.garment() != nullptr;
     const bool constrained = traits(document.options().method).solvesBoundary;
     for (const ActionId id :
-         {ActionId::SelectAll, ActionId::SelectNone, ActionId::Frame, ActionId::ToolSelect,
-          ActionId::ToolCut, ActionId::ToolLoop, ActionId::ToolDart, ActionId::ToolJoin,
-          ActionId::ToolMeasure, ActionId::FlattenAgain, ActionId::Wireframe, ActionId::GoToPieces,
-          ActionId::GoToSeams, ActionId::GoToProblems, ActionId::ReadyToCut, ActionId::GoToHistory,
-          ActionId::CompareMethods}) {
+         {ActionId::SelectAll,    ActionId::SelectNone,     ActionId::Frame,
+          ActionId::ToolSelect,   ActionId::ToolCut,        ActionId::ToolLoop,
+          ActionId::ToolDart,     ActionId::ToolJoin,       ActionId::ToolMeasure,
+          ActionId::FlattenAgain, ActionId::Wireframe,      ActionId::GoToPieces,
+          ActionId::GoToSeams,    ActionId::GoToProblems,   ActionId::ReadyToCut,
+          ActionId::GoToHistory,  ActionId::CompareMethods, ActionId::ShowSeams,
+          ActionId::Xray,         ActionId::Shaded,         ActionId::PieceColours,
+          ActionId::LookFront,    ActionId::LookBack,       ActionId::LookRight,
+          ActionId::LookLeft,     ActionId::LookTop,        ActionId::LookBottom,
+          ActionId::Orthographic, ActionId::PlayMorph}) {
         actions_[id].setEnabled(open);
     }
     for (const auto& [id, overlay] : kOverlays) {
@@ -291,12 +285,6 @@ void GarmentActions::updateEnabled() {
     const bool measured = open && isMeasured(document.view().overlay);
     actions_[ActionId::ValuesPerTriangle].setEnabled(measured);
     actions_[ActionId::WorstSpots].setEnabled(measured);
-    for (const ActionId id :
-         {ActionId::ShowSeams, ActionId::Xray, ActionId::Shaded, ActionId::PieceColours,
-          ActionId::LookFront, ActionId::LookBack, ActionId::LookRight, ActionId::LookLeft,
-          ActionId::LookTop, ActionId::LookBottom, ActionId::Orthographic, ActionId::PlayMorph}) {
-        actions_[id].setEnabled(open);
-    }
     for (const ActionId id :
          {ActionId::ExportSvg, ActionId::ExportDxf, ActionId::ExportObj, ActionId::ExportReport}) {
         actions_[id].setEnabled(workspace_.canExport());

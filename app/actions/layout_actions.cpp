@@ -38,7 +38,7 @@ LayoutActions::LayoutActions(ActionRegistry& actions, Workspace& workspace, QObj
 }
 
 void LayoutActions::onSelected(ActionId id, std::function<void(const std::vector<int>&)> change) {
-    connect(&actions_[id], &QAction::triggered, this, [this, change = std::move(change)] {
+    actions_.on(id, this, [this, change = std::move(change)] {
         if (const std::vector<int> pieces = selectedFlat(workspace_.document()); !pieces.empty()) {
             change(pieces);
         }
@@ -74,16 +74,15 @@ void LayoutActions::connectArranging() {
             distribute(document, pieces, direction);
         });
     }
-    connect(&actions_[ActionId::LayOutAgain], &QAction::triggered, this,
-            [this, &document] { layOutAgain(document, chosen()); });
+    actions_.on(ActionId::LayOutAgain, this,
+                [this, &document] { layOutAgain(document, chosen()); });
 }
 
 void LayoutActions::connectGrain() {
     Document& document = workspace_.document();
-    connect(&actions_[ActionId::GrainUpwards], &QAction::triggered, this,
-            [this, &document] { turnGrainUpwards(document, chosen()); });
-    connect(&actions_[ActionId::BestGrain], &QAction::triggered, this,
-            &LayoutActions::lookForBestGrain);
+    actions_.on(ActionId::GrainUpwards, this,
+                [this, &document] { turnGrainUpwards(document, chosen()); });
+    actions_.on(ActionId::BestGrain, this, &LayoutActions::lookForBestGrain);
     connect(&workspace_.jobs(), &JobRunner::cancelled, this, [this](const QString&, bool replaced) {
         if (grain_ != 0 && !workspace_.jobs().isUnderWay(grain_)) {
             grain_ = 0;
@@ -92,7 +91,7 @@ void LayoutActions::connectGrain() {
             }
         }
     });
-    connect(&actions_[ActionId::ForgetGrain], &QAction::triggered, this, [this, &document] {
+    actions_.on(ActionId::ForgetGrain, this, [this, &document] {
         PieceGrains grains;
         for (const int piece : chosen()) {
             grains[piece] = std::nullopt;

@@ -32,8 +32,8 @@ ProjectActions::ProjectActions(ActionRegistry& actions, Workspace& workspace,
       window_(window),
       session_(workspace),
       recent_(preferences) {
-    connect(&actions_[ActionId::Save], &QAction::triggered, this, [this] { save({}); });
-    connect(&actions_[ActionId::SaveAs], &QAction::triggered, this, [this] { saveAs({}); });
+    actions_.on(ActionId::Save, this, [this] { save({}); });
+    actions_.on(ActionId::SaveAs, this, [this] { saveAs({}); });
     workspace_.askBeforeLeaving([this](std::function<void()> next) { leaveThen(std::move(next)); });
     connect(&session_, &ProjectSession::failed, this, &ProjectActions::failed);
     connect(&session_, &ProjectSession::meshesMissing, this, &ProjectActions::askForMeshes);

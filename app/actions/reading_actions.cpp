@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/actions/action_registry.h"
 #include "app/actions/workspace.h"
 
 namespace toile {
@@ -35,56 +36,51 @@ constexpr std::pair<ActionId, SplitMode> kDivisions[] = {
     {ActionId::SplitSeams, SplitMode::Seams},
 };
 
+void updateEnabled(const ActionRegistry& actions, Workspace& workspace) {
+    const bool open = workspace.document().garment() != nullptr;
+    const SeamsFile seams = workspace.loading().seams;
+    actions[ActionId::Reload].setEnabled(open);
+    actions[ActionId::SeamsFromFile].setEnabled(open);
+    actions[ActionId::SeamsToFile].setEnabled(open && !seams.empty());
+    actions[ActionId::SplitSeams].setEnabled(!seams.cuts.empty());
+}
+
+void updateChecked(const ActionRegistry& actions, Workspace& workspace) {
+    const LoadOptions loading = workspace.loading();
+    for (const auto& [id, unit] : kUnits) {
+        actions[id].setChecked(loading.unit == unit);
+    }
+    for (const auto& [id, axis] : kAxes) {
+        actions[id].setChecked(loading.up == axis);
+    }
+    for (const auto& [id, mode] : kDivisions) {
+        actions[id].setChecked(loading.split == mode);
+    }
+    actions[ActionId::AutoCut].setChecked(loading.autoCut);
+    actions[ActionId::Weld].setChecked(loading.weld);
+    updateEnabled(actions, workspace);
+}
+
 }  // namespace
 
-ReadingActions::ReadingActions(ActionRegistry& actions, Workspace& workspace, QObject* parent)
-    : QObject(parent), actions_(actions), workspace_(workspace) {
-    connectActions();
-    connect(&workspace_, &Workspace::loadingChanged, this, &ReadingActions::updateChecked);
-    connect(&workspace_.document(), &Document::changed, this, &ReadingActions::updateEnabled);
-    updateChecked();
-}
-
-void ReadingActions::connectActions() {
-    connect(&actions_[ActionId::Reload], &QAction::triggered, &workspace_, &Workspace::reload);
+void connectReading(ActionRegistry& actions, Workspace& workspace) {
+    actions.on(ActionId::Reload, &workspace, &Workspace::reload);
     for (const auto& [id, unit] : kUnits) {
-        connect(&actions_[id], &QAction::triggered, this,
-                [this, unit = unit] { workspace_.setUnit(unit); });
+        actions.on(id, &workspace, [&workspace, unit = unit] { workspace.setUnit(unit); });
     }
     for (const auto& [id, axis] : kAxes) {
-        connect(&actions_[id], &QAction::triggered, this,
-                [this, axis = axis] { workspace_.setUpAxis(axis); });
+        actions.on(id, &workspace, [&workspace, axis = axis] { workspace.setUpAxis(axis); });
     }
     for (const auto& [id, mode] : kDivisions) {
-        connect(&actions_[id], &QAction::triggered, this,
-                [this, mode = mode] { workspace_.setSplit(mode); });
+        actions.on(id, &workspace, [&workspace, mode = mode] { workspace.setSplit(mode); });
     }
-    connect(&actions_[ActionId::AutoCut], &QAction::triggered, &workspace_, &Workspace::setAutoCut);
-    connect(&actions_[ActionId::Weld], &QAction::triggered, &workspace_, &Workspace::setWeld);
-}
-
-void ReadingActions::updateChecked() {
-    const LoadOptions& loading = workspace_.loading();
-    for (const auto& [id, unit] : kUnits) {
-        actions_[id].setChecked(loading.unit == unit);
-    }
-    for (const auto& [id, axis] : kAxes) {
-        actions_[id].setChecked(loading.up == axis);
-    }
-    for (const auto& [id, mode] : kDivisions) {
-        actions_[id].setChecked(loading.split == mode);
-    }
-    actions_[ActionId::AutoCut].setChecked(loading.autoCut);
-    actions_[ActionId::Weld].setChecked(loading.weld);
-    updateEnabled();
-}
-
-void ReadingActions::updateEnabled() {
-    const bool open = workspace_.document().garment() != nullptr;
-    actions_[ActionId::Reload].setEnabled(open);
-    actions_[ActionId::SeamsFromFile].setEnabled(open);
-    actions_[ActionId::SeamsToFile].setEnabled(open && !workspace_.loading().seams.empty());
-    actions_[ActionId::SplitSeams].setEnabled(!workspace_.loading().seams.cuts.empty());
+    actions.on(ActionId::AutoCut, &workspace, &Workspace::setAutoCut);
+    actions.on(ActionId::Weld, &workspace, &Workspace::setWeld);
+    const auto follow = [&actions, &workspace] { updateChecked(actions, workspace); };
+    QObject::connect(&workspace, &Workspace::loadingChanged, &actions, follow);
+    QObject::connect(&workspace.document(), &Document::changed, &actions,
+                     [&actions, &workspace] { updateEnabled(actions, workspace); });
+    follow();
 }
 
 }  // namespace toile

@@ -1,30 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QObject>
-
-#include "app/actions/action_registry.h"
-
 namespace toile {
 
+class ActionRegistry;
 class Workspace;
 
-/// What the actions do that say how the garment's files are read, divided and cut. Keeps them
-/// checked as the workspace's `loading` is.
-class ReadingActions : public QObject {
-    Q_OBJECT
-
-public:
-    /// Both must outlive this object.
-    ReadingActions(ActionRegistry& actions, Workspace& workspace, QObject* parent);
-
-private:
-    void connectActions();
-    void updateChecked();
-    void updateEnabled();
-
-    ActionRegistry& actions_;
-    Workspace& workspace_;
-};
+/// Connects the actions that say how the garment's files are read, divided and cut, and keeps them
+/// checked as the workspace's `loading` is, for as long as both live.
+void connectReading(ActionRegistry& actions, Workspace& workspace);
 
 }  // namespace toile

@@ -52,6 +52,14 @@ int Document::pieceCount() const {
     return garment() ? static_cast<int>(garment()->pieces.size()) : 0;
 }
 
+Document::Selection Document::everyPiece() const {
+    Selection all;
+    for (int i = 0; i < pieceCount(); ++i) {
+        all.insert(all.end(), i);
+    }
+    return all;
+}
+
 int Document::seamCount() const {
     return garment() ? static_cast<int>(garment()->seams.seams.size()) : 0;
 }

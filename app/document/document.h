@@ -65,6 +65,7 @@ public:
     /// What has been found out about the present state's labels and grain lines.
     MarkPlaces& marks() const { return marks_; }
     int pieceCount() const;
+    Selection everyPiece() const;
     int seamCount() const;
     bool isSelected(int piece) const { return selection_.count(piece) != 0; }
     /// Short name for titles: the file's name, or the first and how many more.

@@ -134,14 +134,6 @@ const Scene* SceneView::scene() const {
     return document_.scene().get();
 }
 
-std::set<int> SceneView::everyPiece() const {
-    std::set<int> all;
-    for (int i = 0; i < document_.pieceCount(); ++i) {
-        all.insert(all.end(), i);
-    }
-    return all;
-}
-
 void SceneView::cameraMoved() {
     hover_.leave();
     emit pointed({});
@@ -207,7 +199,7 @@ void SceneView::initializeGL() {
 void SceneView::paintGL() {
     setCameraViewport(width(), height());
     if (followsAll_ && scene() && document_.pieceCount() > 0) {
-        framePieces(everyPiece());
+        framePieces(document_.everyPiece());
     }
     const RenderStyle style = renderStyle(palette());
     if (problem_.isEmpty()) {

@@ -119,7 +119,6 @@ private:
     void endPress();
     void updateCursor();
     void setSpace(bool down);
-    std::set<int> everyPiece() const;
 
     ToolBox& tools_;
     HoverTracker hover_;

@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <QPainter>
-#include <numeric>
 
 #include "app/document/document.h"
 #include "app/render/framebuffer.h"
@@ -25,12 +24,6 @@ namespace {
 class PictureWords {
     Q_DECLARE_TR_FUNCTIONS(ViewPicture)
 };
-
-std::set<int> everyPiece(const Document& document) {
-    std::vector<int> all(static_cast<std::size_t>(document.pieceCount()));
-    std::iota(all.begin(), all.end(), 0);
-    return {all.begin(), all.end()};
-}
 
 /// Draws the views of one document, one after the other.
 class PicturePainter {
@@ -110,7 +103,7 @@ void PicturePainter::drawGarment(QPainter& picture, const QRect& part) {
         camera.setDirection(options_.direction->yaw, options_.direction->pitch);
     }
     if (document_.pieceCount() > 0) {
-        frameGarment(camera, *document_.scene(), places_, everyPiece(document_), options_.morph);
+        frameGarment(camera, *document_.scene(), places_, document_.everyPiece(), options_.morph);
     }
     const Morph morph = morphBefore(camera, document_.scene().get(), options_.morph);
     drawScene<GarmentRenderer>(picture, part, [&](GarmentRenderer& renderer) {
@@ -126,7 +119,7 @@ void PicturePainter::drawPattern(QPainter& picture, const QRect& part) {
     Camera2D camera;
     camera.setViewport(part.width(), part.height());
     if (document_.pieceCount() > 0) {
-        framePattern(camera, *document_.scene(), places_, everyPiece(document_),
+        framePattern(camera, *document_.scene(), places_, document_.everyPiece(),
                      document_.view().rulers);
     }
     drawScene<PatternRenderer>(picture, part, [&](PatternRenderer& renderer) {
