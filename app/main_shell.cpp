@@ -114,13 +114,11 @@ void MainWindow::followColours() {
 }
 
 void MainWindow::showAbout() {
-    const std::string_view number = version();
     auto* box = new QMessageBox(this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setWindowTitle(tr("About Toile"));
     box->setIconPixmap(QIcon(":/icons/toile.svg").pixmap(64, 64));
-    box->setText(QString("<h3>Toile %1</h3>")
-                     .arg(QString::fromUtf8(number.data(), static_cast<qsizetype>(number.size()))));
+    box->setText(QString("<h3>Toile %1</h3>").arg(QString::fromUtf8(version())));
     box->setInformativeText(
         tr("Sewing patterns from 3D garments, every seam line at its true length: the "
            "length-preserved natural boundary of Wang (2005).\n\nFree software under the GNU "

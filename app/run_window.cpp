@@ -130,10 +130,8 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
     QApplication application(argc, argv);
     display.reset();
-    const std::string_view number = version();
     QApplication::setApplicationName("Toile");
-    QApplication::setApplicationVersion(
-        QString::fromUtf8(number.data(), static_cast<qsizetype>(number.size())));
+    QApplication::setApplicationVersion(QString::fromUtf8(version()));
     QApplication::setWindowIcon(QIcon(":/icons/toile.svg"));
 
     const bool photograph = !options.screenshot.empty();

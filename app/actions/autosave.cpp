@@ -61,7 +61,7 @@ QString Autosave::defaultFolder() {
 
 std::vector<RecoveryFile> Autosave::abandoned() const {
     std::vector<RecoveryFile> found;
-    const QString pattern = QString("*%1").arg(QString::fromUtf8(kProjectEnding.data()));
+    const QString pattern = QString("*%1").arg(QString::fromUtf8(kProjectEnding));
     for (const QFileInfo& info : QDir(folder_).entryInfoList({pattern}, QDir::Files, QDir::Time)) {
         auto lock = info.absoluteFilePath() == file_ ? nullptr : lockOf(info.absoluteFilePath());
         if (!lock) {
@@ -148,8 +148,7 @@ bool Autosave::prepare() {
         return false;
     }
     const QString name = QUuid::createUuid().toString(QUuid::WithoutBraces);
-    const QString file =
-        QDir(folder_).absoluteFilePath(name + QString::fromUtf8(kProjectEnding.data()));
+    const QString file = QDir(folder_).absoluteFilePath(name + QString::fromUtf8(kProjectEnding));
     lock_ = lockOf(file);
     if (lock_) {
         file_ = file;

@@ -39,8 +39,7 @@ std::vector<Command> commandList(const ActionRegistry& actions, const Document& 
                                  const std::function<void(int)>& showSeam) {
     std::map<ActionId, QString> methodWords;
     for (const MethodTraits& method : allMethods()) {
-        methodWords[actionOf(method.method)] =
-            QString::fromUtf8(method.name.data(), static_cast<qsizetype>(method.name.size()));
+        methodWords[actionOf(method.method)] = QString::fromUtf8(method.name);
     }
     std::vector<Command> commands;
     std::set<ActionId> placed{ActionId::CommandPalette};  // it is open

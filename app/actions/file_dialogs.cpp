@@ -139,7 +139,7 @@ FileDialogs FileDialogs::native() {
 }
 
 QStringList openableSuffixes() {
-    return meshSuffixes() << QString::fromUtf8(kProjectEnding.data());
+    return meshSuffixes() << QString::fromUtf8(kProjectEnding);
 }
 
 bool isOpenable(const QString& path) {

@@ -13,13 +13,6 @@
 #include "core/project/project_file.h"
 
 namespace toile {
-namespace {
-
-QString projectEnding() {
-    return QString::fromUtf8(kProjectEnding.data(), static_cast<qsizetype>(kProjectEnding.size()));
-}
-
-}  // namespace
 
 ProjectActions::ProjectActions(ActionRegistry& actions, Workspace& workspace,
                                Preferences& preferences, const FileDialogs& dialogs,
@@ -131,13 +124,13 @@ void ProjectActions::saveAs(std::function<void()> then) {
     const std::filesystem::path present = session_.path();
     const QFileInfo from(textOf(present.empty() ? workspace_.openPaths().front() : present));
     QString path = dialogs_.saveProject(
-        &window_,
-        QString("%1/%2%3").arg(from.absolutePath(), from.completeBaseName(), projectEnding()));
+        &window_, QString("%1/%2%3").arg(from.absolutePath(), from.completeBaseName(),
+                                         QString::fromUtf8(kProjectEnding)));
     if (path.isEmpty()) {
         return;
     }
     if (!isProjectFile(pathOf(path))) {
-        path += projectEnding();
+        path += QString::fromUtf8(kProjectEnding);
     }
     preferences_.setOpenFolder(QFileInfo(path).absolutePath());
     session_.save(pathOf(QFileInfo(path).absoluteFilePath()), std::move(then));

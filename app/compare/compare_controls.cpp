@@ -19,8 +19,7 @@ namespace {
 constexpr int kSteps = 1000;  // of the progress bar
 
 QString objectNameOf(Method method) {
-    const std::string_view word = name(method);
-    return "compare_" + QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
+    return "compare_" + QString::fromUtf8(name(method));
 }
 
 }  // namespace

@@ -22,8 +22,7 @@ constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre,
 constexpr double kMetresFrom = 10000;
 
 QString symbolOf(LengthUnit unit) {
-    const std::string_view text = symbol(unit);
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+    return QString::fromUtf8(symbol(unit));
 }
 
 QString wordOf(LengthUnit unit) {

@@ -179,9 +179,7 @@ QString PiecesModel::text(int row, int column) const {
             if (known && known->error) {
                 // Short enough for a table; the whole sentence is in the tool tip and the details.
                 const std::string_view reason = name(known->error->code);
-                return tr("Not flat: %1")
-                    .arg(QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size()))
-                             .replace('-', ' '));
+                return tr("Not flat: %1").arg(QString::fromUtf8(reason).replace('-', ' '));
             }
             return !known                       ? tr("Waiting")
                    : statusOf(*known) == "flat" ? tr("Flat")

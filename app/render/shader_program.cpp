@@ -116,7 +116,7 @@ std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& 
     const QByteArray version = "#version 330 core\n";
     QByteArray source = version;
     for (const std::string_view name : files) {
-        QFile file(":/shaders/" + QString::fromUtf8(name.data(), qsizetype(name.size())));
+        QFile file(":/shaders/" + QString::fromUtf8(name));
         if (!file.open(QIODevice::ReadOnly)) {
             problem = file.fileName();
             return nullptr;

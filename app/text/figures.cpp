@@ -37,8 +37,7 @@ QString lengthWithUnit(double millimetres) {
 }
 
 QString lengthUnit() {
-    const std::string_view text = symbol(LengthDisplay::instance().format().unit);
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+    return QString::fromUtf8(symbol(LengthDisplay::instance().format().unit));
 }
 
 QString fineLength(double millimetres) {

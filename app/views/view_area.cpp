@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/document/document.h"
 #include "app/render/gl_support.h"
@@ -55,7 +56,8 @@ void ViewArea::makeViews() {
     }
     garmentView_ = new GarmentView(document_, tools_);
     patternView_ = new PatternView(document_, tools_);
-    for (SceneView* view : std::initializer_list<SceneView*>{garmentView_, patternView_}) {
+    views_ = {garmentView_, patternView_};
+    for (SceneView* view : views_) {
         splitter_->addWidget(view);
         connect(view, &SceneView::entered, this, [this, view] { emit entered(view->kind()); });
         connect(view, &SceneView::pointed, this, [this](const std::optional<SurfaceHit>& hit) {
@@ -74,67 +76,51 @@ void ViewArea::makeViews() {
 }
 
 void ViewArea::takeKeyboard(ViewKind view) {
-    if (garmentView_) {
-        (view == ViewKind::Garment ? static_cast<SceneView*>(garmentView_) : patternView_)
-            ->setFocus();
+    const auto found = std::ranges::find(views_, view, &SceneView::kind);
+    if (found != views_.end()) {
+        (*found)->setFocus();
     }
 }
 
 void ViewArea::setNavigation(Navigation navigation) {
-    for (SceneView* view : std::initializer_list<SceneView*>{garmentView_, patternView_}) {
-        if (view) {
-            view->setNavigation(navigation);
-        }
+    for (SceneView* view : views_) {
+        view->setNavigation(navigation);
     }
 }
 
 void ViewArea::frameSelection() {
-    if (garmentView_) {
-        garmentView_->frameSelection();
-    }
-    if (patternView_) {
-        patternView_->frameSelection();
+    for (SceneView* view : views_) {
+        view->frameSelection();
     }
 }
 
 void ViewArea::frameSeam() {
-    if (garmentView_) {
-        garmentView_->frameSeam();
-    }
-    if (patternView_) {
-        patternView_->frameSeam();
+    for (SceneView* view : views_) {
+        view->frameSeam();
     }
 }
 
 void ViewArea::showSpot(const WorstSpot& spot) {
-    if (garmentView_) {
-        garmentView_->showSpot(spot);
-    }
-    if (patternView_) {
-        patternView_->showSpot(spot);
+    for (SceneView* view : views_) {
+        view->showSpot(spot);
     }
 }
 
 void ViewArea::repaintViews() {
-    for (SceneView* view :
-         {static_cast<SceneView*>(garmentView_), static_cast<SceneView*>(patternView_)}) {
-        if (view) {
-            view->update();
-        }
+    for (SceneView* view : views_) {
+        view->update();
     }
 }
 
 bool ViewArea::isUpToDate() const {
-    return (!garmentView_ || garmentView_->isUpToDate()) &&
-           (!patternView_ || patternView_->isUpToDate()) && figures_->isUpToDate();
+    return std::ranges::all_of(views_, &SceneView::isUpToDate) && figures_->isUpToDate();
 }
 
 void ViewArea::showFigures() {
     const OverlayFigures& figures = figures_->figures();
     legend_->show(legendOf(figures));
-    if (garmentView_) {
-        garmentView_->setWorstSpots({figures.spots, figures.overlay});
-        patternView_->setWorstSpots({figures.spots, figures.overlay});
+    for (SceneView* view : views_) {
+        view->setWorstSpots({figures.spots, figures.overlay});
     }
     showPointedValue();
 }

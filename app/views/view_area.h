@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <optional>
+#include <vector>
 
 #include "app/render/overlay_values.h"
 #include "app/render/worst_spots.h"
@@ -19,6 +20,7 @@ class GarmentView;
 class MorphBar;
 class OverlayWatcher;
 class PatternView;
+class SceneView;
 class ToolBox;
 
 /// Both views side by side over the overlay's legend; a sentence in their place where this
@@ -69,6 +71,7 @@ private:
     ColourBar* legend_;
     GarmentView* garmentView_ = nullptr;
     PatternView* patternView_ = nullptr;
+    std::vector<SceneView*> views_;  ///< both, or none
     MorphBar* morphBar_ = nullptr;
     std::optional<SurfacePlace> pointed_;
 };
