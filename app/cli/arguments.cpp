@@ -44,20 +44,22 @@ std::vector<std::string> namesOf(const Word<Value> (&words)[n]) {
     return names;
 }
 
+std::string alternatives(const std::vector<std::string>& words) {
+    return CLI::detail::join(words, "|");
+}
+
 /// One of these words; the help lists them as the option's type already.
-template <class Words>
-CLI::Validator oneOf(const Words& words) {
+CLI::Validator oneOf(const std::vector<std::string>& words) {
     CLI::Validator member = CLI::IsMember(words);
     member.description("");
     return member;
 }
 
-std::string alternatives(const std::vector<std::string>& words) {
-    return CLI::detail::join(words, "|");
-}
-
-CLI::Validator oneOf(std::initializer_list<std::string> words) {
-    return oneOf(std::vector<std::string>(words));
+CLI::Option* addChoice(CLI::App& command, const std::string& option, std::string& typed,
+                       const std::vector<std::string>& words, const std::string& help) {
+    return command.add_option(option, typed, help)
+        ->type_name(alternatives(words))
+        ->check(oneOf(words));
 }
 
 void addInputs(CLI::App& command, Typed& typed) {
@@ -70,16 +72,13 @@ void addInputs(CLI::App& command, Typed& typed) {
 
 /// How files are read, divided and cut: the commands and the window alike.
 void addReading(CLI::App& command, Typed& typed, LoadOptions& load) {
-    command.add_option("--split", typed.split, "By what files are divided into pieces")
-        ->type_name("auto|components|objects|groups|materials|uv|seams")
-        ->check(oneOf({"auto", "components", "objects", "groups", "materials", "uv", "seams"}))
+    addChoice(command, "--split", typed.split,
+              {"auto", "components", "objects", "groups", "materials", "uv", "seams"},
+              "By what files are divided into pieces")
         ->capture_default_str();
-    command.add_option("--unit", typed.unit, "Unit of the input's coordinates")
-        ->type_name("mm|cm|m|in")
-        ->check(oneOf({"mm", "cm", "m", "in"}));
-    command.add_option("--up", typed.up, "Axis of the input that points up")
-        ->type_name("y|z")
-        ->check(oneOf({"y", "z"}));
+    addChoice(command, "--unit", typed.unit, {"mm", "cm", "m", "in"},
+              "Unit of the input's coordinates");
+    addChoice(command, "--up", typed.up, {"y", "z"}, "Axis of the input that points up");
     command
         .add_option(
             "--seams", typed.seams,
@@ -103,29 +102,17 @@ std::vector<std::string> methodNames() {
 /// How a method goes about it, each option for the methods that have the choice: the commands and
 /// the window alike.
 void addMethodOptions(CLI::App& command, Typed& typed, FlattenOptions& options) {
-    command
-        .add_option("--boundary-solver", typed.solver,
-                    "Solver of the boundary problem (wang2005, curvature, stretch)")
-        ->type_name("newton|slcp")
-        ->check(oneOf({"newton", "slcp"}))
+    addChoice(command, "--boundary-solver", typed.solver, {"newton", "slcp"},
+              "Solver of the boundary problem (wang2005, curvature, stretch)")
         ->capture_default_str();
-    command
-        .add_option("--quality", typed.quality,
-                    "How much time isometric takes for how little distortion")
-        ->type_name(alternatives(namesOf(kQualityWords)))
-        ->check(oneOf(namesOf(kQualityWords)))
+    addChoice(command, "--quality", typed.quality, namesOf(kQualityWords),
+              "How much time isometric takes for how little distortion")
         ->capture_default_str();
-    command
-        .add_option("--free-boundary", typed.freeBoundary,
-                    "How natural holds its outline: two vertices pinned, or none")
-        ->type_name(alternatives(namesOf(kFreeBoundaryWords)))
-        ->check(oneOf(namesOf(kFreeBoundaryWords)))
+    addChoice(command, "--free-boundary", typed.freeBoundary, namesOf(kFreeBoundaryWords),
+              "How natural holds its outline: two vertices pinned, or none")
         ->capture_default_str();
-    command
-        .add_option("--stretch-outline", typed.stretchOutline,
-                    "Outline in which stretch works: a circle as published, or that of curvature")
-        ->type_name(alternatives(namesOf(kStretchOutlineWords)))
-        ->check(oneOf(namesOf(kStretchOutlineWords)))
+    addChoice(command, "--stretch-outline", typed.stretchOutline, namesOf(kStretchOutlineWords),
+              "Outline in which stretch works: a circle as published, or that of curvature")
         ->capture_default_str();
     command
         .add_option("--authalic", options.authalic,
@@ -136,10 +123,7 @@ void addMethodOptions(CLI::App& command, Typed& typed, FlattenOptions& options) 
 }
 
 void addMethod(CLI::App& command, Typed& typed) {
-    const std::vector<std::string> names = methodNames();
-    command.add_option("--method", typed.method, "Flattening method")
-        ->type_name(alternatives(names))
-        ->check(oneOf(names))
+    addChoice(command, "--method", typed.method, methodNames(), "Flattening method")
         ->capture_default_str();
 }
 
@@ -182,9 +166,7 @@ CLI::App* addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
 }
 
 void addOverlay(CLI::App& command, Typed& typed, const std::string& help) {
-    command.add_option("--overlay", typed.overlay, help)
-        ->type_name(alternatives(namesOf(kOverlayWords)))
-        ->check(oneOf(namesOf(kOverlayWords)));
+    addChoice(command, "--overlay", typed.overlay, namesOf(kOverlayWords), help);
 }
 
 CLI::App* addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
@@ -194,9 +176,8 @@ CLI::App* addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
     render->add_option("-o,--output", typed.picture, "Picture to write")
         ->required()
         ->type_name("FILE.png");
-    render->add_option("--view", typed.views, "What to draw; both lie side by side")
-        ->type_name(alternatives(namesOf(kViewWords)))
-        ->check(oneOf(namesOf(kViewWords)))
+    addChoice(*render, "--view", typed.views, namesOf(kViewWords),
+              "What to draw; both lie side by side")
         ->capture_default_str();
     addOverlay(*render, typed,
                "What is painted on the cloth [what the project says, else checker]");
@@ -214,14 +195,11 @@ CLI::App* addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
         ->capture_default_str();
     render->add_flag("--wireframe", arguments.picture.wireframe, "Draw the mesh's edges");
     render->add_flag("--xray", arguments.picture.xray, "Let cloth show what is behind it");
-    render->add_option("--seams-shown", typed.seamsShown, "Seam lines, each pair in one colour")
-        ->type_name("on|off")
-        ->check(oneOf({"on", "off"}))
+    addChoice(*render, "--seams-shown", typed.seamsShown, {"on", "off"},
+              "Seam lines, each pair in one colour")
         ->capture_default_str();
-    render
-        ->add_option("--bar", typed.bar, "The colour bar below [on where the overlay is measured]")
-        ->type_name("on|off")
-        ->check(oneOf({"on", "off"}));
+    addChoice(*render, "--bar", typed.bar, {"on", "off"},
+              "The colour bar below [on where the overlay is measured]");
     render->add_flag("--dark", arguments.picture.dark, "On a dark ground");
     addMethod(*render, typed);
     addMethodOptions(*render, typed, arguments.options);
@@ -237,12 +215,9 @@ CLI::App* addCheck(CLI::App& app, Typed& typed, Arguments& arguments) {
     for (const Fabric& fabric : fabricPresets()) {
         fabrics.push_back(fabric.id);
     }
-    check
-        ->add_option("--fabric", typed.fabric,
-                     "What the garment is cut from: " + fabrics.front() +
-                         " where neither this nor a project says so")
-        ->type_name(alternatives(fabrics))
-        ->check(oneOf(fabrics));
+    addChoice(*check, "--fabric", typed.fabric, fabrics,
+              "What the garment is cut from: " + fabrics.front() +
+                  " where neither this nor a project says so");
     addMethod(*check, typed);
     addMethodOptions(*check, typed, arguments.options);
     addReading(*check, typed, arguments.load);
@@ -389,9 +364,8 @@ Arguments parseArguments(int argc, const char* const* argv) {
     addOverlay(
         app, typed,
         "What the window paints on the cloth at first [what the project says, else checker]");
-    app.add_option("--panel", typed.panel, "The list that the window shows in front at first")
-        ->type_name(alternatives(namesOf(kPanelWords)))
-        ->check(oneOf(namesOf(kPanelWords)));
+    addChoice(app, "--panel", typed.panel, namesOf(kPanelWords),
+              "The list that the window shows in front at first");
     addMethod(app, typed);
     addMethodOptions(app, typed, arguments.options);
     addReading(app, typed, arguments.load);

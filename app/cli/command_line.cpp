@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include "app/cli/arguments.h"
-#include "app/cli/commands.h"
 #include "app/cli/project_input.h"
 
 namespace toile {

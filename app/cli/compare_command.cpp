@@ -4,7 +4,6 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
-#include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/table.h"
 #include "core/base/characters.h"
