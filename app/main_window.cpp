@@ -35,7 +35,6 @@
 #include "app/widgets/column_chooser.h"
 #include "app/widgets/garment_card.h"
 #include "app/widgets/hint_label.h"
-#include "app/widgets/recovery_card.h"
 
 namespace toile {
 

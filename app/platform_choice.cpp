@@ -6,7 +6,17 @@
 #include <QLibraryInfo>
 #include <QPluginLoader>
 
+// The macro declares a function and has to stand outside of any namespace.
+static void registerResources() {
+    Q_INIT_RESOURCE(toile);
+    Q_INIT_RESOURCE(translations);
+}
+
 namespace toile {
+
+void loadResources() {
+    registerResources();
+}
 
 #ifdef Q_OS_LINUX
 

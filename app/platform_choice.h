@@ -5,6 +5,10 @@
 
 namespace toile {
 
+/// Makes shaders and icons known: a static library's resources are left out by the linker unless
+/// asked for. To be called before the first window is made; again does no harm.
+void loadResources();
+
 /// Before the application is made: Qt ends the program with a signal where it finds no display, or
 /// its part for it is not installed.
 

@@ -15,7 +15,6 @@
 #include "app/platform_choice.h"
 #include "app/render/offscreen_context.h"
 #include "app/render/scene_builder.h"
-#include "app/resources.h"
 #include "app/settings/language.h"
 #include "app/settings/theme.h"
 #include "app/views/view_picture.h"

@@ -13,7 +13,6 @@
 #include "app/main_window.h"
 #include "app/platform_choice.h"
 #include "app/render/gl_support.h"
-#include "app/resources.h"
 #include "app/settings/language.h"
 #include "app/settings/preferences.h"
 #include "app/settings/theme.h"

@@ -8,7 +8,7 @@
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
 #include "app/base/path_text.h"
-#include "app/widgets/recovery_card.h"
+#include "app/widgets/banner.h"
 
 namespace toile {
 
@@ -44,7 +44,7 @@ void Recovery::offerNext() {
     }
     const RecoveryFile& file = offered_.front();
     const QLocale locale;
-    card_.offer(
+    card_.showSentence(
         tr("Toile ended without saving your changes to %1. They were last kept on %2 at %3.")
             .arg(QFileInfo(file.project).fileName(),
                  locale.toString(file.time.date(), QLocale::ShortFormat),

@@ -9,7 +9,7 @@
 #include "app/document/document.h"
 #include "app/document/project_state.h"
 #include "app/render/scene_builder.h"
-#include "app/text/drawing_words.h"
+#include "app/text/error_text.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/project/project_file.h"

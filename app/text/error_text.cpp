@@ -7,6 +7,7 @@
 
 #include "core/base/characters.h"
 #include "core/base/error.h"
+#include "core/pattern/piece_marks.h"
 
 namespace toile {
 
@@ -64,6 +65,18 @@ QString errorText(const Error& error) {
         text += "; " + advised;
     }
     return text + '.';
+}
+
+DrawingWords drawingWords() {
+    const auto told = [](const QString& text) { return text.toStdString(); };
+    return {
+        .noAllowance = told(QCoreApplication::translate("toile", "net outline, no allowance")),
+        .mirrored =
+            told(QCoreApplication::translate("toile", "mirrored: wrong side of the fabric up")),
+        .cut = told(QCoreApplication::translate("toile", "cut %1")),
+        .cutPair = told(QCoreApplication::translate("toile", "cut 1 pair")),
+        .cutPairs = told(QCoreApplication::translate("toile", "cut %1 pairs")),
+        .checkSquare = told(QCoreApplication::translate("toile", "check square 100 mm x 100 mm"))};
 }
 
 QString faultText(const std::exception_ptr& fault) {

@@ -8,6 +8,7 @@
 
 namespace toile {
 
+struct DrawingWords;
 struct Error;
 class Wording;
 
@@ -22,6 +23,9 @@ QString errorText(const Error& error);
 /// What happened alone, with the particulars, and what to try alone; the latter may be empty.
 QString errorDescription(const Error& error);
 QString errorAdvice(const Error& error);
+
+/// What exported drawings say, in the person's language.
+DrawingWords drawingWords();
 
 /// What a piece of work that ended with an exception says: that memory ran out and what to try, or
 /// that the program met a fault. Not null.

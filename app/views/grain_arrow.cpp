@@ -10,7 +10,7 @@
 #include "app/document/layout.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
-#include "app/text/drawing_words.h"
+#include "app/text/error_text.h"
 #include "app/views/tools/sheet_map.h"
 
 namespace toile {

@@ -11,7 +11,7 @@
 #include "app/render/picking.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
-#include "app/text/drawing_words.h"
+#include "app/text/error_text.h"
 #include "app/views/flags.h"
 #include "app/views/grain_arrow.h"
 #include "app/views/name_plates.h"

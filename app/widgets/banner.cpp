@@ -3,44 +3,63 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 
 #include "app/widgets/icon.h"
 
 namespace toile {
 
-Banner::Banner(QWidget* parent) : QFrame(parent), label_(new QLabel(this)) {
-    setObjectName("banner");
+SentenceBar::SentenceBar(QWidget* parent)
+    : QFrame(parent), label_(new QLabel(this)), row_(new QHBoxLayout(this)) {
     setAutoFillBackground(true);
+    label_->setTextFormat(Qt::PlainText);  // names of files are in it
+    label_->setWordWrap(true);
+    row_->addWidget(label_, 1);
+    hide();
+}
+
+void SentenceBar::showSentence(const QString& sentence) {
+    label_->setText(sentence);
+    show();
+}
+
+QString SentenceBar::sentence() const {
+    return label_->text();
+}
+
+Banner::Banner(QWidget* parent) : SentenceBar(parent) {
+    setObjectName("banner");
     // Amber that carries dark text in either palette.
     QPalette colours = palette();
     colours.setColor(QPalette::Window, QColor(255, 226, 168));
     colours.setColor(QPalette::WindowText, QColor(58, 40, 8));
     setPalette(colours);
-
-    label_->setTextFormat(Qt::PlainText);  // names of files are in it
-    label_->setWordWrap(true);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* close = new QToolButton(this);
     close->setAutoRaise(true);
     close->setIcon(themedIcon("close", QColor(58, 40, 8)));
     close->setToolTip(tr("Close this message"));
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
-
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(14, 8, 8, 8);
-    row->addWidget(label_, 1);
-    row->addWidget(close, 0, Qt::AlignTop);
-    hide();
+    row_->setContentsMargins(14, 8, 8, 8);
+    row_->addWidget(close, 0, Qt::AlignTop);
 }
 
-void Banner::showSentence(const QString& sentence) {
-    label_->setText(sentence);
-    show();
-}
-
-QString Banner::sentence() const {
-    return label_->text();
+RecoveryCard::RecoveryCard(QWidget* parent) : SentenceBar(parent) {
+    setObjectName("recoveryCard");
+    setBackgroundRole(QPalette::AlternateBase);
+    auto* restore = new QPushButton(tr("&Restore"), this);
+    restore->setObjectName("restoreRecovery");
+    restore->setToolTip(tr("Open the garment as it was when it was last kept"));
+    auto* discard = new QPushButton(tr("&Discard"), this);
+    discard->setObjectName("discardRecovery");
+    discard->setToolTip(tr("Remove what was kept: it cannot be brought back"));
+    connect(restore, &QPushButton::clicked, this, &RecoveryCard::restoreWanted);
+    connect(discard, &QPushButton::clicked, this, &RecoveryCard::discardWanted);
+    row_->setContentsMargins(14, 6, 10, 6);
+    row_->setSpacing(12);
+    row_->addWidget(restore, 0, Qt::AlignVCenter);
+    row_->addWidget(discard, 0, Qt::AlignVCenter);
 }
 
 }  // namespace toile

@@ -3,22 +3,44 @@
 
 #include <QFrame>
 
+class QHBoxLayout;
 class QLabel;
 
 namespace toile {
 
-/// One sentence across the window that waits for nobody: what went wrong, until it is closed.
-class Banner : public QFrame {
+/// One sentence across the window that waits for nobody; hidden at first.
+class SentenceBar : public QFrame {
+    Q_OBJECT
+
+public:
+    void showSentence(const QString& sentence);
+    QString sentence() const;
+
+protected:
+    explicit SentenceBar(QWidget* parent);
+
+    QLabel* label_;
+    QHBoxLayout* row_;  ///< the sentence, and what stands behind it
+};
+
+/// What went wrong, until it is closed.
+class Banner : public SentenceBar {
     Q_OBJECT
 
 public:
     explicit Banner(QWidget* parent = nullptr);
+};
 
-    void showSentence(const QString& sentence);
-    QString sentence() const;
+/// Offers what a crash has left: "Restore" and "Discard".
+class RecoveryCard : public SentenceBar {
+    Q_OBJECT
 
-private:
-    QLabel* label_;
+public:
+    explicit RecoveryCard(QWidget* parent = nullptr);
+
+signals:
+    void restoreWanted();
+    void discardWanted();
 };
 
 }  // namespace toile

@@ -7,10 +7,10 @@
 #include <QTest>
 #include <cmath>
 
+#include "app/platform_choice.h"
 #include "app/render/garment_renderer.h"
 #include "app/render/pattern_renderer.h"
 #include "app/render/scene_builder.h"
-#include "app/resources.h"
 #include "core/seam/find_seams.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"

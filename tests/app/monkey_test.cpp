@@ -8,9 +8,9 @@
 
 #include "app/actions/project_actions.h"
 #include "app/actions/recovery.h"
+#include "app/platform_choice.h"
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
-#include "app/resources.h"
 #include "app/views/tools/tool_box.h"
 #include "tests/app/support/same_state.h"
 #include "tests/app/support/warnings.h"

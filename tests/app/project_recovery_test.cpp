@@ -8,7 +8,6 @@
 
 #include "app/actions/recovery.h"
 #include "app/widgets/banner.h"
-#include "app/widgets/recovery_card.h"
 #include "core/base/file.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/project_bench.h"

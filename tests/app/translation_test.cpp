@@ -12,12 +12,12 @@
 
 #include "app/actions/action_registry.h"
 #include "app/compare/comparison_rows.h"
-#include "app/resources.h"
+#include "app/platform_choice.h"
 #include "app/settings/language.h"
-#include "app/text/drawing_words.h"
 #include "app/text/error_text.h"
 #include "core/base/error.h"
 #include "core/io/unit_guess.h"
+#include "core/pattern/piece_marks.h"
 #include "tests/app/support/run_test.h"
 
 using namespace toile;

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/resources.h"
+#include "app/platform_choice.h"
 
 namespace toile::test {
 
