@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/render/egl_context.h"
+#include "app/render/offscreen_context.h"
 
 #ifdef TOILE_EGL
 #include <string_view>

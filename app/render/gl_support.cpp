@@ -5,8 +5,8 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
-#include "app/render/egl_context.h"
 #include "app/render/gl.h"
+#include "app/render/offscreen_context.h"
 
 namespace toile {
 

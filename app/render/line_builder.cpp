@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/render/line_builder.h"
-
 #include "app/render/scene_builder.h"
 #include "app/render/seam_palette.h"
 #include "core/quality/reference_fit.h"

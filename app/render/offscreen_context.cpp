@@ -5,7 +5,6 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
-#include "app/render/egl_context.h"
 #include "app/render/gl_support.h"
 
 namespace toile {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app/document/disposal.h"
-#include "app/render/line_builder.h"
 #include "app/render/morph.h"
 #include "app/render/outline_corners.h"
 #include "app/render/overlay_values.h"

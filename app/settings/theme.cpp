@@ -4,98 +4,67 @@
 #include <QApplication>
 #include <QStyle>
 #include <QStyleFactory>
+#include <vector>
 
 namespace toile {
 
 namespace {
 
-/// The colours a palette is made of.
-struct Tones {
-    QColor window, base, alternate, button;
-    QColor text, faint, disabled;
-    QColor accent, onAccent, link, visited;
-    QColor tip, onTip;
-    QColor light, midlight, mid, dark, shadow;  ///< edges of frames and buttons
+/// Roles of one colour, on light and on dark.
+struct Tone {
+    std::vector<QPalette::ColorRole> roles;
+    QColor light, dark;
 };
 
-QPalette paletteOf(const Tones& tones) {
-    QPalette palette;
-    const std::pair<QPalette::ColorRole, QColor> roles[] = {
-        {QPalette::Window, tones.window},
-        {QPalette::WindowText, tones.text},
-        {QPalette::Base, tones.base},
-        {QPalette::AlternateBase, tones.alternate},
-        {QPalette::Text, tones.text},
-        {QPalette::PlaceholderText, tones.faint},
-        {QPalette::Button, tones.button},
-        {QPalette::ButtonText, tones.text},
-        {QPalette::BrightText, tones.onAccent},
-        {QPalette::Highlight, tones.accent},
-        {QPalette::HighlightedText, tones.onAccent},
-        {QPalette::Link, tones.link},
-        {QPalette::LinkVisited, tones.visited},
-        {QPalette::ToolTipBase, tones.tip},
-        {QPalette::ToolTipText, tones.onTip},
-        {QPalette::Light, tones.light},
-        {QPalette::Midlight, tones.midlight},
-        {QPalette::Mid, tones.mid},
-        {QPalette::Dark, tones.dark},
-        {QPalette::Shadow, tones.shadow},
+QPalette paletteOf(QColor Tone::*tone) {
+    static const Tone kTones[] = {
+        {{QPalette::Window}, {243, 244, 246}, {43, 45, 50}},
+        {{QPalette::Base}, {255, 255, 255}, {33, 35, 39}},
+        {{QPalette::AlternateBase}, {247, 248, 250}, {38, 40, 45}},
+        {{QPalette::Button}, {246, 247, 249}, {54, 57, 63}},
+        {{QPalette::WindowText, QPalette::Text, QPalette::ButtonText},
+         {31, 35, 41},
+         {226, 229, 234}},
+        {{QPalette::PlaceholderText}, {104, 110, 120}, {154, 160, 170}},
+        {{QPalette::Highlight}, {37, 99, 171}, {47, 111, 184}},
+        {{QPalette::HighlightedText, QPalette::BrightText}, {255, 255, 255}, {255, 255, 255}},
+        {{QPalette::Link}, {24, 92, 178}, {122, 178, 245}},
+        {{QPalette::LinkVisited}, {110, 70, 160}, {190, 160, 235}},
+        {{QPalette::ToolTipBase}, {255, 255, 255}, {58, 61, 68}},
+        {{QPalette::ToolTipText}, {31, 35, 41}, {232, 235, 240}},
+        // Edges of frames and buttons.
+        {{QPalette::Light}, {255, 255, 255}, {78, 82, 90}},
+        {{QPalette::Midlight}, {232, 234, 238}, {64, 67, 74}},
+        {{QPalette::Mid}, {196, 200, 207}, {50, 53, 59}},
+        {{QPalette::Dark}, {164, 169, 178}, {28, 30, 34}},
+        {{QPalette::Shadow}, {110, 116, 126}, {14, 15, 18}},
     };
-    for (const auto& [role, colour] : roles) {
-        palette.setColor(role, colour);
+    static const Tone kDisabled = {{QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
+                                    QPalette::HighlightedText, QPalette::PlaceholderText},
+                                   {158, 163, 171},
+                                   {112, 117, 126}};
+    QPalette palette;
+    for (const Tone& colour : kTones) {
+        for (const auto role : colour.roles) {
+            palette.setColor(role, colour.*tone);
+        }
     }
-    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
-                            QPalette::HighlightedText, QPalette::PlaceholderText}) {
-        palette.setColor(QPalette::Disabled, role, tones.disabled);
+    for (const auto role : kDisabled.roles) {
+        palette.setColor(QPalette::Disabled, role, kDisabled.*tone);
     }
-    palette.setColor(QPalette::Disabled, QPalette::Highlight, tones.mid);
-    palette.setColor(QPalette::Disabled, QPalette::Base, tones.window);
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, palette.color(QPalette::Mid));
+    palette.setColor(QPalette::Disabled, QPalette::Base, palette.color(QPalette::Window));
     return palette;
 }
 
 }  // namespace
 
 QPalette lightPalette() {
-    return paletteOf({.window = QColor(243, 244, 246),
-                      .base = QColor(255, 255, 255),
-                      .alternate = QColor(247, 248, 250),
-                      .button = QColor(246, 247, 249),
-                      .text = QColor(31, 35, 41),
-                      .faint = QColor(104, 110, 120),
-                      .disabled = QColor(158, 163, 171),
-                      .accent = QColor(37, 99, 171),
-                      .onAccent = QColor(255, 255, 255),
-                      .link = QColor(24, 92, 178),
-                      .visited = QColor(110, 70, 160),
-                      .tip = QColor(255, 255, 255),
-                      .onTip = QColor(31, 35, 41),
-                      .light = QColor(255, 255, 255),
-                      .midlight = QColor(232, 234, 238),
-                      .mid = QColor(196, 200, 207),
-                      .dark = QColor(164, 169, 178),
-                      .shadow = QColor(110, 116, 126)});
+    return paletteOf(&Tone::light);
 }
 
 QPalette darkPalette() {
-    return paletteOf({.window = QColor(43, 45, 50),
-                      .base = QColor(33, 35, 39),
-                      .alternate = QColor(38, 40, 45),
-                      .button = QColor(54, 57, 63),
-                      .text = QColor(226, 229, 234),
-                      .faint = QColor(154, 160, 170),
-                      .disabled = QColor(112, 117, 126),
-                      .accent = QColor(47, 111, 184),
-                      .onAccent = QColor(255, 255, 255),
-                      .link = QColor(122, 178, 245),
-                      .visited = QColor(190, 160, 235),
-                      .tip = QColor(58, 61, 68),
-                      .onTip = QColor(232, 235, 240),
-                      .light = QColor(78, 82, 90),
-                      .midlight = QColor(64, 67, 74),
-                      .mid = QColor(50, 53, 59),
-                      .dark = QColor(28, 30, 34),
-                      .shadow = QColor(14, 15, 18)});
+    return paletteOf(&Tone::dark);
 }
 
 void applyTheme(Theme theme) {

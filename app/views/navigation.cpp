@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/navigation.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <iterator>
 #include <utility>
+
+#include "app/base/translate.h"
 
 namespace toile {
 
@@ -94,20 +95,20 @@ CameraMove cameraMove(Navigation navigation, Qt::MouseButton button,
 }
 
 QString cameraHint(Navigation navigation, bool flat) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("toile", text); };
+    if (flat) {
+        return navigation == Navigation::Rhino
+                   ? tr("Right drag or Space+drag: move the view · Wheel: zoom")
+                   : tr("Middle drag or Space+drag: move the view · Wheel: zoom");
+    }
     switch (navigation) {
         case Navigation::Toile:
-            return flat ? tr("Middle drag or Space+drag: move the view · Wheel: zoom")
-                        : tr("Drag: turn · Shift+drag: move · Wheel: zoom");
+            return tr("Drag: turn · Shift+drag: move · Wheel: zoom");
         case Navigation::Blender:
-            return flat ? tr("Middle drag or Space+drag: move the view · Wheel: zoom")
-                        : tr("Middle drag: turn · Shift+middle drag: move · Wheel: zoom");
+            return tr("Middle drag: turn · Shift+middle drag: move · Wheel: zoom");
         case Navigation::Clo:
-            return flat ? tr("Middle drag or Space+drag: move the view · Wheel: zoom")
-                        : tr("Right drag: turn · Middle drag: move · Wheel: zoom");
+            return tr("Right drag: turn · Middle drag: move · Wheel: zoom");
         case Navigation::Rhino:
-            return flat ? tr("Right drag or Space+drag: move the view · Wheel: zoom")
-                        : tr("Right drag: turn · Shift+right drag: move · Wheel: zoom");
+            return tr("Right drag: turn · Shift+right drag: move · Wheel: zoom");
     }
     return {};
 }

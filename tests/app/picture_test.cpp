@@ -6,8 +6,8 @@
 #include <QOpenGLContext>
 #include <QTest>
 
-#include "app/render/egl_context.h"
 #include "app/render/gl_support.h"
+#include "app/render/offscreen_context.h"
 #include "app/render/seam_palette.h"
 #include "app/views/colour_bar.h"
 #include "tests/app/support/picture_bench.h"
