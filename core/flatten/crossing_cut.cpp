@@ -29,11 +29,11 @@ constexpr std::size_t kCrossingEnds = 8;
 /// A test of a cut looks for crossings in both its parts, at n log n each for an outline of n
 /// edges. Those that ask whether a cut resolves everything may pass this many edges together, so
 /// that the search ends after seconds at most.
-constexpr std::size_t kTestedEdges = 1000000;
-constexpr std::size_t kFewestTests = 8;
+constexpr std::size_t kTestedEdges = 200000;
+constexpr std::size_t kFewestTests = 2;
 constexpr std::size_t kMostTests = 200;
 /// Cuts compared where none resolves everything.
-constexpr std::size_t kFewestLeastBadTests = 4;
+constexpr std::size_t kFewestLeastBadTests = 2;
 constexpr std::size_t kMostLeastBadTests = 40;
 /// The first ways looked at are as long as this part of the outline at most, the next so many times
 /// as long.

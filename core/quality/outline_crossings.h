@@ -28,7 +28,7 @@ inline constexpr int kMaxOutlineCrossings = 1000000;
 /// - they lie on each other in the same direction, hence the cloth on the same side of both.
 /// An outline that runs along another stretch in the opposite direction and leaves it on the wrong
 /// side is not seen as crossing.
-/// Cost: about n log n on outlines of pieces, n^1.5 on a star of n thin spikes. Pure.
+/// Cost: about n log n, on a star of n thin spikes too. Pure.
 std::vector<OutlineCrossing> findOutlineCrossings(const Points2& Q,
                                                   const std::vector<int>& boundary);
 

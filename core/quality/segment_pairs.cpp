@@ -2,25 +2,27 @@
 #include "core/quality/segment_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
-#include "core/mesh/segment.h"
-
 namespace toile {
 namespace {
 
-/// A cell is quartered where its sweep leaves more than this many pairs for each segment.
+/// A cell is halved where its sweep leaves more than this many pairs for each segment.
 constexpr std::size_t kPairsEach = 8;
 /// Cells of fewer segments are not worth a division.
 constexpr std::size_t kFewSegments = 12;
-constexpr int kMaxDepth = 24;
+constexpr int kMaxDepth = 48;
+/// Part of the pairs that may be left for the other direction not to be tried: where segments lie
+/// beside each other it is a half.
+constexpr double kGoodHalving = 0.6;
 /// Divisions within a cell may add this many times its pairs, all together. Segments that lie on
-/// each other are in every part of a cell that they pass, however often it is divided. Where
-/// division pays in the end, as in a star, it adds less on the way there.
-constexpr double kMostGrowth = 4;
+/// each other are in every part of a cell that they pass, however often it is divided.
+constexpr double kMostGrowth = 1;
 
 /// The part of a segment in a cell, seen across the sweep.
 struct Span {
@@ -28,67 +30,108 @@ struct Span {
     int segment;
 };
 
-/// The part of the segment in the cell grown by the margin; false where there is none.
-bool clip(const Segment2& s, const PlaneCell& cell, double margin, Segment2& part) {
-    const Eigen::RowVector2d along = s.b - s.a;
-    const Eigen::RowVector2d low = cell.low.array() - margin, high = cell.high.array() + margin;
-    const ShareInBox share = shareInBox(s.a, along, low, high);
-    part = {s.a + share.first * along, s.a + share.last * along};
-    return share.first <= share.last;
+/// Cuts off what lies outside the cell by more than the margin, of a segment in the whole that it
+/// is part of; false where nothing is left.
+bool clip(Segment2& part, const PlaneCell& cell, double margin) {
+    const double side = cell.isBeyond ? 1 : -1;
+    const double a = side * (part.a.dot(cell.across) - cell.at) + margin;
+    const double b = side * (part.b.dot(cell.across) - cell.at) + margin;
+    if (a < 0 && b < 0) {
+        return false;
+    }
+    if (a < 0 || b < 0) {
+        (a < 0 ? part.a : part.b) = part.a + a / (a - b) * (part.b - part.a);
+    }
+    return true;
+}
+
+/// Twice the angle, so that to and fro are one.
+Eigen::RowVector2d doubledDirection(const Segment2& s) {
+    const Eigen::RowVector2d d = s.b - s.a;
+    const double length = d.norm();
+    return length > 0
+               ? Eigen::RowVector2d(
+                     Eigen::RowVector2d(d.x() * d.x() - d.y() * d.y(), 2 * d.x() * d.y()) / length)
+               : Eigen::RowVector2d(0, 0);
 }
 
 class Search {
 public:
     Search(const std::vector<Segment2>& segments, double margin, const PairVisitor& visit)
-        : segments_(segments), margin_(margin), visit_(visit) {}
+        : margin_(margin), visit_(visit) {
+        doubled_.reserve(segments.size());
+        std::ranges::transform(segments, std::back_inserter(doubled_), doubledDirection);
+    }
 
-    bool run(const PlaneCell& all) const {
-        std::vector<int> everyone(segments_.size());
-        std::iota(everyone.begin(), everyone.end(), 0);
-        const Content content = contentOf(all, everyone);
-        double spare = kMostGrowth * static_cast<double>(content.pairs);
-        return inCell(content, 0, spare);
+    bool run(const std::vector<Segment2>& segments) const {
+        Content all;
+        all.parts = segments;
+        all.here.resize(segments.size());
+        std::iota(all.here.begin(), all.here.end(), 0);
+        sweep(all);
+        double spare = kMostGrowth * static_cast<double>(all.pairs);
+        return inCell(all, 0, spare);
     }
 
 private:
     /// What a cell holds.
     struct Content {
         PlaneCell cell;
-        std::vector<int> here;  ///< segments
+        std::vector<int> here;        ///< segments
+        std::vector<Segment2> parts;  ///< of each what lies in the cell
+        Eigen::RowVector2d across;    ///< the direction of the sweep
         std::vector<Span> spans;
-        std::size_t pairs = 0;  ///< that its sweep leaves
+        std::size_t pairs = 0;  ///< that the sweep leaves
     };
+    using Halves = std::array<Content, 2>;
 
-    Content contentOf(const PlaneCell& cell, const std::vector<int>& inside) const {
-        Content content{cell, {}, {}, 0};
-        std::vector<Segment2> parts;
-        for (const int i : inside) {
-            Segment2 part;
-            if (clip(segments_[i], cell, margin_, part)) {
-                parts.push_back(part);
-                content.here.push_back(i);
-            }
-        }
-        content.spans = spansAlong(mostlyAcross(parts), parts, content.here);
+    void sweep(Content& content) const {
+        content.across = mostlyAcross(content.here);
+        content.spans = spansAlong(content);
         content.pairs = overlaps(content.spans);
-        return content;
     }
 
-    /// Fewest pairs last. From there they are taken: what their division saves is there for the
-    /// one with the most.
-    std::vector<Content> quartersOf(const Content& content) const {
-        const PlaneCell& cell = content.cell;
-        const Eigen::RowVector2d middle = 0.5 * (cell.low + cell.high);
-        std::vector<Content> quarters;
-        for (const auto& [right, upper] : {std::pair(false, false), std::pair(true, false),
-                                           std::pair(false, true), std::pair(true, true)}) {
-            PlaneCell quarter = cell;
-            (right ? quarter.low : quarter.high).x() = middle.x();
-            (upper ? quarter.low : quarter.high).y() = middle.y();
-            quarters.push_back(contentOf(quarter, content.here));
+    /// The parts on either side of a line through the middle of the segments' middles.
+    Halves halvesAcross(const Content& content, const Eigen::RowVector2d& across) const {
+        std::vector<double> middles;
+        middles.reserve(content.parts.size());
+        for (const Segment2& part : content.parts) {
+            middles.push_back(0.5 * (part.a + part.b).dot(across));
         }
-        std::ranges::stable_sort(quarters, std::greater(), &Content::pairs);
-        return quarters;
+        const auto median = middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2);
+        std::ranges::nth_element(middles, median);
+        Halves halves;
+        for (const bool beyond : {false, true}) {
+            Content& half = halves[beyond ? 1 : 0];
+            half.cell = {&content.cell, across, *median, beyond};
+            for (std::size_t k = 0; k < content.parts.size(); ++k) {
+                Segment2 part = content.parts[k];
+                if (clip(part, half.cell, margin_)) {
+                    half.parts.push_back(part);
+                    half.here.push_back(content.here[k]);
+                }
+            }
+            sweep(half);
+        }
+        return halves;
+    }
+
+    /// Divided so that few pairs are left. The half with fewer comes first: what its
+    /// division saves is there for the other.
+    Halves halvesOf(const Content& content) const {
+        const Eigen::RowVector2d along(-content.across.y(), content.across.x());
+        Halves halves = halvesAcross(content, content.across);
+        const auto left = [](const Halves& of) { return of[0].pairs + of[1].pairs; };
+        if (static_cast<double>(left(halves)) > kGoodHalving * static_cast<double>(content.pairs)) {
+            Halves others = halvesAcross(content, along);
+            if (left(others) < left(halves)) {
+                halves = std::move(others);
+            }
+        }
+        if (halves[1].pairs < halves[0].pairs) {
+            std::swap(halves[0], halves[1]);
+        }
+        return halves;
     }
 
     /// @param spare  by how many pairs the divisions around this cell may still add to those there
@@ -98,47 +141,39 @@ private:
             content.pairs <= kPairsEach * content.here.size()) {
             return visitOverlaps(content.spans, content.cell);
         }
-        std::vector<Content> quarters = quartersOf(content);
-        double added = -static_cast<double>(content.pairs);
-        for (const Content& quarter : quarters) {
-            added += static_cast<double>(quarter.pairs);
-        }
+        const Halves halves = halvesOf(content);
+        const double added = static_cast<double>(halves[0].pairs) +
+                             static_cast<double>(halves[1].pairs) -
+                             static_cast<double>(content.pairs);
         const double most = std::min(spare, kMostGrowth * static_cast<double>(content.pairs));
         if (added > most) {
             return visitOverlaps(content.spans, content.cell);
         }
         double left = most - added;
-        for (; !quarters.empty(); quarters.pop_back()) {
-            if (!inCell(quarters.back(), depth + 1, left)) {
-                return false;
-            }
+        if (!inCell(halves[0], depth + 1, left) || !inCell(halves[1], depth + 1, left)) {
+            return false;
         }
         spare -= most - left;
         return true;
     }
 
-    /// The direction across which parallel segments lie apart: angles are doubled, so that to and
-    /// fro count alike.
-    static Eigen::RowVector2d mostlyAcross(const std::vector<Segment2>& parts) {
+    /// The direction across which parallel segments lie apart.
+    Eigen::RowVector2d mostlyAcross(const std::vector<int>& here) const {
         Eigen::RowVector2d doubled(0, 0);
-        for (const Segment2& part : parts) {
-            const Eigen::RowVector2d d = part.b - part.a;
-            const double length = d.norm();
-            if (length > 0) {
-                doubled +=
-                    Eigen::RowVector2d(d.x() * d.x() - d.y() * d.y(), 2 * d.x() * d.y()) / length;
-            }
+        for (const int i : here) {
+            doubled += doubled_[i];
         }
         const double angle = 0.5 * std::atan2(doubled.y(), doubled.x());
         return {-std::sin(angle), std::cos(angle)};
     }
 
-    std::vector<Span> spansAlong(const Eigen::RowVector2d& axis, const std::vector<Segment2>& parts,
-                                 const std::vector<int>& here) const {
-        std::vector<Span> spans(parts.size());
-        for (std::size_t k = 0; k < parts.size(); ++k) {
-            const auto [low, high] = std::minmax({parts[k].a.dot(axis), parts[k].b.dot(axis)});
-            spans[k] = {low - margin_, high + margin_, here[k]};
+    std::vector<Span> spansAlong(const Content& content) const {
+        std::vector<Span> spans(content.parts.size());
+        for (std::size_t k = 0; k < spans.size(); ++k) {
+            const Segment2& part = content.parts[k];
+            const auto [low, high] =
+                std::minmax({part.a.dot(content.across), part.b.dot(content.across)});
+            spans[k] = {low - margin_, high + margin_, content.here[k]};
         }
         std::sort(spans.begin(), spans.end(), [](const Span& s, const Span& t) {
             return std::tie(s.low, s.segment) < std::tie(t.low, t.segment);
@@ -169,7 +204,7 @@ private:
         return true;
     }
 
-    const std::vector<Segment2>& segments_;
+    std::vector<Eigen::RowVector2d> doubled_;
     double margin_;
     const PairVisitor& visit_;
 };
@@ -181,17 +216,15 @@ bool visitSegmentPairs(const std::vector<Segment2>& segments, double margin,
     if (segments.empty()) {
         return true;
     }
-    PlaneCell all{segments.front().a, segments.front().a};
+    Eigen::RowVector2d low = segments.front().a;
+    Eigen::RowVector2d high = low;
     for (const Segment2& s : segments) {
-        all.low = all.low.cwiseMin(s.a).cwiseMin(s.b);
-        all.high = all.high.cwiseMax(s.a).cwiseMax(s.b);
+        low = low.cwiseMin(s.a).cwiseMin(s.b);
+        high = high.cwiseMax(s.a).cwiseMax(s.b);
     }
-    // No place of a meeting lies on the outermost sides, and none is lost to a rounded clipping.
-    const double extent = (all.high - all.low).maxCoeff();
-    margin = std::max(margin, 4e-12 * extent);
-    all.low.array() -= 2 * margin;
-    all.high.array() += 2 * margin;
-    return Search(segments, margin, visit).run(all);
+    // So that no place of a meeting is lost to a rounded clipping.
+    margin = std::max(margin, 4e-12 * (high - low).maxCoeff());
+    return Search(segments, margin, visit).run(segments);
 }
 
 }  // namespace toile
