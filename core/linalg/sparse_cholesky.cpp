@@ -2,6 +2,7 @@
 #include "core/linalg/sparse_cholesky.h"
 
 #include <cassert>
+#include <cstdint>
 #include <mutex>
 
 #include <cholmod.h>
@@ -69,6 +70,22 @@ private:
     static inline int withRoom_ = 0;  ///< as many at a time have their buffers
     bool hasRoom_ = false;
 };
+
+/// Asks for large pages under the numbers of a factor: that the system hands out small ones, each
+/// cleared first, is a tenth of the time of a factorisation.
+void useLargePages(const cholmod_factor& factor) {
+#ifdef __linux__
+    constexpr std::uintptr_t kPage = std::uintptr_t{2} << 20U;
+    const auto begin = reinterpret_cast<std::uintptr_t>(factor.x);
+    const std::uintptr_t end = begin + sizeof(double) * factor.xsize;
+    const std::uintptr_t first = (begin + kPage - 1) / kPage * kPage;
+    if (begin != 0 && first + kPage <= end) {
+        madvise(reinterpret_cast<void*>(first), (end - first) / kPage * kPage, MADV_HUGEPAGE);
+    }
+#else
+    static_cast<void>(factor);
+#endif
+}
 
 /// CHOLMOD's view of our arrays; it reads them and keeps nothing.
 cholmod_sparse viewOf(const SymmetricMatrix& matrix) {
@@ -162,6 +179,10 @@ Result<void> SparseCholesky::refactorise(const SymmetricMatrix& matrix) {
     const BlasCall blas;
     if (state_->factor->is_super != 0 && !blas.hasRoom()) {
         return Error{ErrorCode::OutOfMemory, "", "factorising"};
+    }
+    if (state_->factor->is_super != 0 && state_->factor->xtype == CHOLMOD_PATTERN) {
+        cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, state_->factor, &common);
+        useLargePages(*state_->factor);
     }
     cholmod_sparse view = viewOf(matrix);
     cholmod_factorize(&view, state_->factor, &common);
