@@ -11,10 +11,10 @@ namespace toile {
 /// at its next check (between pieces, solver iterations and the stages of a factorisation).
 ///
 /// Who gives the order holds it as it is: may cancel, start and share out. Who does one part of the
-/// work gets a `const Progress&`: may look, and `report` how far the part is. One who calls others
-/// hands each a part of his own:
-///     flattenCurvature(piece, options, Progress(progress, 0.2));      // 0 to 0.2 of mine
-///     for (...) { progress.report(0.2 + 0.8 * iteration / limit); }   // the rest
+/// work gets a `const Progress&`: may look, and `report` how far the part is, or `step` where he
+/// does not know how far there is to go, as within a piece. One who calls others hands each a part
+/// of his own:
+///     cutter.cut(wholes[p], cuts[p], Progress(progress, 1 / count));
 /// Parts may run side by side; what each adds goes to the whole at once.
 ///
 /// The fraction never decreases but by `start` and `setShare`. Thread-safe, those two and the
@@ -60,6 +60,12 @@ public:
                 return;
             }
         }
+    }
+
+    /// One more stage of this task is done, of nobody knows how many: a tenth of what is left.
+    void step() const {
+        const double done = (done_.load(std::memory_order_relaxed) - from_) / span_;
+        report(done + (1 - done) / 10);
     }
 
     /// Fraction done, in [0, 1].

@@ -23,9 +23,6 @@ namespace {
 constexpr double kLevelSlope = 0.2;
 /// Beyond this, mm, the squares of areas have no numbers.
 constexpr double kLargestCoordinate = 1e75;
-/// Of the time, about, that `isometric` takes on a piece with its holes filled; the rest goes to
-/// their rims.
-constexpr double kFilledShare = 0.6;
 
 Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
                             const Progress& progress, FlatteningMemory* memory) {
@@ -111,15 +108,12 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
         memory->present = filled;
     }
     const bool keepsRims = filled && options.method == Method::Isometric;
-    auto flat = runMethod(filled ? *filled : piece, options,
-                          Progress(progress, keepsRims ? kFilledShare : 1), memory);
+    auto flat = runMethod(filled ? *filled : piece, options, progress, memory);
     if (flat) {
         flat->Q.conservativeResize(piece.mesh.V.rows(), 2);
     }
     if (flat && keepsRims) {
-        if (const auto kept =
-                keepRimLengths(piece, options.quality, *flat, Progress(progress, 1 - kFilledShare));
-            !kept) {
+        if (const auto kept = keepRimLengths(piece, options.quality, *flat, progress); !kept) {
             flat = kept.error();
         }
     }

@@ -232,7 +232,7 @@ Result<PlanarAngles> closestPlanarAngles(const MeshArrays& mesh, const std::vect
         change = *stepped;
         result.residual = problem.violation();
         ++result.iterations;
-        progress.report(static_cast<double>(result.iterations) / kMaxSteps);
+        progress.step();
     }
     result.angles = problem.angles();
     return result;

@@ -8,10 +8,6 @@
 namespace toile {
 namespace {
 
-/// Of the time that `InteriorSystem::make` takes, about, on a piece of a million triangles: what is
-/// done when the matrix is there, and when the factor is laid out.
-constexpr double kAssemblyShare = 0.05;
-constexpr double kAnalysisShare = 0.3;
 /// Laplacian of the interior vertices. The edges are sorted as a symmetric matrix is, and
 /// numbering the interior in vertex order keeps that, so the matrix is written in one pass.
 SymmetricMatrix interiorLaplacian(const WeightedEdges& graph, const std::vector<int>& interiorIndex,
@@ -88,21 +84,21 @@ Result<void> InteriorSystem::factorise(const Progress& progress) {
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
-    progress.report(kAssemblyShare);
+    progress.step();
     if (const auto analysed = cholesky_.analyse(L); !analysed) {
         return analysed.error();
     }
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
-    progress.report(kAnalysisShare);
+    progress.step();
     if (const auto factorised = cholesky_.refactorise(L); !factorised) {
         return factorised.error();
     }
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
-    progress.report(1);
+    progress.step();
     return {};
 }
 

@@ -41,10 +41,9 @@ constexpr int kMostPartings = 5;
 constexpr int kCarriedPasses = 4;
 /// Part of the vertices that a small edit leaves where they were in space.
 constexpr double kMostStay = 0.9;
-/// Of a coarse piece: vertices from which one is made, times the tolerance, and of the time.
+/// Of a coarse piece: vertices from which one is made, and times the tolerance.
 constexpr int kFewVertices = 200;
 constexpr double kCoarseTolerance = 3;
-constexpr double kCoarserShare = 0.4;
 /// Change of an edge's length, in parts of it, from which moving the outline alone folds.
 constexpr double kFarLength = 0.5;
 
@@ -181,7 +180,7 @@ std::optional<IsometricStart> CarriedStart::fromCoarse(double tolerance,
     if (coarse.defect) {
         return std::nullopt;
     }
-    const auto flat = flattenCurvature(coarse, FlattenOptions(), Progress(progress, 0));
+    const auto flat = flattenCurvature(coarse, FlattenOptions(), progress);
     if (!flat || !(SymmetricDirichlet(coarse.mesh, coarse.table).energy(flat->Q) < kSqueezed)) {
         return std::nullopt;
     }
@@ -189,10 +188,10 @@ std::optional<IsometricStart> CarriedStart::fromCoarse(double tolerance,
     DescentOptions options;
     options.tolerance = kCoarseTolerance * tolerance;
     IsometricStart near = coarseToFine(coarse.mesh, coarse.table, coarse.boundary, flat->Q,
-                                       options.tolerance, Progress(progress, kCoarserShare));
+                                       options.tolerance, progress);
     options.multipliers = std::move(near.multipliers);
-    auto lowest = lowerIsometricEnergy(coarse.mesh, coarse.table, coarse.boundary, near.Q, options,
-                                       Progress(progress, 1 - kCoarserShare));
+    auto lowest =
+        lowerIsometricEnergy(coarse.mesh, coarse.table, coarse.boundary, near.Q, options, progress);
     auto fine = lowest ? coarsening.followed(*carried, lowest->Q) : std::nullopt;
     if (!fine || progress.isCancelled()) {
         return std::nullopt;

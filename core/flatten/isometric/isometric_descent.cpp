@@ -278,7 +278,6 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
         }
     }
     const Points2 exactStart = result.Q;
-    double first = 0;  // promise over tolerance at the start: the way to go, by its logarithm
     DescentPace pace(options.model == nullptr);
     while (result.iterations < options.maxIterations && !progress.isCancelled()) {
         const bool fresh = pace.isFresh();
@@ -319,8 +318,7 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
         if (pace.wasStopped()) {
             descent.relax(result.Q, at);
         }
-        first = std::max(first, std::log(promised / wanted));
-        progress.report(1 - std::log(promised / wanted) / first);
+        progress.step();
     }
     result.multipliers = descent.multipliers();
     if (options.sharesModel) {

@@ -69,7 +69,7 @@ struct DescentResult {
 /// @param loops  all of its boundary, the outline first
 /// @param start  #V x 2, unit of the mesh, no flipped triangle; lengths exact, or near enough to be
 ///               made so without one
-/// @param progress  told how far the tolerance is still away, on a logarithmic scale
+/// @param progress  each step is a stage of it
 /// Errors: NotFinite (the start has flipped triangles), BoundaryNotConverged (lengths are too far
 /// from exact), OutOfMemory, Cancelled. A step that cannot be computed ends the descent, and
 /// `converged` is false. Cost: a sparse factorisation of size 2 #V per two or three iterations; for

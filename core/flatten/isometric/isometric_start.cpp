@@ -15,8 +15,6 @@ namespace {
 constexpr double kLittleStrain = 1.2;
 constexpr int kCoarsestVertices = 200;
 constexpr int kStartPasses = 4;
-/// Of the time for a coarse piece, about: what still coarser ones take.
-constexpr double kStartShare = 0.2;
 
 }  // namespace
 
@@ -37,14 +35,13 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
     }
     const EdgeTable coarseTable =
         buildEdgeTable(coarse.mesh().F, static_cast<int>(coarse.mesh().V.rows()));
-    IsometricStart start =
-        coarseToFine(coarse.mesh(), coarseTable, coarse.loops().outline(), coarse.restricted(Q),
-                     tolerance, Progress(progress, kStartShare));
+    IsometricStart start = coarseToFine(coarse.mesh(), coarseTable, coarse.loops().outline(),
+                                        coarse.restricted(Q), tolerance, progress);
     DescentOptions options;
     options.tolerance = tolerance;
     options.multipliers = std::move(start.multipliers);
     auto lowest = lowerIsometricEnergy(coarse.mesh(), coarseTable, coarse.loops().outline(),
-                                       start.Q, options, Progress(progress, 1 - kStartShare));
+                                       start.Q, options, progress);
     auto fine = lowest ? coarse.prolonged(lowest->Q) : std::nullopt;
     if (!fine || !std::isfinite(energy.energy(*fine))) {
         return unchanged;

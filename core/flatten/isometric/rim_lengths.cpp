@@ -17,8 +17,6 @@
 namespace toile {
 namespace {
 
-constexpr double kFirstShare = 0.6;  // of the time, as progress tells it
-
 EdgeLoops allLoops(const Piece& piece) {
     std::vector<std::vector<int>> loops{piece.boundary};
     loops.insert(loops.end(), piece.holes.begin(), piece.holes.end());
@@ -34,15 +32,14 @@ Result<DescentResult> descend(const Piece& piece, const Points2& Q, Quality qual
                               const Progress& progress) {
     const EdgeLoops loops = allLoops(piece);
     DescentOptions options = descentOptions(quality);
-    auto found = lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options,
-                                      Progress(progress, kFirstShare));
+    auto found = lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options, progress);
     const auto isSimple = [&](const Points2& at) -> bool {
         return outlineIsSimple(at, piece.boundary) && rimsAreSimple(piece, at);
     };
     if (found && !isSimple(found->Q) && isSimple(Q)) {
         options.keepOutlineSimple = true;
-        if (auto apart = lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options,
-                                              Progress(progress, 1 - kFirstShare))) {
+        if (auto apart =
+                lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options, progress)) {
             return apart;
         }
     }

@@ -10,16 +10,14 @@
 namespace toile {
 namespace {
 
-constexpr double kAnglesShare = 0.9;  // of the time
-constexpr double kUnmet = 1e-6;       // radians: more than this can be seen in the map
+constexpr double kUnmet = 1e-6;  // radians: more than this can be seen in the map
 
 }  // namespace
 
 Result<FlatPiece> flattenAbf(const Piece& piece, const FlattenOptions& /*options*/,
                              const Progress& progress) {
     const Stopwatch time;
-    const auto planar =
-        closestPlanarAngles(piece.mesh, piece.boundary, Progress(progress, kAnglesShare));
+    const auto planar = closestPlanarAngles(piece.mesh, piece.boundary, progress);
     if (!planar) {
         return planar.error();
     }

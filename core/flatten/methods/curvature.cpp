@@ -14,10 +14,6 @@
 namespace toile {
 namespace {
 
-/// Of the method's time, about, on a piece of a million triangles; the rest is placing.
-constexpr double kFactorisingShare = 0.86;
-constexpr double kFluxShare = 0.06;
-
 /// 2 pi minus the sum of the triangle angles at each vertex; on the boundary of no meaning.
 Eigen::VectorXd angleDefects(const MeshArrays& mesh) {
     return 2 * std::numbers::pi - vertexAngles3d(mesh).array();
@@ -29,7 +25,7 @@ Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptions& opt
                                    const Progress& progress) {
     const Stopwatch interiorTime;
     const MeshArrays& mesh = piece.mesh;
-    auto interior = ConformalInterior::make(piece, Progress(progress, kFactorisingShare));
+    auto interior = ConformalInterior::make(piece, progress);
     if (!interior) {
         return interior.error();
     }
@@ -41,7 +37,7 @@ Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptions& opt
         return u.error();
     }
     const Eigen::MatrixXd flux = interior->apply(*u);
-    progress.report(kFactorisingShare + kFluxShare);
+    progress.step();
     const double factorising = interiorTime.seconds();
 
     const Stopwatch boundaryTime;

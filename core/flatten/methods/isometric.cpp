@@ -33,15 +33,6 @@ constexpr int kRoundsForFew = 15000;
 /// exact ones would be.
 constexpr double kRoughSteps = 0.2;
 constexpr int kMostSteppedApart = 40;  // with the outline held apart
-/// Shares of the time, as progress tells it: of an attempt from carried positions, of all; then of
-/// what is left.
-constexpr double kCarriedShare = 0.3;
-constexpr double kCarryingShare = 0.25;  // of that, each of two ways
-constexpr double kStartShare = 0.1;
-constexpr double kDescentShare = 0.6;
-constexpr double kUncrossShare = 0.2;
-constexpr double kAgainShare = 0.1;   // of an attempt from the last one
-constexpr double kCoarseShare = 0.3;  // of the descent's
 
 /// Where the descent begins: at the conformal result, which is the best start, unless it has flips
 /// (its energy is infinite then) or triangles squeezed to almost nothing. Then Tutte's embedding on
@@ -53,7 +44,7 @@ Result<Points2> startOf(const Piece& piece, const Points2* conformal, const Prog
     if (ofConformal < kSqueezed) {
         return *conformal;
     }
-    auto circle = tutteOnCircle(piece, Progress(progress, 0));
+    auto circle = tutteOnCircle(piece, progress);
     const bool better = circle && energy.energy(*circle) <= ofConformal;
     const bool cancelled = !circle && circle.error().code == ErrorCode::Cancelled;
     if (conformal && !better && !cancelled) {
@@ -69,10 +60,10 @@ Result<DescentResult> descend(const Piece& piece, const Points2& start,
 
 Result<DescentResult> descendFromCoarse(const Piece& piece, const Points2& start,
                                         DescentOptions options, const Progress& progress) {
-    IsometricStart near = coarseToFine(piece.mesh, piece.table, piece.boundary, start,
-                                       options.tolerance, Progress(progress, kCoarseShare));
+    IsometricStart near =
+        coarseToFine(piece.mesh, piece.table, piece.boundary, start, options.tolerance, progress);
     options.multipliers = std::move(near.multipliers);
-    return descend(piece, near.Q, options, Progress(progress, 1 - kCoarseShare));
+    return descend(piece, near.Q, options, progress);
 }
 
 /// Keeps what an edit of this piece may begin with.
@@ -109,16 +100,16 @@ std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& cr
         DescentOptions again = options;
         again.maxIterations = std::min(options.maxIterations, kMostSteppedApart);
         again.multipliers = crossing.multipliers;
-        auto simple = descend(piece, *start, again, Progress(progress, kAgainShare));
+        auto simple = descend(piece, *start, again, progress);
         if (simple && simple->converged && isNear(simple->distortion, crossing.distortion)) {
             return std::move(*simple);
         }
     }
-    const auto circle = tutteOnCircle(piece, Progress(progress, 0));
+    const auto circle = tutteOnCircle(piece, progress);
     if (!circle) {
         return std::nullopt;
     }
-    auto simple = descend(piece, *circle, options, Progress(progress, kUncrossShare));
+    auto simple = descend(piece, *circle, options, progress);
     if (!simple || !isNear(simple->distortion, crossing.distortion)) {
         return std::nullopt;
     }
@@ -164,11 +155,11 @@ std::optional<DescentResult> descendFromCarried(const Piece& piece, DescentOptio
                                                 const CarriedStart& carried,
                                                 const Progress& progress) {
     std::optional<IsometricStart> start;
-    if (auto Q = carried.positions(Progress(progress, kCarryingShare))) {
+    if (auto Q = carried.positions(progress)) {
         start = IsometricStart{std::move(*Q), carried.multipliers()};
         options.model = carried.model();
     } else {
-        start = carried.fromCoarse(options.tolerance, Progress(progress, kCarryingShare));
+        start = carried.fromCoarse(options.tolerance, progress);
         options.sizes.large = kRoundsForFew;
         options.sizes.accuracy = kRoughSteps;
     }
@@ -177,7 +168,7 @@ std::optional<DescentResult> descendFromCarried(const Piece& piece, DescentOptio
     }
     options.maxIterations = std::min(options.maxIterations, kMostCarriedSteps);
     options.multipliers = std::move(start->multipliers);
-    auto lowest = descend(piece, start->Q, options, Progress(progress, 1 - 2 * kCarryingShare));
+    auto lowest = descend(piece, start->Q, options, progress);
     if (!lowest || !lowest->converged) {
         return std::nullopt;
     }
@@ -202,7 +193,7 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
     descent.sharesModel = memory != nullptr;
     FlattenOptions conformal = options;
     conformal.authalic = 0;
-    auto flat = flattenCurvature(piece, conformal, Progress(progress, kStartShare));
+    auto flat = flattenCurvature(piece, conformal, progress);
     if (!flat && (flat.error().code == ErrorCode::Cancelled ||
                   flat.error().code == ErrorCode::NoClosedOutline)) {
         return flat;
@@ -214,7 +205,7 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
     if (memory != nullptr) {
         memory->start = flat ? figuresOf(*flat) : FlatPiece{};
     }
-    auto lowest = descendFromCoarse(piece, *start, descent, Progress(progress, kDescentShare));
+    auto lowest = descendFromCoarse(piece, *start, descent, progress);
     if (!lowest && lowest.error().code == ErrorCode::NotFinite && flat) {
         // In a piece much deeper than its rim is long even the circle's triangles vanish in
         // rounding. The conformal result is what there is; its flips are counted.
@@ -234,23 +225,22 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
 Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& options,
                                    const Progress& progress, FlatteningMemory* memory) {
     const Stopwatch time;
-    const Progress all(progress, 1);  // whose fraction is of this call alone
     std::optional<CarriedStart> carried;
     if (memory != nullptr && memory->Q) {
         carried.emplace(piece, *memory);
         DescentOptions descent = descentOptions(options.quality);
         descent.sharesModel = true;
-        auto again = descendFromCarried(piece, descent, *carried, Progress(all, kCarriedShare));
-        if (all.isCancelled()) {
+        auto again = descendFromCarried(piece, descent, *carried, progress);
+        if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled, "", ""};
         }
         if (again) {
             return finish(piece, std::move(*again), memory->start, descent, &*carried, time,
-                          Progress(all, 1 - all.fraction()), memory);
+                          progress, memory);
         }
     }
-    return descendFromConformal(piece, options, carried ? &*carried : nullptr, time,
-                                Progress(all, 1 - all.fraction()), memory);
+    return descendFromConformal(piece, options, carried ? &*carried : nullptr, time, progress,
+                                memory);
 }
 
 }  // namespace toile

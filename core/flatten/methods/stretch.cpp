@@ -14,7 +14,6 @@
 namespace toile {
 namespace {
 
-constexpr double kOutlineShare = 0.1;  // of the time
 constexpr int kMaxSteps = 60;
 /// Exponents below this no longer change the map to speak of.
 constexpr double kLeastExponent = 0.25;
@@ -98,7 +97,7 @@ public:
             return solveDirected(graph_, vertexCount, piece_->boundary, outline, progress);
         }
         auto system = InteriorSystem::make({graph_.edges, graph_.weights.col(0)}, vertexCount,
-                                           piece_->boundary, Progress(progress, 0));
+                                           piece_->boundary, progress);
         if (!system) {
             return system.error();
         }
@@ -120,8 +119,8 @@ private:
 Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& options,
                                  const Progress& progress) {
     auto flat = options.stretchOutline == StretchOutline::Curvature
-                    ? flattenCurvature(piece, options, Progress(progress, kOutlineShare))
-                    : flattenConvex(piece, options, Progress(progress, kOutlineShare));
+                    ? flattenCurvature(piece, options, progress)
+                    : flattenConvex(piece, options, progress);
     if (!flat) {
         return flat;
     }
@@ -145,7 +144,7 @@ Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& optio
         Weights next = weights.divided(current.vertexStretch.array().pow(exponent));
         auto points = next.solve(outline, progress);
         ++flat->interiorIterations;
-        progress.report(kOutlineShare + (1 - kOutlineShare) * flat->interiorIterations / kMaxSteps);
+        progress.step();
         if (!points) {
             if (points.error().code == ErrorCode::Cancelled) {
                 return points.error();

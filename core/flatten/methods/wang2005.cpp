@@ -10,17 +10,13 @@
 namespace toile {
 namespace {
 
-/// Of the method's time, about, on a piece of a million triangles; the rest is placing.
-constexpr double kBoundaryShare = 0.02;
-constexpr double kPaperShare = 0.88;
-
 Result<Points2> placeInterior(const Piece& piece, const FlattenOptions& options,
                               const Points2& outline, FlatPiece& flat, const Progress& progress) {
     if (options.authalic != 0) {
         return fillInteriorMixed(piece.mesh, piece.table, piece.boundary, outline, options.authalic,
                                  progress);
     }
-    auto interior = ConformalInterior::make(piece, Progress(progress, kPaperShare));
+    auto interior = ConformalInterior::make(piece, progress);
     if (!interior) {
         return interior.error();
     }
@@ -48,7 +44,6 @@ Result<FlatPiece> flattenWang2005(const Piece& piece, const FlattenOptions& opti
     flat.boundarySeconds = boundaryTime.seconds();
 
     const Stopwatch interiorTime;
-    progress.report(kBoundaryShare);
     auto points = placeInterior(piece, options, boundary->points, flat, progress);
     if (!points) {
         return points.error();

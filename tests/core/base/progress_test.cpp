@@ -76,6 +76,22 @@ TEST(Progress, PartsAddToTheWholeAndAreCancelledWithIt) {
     EXPECT_FALSE(whole.isCancelled());
 }
 
+TEST(Progress, AStageTakesPartOfWhatIsLeft) {
+    Progress progress;
+    progress.setShare(0.5, 1);
+    const Progress part(progress, 0.5);
+    part.report(0.5);
+    part.step();
+    EXPECT_DOUBLE_EQ(part.fraction(), 0.55);
+    EXPECT_DOUBLE_EQ(progress.fraction(), 0.5 + 0.5 * 0.5 * 0.55);
+    progress.step();
+    EXPECT_GT(progress.fraction(), 0.5 + 0.5 * 0.5 * 0.55);
+    for (int stage = 0; stage < 1000; ++stage) {
+        part.step();
+        EXPECT_LE(part.fraction(), 1);
+    }
+}
+
 TEST(Progress, CountsWhatManyThreadsReportAtOnce) {
     Progress progress;
     constexpr int kThreads = 4;
