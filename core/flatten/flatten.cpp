@@ -9,7 +9,6 @@
 
 #include "core/base/text.h"
 #include "core/flatten/flat_notes.h"
-#include "core/flatten/flatten_with.h"
 #include "core/flatten/flattening_memory.h"
 #include "core/flatten/isometric/rim_lengths.h"
 #include "core/flatten/methods/methods.h"

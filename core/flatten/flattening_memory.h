@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/flatten/flatten.h"
 #include "core/mesh/mesh_arrays.h"
 
@@ -36,5 +38,10 @@ struct FlatteningMemory {
     /// What the last conformal start of `isometric` had to tell of itself: its figures, no points.
     FlatPiece start{};
 };
+
+/// `flatten`, with what is kept from one time to the next, or null.
+/// @param memory  `present` is the piece; changed on the way, also where an error comes back
+Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
+                              const FlattenOptions& options, const Progress& progress);
 
 }  // namespace toile

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "core/flatten/flatten_with.h"
 #include "core/flatten/isometric/kkt_solver.h"
 #include "core/garment/piece.h"
 

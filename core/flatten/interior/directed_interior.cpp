@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/interior/directed_interior.h"
 
+#include <cmath>
+
 #include "core/linalg/sparse_lu.h"
+#include "core/quality/measures.h"
 
 namespace toile {
 namespace {
@@ -20,6 +23,23 @@ std::vector<int> unknowns(int vertexCount, const std::vector<int>& boundary) {
 }
 
 }  // namespace
+
+DirectedEdges meanValueWeights(const MeshArrays& mesh, const EdgeTable& table) {
+    DirectedEdges graph{table.edges, Eigen::MatrixX2d::Zero(table.edges.rows(), 2)};
+    const Eigen::MatrixX3d angles = cornerAngles3d(mesh);
+    const Eigen::VectorXd lengths = edgeLengths3d(mesh.V, table.edges);
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            // Both edges at corner k lie beside its angle.
+            const double half = std::tan(0.5 * angles(f, k));
+            for (const int e : {table.faceEdges(f, k), table.faceEdges(f, (k + 2) % 3)}) {
+                const int side = table.edges(e, 0) == mesh.F(f, k) ? 0 : 1;
+                graph.weights(e, side) += half / lengths[e];
+            }
+        }
+    }
+    return graph;
+}
 
 Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
                               const std::vector<int>& boundary, const Points2& outline,

@@ -7,6 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -17,6 +18,13 @@ struct DirectedEdges {
     Edges edges;               ///< #E x 2
     Eigen::MatrixX2d weights;  ///< #E x 2
 };
+
+/// Mean value weights [Flo03] of the edges, taken on the surface:
+///   w_ij = (tan(gamma / 2) + tan(delta / 2)) / |v_i - v_j|,
+/// gamma and delta the angles at v_i beside edge ij. Always positive, and exact in the plane: a
+/// flat neighbourhood keeps its shape. Unit 1/length. Cost: linear. Pure.
+/// Precondition: no degenerate triangles.
+DirectedEdges meanValueWeights(const MeshArrays& mesh, const EdgeTable& table);
 
 /// sum_j w_ij (q_j - q_i) = 0 at every interior vertex, w_ij and w_ji different: what
 /// `InteriorSystem` is for symmetric weights, by an LU factorisation.

@@ -167,8 +167,13 @@ Eigen::MatrixXd InteriorSystem::apply(const Eigen::MatrixXd& u) const {
 Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
                              const std::vector<int>& boundary, const Points2& outline,
                              const Progress& progress) {
-    auto system = InteriorSystem::make({table.edges, cotangentWeights(mesh, table)},
-                                       static_cast<int>(mesh.V.rows()), boundary, progress);
+    return fillInterior({table.edges, cotangentWeights(mesh, table)},
+                        static_cast<int>(mesh.V.rows()), boundary, outline, progress);
+}
+
+Result<Points2> fillInterior(WeightedEdges graph, int vertexCount, const std::vector<int>& boundary,
+                             const Points2& outline, const Progress& progress) {
+    const auto system = InteriorSystem::make(std::move(graph), vertexCount, boundary, progress);
     if (!system) {
         return system.error();
     }

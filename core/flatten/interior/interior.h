@@ -56,5 +56,8 @@ private:
 Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
                              const std::vector<int>& boundary, const Points2& outline,
                              const Progress& progress);
+/// The same by other weights.
+Result<Points2> fillInterior(WeightedEdges graph, int vertexCount, const std::vector<int>& boundary,
+                             const Points2& outline, const Progress& progress);
 
 }  // namespace toile

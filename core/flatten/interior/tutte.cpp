@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/interior/tutte.h"
 
-#include <utility>
-
 #include "core/flatten/boundary/circle_outline.h"
 #include "core/flatten/interior/interior.h"
 #include "core/garment/piece.h"
@@ -15,17 +13,8 @@ Result<Points2> tutteOnCircle(const Piece& piece, const Progress& progress) {
     if (!outline) {
         return outline.error();
     }
-    auto system =
-        InteriorSystem::make({piece.table.edges, Eigen::VectorXd::Ones(piece.table.edges.rows())},
-                             static_cast<int>(piece.mesh.V.rows()), piece.boundary, progress);
-    if (!system) {
-        return system.error();
-    }
-    auto points = system->extend(*outline);
-    if (!points) {
-        return points.error();
-    }
-    return Points2(std::move(*points));
+    return fillInterior({piece.table.edges, Eigen::VectorXd::Ones(piece.table.edges.rows())},
+                        static_cast<int>(piece.mesh.V.rows()), piece.boundary, *outline, progress);
 }
 
 }  // namespace toile

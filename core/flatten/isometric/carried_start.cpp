@@ -15,7 +15,6 @@
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/flatten/isometric/isometric_start.h"
-#include "core/flatten/isometric/kkt_model.h"
 #include "core/flatten/isometric/outline_barrier.h"
 #include "core/flatten/methods/methods.h"
 #include "core/garment/garment.h"

@@ -66,6 +66,9 @@ private:
 
     class Thinning;
 
+    template <class Place>
+    std::optional<Points2> laidBack(const Points2& coarse, Place place) const;
+
     MeshArrays mesh_;
     EdgeLoops loops_;
     std::vector<int> kept_;  ///< fine vertex of each coarse one, ascending

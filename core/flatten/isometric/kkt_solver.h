@@ -8,8 +8,8 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/flatten/isometric/isometric_model.h"
-#include "core/flatten/isometric/kkt_model.h"
 #include "core/flatten/isometric/two_level_solver.h"
+#include "core/linalg/sparse_cholesky.h"
 
 namespace toile {
 
@@ -18,6 +18,15 @@ struct KktSizes {
     int large = 40000;  ///< from here on by conjugate gradients, as long as these are cheaper
     int huge = 300000;  ///< from here on throughout: a factor would fill the memory
     double accuracy = TwoLevelSolver::kAccuracy;  ///< of conjugate gradients
+};
+
+/// A quadratic model of the isometric descent, factorised: what a descent leaves behind for that of
+/// a piece with the same triangles and nearly the same shape, whose first steps it serves as well
+/// as its own last ones. Immutable: any number of threads may solve with it.
+struct KktModel {
+    std::shared_ptr<const SparseCholesky> factor;  ///< of the augmented Lagrangian
+    Points2 directions;                            ///< of the boundary edges, where it was laid out
+    Eigen::VectorXd stiffness;                     ///< of the boundary edges
 };
 
 /// The steps of the isometric descent: minimises its quadratic model under the linearised length

@@ -85,7 +85,9 @@ Points2 Coarsening::restrictedForces(Points2 fine) const {
     return restricted(fine);
 }
 
-std::optional<Points2> Coarsening::followed(const Points2& before, const Points2& coarse) const {
+/// @param place  of a removal's vertex, from the flattening so far
+template <class Place>
+std::optional<Points2> Coarsening::laidBack(const Points2& coarse, Place place) const {
     Points2 Q = Points2::Zero(fineCount_, 2);
     for (std::size_t k = 0; k < kept_.size(); ++k) {
         Q.row(kept_[k]) = coarse.row(static_cast<Eigen::Index>(k));
@@ -93,6 +95,22 @@ std::optional<Points2> Coarsening::followed(const Points2& before, const Points2
     for (auto removal = removals_.rbegin(); removal != removals_.rend(); ++removal) {
         const int* ring = &ring_[removal->first];
         const int count = removal->last - removal->first;
+        Q.row(removal->vertex) = place(Q, *removal);
+        if (!sees(Q, removal->vertex, ring, count)) {
+            const auto point = kernelPoint(Q, ring, count);
+            Q.row(removal->vertex) = point.value_or(Q.row(removal->vertex));
+            if (!sees(Q, removal->vertex, ring, count)) {
+                return std::nullopt;
+            }
+        }
+    }
+    return Q;
+}
+
+std::optional<Points2> Coarsening::followed(const Points2& before, const Points2& coarse) const {
+    return laidBack(coarse, [&](const Points2& Q, const Removal& removal) -> Eigen::RowVector2d {
+        const int* ring = &ring_[removal.first];
+        const int count = removal.last - removal.first;
         Eigen::RowVector2d from = Eigen::RowVector2d::Zero();
         Eigen::RowVector2d to = Eigen::RowVector2d::Zero();
         for (int k = 0; k < count; ++k) {
@@ -107,38 +125,18 @@ std::optional<Points2> Coarsening::followed(const Points2& before, const Points2
             D += d0.transpose() * d0;
             S += d0.transpose() * d1;
         }
-        Q.row(removal->vertex) = to + (before.row(removal->vertex) - from) * (D.inverse() * S);
-        if (!sees(Q, removal->vertex, ring, count)) {
-            const auto point = kernelPoint(Q, ring, count);
-            Q.row(removal->vertex) = point.value_or(Q.row(removal->vertex));
-            if (!sees(Q, removal->vertex, ring, count)) {
-                return std::nullopt;
-            }
-        }
-    }
-    return Q;
+        return to + (before.row(removal.vertex) - from) * (D.inverse() * S);
+    });
 }
 
 std::optional<Points2> Coarsening::prolonged(const Points2& coarse) const {
-    Points2 Q = Points2::Zero(fineCount_, 2);
-    for (std::size_t k = 0; k < kept_.size(); ++k) {
-        Q.row(kept_[k]) = coarse.row(static_cast<Eigen::Index>(k));
-    }
-    for (auto removal = removals_.rbegin(); removal != removals_.rend(); ++removal) {
-        const int* ring = &ring_[removal->first];
-        const int count = removal->last - removal->first;
-        for (int k = 0; k < count; ++k) {
-            Q.row(removal->vertex) += share_[removal->first + k] * Q.row(ring[k]);
+    return laidBack(coarse, [&](const Points2& Q, const Removal& removal) {
+        Eigen::RowVector2d place = Eigen::RowVector2d::Zero();
+        for (int k = removal.first; k < removal.last; ++k) {
+            place += share_[k] * Q.row(ring_[k]);
         }
-        if (!sees(Q, removal->vertex, ring, count)) {
-            const auto point = kernelPoint(Q, ring, count);
-            Q.row(removal->vertex) = point.value_or(Q.row(removal->vertex));
-            if (!sees(Q, removal->vertex, ring, count)) {
-                return std::nullopt;
-            }
-        }
-    }
-    return Q;
+        return place;
+    });
 }
 
 }  // namespace toile

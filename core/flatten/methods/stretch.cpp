@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/flatten/interior/directed_interior.h"
 #include "core/flatten/interior/interior.h"
-#include "core/flatten/interior/mean_value.h"
 #include "core/flatten/methods/methods.h"
 #include "core/garment/piece.h"
 #include "core/mesh/cotangents.h"
@@ -93,19 +93,9 @@ public:
 
     Result<Points2> solve(const Points2& outline, const Progress& progress) const {
         const auto vertexCount = static_cast<int>(piece_->mesh.V.rows());
-        if (!symmetric_) {
-            return solveDirected(graph_, vertexCount, piece_->boundary, outline, progress);
-        }
-        auto system = InteriorSystem::make({graph_.edges, graph_.weights.col(0)}, vertexCount,
-                                           piece_->boundary, progress);
-        if (!system) {
-            return system.error();
-        }
-        auto points = system->extend(outline);
-        if (!points) {
-            return points.error();
-        }
-        return Points2(std::move(*points));
+        return symmetric_ ? fillInterior({graph_.edges, graph_.weights.col(0)}, vertexCount,
+                                         piece_->boundary, outline, progress)
+                          : solveDirected(graph_, vertexCount, piece_->boundary, outline, progress);
     }
 
 private:

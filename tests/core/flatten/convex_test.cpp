@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/flatten.h"
-#include "core/flatten/interior/mean_value.h"
+#include "core/flatten/interior/directed_interior.h"
 #include "core/flatten/interior/tutte.h"
 #include "core/garment/garment.h"
 #include "core/pipeline/pipeline.h"

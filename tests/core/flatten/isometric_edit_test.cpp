@@ -15,7 +15,7 @@
 #include "core/flatten/isometric/coarsening.h"
 #include "core/flatten/isometric/cut_sides.h"
 #include "core/flatten/isometric/isometric_descent.h"
-#include "core/flatten/isometric/kkt_model.h"
+#include "core/flatten/isometric/kkt_solver.h"
 #include "core/flatten/piece_flattener.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
