@@ -137,7 +137,7 @@ test::GarmentAndResults gridGarment(int cells) {
     auto result = std::make_shared<PieceResult>();
     result->piece = piece;
     result->flat.emplace().Q = piece->mesh.V.leftCols(2);
-    return {{{file}, {piece}}, {result}, {{1, 2}}};
+    return {{{file}, {piece}}, {result}, {Placement{{1, 2}}}};
 }
 
 TEST(WriteObj, WritesEveryFaceOfALargePiece) {
