@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
-#include <ranges>
 #include <utility>
 
 #include "core/mesh/disjoint_sets.h"
@@ -137,10 +136,16 @@ std::vector<int> faceComponents(const Triangles& F, int vertexCount) {
 
 int findEdge(const Edges& edges, int a, int b) {
     const std::pair<int, int> wanted = std::minmax(a, b);
-    const auto ends = [&edges](int e) { return std::pair(edges(e, 0), edges(e, 1)); };
-    const auto all = std::views::iota(0, static_cast<int>(edges.rows()));
-    const auto found = std::ranges::lower_bound(all, wanted, {}, ends);
-    return found != all.end() && ends(*found) == wanted ? *found : -1;
+    int low = 0, high = static_cast<int>(edges.rows());
+    while (low < high) {
+        const int middle = std::midpoint(low, high);
+        const std::pair<int, int> ends(edges(middle, 0), edges(middle, 1));
+        if (ends == wanted) {
+            return middle;
+        }
+        (ends < wanted ? low : high) = ends < wanted ? middle + 1 : middle;
+    }
+    return -1;
 }
 
 }  // namespace toile
