@@ -52,16 +52,16 @@ std::vector<int> LayoutActions::chosen() const {
 
 void LayoutActions::connectArranging() {
     Document& document = workspace_.document();
-    onSelected(ActionId::TurnLeft, [this, &document](const std::vector<int>& pieces) {
+    onSelected(ActionId::TurnLeft, [&document](const std::vector<int>& pieces) {
         turnTogether(document, tr("Turn"), pieces, kRightAngle);
     });
-    onSelected(ActionId::TurnRight, [this, &document](const std::vector<int>& pieces) {
+    onSelected(ActionId::TurnRight, [&document](const std::vector<int>& pieces) {
         turnTogether(document, tr("Turn"), pieces, -kRightAngle);
     });
-    onSelected(ActionId::MirrorLeftRight, [this, &document](const std::vector<int>& pieces) {
+    onSelected(ActionId::MirrorLeftRight, [&document](const std::vector<int>& pieces) {
         mirrorTogether(document, tr("Mirroring"), pieces, Mirroring::LeftRight);
     });
-    onSelected(ActionId::MirrorUpsideDown, [this, &document](const std::vector<int>& pieces) {
+    onSelected(ActionId::MirrorUpsideDown, [&document](const std::vector<int>& pieces) {
         mirrorTogether(document, tr("Mirroring"), pieces, Mirroring::UpsideDown);
     });
     for (const auto& [id, alignment] : kAlignments) {

@@ -24,6 +24,8 @@ constexpr DocumentChanges kMatters = DocumentChange::Garment | DocumentChange::R
 
 /// What the worker works on: written by it, and read after the future has finished.
 struct ReadyChecker::Running {
+    explicit Running(CutPlan planned) : plan(std::move(planned)) {}
+
     CutPlan plan;
     Progress progress{};
     Readiness readiness{};

@@ -15,7 +15,7 @@ namespace toile {
 
 namespace {
 
-enum Column { Name, Author, PieceName, Length, ColumnCount };
+enum CutColumn { CutName, Author, PieceName, Length, CutColumnCount };
 
 /// Data of a row.
 constexpr int kIsOwn = Qt::UserRole, kIsJoin = Qt::UserRole + 1;
@@ -41,7 +41,7 @@ CutsPanel::CutsPanel(const Document& document, QWidget* parent)
     table_->setHeaderLabels({tr("Cut"), tr("Made by"), tr("Piece"), tr("Length")});
     table_->headerItem()->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);
     table_->header()->setStretchLastSection(false);
-    table_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    table_->header()->setSectionResizeMode(CutName, QHeaderView::Stretch);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -64,11 +64,11 @@ void CutsPanel::rebuild() {
     if (document_.garment()) {
         for (const MadeCut& cut : document_.garment()->cuts) {
             auto* row = new QTreeWidgetItem(table_);
-            row->setText(Name, QString::fromStdString(cut.name));
+            row->setText(CutName, QString::fromStdString(cut.name));
             const bool own = cut.author == CutAuthor::User;
-            row->setToolTip(
-                Name, own ? tr("%1: Delete takes it back").arg(row->text(Name)) : row->text(Name));
-            row->setData(Name, kIsOwn, own);
+            row->setToolTip(CutName, own ? tr("%1: Delete takes it back").arg(row->text(CutName))
+                                         : row->text(CutName));
+            row->setData(CutName, kIsOwn, own);
             row->setText(Author, own ? tr("you") : tr("Toile"));
             row->setText(PieceName, QString::fromStdString(cut.piece));
             row->setText(Length, lengthWithUnit(cut.length));
@@ -76,18 +76,18 @@ void CutsPanel::rebuild() {
         }
         for (const MadeJoin& join : document_.garment()->joins) {
             auto* row = new QTreeWidgetItem(table_);
-            row->setText(Name, QString::fromStdString(join.name));
-            row->setToolTip(Name,
-                            tr("%1 was joined: Delete brings the seam back").arg(row->text(Name)));
-            row->setData(Name, kIsOwn, true);
-            row->setData(Name, kIsJoin, true);
+            row->setText(CutName, QString::fromStdString(join.name));
+            row->setToolTip(
+                CutName, tr("%1 was joined: Delete brings the seam back").arg(row->text(CutName)));
+            row->setData(CutName, kIsOwn, true);
+            row->setData(CutName, kIsJoin, true);
             row->setText(Author, tr("you, joined"));
             row->setText(PieceName, QString::fromStdString(join.piece));
             row->setText(Length, lengthWithUnit(join.length));
             row->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);
         }
     }
-    for (int column = Author; column < ColumnCount; ++column) {
+    for (int column = Author; column < CutColumnCount; ++column) {
         table_->resizeColumnToContents(column);
     }
     const int all = table_->topLevelItemCount();
@@ -121,13 +121,13 @@ bool CutsPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void CutsPanel::removeCurrent() {
     const QTreeWidgetItem* row = table_->currentItem();
-    if (row == nullptr || !row->data(Name, kIsOwn).toBool()) {
+    if (row == nullptr || !row->data(CutName, kIsOwn).toBool()) {
         return;
     }
-    if (row->data(Name, kIsJoin).toBool()) {
-        emit joinRemovalWanted(row->text(Name).toStdString());
+    if (row->data(CutName, kIsJoin).toBool()) {
+        emit joinRemovalWanted(row->text(CutName).toStdString());
     } else {
-        emit removeWanted(row->text(Name).toStdString());
+        emit removeWanted(row->text(CutName).toStdString());
     }
 }
 

@@ -138,7 +138,7 @@ QStringList PiecesPanel::hiddenAtFirst() {
 }
 
 void PiecesPanel::fitColumns() {
-    constexpr int kAir = 6;
+    constexpr int kCellAir = 6;
     const bool hasDesigner = model_->hasDesigner();
     wanted_.assign(PiecesModel::ColumnCount, 0);
     for (int column = 0; column < PiecesModel::ColumnCount; ++column) {
@@ -148,7 +148,7 @@ void PiecesPanel::fitColumns() {
             continue;
         }
         table_->resizeColumnToContents(column);
-        wanted_[static_cast<std::size_t>(column)] = table_->columnWidth(column) + kAir;
+        wanted_[static_cast<std::size_t>(column)] = table_->columnWidth(column) + kCellAir;
     }
     fillWidth();
 }

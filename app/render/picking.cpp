@@ -17,8 +17,8 @@ double distanceTo(const Ray& ray, const TriangleTree<3>::Box& box, double farthe
     for (int k = 0; k < 3; ++k) {
         const double inverse = 1.0 / ray.direction[k];  // infinite where parallel: still right
         const auto at = static_cast<std::size_t>(k);
-        double a = (double{box.low[at]} - ray.origin[k]) * inverse;
-        double b = (double{box.high[at]} - ray.origin[k]) * inverse;
+        double a = (static_cast<double>(box.low[at]) - ray.origin[k]) * inverse;
+        double b = (static_cast<double>(box.high[at]) - ray.origin[k]) * inverse;
         if (std::isnan(a) || std::isnan(b)) {
             continue;  // parallel and within the slab's plane
         }
@@ -113,9 +113,10 @@ std::optional<SurfaceHit> pickPiece(const Scene& scene, int index, const Eigen::
     std::optional<SurfaceHit> first;
     piece.patternTree.search(
         [&point](const auto& box) {
-            const bool within = point.x() >= double{box.low[0]} &&
-                                point.x() <= double{box.high[0]} &&
-                                point.y() >= double{box.low[1]} && point.y() <= double{box.high[1]};
+            const bool within = point.x() >= static_cast<double>(box.low[0]) &&
+                                point.x() <= static_cast<double>(box.high[0]) &&
+                                point.y() >= static_cast<double>(box.low[1]) &&
+                                point.y() <= static_cast<double>(box.high[1]);
             return within ? 0.0 : std::numeric_limits<double>::infinity();
         },
         [&](std::uint32_t face) {

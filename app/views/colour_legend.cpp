@@ -245,7 +245,9 @@ void LegendPainter::paintCap(const QRectF& cap, bool high) {
     painter_.setClipRect(cap.adjusted(0.5, 0.5, -0.5, -0.5));
     painter_.setPen(QPen(QColor(247, 247, 247, 230), 1.9));
     constexpr double kPeriod = 9.9;  // 7 across the stripes, as in surface.glsl
-    for (double x = cap.left() - cap.height(); x < cap.right() + cap.height(); x += kPeriod) {
+    const int stripes = static_cast<int>((cap.width() + 2 * cap.height()) / kPeriod) + 1;
+    for (int stripe = 0; stripe < stripes; ++stripe) {
+        const double x = cap.left() - cap.height() + stripe * kPeriod;
         painter_.drawLine(QPointF(x, high ? cap.bottom() : cap.top()),
                           QPointF(x + cap.height(), high ? cap.top() : cap.bottom()));
     }

@@ -23,11 +23,11 @@ QSize devicePixels(const QWidget& widget) {
 
 void paintProblem(QPainter& painter, const RenderStyle& style, const QRect& view,
                   const QString& problem) {
-    constexpr int kAir = 20;
+    constexpr int kTextAir = 20;
     painter.fillRect(view, style.bottom);
     painter.setPen(style.text);
-    painter.drawText(view.adjusted(kAir, kAir, -kAir, -kAir), Qt::AlignCenter | Qt::TextWordWrap,
-                     problem);
+    painter.drawText(view.adjusted(kTextAir, kTextAir, -kTextAir, -kTextAir),
+                     Qt::AlignCenter | Qt::TextWordWrap, problem);
 }
 
 }  // namespace toile

@@ -39,7 +39,8 @@ void ArcSet::add(Arc arc) {
 std::vector<Arc> ArcSet::outside(Arc arc) const {
     std::vector<Arc> parts;
     double at = arc.from;
-    for (double turn = std::floor(arc.from / length_) * length_; turn < arc.to; turn += length_) {
+    double turn = std::floor(arc.from / length_) * length_;
+    while (turn < arc.to) {
         auto next = std::lower_bound(taken_.begin(), taken_.end(), at - turn,
                                      [](const Arc& a, double s) { return a.to < s; });
         for (; next != taken_.end() && turn + next->from < arc.to; ++next) {
@@ -48,6 +49,7 @@ std::vector<Arc> ArcSet::outside(Arc arc) const {
             }
             at = std::max(at, turn + next->to);
         }
+        turn += length_;
     }
     if (at < arc.to) {
         parts.push_back({at, arc.to});

@@ -18,11 +18,13 @@ constexpr double kFoldFactor = 10;
 /// Places inside `arc` of the sorted places (in [0, length)), counted on like the arc.
 std::vector<double> inside(const std::vector<double>& places, double length, Arc arc) {
     std::vector<double> found;
-    for (double turn = std::floor(arc.from / length) * length; turn < arc.to; turn += length) {
+    double turn = std::floor(arc.from / length) * length;
+    while (turn < arc.to) {
         auto at = std::lower_bound(places.begin(), places.end(), arc.from - turn);
         for (; at != places.end() && turn + *at < arc.to; ++at) {
             found.push_back(turn + *at);
         }
+        turn += length;
     }
     return found;
 }
