@@ -60,7 +60,8 @@ def tidy(files, command, directory):
     unit.parent.mkdir(exist_ok=True)
     unit.write_text("".join(f'#include "{ROOT / file}"\n' for file in files))
     ran = subprocess.run(
-        ["clang-tidy", "--quiet", "--warnings-as-errors=*", "--checks=-bugprone-suspicious-include",
+        ["clang-tidy", "--quiet", f"--config-file={ROOT / '.clang-tidy'}", "--warnings-as-errors=*",
+         "--checks=-bugprone-suspicious-include",
          f"--header-filter={re.escape(str(ROOT))}/(core|app)/", str(unit), "--", *command,
          "-Wno-unknown-warning-option"], cwd=directory, capture_output=True, text=True)
     if len(files) > 1 and "[clang-diagnostic-error" in ran.stdout:  # they do not go together
