@@ -35,7 +35,13 @@ void Upkeep::note(DocumentChanges what) {
         flattening_ = Flattening::AsUsual;  // it has come, or a step has brought it back
     } else if (!isAnother && isOver() && order_.work == Work::Flattening) {
         flattening_ = Flattening::Declined;  // more than what has come there will not be
-    } else if (isAnother && flattening_ == Flattening::Declined && (automatic_ || state.letGo)) {
+    } else if (isAnother && automatic_ && flattening_ == Flattening::Declined) {
+        flattening_ = Flattening::AsUsual;
+    }
+}
+
+void Upkeep::noteStepToLetGo() {
+    if (flattening_ == Flattening::Declined) {
         flattening_ = Flattening::AsUsual;
     }
 }

@@ -15,7 +15,8 @@ class Document;
 ///     as usual   flattened where that happens by itself, or where nothing is flat yet (what was
 ///                opened, what was let go)
 ///     wanted     opened or asked for: flattened whatever is edited meanwhile, until it is flat
-///     declined   cancelled or failed: not flattened until the state is another, or it is asked for
+///     declined   cancelled or failed: not flattened until pieces or options are others, a step leads
+///                to what was flat and let go, or it is asked for
 ///
 /// A scene is due wherever there is none. GUI thread only.
 class Upkeep {
@@ -30,6 +31,8 @@ public:
     void want() { flattening_ = Flattening::Wanted; }
     /// To be called with every change of the document.
     void note(DocumentChanges what);
+    /// To be called when a step has led to a state that was flat and was let go: it is to be again.
+    void noteStepToLetGo();
     /// Has begun what is due, and nothing else, unless it is on its way. Not while other jobs are
     /// to change the state: it takes their place.
     void catchUp();

@@ -12,7 +12,13 @@ namespace toile {
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
     connect(&document_, &Document::changed, this, &Workspace::onChanged);
-    connect(&document_.history(), &QUndoStack::indexChanged, this, [this] { opening_.noteEdit(); });
+    connect(&document_.history(), &QUndoStack::indexChanged, this, [this] {
+        opening_.noteEdit();
+        if (document_.state().letGo) {
+            upkeep_.noteStepToLetGo();
+            follow();
+        }
+    });
     // A job that makes room for another says nothing about what is asked for now.
     connect(&jobs_, &JobRunner::failed, this,
             [this](const QString&, const QString&, bool replaced) {

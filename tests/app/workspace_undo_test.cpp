@@ -197,6 +197,21 @@ private slots:
         QVERIFY(waitUntilDone());
     }
 
+    void aStepBackAfterCancellingBringsWhatWasFlat() {
+        workspace().historyBudget().setMostBytes(0);
+        const DocumentState start = document().state();
+        changeFabric("jersey");
+        workspace().setMethod(Method::Natural);
+        QVERIFY(waitUntilDone());
+        workspace().undo();
+        workspace().jobs().cancel();
+        QVERIFY(waitUntilIdle());
+        QVERIFY(document().state().letGo);
+        workspace().undo();  // pieces and options stay
+        QVERIFY(waitUntilDone());
+        QCOMPARE(test::difference(document().state(), start), QString());
+    }
+
     void aStepForwardToWhatIsFlatKeepsItToTheLastBit() {
         whenOpened([this] { changeFabric("jersey"); });
         workspace().open({file("other.obj")});
