@@ -128,9 +128,10 @@ std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q) {
         return std::nullopt;
     }
     const long long count = (off > kExactLength).count();
-    const std::vector<Wording> words{countWording(count, "edge"), shortest(on[worst]),
-                                     place(piece.mesh.V.row(piece.boundary[worst])),
-                                     shortest(most)};
+    const double length = on[worst];
+    const std::vector<Wording> words{
+        countWording(count, "edge"), length < 1e-3 ? scientific(length, 1) : figure(length, 3),
+        place(piece.mesh.V.row(piece.boundary[worst])), scientific(most, 1)};
     return Error{ErrorCode::EdgesTooShort, piece.name,
                  count > 1 ? worded("%1, the worst of %2 mm at %3 mm, off by %4 of it", words)
                            : worded("%1 of %2 mm at %3 mm, off by %4 of it", words)};

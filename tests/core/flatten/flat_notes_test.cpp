@@ -117,7 +117,7 @@ TEST(FlatNotes, NameBoundaryEdgesTooShortForTheirLengths) {
         ASSERT_GT(error, 1e-9);  // there are no digits for it
         const auto* note = noteOf(*flat, ErrorCode::EdgesTooShort);
         ASSERT_TRUE(note);
-        EXPECT_NE(note->detail.find("off by " + shortest(error)), std::string::npos)
+        EXPECT_NE(note->detail.find("off by " + scientific(error, 1)), std::string::npos)
             << note->detail;
     }
 }
