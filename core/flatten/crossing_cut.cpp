@@ -2,7 +2,6 @@
 #include "core/flatten/crossing_cut.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -26,14 +25,13 @@ constexpr int kMaxOpposite = 16;
 /// Sharpest corners taken as ends: the tip of a slit above all.
 constexpr std::size_t kSharpest = 8;
 constexpr std::size_t kCrossingEnds = 8;
-/// A test of a cut looks for crossings in both its parts, at n log n each for an outline of n
-/// edges. Those that ask whether a cut resolves everything may pass this many edges together, so
-/// that the search ends after seconds at most.
-constexpr std::size_t kTestedEdges = 200000;
-constexpr std::size_t kFewestTests = 2;
+/// A test of a cut passes over the outline for each edge of the cut. Those that ask whether a cut
+/// resolves everything may pass this many outline edges together.
+constexpr std::size_t kTestedEdges = 1000000;
+constexpr std::size_t kFewestTests = 8;
 constexpr std::size_t kMostTests = 200;
 /// Cuts compared where none resolves everything.
-constexpr std::size_t kFewestLeastBadTests = 2;
+constexpr std::size_t kFewestLeastBadTests = 4;
 constexpr std::size_t kMostLeastBadTests = 40;
 /// The first ways looked at are as long as this part of the outline at most, the next so many times
 /// as long.
@@ -71,6 +69,7 @@ public:
           Q_(Q),
           progress_(progress),
           n_(static_cast<int>(piece.boundary.size())),
+          all_(crossings),
           crossings_(thinned(crossings, kMaxCrossings)),
           ways_(piece),
           along_(piece.boundary.size() + 1, 0),
@@ -86,8 +85,9 @@ public:
         fromSpreadPlaces();
         double longest = kFirstReach * along_.back();
         while (true) {
-            const bool isAll = longest > kWholeReach * along_.back();
-            findWays(isAll ? std::numeric_limits<double>::infinity() : longest);
+            const bool isAll = findWays(longest > kWholeReach * along_.back()
+                                            ? std::numeric_limits<double>::infinity()
+                                            : longest);
             const Candidate* shortest = firstThatResolves();
             if (shortest != nullptr && (isAll || kHardlyLonger * shortest->way.length <= longest)) {
                 return mostEven(*shortest);
@@ -116,23 +116,27 @@ private:
         std::vector<int> from, to;
     };
 
-    /// Sorted: ways that part more of the crossings first, then short ones.
-    void findWays(double longest) {
+    /// Sorted: ways that part more of the crossings first, then short ones. True where none is
+    /// longer.
+    bool findWays(double longest) {
         candidates_.clear();
+        bool isAll = true;
         for (const Search& search : searches_) {
             if (progress_.isCancelled()) {
                 break;
             }
             add(ways_.find(search.from, search.to, longest));
+            isAll = isAll && !ways_.hasLeftOut();
         }
         std::stable_sort(
             candidates_.begin(), candidates_.end(), [](const Candidate& s, const Candidate& t) {
                 return std::tie(s.together, s.way.length) < std::tie(t.together, t.way.length);
             });
+        return isAll;
     }
 
     bool isBetween(int edge, int from, int to) const {
-        return from < to ? edge >= from && edge < to : edge >= from || edge < to;
+        return from < to ? edge >= from && edge < to : from > to && (edge >= from || edge < to);
     }
 
     int together(int from, int to) const {
@@ -215,31 +219,36 @@ private:
         }
     }
 
-    /// The outlines of the two parts.
-    std::array<std::vector<int>, 2> parts(const InnerWay& way) const {
-        std::array<std::vector<int>, 2> loops;
+    /// Crossings in the outlines of the two parts, counted to `most`: those there are between edges
+    /// of one part, and those of its new edges. The edge after the way counts as one: what touches
+    /// where an edge starts is judged by the edge before.
+    int left(const InnerWay& way, int most) const {
+        int count = 0;
         for (const bool second : {false, true}) {
             const int begin = second ? way.to : way.from;
             const int end = second ? way.from : way.to;
-            std::vector<int>& loop = loops[second ? 1 : 0];
-            for (int i = begin; i != end; i = (i + 1) % n_) {
-                loop.push_back(piece_.boundary[i]);
+            count += static_cast<int>(std::ranges::count_if(all_, [&](const OutlineCrossing& c) {
+                return isBetween(c.first, begin + 1, end) && isBetween(c.second, begin + 1, end);
+            }));
+            std::vector<int> loop;
+            for (int i = begin; i != end; loop.push_back(piece_.boundary[i])) {
+                i = (i + 1) % n_;
             }
-            loop.push_back(piece_.boundary[end]);
+            const int firstNew = static_cast<int>(loop.size()) - 1;
             if (second) {
-                loop.insert(loop.end(), way.path.begin() + 1, way.path.end() - 1);
+                loop.insert(loop.end(), way.path.begin() + 1, way.path.end());
             } else {
-                loop.insert(loop.end(), way.path.rbegin() + 1, way.path.rend() - 1);
+                loop.insert(loop.end(), way.path.rbegin() + 1, way.path.rend());
             }
+            count += crossingsFrom(Q_, loop, firstNew, most - count);
         }
-        return loops;
+        return count;
     }
 
     /// Not to be asked once there are no tests left.
     bool resolves(const InnerWay& way) {
         --testsLeft_;
-        const auto loops = parts(way);
-        return outlineIsSimple(Q_, loops[0]) && outlineIsSimple(Q_, loops[1]);
+        return all_.size() < kMaxOutlineCrossings && left(way, 1) == 0;
     }
 
     bool mayTest() const { return testsLeft_ > 0 && !progress_.isCancelled(); }
@@ -286,18 +295,16 @@ private:
     /// Of the ways that part the most crossings: the one that leaves the fewest.
     CrossingCut leastBad() const {
         const Candidate* best = &candidates_.front();
-        auto fewest = std::numeric_limits<std::size_t>::max();
+        int fewest = std::numeric_limits<int>::max();
         const std::size_t count =
             std::min(candidates_.size(), std::clamp(kTestedEdges / piece_.boundary.size(),
                                                     kFewestLeastBadTests, kMostLeastBadTests));
         for (std::size_t k = 0; k < count && !progress_.isCancelled(); ++k) {
             const Candidate& c = candidates_[k];
-            const auto loops = parts(c.way);
-            const std::size_t left = findOutlineCrossings(Q_, loops[0]).size() +
-                                     findOutlineCrossings(Q_, loops[1]).size();
-            if (left < fewest) {
+            const int here = left(c.way, fewest);
+            if (here < fewest) {
                 best = &c;
-                fewest = left;
+                fewest = here;
             }
         }
         return {best->way.path, best->way.length, false};
@@ -307,7 +314,8 @@ private:
     const Points2& Q_;
     const Progress& progress_;
     int n_;
-    std::vector<OutlineCrossing> crossings_;
+    const std::vector<OutlineCrossing>& all_;
+    std::vector<OutlineCrossing> crossings_;  ///< some of all
     InnerWays ways_;
     std::vector<double> along_;  ///< length of the outline up to each loop vertex
     std::size_t testsLeft_;

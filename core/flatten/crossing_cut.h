@@ -31,9 +31,10 @@ struct CrossingCut {
 /// @param progress   looked at between the ways and between the tests of cuts; cancelled, the best
 ///                   so far is returned, untested ones with `resolves` false
 /// Cost: linear, and some shortest ways around the places they begin at, no farther than the cut is
-/// long, or through the whole piece where nothing short resolves all; and tests of cuts at n log n
-/// each. Fewer of both the larger the piece: tests pass over a few million outline edges
-/// altogether, so that the worst case is seconds. Deterministic. Pure.
+/// long, or through the whole piece where nothing short resolves all; and tests of cuts, linear
+/// where these are short, else n log n. Fewer of both the larger the piece, so that the worst case
+/// is seconds. Of crossings as many as were looked for no cut is said to resolve all.
+/// Deterministic. Pure.
 std::optional<CrossingCut> cutForCrossings(const Piece& piece, const Points2& Q,
                                            const std::vector<OutlineCrossing>& crossings,
                                            const Progress& progress = Progress());

@@ -12,7 +12,6 @@
 #include "core/flatten/crossing_cut.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
-#include "core/quality/outline_crossings.h"
 
 namespace toile {
 namespace {
@@ -63,8 +62,8 @@ Wording cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) {
 
 }  // namespace
 
-std::optional<Error> crossingNote(const Piece& piece, const Points2& Q) {
-    const auto crossings = findOutlineCrossings(Q, piece.boundary);
+std::optional<Error> crossingNote(const Piece& piece, const Points2& Q,
+                                  const std::vector<OutlineCrossing>& crossings) {
     if (crossings.empty()) {
         return std::nullopt;
     }
@@ -81,13 +80,14 @@ std::optional<Error> crossingNote(const Piece& piece, const Points2& Q) {
     return Error{ErrorCode::OutlineCrosses, piece.name, detail};
 }
 
-void nameCrossingCut(const Piece& piece, const Points2& Q, const Progress& progress,
+void nameCrossingCut(const Piece& piece, const Points2& Q,
+                     const std::vector<OutlineCrossing>& crossings, const Progress& progress,
                      Problems& notes) {
     const auto note = std::ranges::find(notes, ErrorCode::OutlineCrosses, &Error::code);
     if (note == notes.end()) {
         return;
     }
-    const auto cut = cutForCrossings(piece, Q, findOutlineCrossings(Q, piece.boundary), progress);
+    const auto cut = cutForCrossings(piece, Q, crossings, progress);
     if (!progress.isCancelled()) {  // else what was found may not be what there is
         note->detail += cutWords(piece, cut);
     }

@@ -3,12 +3,14 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/mesh/mesh_arrays.h"
+#include "core/quality/outline_crossings.h"
 
 namespace toile {
 
@@ -19,11 +21,14 @@ struct Piece;
 
 /// OutlineCrosses: how many crossings, and where the first is in the pattern and on the piece.
 /// Nothing where the outline is simple.
-std::optional<Error> crossingNote(const Piece& piece, const Points2& Q);
+/// @param crossings  from findOutlineCrossings(Q, piece.boundary), here and below
+std::optional<Error> crossingNote(const Piece& piece, const Points2& Q,
+                                  const std::vector<OutlineCrossing>& crossings);
 
 /// Adds to a note of crossings, if there is one, the cut that resolves them; cancelled, nothing.
 /// Cost: crossing_cut.h, up to seconds.
-void nameCrossingCut(const Piece& piece, const Points2& Q, const Progress& progress,
+void nameCrossingCut(const Piece& piece, const Points2& Q,
+                     const std::vector<OutlineCrossing>& crossings, const Progress& progress,
                      Problems& notes);
 
 /// Adds TrianglesFlipped, where there are any: how many, and where on the piece the worst is. A

@@ -130,7 +130,8 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
             flat->notes.push_back(std::move(*note));
         }
     };
-    add(crossingNote(piece, flat->Q));
+    flat->crossings = findOutlineCrossings(flat->Q, piece.boundary);
+    add(crossingNote(piece, flat->Q, flat->crossings));
     noteFlips(piece, flat->Q, flat->notes);
     if (traits(options.method).keepsLengths) {
         add(shortEdgesNote(piece, flat->Q));

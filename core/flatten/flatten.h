@@ -3,12 +3,14 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/flatten/method.h"
 #include "core/mesh/mesh_arrays.h"
+#include "core/quality/outline_crossings.h"
 
 namespace toile {
 
@@ -67,6 +69,7 @@ struct FlatPiece {
     double boundarySeconds = 0;
     double interiorSeconds = 0;
     Problems notes{};  ///< what the user should know of the result: crossings, degenerate triangles
+    std::vector<OutlineCrossing> crossings{};  ///< of the outline, for nameCrossingCut
 };
 
 /// Flattens one piece. The y axis points where the 3D +y axis points as seen in the plane.

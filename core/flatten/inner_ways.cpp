@@ -69,7 +69,9 @@ void InnerWays::search(const std::vector<int>& sources, double longest) {
         for (int k = start_[v]; k < start_[v + 1]; ++k) {
             const int w = end_[k];
             const double there = reached + (V.row(v) - V.row(w)).norm();
-            if (there < distance_[w] && there <= longest) {
+            if (there < distance_[w] && there > longest) {
+                hasLeftOut_ = true;
+            } else if (there < distance_[w]) {
                 if (distance_[w] == kFar) {
                     reached_.push_back(w);
                 }
@@ -83,6 +85,7 @@ void InnerWays::search(const std::vector<int>& sources, double longest) {
 
 std::vector<InnerWay> InnerWays::find(const std::vector<int>& sources,
                                       const std::vector<int>& targets, double longest) {
+    hasLeftOut_ = false;
     search(sources, longest);
     std::vector<InnerWay> ways;
     for (const int i : targets) {

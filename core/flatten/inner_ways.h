@@ -31,6 +31,9 @@ public:
     std::vector<InnerWay> find(const std::vector<int>& sources, const std::vector<int>& targets,
                                double longest = std::numeric_limits<double>::infinity());
 
+    /// Whether the last find() may have left out longer ways.
+    bool hasLeftOut() const { return hasLeftOut_; }
+
 private:
     void search(const std::vector<int>& sources, double longest);
 
@@ -43,6 +46,7 @@ private:
     std::vector<double> distance_;
     std::vector<int> parent_;
     std::vector<int> reached_;
+    bool hasLeftOut_ = false;
 };
 
 }  // namespace toile

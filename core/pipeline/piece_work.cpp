@@ -56,7 +56,8 @@ DoneTask flattenOne(const PieceTask& task, const FlattenOptions& options,
         auto flat =
             flattener ? flattener->flatten(piece, options, part) : flatten(*piece, options, part);
         if (flat) {
-            nameCrossingCut(*piece, flat->Q, progress, flat->notes);
+            nameCrossingCut(*piece, flat->Q, std::exchange(flat->crossings, {}), progress,
+                            flat->notes);
         }
         if (progress.isCancelled()) {
             return cancelledTask(piece, options);

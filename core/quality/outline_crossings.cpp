@@ -15,6 +15,8 @@ namespace {
 
 /// Distance from a line, relative to the outline's extent, below which a point lies on it.
 constexpr double kTouching = 1e-12;
+/// Up to so many edges are quicker held against all others than searched for who is near.
+constexpr int kFewEdges = 100;
 
 using Point = Eigen::RowVector2d;
 
@@ -32,10 +34,11 @@ public:
         touching_ = kTouching * (high - low).norm();
     }
 
-    std::vector<OutlineCrossing> crossings(int limit) const {
+    /// Those that one of the edges from `from` on takes part in.
+    std::vector<OutlineCrossing> crossings(int from, int limit) const {
         std::vector<OutlineCrossing> found;
         const auto look = [&](int i, int j, const PlaneCell& cell) {
-            if (j - i == 1 || j - i == n_ - 1) {
+            if (j < from || j - i == 1 || j - i == n_ - 1) {
                 return true;
             }
             const auto place = crossing(i, j);
@@ -44,7 +47,17 @@ public:
             }
             return static_cast<int>(found.size()) < limit;
         };
-        visitSegmentPairs(segments_, touching_, look);
+        if (n_ - from > kFewEdges) {
+            visitSegmentPairs(segments_, touching_, look);
+        } else {
+            const PlaneCell plane;
+            bool goesOn = true;
+            for (int j = from; j < n_; ++j) {
+                for (int i = 0; i < j && goesOn; ++i) {
+                    goesOn = look(i, j, plane);
+                }
+            }
+        }
         std::sort(found.begin(), found.end(), [](const auto& s, const auto& t) {
             return std::tie(s.first, s.second) < std::tie(t.first, t.second);
         });
@@ -162,15 +175,19 @@ private:
 std::vector<OutlineCrossing> findOutlineCrossings(const Points2& Q,
                                                   const std::vector<int>& boundary) {
     return boundary.empty() ? std::vector<OutlineCrossing>()
-                            : Outline(Q, boundary).crossings(kMaxOutlineCrossings);
+                            : Outline(Q, boundary).crossings(0, kMaxOutlineCrossings);
 }
 
 bool outlineIsSimple(const Points2& Q, const std::vector<int>& boundary) {
-    return boundary.empty() || Outline(Q, boundary).crossings(1).empty();
+    return boundary.empty() || Outline(Q, boundary).crossings(0, 1).empty();
 }
 
 int outlineCrossings(const Points2& Q, const std::vector<int>& boundary) {
     return static_cast<int>(findOutlineCrossings(Q, boundary).size());
+}
+
+int crossingsFrom(const Points2& Q, const std::vector<int>& boundary, int from, int most) {
+    return static_cast<int>(Outline(Q, boundary).crossings(from, most).size());
 }
 
 }  // namespace toile

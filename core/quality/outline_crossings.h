@@ -35,4 +35,8 @@ std::vector<OutlineCrossing> findOutlineCrossings(const Points2& Q,
 /// True where no two outline edges cross, by the same rule. Ends at the first crossing found.
 bool outlineIsSimple(const Points2& Q, const std::vector<int>& boundary);
 
+/// How many crossings, counted to `most`, the edges `from`, from + 1, ... to the last take part in.
+/// Cost: linear for a few edges.
+int crossingsFrom(const Points2& Q, const std::vector<int>& boundary, int from, int most);
+
 }  // namespace toile

@@ -30,12 +30,13 @@ std::optional<CrossingCut> cutOf(const Piece& piece, const Points2& Q) {
 
 /// What is said of the crossings, the search for a cut done.
 std::string saidOf(const Piece& piece, const Points2& Q, const Progress& progress = Progress()) {
-    const auto note = crossingNote(piece, Q);
+    const auto crossings = findOutlineCrossings(Q, piece.boundary);
+    const auto note = crossingNote(piece, Q, crossings);
     Problems notes;
     if (note) {
         notes.push_back(*note);
     }
-    nameCrossingCut(piece, Q, progress, notes);
+    nameCrossingCut(piece, Q, crossings, progress, notes);
     return notes.empty() ? "" : notes.front().detail;
 }
 

@@ -53,12 +53,12 @@ TEST(FlatNotes, NameTheCutThatResolvesACrossing) {
 TEST(FlatNotes, SayNothingOfASimpleOutline) {
     const auto piece = test::asPiece(test::planeGrid(4, 3, 10));
     const Points2 Q = piece->mesh.V.leftCols(2);
-    EXPECT_FALSE(crossingNote(*piece, Q));
+    EXPECT_FALSE(crossingNote(*piece, Q, findOutlineCrossings(Q, piece->boundary)));
     EXPECT_FALSE(shortEdgesNote(*piece, Q));
     EXPECT_FALSE(degenerateNote(*piece));
     Problems notes;
     noteFlips(*piece, Q, notes);
-    nameCrossingCut(*piece, Q, Progress(), notes);
+    nameCrossingCut(*piece, Q, {}, Progress(), notes);
     EXPECT_TRUE(notes.empty());
 }
 
