@@ -141,6 +141,9 @@ TEST(OutlineCrossings, NeitherPlaceNorDirectionNorStartMatters) {
         }
         const int count = outlineCrossings(Q, loop(n));
         EXPECT_EQ(outlineIsSimple(Q, loop(n)), count == 0);
+        const auto all = findOutlineCrossings(Q, loop(n));
+        EXPECT_EQ(crossingsFrom(Q, loop(n), n - 3, n * n),
+                  std::ranges::count_if(all, [n](const auto& c) { return c.second >= n - 3; }));
         Points2 moved = Q;
         moved.rowwise() += Eigen::RowVector2d(128, -64);
         EXPECT_EQ(outlineCrossings(moved, loop(n)), count);
