@@ -15,8 +15,8 @@ class Document;
 ///     as usual   flattened where that happens by itself, or where nothing is flat yet (what was
 ///                opened, what was let go)
 ///     wanted     opened or asked for: flattened whatever is edited meanwhile, until it is flat
-///     declined   cancelled or failed: not flattened until pieces or options are others, a step leads
-///                to what was flat and let go, or it is asked for
+///     declined   cancelled or failed: not flattened until pieces or options are others, a step
+///                leads to what was flat and let go, or it is asked for
 ///
 /// A scene is due wherever there is none. GUI thread only.
 class Upkeep {
