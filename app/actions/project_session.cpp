@@ -53,12 +53,12 @@ void ProjectSession::open(const Path& path) {
     start(path, {}, false, {});
 }
 
-void ProjectSession::restore(const Path& recoveryFile, std::function<void()> done) {
-    start(recoveryFile, {}, true, std::move(done));
+void ProjectSession::restore(const Path& recoveryFile, const std::function<void()>& done) {
+    start(recoveryFile, {}, true, done);
 }
 
 void ProjectSession::start(const Path& file, const FoundMeshes& found, bool restoring,
-                           std::function<void()> done) {
+                           const std::function<void()>& done) {
     const bool moved = !found.empty();
     workspace_.openBy(projectJob(
         file, found,
@@ -123,7 +123,7 @@ void ProjectSession::save(const Path& path, std::function<void()> then, IfChange
     saves_.start(saveJob(
         document,
         SaveTarget{.path = path, .known = known_, .overwrite = ifChanged == IfChanged::Overwrite},
-        [this, path, then, of = opened_](SaveOutcome outcome) {
+        [this, path, then = std::move(then), of = opened_](SaveOutcome outcome) {
             if (outcome == SaveOutcome::Written) {
                 onSaved(path, of);
                 if (then) {

@@ -42,7 +42,7 @@ public:
     /// file opens without a name: what it says it is of may be anything.
     void open(const Path& path);
     /// Opens a recovery file of ours: as the project it was of, with unsaved changes.
-    void restore(const Path& recoveryFile, std::function<void()> done);
+    void restore(const Path& recoveryFile, const std::function<void()>& done);
     enum class IfChanged { Ask, Overwrite };
 
     /// Writes the garment as it is now, whatever else is running; it counts as saved from now on.
@@ -75,7 +75,7 @@ signals:
 
 private:
     void start(const Path& file, const FoundMeshes& found, bool restoring,
-               std::function<void()> done);
+               const std::function<void()>& done);
     /// @param moved  meshes are elsewhere than the file says
     void onOpened(const Path& file, const OpenedProject& opened, bool restoring, bool moved);
     void onChanged(DocumentChanges what);

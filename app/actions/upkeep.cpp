@@ -31,12 +31,11 @@ void Upkeep::note(DocumentChanges what) {
     if (!isAnother && !what.testFlag(DocumentChange::Results)) {
         return;
     }
-    if (isFlattened(state)) {
+    const bool isOverruled = isAnother && automatic_ && flattening_ == Flattening::Declined;
+    if (isFlattened(state) || isOverruled) {
         flattening_ = Flattening::AsUsual;  // it has come, or a step has brought it back
     } else if (!isAnother && isOver() && order_.work == Work::Flattening) {
         flattening_ = Flattening::Declined;  // more than what has come there will not be
-    } else if (isAnother && automatic_ && flattening_ == Flattening::Declined) {
-        flattening_ = Flattening::AsUsual;
     }
 }
 

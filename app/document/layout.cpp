@@ -17,6 +17,7 @@ namespace {
 
 std::vector<Eigen::AlignedBox2d> boxesOf(const Document& document, const std::vector<int>& pieces) {
     std::vector<Eigen::AlignedBox2d> boxes;
+    boxes.reserve(pieces.size());
     for (const int piece : pieces) {
         boxes.push_back(boxOnSheet(document, piece));
     }

@@ -69,8 +69,8 @@ void ProblemsModel::addGroup(const Readiness& readiness, const std::vector<int>&
 }
 
 ProblemsModel::Row ProblemsModel::rowOf(const Finding& finding, int index) {
-    const Row row{makeItem(QString::fromStdString(finding.where)), makeItem(problemText(finding)),
-                  makeItem(problemAdvice(finding))};
+    Row row{makeItem(QString::fromStdString(finding.where)), makeItem(problemText(finding)),
+            makeItem(problemAdvice(finding))};
     row[Where]->setIcon(severityMark(finding.severity));
     row[Where]->setData(QVariant::fromValue(QList<int>{index}), FindingsRole);
     return row;
@@ -79,9 +79,9 @@ ProblemsModel::Row ProblemsModel::rowOf(const Finding& finding, int index) {
 ProblemsModel::Row ProblemsModel::rowOfGroup(const Finding& first, const std::vector<int>& group) {
     const auto size = static_cast<qlonglong>(group.size());
     const QString where = QString::fromStdString(first.where);
-    const Row row{makeItem(tr("%1 (%2)").arg(problemTitle(first.kind), QLocale().toString(size))),
-                  makeItem(first.figures.empty() ? problemText(first) : tr("Worst: %1").arg(where)),
-                  makeItem(problemAdvice(first))};
+    Row row{makeItem(tr("%1 (%2)").arg(problemTitle(first.kind), QLocale().toString(size))),
+            makeItem(first.figures.empty() ? problemText(first) : tr("Worst: %1").arg(where)),
+            makeItem(problemAdvice(first))};
     row[Where]->setIcon(severityMark(first.severity));
     row[Where]->setData(QVariant::fromValue(QList<int>(group.begin(), group.end())), FindingsRole);
     row[Where]->setData(static_cast<int>(first.kind), KindRole);

@@ -8,7 +8,7 @@ namespace toile {
 namespace {
 
 constexpr std::size_t kFacesPerRow = kFaceTableWidth / 2;
-static_assert(sizeof(FaceValues) == 2 * 4 * sizeof(float));
+static_assert(sizeof(FaceValues) == sizeof(float[2][4]));
 
 }  // namespace
 

@@ -76,7 +76,7 @@ void GpuLines::draw(const Range& range) const {
     }
     glBindVertexArray(array_);
     glDrawElements(GL_LINES, static_cast<GLsizei>(2 * range.count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(2 * range.first * sizeof(std::uint32_t)));
+                   bufferOffset(2 * range.first * sizeof(std::uint32_t)));
     glBindVertexArray(0);
     ++counts_.drawCalls;
 }

@@ -21,8 +21,7 @@ GLuint makeVertexArray(GLuint buffer, std::size_t stride,
     for (const VertexAttribute& attribute : attributes) {
         glEnableVertexAttribArray(attribute.location);
         glVertexAttribPointer(attribute.location, attribute.size, GL_FLOAT, GL_FALSE,
-                              static_cast<GLsizei>(stride),
-                              reinterpret_cast<const void*>(attribute.offset));
+                              static_cast<GLsizei>(stride), bufferOffset(attribute.offset));
     }
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -61,8 +60,7 @@ void GpuMesh::draw(GLenum mode, std::size_t list) const {
         return;
     }
     glBindVertexArray(array_);
-    glDrawElements(mode, runs_[list].count, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(runs_[list].offset));
+    glDrawElements(mode, runs_[list].count, GL_UNSIGNED_INT, bufferOffset(runs_[list].offset));
     glBindVertexArray(0);
     ++counts_.drawCalls;
 }

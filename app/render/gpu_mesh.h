@@ -16,6 +16,11 @@ struct VertexAttribute {
     std::size_t offset;
 };
 
+/// Bytes into the bound buffer, which OpenGL takes as a pointer.
+inline const void* bufferOffset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
+
 /// A vertex buffer with these bytes, and a vertex array that reads attributes from one.
 GLuint makeVertexBuffer(const void* data, std::size_t bytes);
 GLuint makeVertexArray(GLuint buffer, std::size_t stride,

@@ -135,7 +135,7 @@ std::optional<SurfaceHit> pickPiece(const Scene& scene, int index, const Eigen::
 std::optional<SurfaceHit> pickPattern(const Scene& scene, const SheetPlaces& places,
                                       const Eigen::Vector2d& point) {
     for (int i = static_cast<int>(scene.pieces.size()); i-- > 0;) {
-        if (const auto hit = pickPiece(scene, i, placeOf(places, i).placement.undone(point))) {
+        if (auto hit = pickPiece(scene, i, placeOf(places, i).placement.undone(point))) {
             return hit;
         }
     }

@@ -30,7 +30,7 @@ public:
     }
 
     const Eigen::Vector2d& of(const PatternVertex& vertex) const {
-        return grains_[static_cast<std::size_t>(vertex.piece + 0.5F)];
+        return grains_[static_cast<std::size_t>(vertex.piece)];
     }
 
 private:
@@ -91,7 +91,7 @@ std::vector<std::uint32_t> peaks(const Scene& scene, const Field& field) {
 WorstSpot spotAt(const Scene& scene, const Field& field, std::uint32_t at) {
     const auto& triangles = scene.pattern.triangles;
     WorstSpot spot;
-    spot.piece = static_cast<int>(scene.pattern.vertices[at].piece + 0.5F);
+    spot.piece = static_cast<int>(scene.pattern.vertices[at].piece);
     spot.value = static_cast<double>(field.value[at]);
     const PieceScene& piece = scene.pieces[static_cast<std::size_t>(spot.piece)];
     // Vertices of a piece follow each other in both views alike.

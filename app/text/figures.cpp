@@ -82,7 +82,7 @@ QString signedPercent(double fraction) {
 }
 
 QString signedNumber(double value, int decimals) {
-    const QString size = QLocale().toString(std::abs(value), 'f', decimals);
+    QString size = QLocale().toString(std::abs(value), 'f', decimals);
     if (size == QLocale().toString(0.0, 'f', decimals)) {
         return size;
     }

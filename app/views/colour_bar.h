@@ -23,7 +23,6 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-public slots:
     /// The value under the pointer: a mark on the bar and a number.
     void showValue(std::optional<double> value);
 

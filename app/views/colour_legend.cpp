@@ -99,7 +99,7 @@ QString withinText(Overlay overlay) {
 
 QString endLabel(const ColourLegend& legend, bool high) {
     const bool clamped = high ? legend.scale.above : legend.scale.below;
-    const QString text = overlayNumber(legend.overlay, high ? legend.scale.high : legend.scale.low);
+    QString text = overlayNumber(legend.overlay, high ? legend.scale.high : legend.scale.low);
     if (!clamped || legend.scale.limited) {
         return text;
     }

@@ -85,7 +85,7 @@ QString valueText(const Document& document, const std::optional<SurfacePlace>& p
     }
     const Overlay overlay = document.view().overlay;
     const OverlayWords words = overlayWords(overlay);
-    const QString text = words.title + ' ' + overlayValueText(overlay, *value);
+    QString text = words.title + ' ' + overlayValueText(overlay, *value);
     const auto limits = fabricLimits(overlay, document.fabric());
     if (!limits) {
         return text;

@@ -23,6 +23,7 @@ Morph morphBefore(const Camera3D& camera, const Scene* scene, double way) {
 void frameGarment(Camera3D& camera, const Scene& scene, const SheetPlaces& places,
                   const std::set<int>& pieces, double way) {
     std::vector<Eigen::AlignedBox3d> boxes;
+    boxes.reserve(pieces.size());
     for (const int piece : pieces) {
         boxes.push_back(scene.pieces[static_cast<std::size_t>(piece)].box);
     }

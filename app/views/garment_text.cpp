@@ -22,7 +22,7 @@ class GarmentWords {
 };
 
 QString noteOf(const Document& document) {
-    if (const QString marked = markedText(document); !marked.isEmpty()) {
+    if (QString marked = markedText(document); !marked.isEmpty()) {
         return marked;
     }
     const auto seam = document.seam();

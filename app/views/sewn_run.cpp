@@ -37,7 +37,8 @@ std::vector<double> arcsOf(const Piece& piece) {
 /// At which edge `k` begins, where k counts on past the outline's beginning.
 double arcAt(const std::vector<double>& arcs, int k) {
     const int size = static_cast<int>(arcs.size()) - 1;
-    return (k / size) * arcs.back() + arcs[static_cast<std::size_t>(k % size)];
+    const int turns = k / size;
+    return turns * arcs.back() + arcs[static_cast<std::size_t>(k % size)];
 }
 
 Span spanOf(const SeamSide& side) {

@@ -57,6 +57,7 @@ std::vector<FoundCommand> searchCommands(const std::vector<Command>& commands,
         return a.enabled != b.enabled ? a.enabled : a.score > b.score;
     });
     std::vector<FoundCommand> found;
+    found.reserve(candidates.size());
     for (Candidate& candidate : candidates) {
         found.push_back(std::move(candidate.found));
     }

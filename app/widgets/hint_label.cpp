@@ -20,8 +20,7 @@ QString fittingClauses(const QString& text, const QFontMetrics& metrics, int wid
     QStringList clauses = text.split(QString::fromUtf8(kBetween));
     while (clauses.size() > 1) {
         clauses.removeLast();
-        const QString shorter =
-            clauses.join(QString::fromUtf8(kBetween)) + QString::fromUtf8(kMore);
+        QString shorter = clauses.join(QString::fromUtf8(kBetween)) + QString::fromUtf8(kMore);
         if (metrics.horizontalAdvance(shorter) <= width) {
             return shorter;
         }

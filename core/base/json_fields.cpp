@@ -2,6 +2,7 @@
 #include "core/base/json_fields.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "core/base/text.h"
@@ -85,10 +86,14 @@ JsonFields::~JsonFields() {
     if (failed() || takesAll_) {
         return;
     }
-    for (const auto& item : json_.items()) {
-        if (!known_.contains(item.key())) {
-            faults_.unknown.push_back(placeOf(item.key()));
+    try {
+        for (const auto& item : json_.items()) {
+            if (!known_.contains(item.key())) {
+                faults_.unknown.push_back(placeOf(item.key()));
+            }
         }
+    } catch (const std::exception&) {  // out of memory: a note less, not the end of the program
+        takesAll_ = true;
     }
 }
 

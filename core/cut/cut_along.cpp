@@ -125,6 +125,7 @@ Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolylin
     CutResult result;
     const auto open = [&] {
         std::vector<std::vector<int>> refined;
+        refined.reserve(ways.size());
         for (const auto& way : ways) {
             refined.push_back(parts.refined(way));
         }

@@ -124,6 +124,7 @@ SortedLoops sortLoops(const SurfaceLinks& links, double smallHole) {
         return sorted;
     }
     std::vector<double> turns;
+    turns.reserve(loops.size());
     for (const RimLoop& loop : loops) {
         turns.push_back(turning(links, loop));
     }

@@ -45,24 +45,23 @@ void BlockMatrix::scaleDiagonal(double factor) {
 }
 
 double BlockMatrix::largestOnDiagonal(int v) const {
-    return std::max(matrix_.value[matrix_.columnStart[2 * v]],
-                    matrix_.value[matrix_.columnStart[2 * v + 1]]);
+    return std::max(*column(2 * v), *column(2 * v + 1));
 }
 
 void BlockMatrix::addVertex(int v, const Eigen::Matrix2d& block) {
-    double* first = &matrix_.value[matrix_.columnStart[2 * v]];
+    double* first = column(2 * v);
     first[0] += block(0, 0);
     first[1] += block(1, 0);
-    matrix_.value[matrix_.columnStart[2 * v + 1]] += block(1, 1);
+    *column(2 * v + 1) += block(1, 1);
 }
 
 void BlockMatrix::addEdge(int e, const Eigen::Matrix2d& block) {
     const int v = edges_(e, 0);
     const int k = 2 * (e - firstEdge_[v]);
-    double* x = &matrix_.value[matrix_.columnStart[2 * v] + 2 + k];
+    double* x = column(2 * v) + 2 + k;
     x[0] += block(0, 0);
     x[1] += block(1, 0);
-    double* y = &matrix_.value[matrix_.columnStart[2 * v + 1] + 1 + k];
+    double* y = column(2 * v + 1) + 1 + k;
     y[0] += block(0, 1);
     y[1] += block(1, 1);
 }
@@ -85,8 +84,8 @@ int BlockMatrix::findEdge(int v, int w) const {
 BlockVector BlockMatrix::product(const BlockVector& x) const {
     BlockVector y(x.rows(), 2);
     for (int v = 0; v < static_cast<int>(x.rows()); ++v) {
-        const double* first = &matrix_.value[matrix_.columnStart[2 * v]];
-        const double last = matrix_.value[matrix_.columnStart[2 * v + 1]];
+        const double* first = column(2 * v);
+        const double last = *column(2 * v + 1);
         y(v, 0) = first[0] * x(v, 0) + first[1] * x(v, 1);
         y(v, 1) = first[1] * x(v, 0) + last * x(v, 1);
     }
@@ -120,8 +119,8 @@ void BlockMatrix::sweepBack(BlockVector& x) const {
 
 /// Row v of the blocks above the diagonal, times x.
 Eigen::RowVector2d BlockMatrix::above(int v, const BlockVector& x) const {
-    const double* first = &matrix_.value[matrix_.columnStart[2 * v]] + 2;
-    const double* second = &matrix_.value[matrix_.columnStart[2 * v + 1]] + 1;
+    const double* first = column(2 * v) + 2;
+    const double* second = column(2 * v + 1) + 1;
     Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
     for (int e = firstEdge_[v]; e < firstEdge_[v + 1]; ++e, first += 2, second += 2) {
         const double* of = x.data() + 2 * static_cast<std::ptrdiff_t>(edges_(e, 1));
@@ -133,8 +132,8 @@ Eigen::RowVector2d BlockMatrix::above(int v, const BlockVector& x) const {
 
 /// Adds column v of the blocks below the diagonal, times x, to y.
 void BlockMatrix::addBelow(int v, const Eigen::RowVector2d& x, BlockVector& y) const {
-    const double* first = &matrix_.value[matrix_.columnStart[2 * v]] + 2;
-    const double* second = &matrix_.value[matrix_.columnStart[2 * v + 1]] + 1;
+    const double* first = column(2 * v) + 2;
+    const double* second = column(2 * v + 1) + 1;
     for (int e = firstEdge_[v]; e < firstEdge_[v + 1]; ++e, first += 2, second += 2) {
         double* to = y.data() + 2 * static_cast<std::ptrdiff_t>(edges_(e, 1));
         to[0] += first[0] * x[0] + second[0] * x[1];
@@ -144,8 +143,8 @@ void BlockMatrix::addBelow(int v, const Eigen::RowVector2d& x, BlockVector& y) c
 
 /// Solves with the block of a vertex.
 Eigen::RowVector2d BlockMatrix::solveVertex(int v, const Eigen::RowVector2d& right) const {
-    const double* first = &matrix_.value[matrix_.columnStart[2 * v]];
-    const double last = matrix_.value[matrix_.columnStart[2 * v + 1]];
+    const double* first = column(2 * v);
+    const double last = *column(2 * v + 1);
     const double determinant = first[0] * last - first[1] * first[1];
     return Eigen::RowVector2d(last * right[0] - first[1] * right[1],
                               first[0] * right[1] - first[1] * right[0]) /

@@ -49,6 +49,8 @@ public:
     const SymmetricMatrix& matrix() const { return matrix_; }
 
 private:
+    const double* column(int c) const { return &matrix_.value[matrix_.columnStart[c]]; }
+    double* column(int c) { return &matrix_.value[matrix_.columnStart[c]]; }
     Eigen::RowVector2d above(int v, const BlockVector& x) const;
     void addBelow(int v, const Eigen::RowVector2d& x, BlockVector& y) const;
     Eigen::RowVector2d solveVertex(int v, const Eigen::RowVector2d& right) const;

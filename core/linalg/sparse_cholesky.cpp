@@ -2,7 +2,7 @@
 #include "core/linalg/sparse_cholesky.h"
 
 #include <cassert>
-#include <cstdint>
+#include <memory>
 #include <mutex>
 
 #include <cholmod.h>
@@ -13,6 +13,7 @@
 
 // Present where OpenBLAS stands in for the BLAS; declared weak because it need not.
 #ifdef __ELF__
+// NOLINTNEXTLINE(readability-identifier-naming): OpenBLAS names it
 extern "C" void openblas_set_num_threads(int count) __attribute__((weak));
 #else
 static void (*const openblas_set_num_threads)(int) = nullptr;
@@ -75,12 +76,11 @@ private:
 /// cleared first, is a tenth of the time of a factorisation.
 void useLargePages(const cholmod_factor& factor) {
 #ifdef __linux__
-    constexpr std::uintptr_t kPage = std::uintptr_t{2} << 20U;
-    const auto begin = reinterpret_cast<std::uintptr_t>(factor.x);
-    const std::uintptr_t end = begin + sizeof(double) * factor.xsize;
-    const std::uintptr_t first = (begin + kPage - 1) / kPage * kPage;
-    if (begin != 0 && first + kPage <= end) {
-        madvise(reinterpret_cast<void*>(first), (end - first) / kPage * kPage, MADV_HUGEPAGE);
+    constexpr std::size_t kPage = std::size_t{2} << 20U;
+    void* first = factor.x;
+    std::size_t bytes = sizeof(double) * factor.xsize;
+    if (first && std::align(kPage, kPage, first, bytes)) {
+        madvise(first, bytes / kPage * kPage, MADV_HUGEPAGE);
     }
 #else
     static_cast<void>(factor);
@@ -156,7 +156,7 @@ SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
 Result<void> SparseCholesky::factorise(const SymmetricMatrix& matrix) {
-    if (const auto analysed = analyse(matrix); !analysed) {
+    if (auto analysed = analyse(matrix); !analysed) {
         return analysed;
     }
     return refactorise(matrix);

@@ -67,7 +67,7 @@ Sides findSides(const MeshArrays& mesh, const std::vector<int>& twin) {
         }
         double area[2] = {0, 0};
         for (std::size_t at = first; at < queue.size(); ++at) {
-            area[static_cast<int>(sides.turn[queue[at]])] += areaOf(mesh, queue[at]);
+            area[sides.turn[queue[at]] == 0 ? 0 : 1] += areaOf(mesh, queue[at]);
         }
         for (std::size_t at = first; at < queue.size(); ++at) {
             char& turn = sides.turn[queue[at]];

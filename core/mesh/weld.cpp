@@ -82,7 +82,7 @@ std::vector<char> borderVertices(const Triangles& F, Eigen::Index vertexCount) {
 /// the tolerance, counted from a vertex so that they stay countable far from the origin.
 class Grid {
 public:
-    Grid(PointsView V, const std::vector<char>& takesPart, double tolerance)
+    Grid(const PointsView& V, const std::vector<char>& takesPart, double tolerance)
         : tolerance_(tolerance) {
         double extent = 0;
         bool any = false;
@@ -114,7 +114,8 @@ private:
 };
 
 /// The least vertex in `cells` that stands within the tolerance of p, or `self`.
-int leastNear(const Cells& cells, const Grid& grid, PointsView V, int self, double tolerance) {
+int leastNear(const Cells& cells, const Grid& grid, const PointsView& V, int self,
+              double tolerance) {
     const Eigen::RowVector3d p = V.row(self);
     const Cell low = grid.cellOf(p, -1);
     const Cell high = grid.cellOf(p, 1);  // at most one further along each axis
@@ -135,7 +136,7 @@ int leastNear(const Cells& cells, const Grid& grid, PointsView V, int self, doub
 
 }  // namespace
 
-Weld findWeld(const Triangles& F, PointsView V, const WeldOptions& options) {
+Weld findWeld(const Triangles& F, const PointsView& V, const WeldOptions& options) {
     const int vertexCount = static_cast<int>(V.rows());
     std::vector<char> takesPart =
         options.borderOnly ? borderVertices(F, vertexCount) : usedVertices(F, vertexCount);
@@ -161,7 +162,7 @@ Weld findWeld(const Triangles& F, PointsView V, const WeldOptions& options) {
     return weld;
 }
 
-Error weldNote(const Weld& weld, PointsView V, const std::string& name) {
+Error weldNote(const Weld& weld, const PointsView& V, const std::string& name) {
     int first = 0;
     while (weld.target[first] == first) {
         ++first;
@@ -173,7 +174,7 @@ Error weldNote(const Weld& weld, PointsView V, const std::string& name) {
                              : worded("%1 welded to another, the first at %2, %3, %4 mm", words)};
 }
 
-double weldTolerance(const Triangles& F, PointsView V) {
+double weldTolerance(const Triangles& F, const PointsView& V) {
     std::vector<double> lengths;
     lengths.reserve(F.size());
     for (int f = 0; f < F.rows(); ++f) {
@@ -199,7 +200,7 @@ bool isMostlyLoose(const std::vector<int>& uses) {
     return static_cast<double>(loose) >= kLooseShare * static_cast<double>(used);
 }
 
-bool looksUnwelded(const Triangles& F, PointsView V) {
+bool looksUnwelded(const Triangles& F, const PointsView& V) {
     std::vector<int> uses(V.rows(), 0);
     for (Eigen::Index corner = 0; corner < F.size(); ++corner) {
         ++uses[F.data()[corner]];

@@ -30,14 +30,14 @@ struct Weld {
 /// object. Border is every edge that does not have two faces.
 /// @param F  indices in range   @param V  mm
 /// Cost: linear on average, in all of V and F. Pure; does not depend on the order of faces.
-Weld findWeld(const Triangles& F, PointsView V, const WeldOptions& options);
+Weld findWeld(const Triangles& F, const PointsView& V, const WeldOptions& options);
 
 /// The note VerticesWelded: how many, and where the first. Precondition: weld.merged > 0.
-Error weldNote(const Weld& weld, PointsView V, const std::string& name);
+Error weldNote(const Weld& weld, const PointsView& V, const std::string& name);
 
 /// A tolerance for borders that are the same but for the digits written: a thousandth of the median
 /// edge, mm; 0 where there are no triangles.
-double weldTolerance(const Triangles& F, PointsView V);
+double weldTolerance(const Triangles& F, const PointsView& V);
 
 /// True where nearly every vertex that is used at all is used by one or two triangles.
 /// @param uses  per vertex: by how many
@@ -45,6 +45,6 @@ bool isMostlyLoose(const std::vector<int>& uses);
 
 /// True where nearly every vertex is used by a single face (a triangle, or a quad cut in two) and
 /// many of them lie exactly on others: triangles that a file lists one by one.
-bool looksUnwelded(const Triangles& F, PointsView V);
+bool looksUnwelded(const Triangles& F, const PointsView& V);
 
 }  // namespace toile

@@ -78,8 +78,8 @@ std::optional<Chord> grainLine(const std::vector<Points2>& loops, double angle,
     for (int k = 0; k < kTrials; ++k) {
         // From the middle outwards, so that of equals the one nearest to the middle is taken.
         const double side = k % 2 == 0 ? 1 : -1;
-        const double place =
-            0.5 * (low + high) + side * ((k + 1) / 2) * (high - low) / (kTrials + 2);
+        const int step = (k + 1) / 2;
+        const double place = 0.5 * (low + high) + side * step * (high - low) / (kTrials + 2);
         const Eigen::Vector2d point = place * normal;
         const std::vector<double> places = crossings(loops, point, direction);
         for (std::size_t i = 0; i + 1 < places.size(); i += 2) {

@@ -128,6 +128,7 @@ Result<LoadedFile> loadFile(const fs::path& path, int index, const std::string& 
 std::vector<std::string> prefixes(const std::vector<fs::path>& paths) {
     std::vector<std::string> stems;
     UniqueNames names;
+    stems.reserve(paths.size());
     for (const fs::path& path : paths) {
         stems.push_back(names.free(path.stem().string()));
     }

@@ -165,6 +165,7 @@ private:
         std::ranges::stable_sort(parts, std::greater<>(),
                                  [this](std::size_t part) { return areaOf(outlines_[part]); });
         std::vector<Points2> later;  // those that have no place yet are in nobody's way
+        later.reserve(parts.size());
         for (const std::size_t part : parts) {
             later.push_back(std::exchange(outlines_[part], Points2(0, 2)));
         }

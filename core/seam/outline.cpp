@@ -81,7 +81,8 @@ Eigen::Vector3d Outline::pointAt(double s) const {
 
 double Outline::arcOf(int k) const {
     const int local = wrapIndex(k);
-    return arc[local] + length() * ((k - local) / size());
+    const int turns = (k - local) / size();
+    return arc[local] + length() * turns;
 }
 
 double Outline::nearestVertex(double s) const {

@@ -42,6 +42,7 @@ std::vector<Balance> balances(const Outlines& outlines, const std::vector<Contac
         }
     }
     std::vector<Balance> list;
+    list.reserve(sums.size());
     for (const auto& [pieces, sum] : sums) {
         list.push_back({pieces.first, pieces.second, sum});
     }

@@ -56,7 +56,7 @@ Vector searchAlong(const DirectionProblem& problem, const KktSystem& system, con
         return phi + step;
     }
     const Eigen::Vector2d bent = problem.closure(phi + step);
-    const Vector corrected = phi + step + system.solve(Vector::Zero(phi.size()), -bent).first;
+    Vector corrected = phi + step + system.solve(Vector::Zero(phi.size()), -bent).first;
     if (decreases(corrected, 1.0)) {
         return corrected;
     }

@@ -54,7 +54,7 @@ public:
         }
         // An angle of a needle next to a sharp tip may be blown up beyond a half turn.
         x_ = target_.cwiseMin(0.9 * pi);
-        multipliers_ = Eigen::VectorXd::Zero(2 * count_);
+        multipliers_ = Eigen::VectorXd::Zero(2 * Eigen::Index{count_});
     }
 
     const Eigen::MatrixX3d& angles() const { return x_; }
@@ -138,13 +138,13 @@ private:
 
     /// Sum around each interior vertex minus 2 pi, and its wheel's logarithm, interleaved.
     Eigen::VectorXd vertexViolations() const {
-        Eigen::VectorXd c = Eigen::VectorXd::Zero(2 * count_);
-        for (int u = 0; u < count_; ++u) {
+        Eigen::VectorXd c = Eigen::VectorXd::Zero(2 * Eigen::Index{count_});
+        for (Eigen::Index u = 0; u < count_; ++u) {
             c[2 * u] = -2 * pi;
         }
         for (int f = 0; f < F_.rows(); ++f) {
             for (int k = 0; k < 3; ++k) {
-                const int u = unknown_[F_(f, k)];
+                const Eigen::Index u = unknown_[F_(f, k)];
                 if (u >= 0) {
                     c[2 * u] += x_(f, k);
                     c[2 * u + 1] += std::log(std::sin(x_(f, (k + 1) % 3))) -

@@ -48,9 +48,9 @@ Result<Points2> solvePinned(const ConformalEnergy& energy, std::array<int, 2> pi
         const Eigen::VectorXcd gradient = energy.adjoint(energy.residual(z));
         Eigen::VectorXd right(2 * count);
         for (int v = 0; v < vertexCount; ++v) {
-            if (unknown[v] >= 0) {
-                right[2 * unknown[v]] = -gradient[v].real();
-                right[2 * unknown[v] + 1] = -gradient[v].imag();
+            if (const Eigen::Index u = unknown[v]; u >= 0) {
+                right[2 * u] = -gradient[v].real();
+                right[2 * u + 1] = -gradient[v].imag();
             }
         }
         const auto change = cholesky.solve(right);
@@ -65,9 +65,8 @@ Result<Points2> solvePinned(const ConformalEnergy& energy, std::array<int, 2> pi
             break;  // nothing more to gain
         }
         for (int v = 0; v < vertexCount; ++v) {
-            if (unknown[v] >= 0) {
-                z[v] += std::complex<double>((*change)(2 * unknown[v], 0),
-                                             (*change)(2 * unknown[v] + 1, 0));
+            if (const Eigen::Index u = unknown[v]; u >= 0) {
+                z[v] += std::complex<double>((*change)(2 * u, 0), (*change)(2 * u + 1, 0));
             }
         }
         if (size <= kNegligible * z.cwiseAbs().maxCoeff()) {

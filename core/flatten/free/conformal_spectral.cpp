@@ -56,7 +56,7 @@ public:
 
     Result<Eigen::VectorXcd> solve(const Eigen::VectorXcd& right) {
         Eigen::VectorXd split(2 * right.size());
-        for (int v = 0; v < right.size(); ++v) {
+        for (Eigen::Index v = 0; v < right.size(); ++v) {
             split.segment<2>(2 * v) << right[v].real(), right[v].imag();
         }
         const auto x = cholesky_.solve(split);
@@ -64,7 +64,7 @@ public:
             return x.error();
         }
         Eigen::VectorXcd z(right.size());
-        for (int v = 0; v < z.size(); ++v) {
+        for (Eigen::Index v = 0; v < z.size(); ++v) {
             z[v] = {(*x)(2 * v, 0), (*x)(2 * v + 1, 0)};
         }
         return z;

@@ -112,15 +112,15 @@ Result<Eigen::MatrixXd> ConformalInterior::solve(const Eigen::MatrixXd& b,
 }
 
 Result<Points2> ConformalInterior::place(const Points2& outline, const Progress& progress) {
-    auto extended = system_.extend(outline);
+    const auto extended = system_.extend(outline);
     if (delaunayFlips_ > 0 || (!extended && !isOfTheWeights(extended.error()))) {
-        return extended ? Result<Points2>(Points2(std::move(*extended))) : extended.error();
+        return extended ? Result<Points2>(Points2(*extended)) : extended.error();
     }
     std::vector<int> flipped;
     if (extended) {
         flipped = flippedIn(Points2(*extended), *piece_);
         if (flipped.empty()) {
-            return Points2(std::move(*extended));
+            return Points2(*extended);
         }
     }
     auto other =
@@ -130,13 +130,13 @@ Result<Points2> ConformalInterior::place(const Points2& outline, const Progress&
         return other.error();
     }
     if (other) {
-        auto better = other->system_.extend(outline);
+        const auto better = other->system_.extend(outline);
         if (better && (!extended || flippedIn(Points2(*better), *piece_).size() < flipped.size())) {
             *this = std::move(*other);
-            return Points2(std::move(*better));
+            return Points2(*better);
         }
     }
-    return extended ? Result<Points2>(Points2(std::move(*extended))) : extended.error();
+    return extended ? Result<Points2>(Points2(*extended)) : extended.error();
 }
 
 }  // namespace toile

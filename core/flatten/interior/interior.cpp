@@ -177,11 +177,11 @@ Result<Points2> fillInterior(WeightedEdges graph, int vertexCount, const std::ve
     if (!system) {
         return system.error();
     }
-    auto points = system->extend(outline);
+    const auto points = system->extend(outline);
     if (!points) {
         return points.error();
     }
-    return Points2(std::move(*points));
+    return Points2(*points);
 }
 
 }  // namespace toile

@@ -21,7 +21,7 @@ constexpr int kStartPasses = 4;
 IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
                             const std::vector<int>& boundary, const Points2& Q, double tolerance,
                             const Progress& progress) {
-    const IsometricStart unchanged{Q, {}};
+    IsometricStart unchanged{Q, {}};
     const SymmetricDirichlet energy(mesh, table);
     const auto vertices = static_cast<int>(mesh.V.rows());
     const int inner = vertices - static_cast<int>(boundary.size());

@@ -62,7 +62,7 @@ Result<void> KktSolver::renew(IsometricObjective& objective, const ModelPoint& p
 
 Result<void> KktSolver::layOut(const ModelPoint& point, double regularisation) {
     if (twoLevel_) {
-        const auto ready = twoLevel_->renew(*K_, point, stiffness_, regularisation);
+        auto ready = twoLevel_->renew(*K_, point, stiffness_, regularisation);
         if (ready || ready.error().code != ErrorCode::FactorisationFailed) {
             return ready;
         }
@@ -77,12 +77,12 @@ Result<void> KktSolver::factorise(const BlockMatrix& K) {
         laidOut_ = false;
     }
     if (!laidOut_) {
-        if (const auto analysed = cholesky_->analyse(K.matrix()); !analysed) {
+        if (auto analysed = cholesky_->analyse(K.matrix()); !analysed) {
             return analysed;
         }
         laidOut_ = true;
     }
-    const auto factorised = cholesky_->refactorise(K.matrix());
+    auto factorised = cholesky_->refactorise(K.matrix());
     factorised_ = factorised.ok();
     return factorised;
 }
@@ -125,7 +125,7 @@ Result<void> KktSolver::solveOnce(const Points2& forces, Points2& P, double& fir
         }
         // Rare. Memory is the price of a result.
         twoLevel_.reset();
-        if (const auto factorised = factorise(*K_); !factorised) {
+        if (auto factorised = factorise(*K_); !factorised) {
             return factorised;
         }
     }

@@ -12,6 +12,7 @@ namespace {
 /// A point well inside the kernel of a ring: the middle of the polygon cut by all its edges' lines.
 std::optional<Eigen::RowVector2d> kernelPoint(const Points2& Q, const int* ring, int count) {
     std::vector<Eigen::RowVector2d> polygon;
+    polygon.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) {
         polygon.emplace_back(Q.row(ring[k]));
     }
