@@ -20,7 +20,7 @@ skipped() { # PRESET: how many tests its last run left out for want of files
 }
 
 packages=(libgtest-dev xvfb clang-format python3-numpy)
-clang_packages=(clang libclang-rt-14-dev libomp-dev)
+clang_packages=(clang clang-tidy libclang-rt-14-dev libomp-dev)
 case ${1:-} in
     --quick)
         ./run.sh --prepare "${packages[@]}"
@@ -32,7 +32,7 @@ case ${1:-} in
         exit
         ;;
     --nightly)
-        ./run.sh --prepare "${packages[@]}" "${clang_packages[@]}" clang-tidy \
+        ./run.sh --prepare "${packages[@]}" "${clang_packages[@]}" \
             libbenchmark-dev libcgal-dev python3-ezdxf librsvg2-bin
         exec tests/nightly.sh
         ;;
@@ -44,9 +44,10 @@ case ${1:-} in
 esac
 ./run.sh --prepare "${packages[@]}" "${clang_packages[@]}"
 
-step "Source: format, and one definition of everything"
+step "Source: format, one definition of everything, clang-tidy on what has changed"
 git ls-files -- '*.cpp' '*.h' 2>/dev/null | xargs -r clang-format --dry-run -Werror
 tests/one_definition.py
+tests/tidy.py
 
 step "Build, warnings are errors"
 cmake --preset ci -DTOILE_TESTS=ON
