@@ -118,8 +118,8 @@ struct CholmodWorkspace {
         cholmod_start(&common);
         common.print = 0;  // errors are values here, not text on a terminal
         common.error_handler = nullptr;
-        // Minimum degree at all sizes: CHOLMOD would otherwise try METIS above a fill threshold,
-        // which never pays for a few solves (the floor's table in docs/performance.md).
+        // Minimum degree, or an order that is given: CHOLMOD would otherwise try METIS above a fill
+        // threshold, which never pays for a few solves (the floor's table in docs/performance.md).
         common.nmethods = 1;
         common.method[0].ordering = CHOLMOD_AMD;
         common.postorder = 1;
@@ -162,11 +162,13 @@ Result<void> SparseCholesky::factorise(const SymmetricMatrix& matrix) {
     return refactorise(matrix);
 }
 
-Result<void> SparseCholesky::analyse(const SymmetricMatrix& pattern) {
+Result<void> SparseCholesky::analyse(const SymmetricMatrix& pattern, std::vector<int> order) {
     cholmod_common& common = state_->workspace.common;
     cholmod_free_factor(&state_->factor, &common);
     cholmod_sparse view = viewOf(pattern);
-    state_->factor = cholmod_analyze(&view, &common);
+    common.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
+    state_->factor =
+        cholmod_analyze_p(&view, order.empty() ? nullptr : order.data(), nullptr, 0, &common);
     if (state_->factor == nullptr) {
         return Error{ErrorCode::OutOfMemory, "", "ordering"};
     }

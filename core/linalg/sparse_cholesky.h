@@ -57,8 +57,9 @@ public:
 
     /// Orders the unknowns by minimum degree [ADD04] and lays out the factor; values are not looked
     /// at.
+    /// @param order  the unknowns in the order of their elimination, where that is known better
     /// Errors: OutOfMemory. Cost: a fifth to a third of a factorisation.
-    Result<void> analyse(const SymmetricMatrix& pattern);
+    Result<void> analyse(const SymmetricMatrix& pattern, std::vector<int> order = {});
 
     /// Factorises values in the pattern last given to `analyse` or `factorise`.
     /// Precondition: one of them was called with this pattern, and had the memory.

@@ -39,7 +39,7 @@ Result<ConformalInterior> ConformalInterior::make(const Piece& piece, const Prog
     ConformalInterior interior(piece);
     auto system =
         InteriorSystem::make({piece.table.edges, cotangentWeights(piece.mesh, piece.table)},
-                             static_cast<int>(piece.mesh.V.rows()), piece.boundary, progress);
+                             piece.mesh.V, piece.boundary, progress);
     if (!system && system.error().code == ErrorCode::FactorisationFailed) {
         auto other = interior.withDelaunayWeights(progress);
         if (!other && other.error().code == ErrorCode::FactorisationFailed) {
@@ -74,9 +74,8 @@ Result<ConformalInterior> ConformalInterior::withDelaunayWeights(const Progress&
     if (delaunay->flips == 0) {
         return Error{ErrorCode::FactorisationFailed, "", "the mesh is Delaunay"};
     }
-    auto system =
-        InteriorSystem::make(std::move(delaunay->graph), static_cast<int>(piece_->mesh.V.rows()),
-                             piece_->boundary, progress);
+    auto system = InteriorSystem::make(std::move(delaunay->graph), piece_->mesh.V, piece_->boundary,
+                                       progress);
     return withOther(std::move(system), delaunay->flips);
 }
 
@@ -91,9 +90,8 @@ Result<ConformalInterior> ConformalInterior::withDelaunayWeightsAround(
     if (delaunay->flips == 0) {
         return Error{ErrorCode::FactorisationFailed, "", "the triangles are Delaunay"};
     }
-    auto system =
-        InteriorSystem::make(std::move(delaunay->graph), static_cast<int>(piece_->mesh.V.rows()),
-                             piece_->boundary, progress);
+    auto system = InteriorSystem::make(std::move(delaunay->graph), piece_->mesh.V, piece_->boundary,
+                                       progress);
     return withOther(std::move(system), delaunay->flips);
 }
 

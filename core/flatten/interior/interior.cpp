@@ -3,10 +3,13 @@
 
 #include <utility>
 
+#include "core/linalg/elimination_order.h"
 #include "core/mesh/cotangents.h"
 
 namespace toile {
 namespace {
+
+constexpr int kDissected = 200000;  ///< so many unknowns are worth an order of our own
 
 /// Laplacian of the interior vertices. The edges are sorted as a symmetric matrix is, and
 /// numbering the interior in vertex order keeps that, so the matrix is written in one pass.
@@ -53,9 +56,10 @@ SymmetricMatrix interiorLaplacian(const WeightedEdges& graph, const std::vector<
 
 }  // namespace
 
-Result<InteriorSystem> InteriorSystem::make(WeightedEdges graph, int vertexCount,
+Result<InteriorSystem> InteriorSystem::make(WeightedEdges graph, const Points3& V,
                                             const std::vector<int>& boundary,
                                             const Progress& progress) {
+    const auto vertexCount = static_cast<int>(V.rows());
     InteriorSystem system;
     system.graph_ = std::move(graph);
     system.boundary_ = boundary;
@@ -72,20 +76,24 @@ Result<InteriorSystem> InteriorSystem::make(WeightedEdges graph, int vertexCount
     if (system.interior_.empty()) {
         return system;
     }
-    const auto factorised = system.factorise(progress);
+    const auto factorised = system.factorise(V, progress);
     if (!factorised) {
         return factorised.error();
     }
     return system;
 }
 
-Result<void> InteriorSystem::factorise(const Progress& progress) {
+Result<void> InteriorSystem::factorise(const Points3& V, const Progress& progress) {
     const SymmetricMatrix L = interiorLaplacian(graph_, interiorIndex_, interior_.size());
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, "", ""};
     }
     progress.step();
-    if (const auto analysed = cholesky_.analyse(L); !analysed) {
+    std::vector<int> order;
+    if (L.size >= kDissected) {
+        order = eliminationOrder(L, V(interior_, Eigen::all));
+    }
+    if (const auto analysed = cholesky_.analyse(L, std::move(order)); !analysed) {
         return analysed.error();
     }
     if (progress.isCancelled()) {
@@ -167,13 +175,14 @@ Eigen::MatrixXd InteriorSystem::apply(const Eigen::MatrixXd& u) const {
 Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
                              const std::vector<int>& boundary, const Points2& outline,
                              const Progress& progress) {
-    return fillInterior({table.edges, cotangentWeights(mesh, table)},
-                        static_cast<int>(mesh.V.rows()), boundary, outline, progress);
+    return fillInterior({table.edges, cotangentWeights(mesh, table)}, mesh.V, boundary, outline,
+                        progress);
 }
 
-Result<Points2> fillInterior(WeightedEdges graph, int vertexCount, const std::vector<int>& boundary,
-                             const Points2& outline, const Progress& progress) {
-    const auto system = InteriorSystem::make(std::move(graph), vertexCount, boundary, progress);
+Result<Points2> fillInterior(WeightedEdges graph, const Points3& V,
+                             const std::vector<int>& boundary, const Points2& outline,
+                             const Progress& progress) {
+    const auto system = InteriorSystem::make(std::move(graph), V, boundary, progress);
     if (!system) {
         return system.error();
     }

@@ -17,9 +17,10 @@ namespace toile {
 /// threads may solve with it.
 class InteriorSystem {
 public:
-    /// @param boundary  the loop of held vertices  @param vertexCount  all vertices, #V
+    /// @param V  where the vertices lie: large systems are ordered by it
+    /// @param boundary  the loop of held vertices
     /// Errors: FactorisationFailed, OutOfMemory, Cancelled. Cost: one factorisation.
-    static Result<InteriorSystem> make(WeightedEdges graph, int vertexCount,
+    static Result<InteriorSystem> make(WeightedEdges graph, const Points3& V,
                                        const std::vector<int>& boundary, const Progress& progress);
 
     const WeightedEdges& graph() const { return graph_; }
@@ -37,7 +38,7 @@ public:
     Eigen::MatrixXd apply(const Eigen::MatrixXd& u) const;
 
 private:
-    Result<void> factorise(const Progress& progress);
+    Result<void> factorise(const Points3& V, const Progress& progress);
     Eigen::MatrixXd boundaryTerms(const Eigen::MatrixXd& onBoundary) const;
 
     WeightedEdges graph_;
@@ -57,7 +58,8 @@ Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
                              const std::vector<int>& boundary, const Points2& outline,
                              const Progress& progress);
 /// The same by other weights.
-Result<Points2> fillInterior(WeightedEdges graph, int vertexCount, const std::vector<int>& boundary,
-                             const Points2& outline, const Progress& progress);
+Result<Points2> fillInterior(WeightedEdges graph, const Points3& V,
+                             const std::vector<int>& boundary, const Points2& outline,
+                             const Progress& progress);
 
 }  // namespace toile

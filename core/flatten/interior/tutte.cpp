@@ -14,7 +14,7 @@ Result<Points2> tutteOnCircle(const Piece& piece, const Progress& progress) {
         return outline.error();
     }
     return fillInterior({piece.table.edges, Eigen::VectorXd::Ones(piece.table.edges.rows())},
-                        static_cast<int>(piece.mesh.V.rows()), piece.boundary, *outline, progress);
+                        piece.mesh.V, piece.boundary, *outline, progress);
 }
 
 }  // namespace toile

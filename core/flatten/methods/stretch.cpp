@@ -92,10 +92,10 @@ public:
     }
 
     Result<Points2> solve(const Points2& outline, const Progress& progress) const {
-        const auto vertexCount = static_cast<int>(piece_->mesh.V.rows());
-        return symmetric_ ? fillInterior({graph_.edges, graph_.weights.col(0)}, vertexCount,
+        return symmetric_ ? fillInterior({graph_.edges, graph_.weights.col(0)}, piece_->mesh.V,
                                          piece_->boundary, outline, progress)
-                          : solveDirected(graph_, vertexCount, piece_->boundary, outline, progress);
+                          : solveDirected(graph_, static_cast<int>(piece_->mesh.V.rows()),
+                                          piece_->boundary, outline, progress);
     }
 
 private:

@@ -47,8 +47,7 @@ Flips flipsByBoth(const Piece& piece, const Points2& Q) {
         outline.row(static_cast<Eigen::Index>(i)) = Q.row(piece.boundary[i]);
     }
     const auto placedWith = [&](const WeightedEdges& graph) -> Points2 {
-        auto system = InteriorSystem::make(graph, static_cast<int>(piece.mesh.V.rows()),
-                                           piece.boundary, Progress());
+        auto system = InteriorSystem::make(graph, piece.mesh.V, piece.boundary, Progress());
         return *system->extend(outline);
     };
     const auto flippedIn = [&piece](const Points2& points) {

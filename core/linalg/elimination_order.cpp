@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linalg/elimination_order.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <tuple>
+
+namespace toile {
+namespace {
+
+constexpr int kUndivided = 16;  ///< so many unknowns are eliminated as they come
+constexpr double kLongest = 4;  ///< what lies between the sides of n unknowns, as a part of sqrt(n)
+constexpr int kSmallest = 4000;  ///< where n is less it need not be looked at
+
+/// Each unknown's neighbours.
+class Neighbours {
+public:
+    explicit Neighbours(const SymmetricMatrix& pattern)
+        : start_(static_cast<std::size_t>(pattern.size) + 1, 0) {
+        forEachPair(pattern, [this](int i, int j) {
+            ++start_[i + 1];
+            ++start_[j + 1];
+        });
+        std::partial_sum(start_.begin(), start_.end(), start_.begin());
+        list_.resize(static_cast<std::size_t>(start_.back()));
+        std::vector<int> next(start_.begin(), start_.end() - 1);
+        forEachPair(pattern, [&](int i, int j) {
+            list_[next[i]++] = j;
+            list_[next[j]++] = i;
+        });
+    }
+
+    std::span<const int> of(int unknown) const {
+        return {list_.data() + start_[unknown], list_.data() + start_[unknown + 1]};
+    }
+
+private:
+    template <class Call>
+    static void forEachPair(const SymmetricMatrix& pattern, Call call) {
+        for (int j = 0; j < pattern.size; ++j) {
+            for (int k = pattern.columnStart[j] + 1; k < pattern.columnStart[j + 1]; ++k) {
+                call(pattern.row[k], j);
+            }
+        }
+    }
+
+    std::vector<int> start_, list_;
+};
+
+int longestAxis(std::span<const int> unknowns, const Places& places) {
+    Eigen::RowVector3d low = places.row(unknowns.front());
+    Eigen::RowVector3d high = low;
+    for (const int v : unknowns) {
+        low = low.cwiseMin(places.row(v));
+        high = high.cwiseMax(places.row(v));
+    }
+    int axis = 0;
+    (high - low).maxCoeff(&axis);
+    return axis;
+}
+
+}  // namespace
+
+std::vector<int> eliminationOrder(const SymmetricMatrix& pattern, const Places& places) {
+    const Neighbours neighbours(pattern);
+    std::vector<int> order(static_cast<std::size_t>(pattern.size));
+    std::iota(order.begin(), order.end(), 0);
+    std::vector<int> cut(order.size(), 0);  // the last one that an unknown was on the near side of
+    int cuts = 0;
+    std::vector<std::span<int>> left{order};
+    while (!left.empty()) {
+        const std::span<int> range = left.back();
+        left.pop_back();
+        if (range.size() <= kUndivided) {
+            continue;
+        }
+        const int axis = longestAxis(range, places);
+        const auto middle = range.begin() + static_cast<std::ptrdiff_t>(range.size() / 2);
+        std::nth_element(range.begin(), middle, range.end(), [&](int v, int w) {
+            return std::pair(places(v, axis), v) < std::pair(places(w, axis), w);
+        });
+        ++cuts;
+        std::for_each(range.begin(), middle, [&](int v) { cut[v] = cuts; });
+        const auto between = std::partition(middle, range.end(), [&](int v) {
+            return std::ranges::none_of(neighbours.of(v), [&](int w) { return cut[w] == cuts; });
+        });
+        if (range.size() > kSmallest &&
+            static_cast<double>(range.end() - between) > kLongest * std::sqrt(range.size())) {
+            return {};
+        }
+        left.emplace_back(range.begin(), middle);
+        left.emplace_back(middle, between);
+    }
+    return order;
+}
+
+}  // namespace toile
