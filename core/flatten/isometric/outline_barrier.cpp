@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/mesh/segment.h"
@@ -41,22 +40,25 @@ void forOverlaps(const std::vector<Box>& vertices, const std::vector<Box>& edges
     }
     const Eigen::Array2d size = whole.high - whole.low;
     const int axis = size[0] >= size[1] ? 0 : 1;
-    // Vertices are numbered 0 .. n-1, edges n .. 2n-1.
-    const auto box = [&](int k) -> const Box& { return k < n ? vertices[k] : edges[k - n]; };
-    std::vector<int> order(2 * static_cast<std::size_t>(n));
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-        return std::pair(box(a).low[axis], a) < std::pair(box(b).low[axis], b);
+    // Vertices are numbered 0 .. n-1, edges n .. 2n-1. What the sweep looks at lies side by side.
+    struct Item {
+        double low, high, lowAcross, highAcross;
+        int number;
+    };
+    std::vector<Item> items(2 * static_cast<std::size_t>(n));
+    for (int k = 0; k < 2 * n; ++k) {
+        const Box& box = k < n ? vertices[k] : edges[k - n];
+        items[k] = {box.low[axis], box.high[axis], box.low[1 - axis], box.high[1 - axis], k};
+    }
+    std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+        return std::pair(a.low, a.number) < std::pair(b.low, b.number);
     });
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const Box& one = box(order[k]);
-        for (std::size_t m = k + 1; m < order.size() && box(order[m]).low[axis] <= one.high[axis];
-             ++m) {
-            const bool mixed = (order[k] < n) != (order[m] < n);
-            const Box& other = box(order[m]);
-            if (mixed && one.low[1 - axis] <= other.high[1 - axis] &&
-                other.low[1 - axis] <= one.high[1 - axis]) {
-                meet(std::min(order[k], order[m]), std::max(order[k], order[m]) - n);
+    for (auto one = items.begin(); one != items.end(); ++one) {
+        for (auto other = one + 1; other != items.end() && other->low <= one->high; ++other) {
+            if (one->lowAcross <= other->highAcross && other->lowAcross <= one->highAcross &&
+                (one->number < n) != (other->number < n)) {
+                meet(std::min(one->number, other->number),
+                     std::max(one->number, other->number) - n);
             }
         }
     }
