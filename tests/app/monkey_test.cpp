@@ -121,7 +121,9 @@ class MonkeyTest : public QObject {
 
     void undoEverything() {
         window().tools().current().cancel();
-        workspace().jobs().cancel();
+        if (workspace().canUndo()) {  // who cancels at the start itself gets nothing flat there
+            workspace().jobs().cancel();
+        }
         QVERIFY(settle());
         while (workspace().canUndo()) {
             workspace().undo();
