@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -32,6 +33,9 @@ constexpr int kRoundsForFew = 15000;
 /// exact ones would be.
 constexpr double kRoughSteps = 0.2;
 constexpr int kMostSteppedApart = 40;  // with the outline held apart
+/// Crossings for each edge of the outline beyond which no simple outline is near: two sides that
+/// cross from end to end do so about once an edge.
+constexpr int kMostCrossingsEach = 10;
 
 /// Where the descent begins: at the conformal result, which is the best start, unless it has flips
 /// (its energy is infinite then) or triangles squeezed to almost nothing. Then Tutte's embedding on
@@ -130,7 +134,9 @@ Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece fla
     bool isSimple = true;
     if (const int crossings = outlineCrossings(flat.Q, piece.boundary); crossings > 0) {
         isSimple = false;
-        if (auto simple = uncross(piece, lowest, descent, carried, progress)) {
+        const bool mayBeNear = crossings <= kMostCrossingsEach * std::ssize(piece.boundary);
+        auto simple = mayBeNear ? uncross(piece, lowest, descent, carried, progress) : std::nullopt;
+        if (simple) {
             flat.notes.push_back(uncrossedNote(piece, crossings));
             flat.interiorIterations += simple->iterations;
             flat.Q = std::move(simple->Q);

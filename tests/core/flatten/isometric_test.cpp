@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
+#include "core/quality/outline_crossings.h"
 #include "tests/core/support/flat_trouble.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
@@ -188,6 +190,27 @@ TEST(Isometric, DoesNotForceAFlounceApart) {
     EXPECT_NEAR(*result.quality.symmetricDirichlet, 1, 1e-9);
     EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-11);
     expectImmersed(*piece, result.flat.Q);
+}
+
+/// A fan over random corners unrolls exactly, and lies on itself in hundreds of layers. No simple
+/// outline is anywhere near: the hundreds of steps of looking for one are saved.
+TEST(Isometric, DoesNotLookForAWayOutOfAKnot) {
+    constexpr int kCorners = 300;
+    std::mt19937 random(5);
+    MeshArrays fan{{kCorners, 3}, {kCorners - 2, 3}};
+    for (double& coordinate : fan.V.reshaped()) {
+        coordinate = std::uniform_real_distribution<double>(0, 100)(random);
+    }
+    for (int f = 0; f < kCorners - 2; ++f) {
+        fan.F.row(f) << 0, f + 1, f + 2;
+    }
+    const auto piece = test::asPiece(std::move(fan));
+    Progress progress;
+    const auto flat = flatten(*piece, solvedBy(Method::Isometric), progress);
+    ASSERT_TRUE(flat) << sentence(flat.error());
+    EXPECT_GT(outlineCrossings(flat->Q, piece->boundary), 10 * kCorners);
+    constexpr int kFew = 20;
+    EXPECT_LT(progress.fraction(), 1 - std::pow(0.9, kFew));
 }
 
 /// Distortions an independent prototype reached, with the margin asked for.
