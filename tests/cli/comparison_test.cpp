@@ -160,6 +160,15 @@ TEST(ComparisonPage, IsComparedToRoundingAndWithoutTimes) {
     EXPECT_NE(with("`lscm`", "`abf`"), "");
     EXPECT_NE(with("time ms", "flips"), "");
     EXPECT_NE(with("Nearer: lscm", "Nearer: abf"), "");
+
+    const std::string head = "| method | SD | flips |\n|---|--:|--:|\n";
+    const auto differ = [&head](const std::string& ours, const std::string& theirs) {
+        return test::differingFigures(head + ours, head + theirs);
+    };
+    EXPECT_EQ(differ("| `lscm` | - | 1 |\n", "| `lscm` | 1.4e+23 | 0 |\n"), "");
+    EXPECT_NE(differ("| `lscm` | - | 1 |\n", "| `lscm` | 8.0864 | 0 |\n"), "");
+    EXPECT_NE(differ("| `lscm` | - | 3 |\n", "| `lscm` | 1.4e+23 | 0 |\n"), "");
+    EXPECT_NE(differ("| `lscm` | 8.0864 | 1 |\n", "| `lscm` | 8.0864 | 0 |\n"), "");
 }
 
 }  // namespace

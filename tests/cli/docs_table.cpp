@@ -23,6 +23,9 @@ constexpr double kExact = 1e-9;
 constexpr double kRelative = 5e-3;
 /// A triangle of hardly any area may turn over by that.
 constexpr double kOfCounts = 0.02;
+/// An energy of this much is that of triangles collapsed to rounding. Which of them count as
+/// flipped, and the energy is none then, rounding decides.
+constexpr double kCollapsed = 1e12;
 
 /// What stands between the markers now; nothing, with a failure, where the page has no such place.
 /// With TOILE_UPDATE_DOCS in the environment the table is written there instead.
@@ -90,6 +93,26 @@ bool sameNumber(const Printed& a, const Printed& b, bool inTable) {
     return size < kExact || difference <= kRelative * size + last;
 }
 
+/// What a cell holds, without the spaces around it.
+std::string firstWord(const std::string& cell) {
+    const auto word = cell.find_first_not_of(' ');
+    return word == std::string::npos ? "" : cell.substr(word, cell.find(' ', word) - word);
+}
+
+bool isCollapsed(const std::string& cell) {
+    const std::string word = firstWord(cell);
+    const auto number = printedNumber(word);
+    return word == "-" || (number && number->value >= kCollapsed);
+}
+
+/// Cells of rows with triangles collapsed to rounding: their energies, and their counts.
+bool sameCollapsed(const std::string& x, const std::string& y) {
+    const auto p = printedNumber(firstWord(x));
+    const auto q = printedNumber(firstWord(y));
+    return (isCollapsed(x) && isCollapsed(y)) ||
+           (p && q && p->isCount && q->isCount && std::abs(p->value - q->value) <= 1);
+}
+
 /// Words alike, numbers nearly. Brackets, commas and the full stop at the end are no part of them.
 bool sameWords(const std::string& a, const std::string& b, bool inTable) {
     const auto words = [](const std::string& text) {
@@ -142,9 +165,12 @@ std::string differingFigures(const std::string& ours, const std::string& theirs)
             head = x;
         }
         bool same = x.size() == y.size();
+        const bool collapsed =
+            inTable && std::ranges::any_of(x, isCollapsed) && std::ranges::any_of(y, isCollapsed);
         for (std::size_t k = 0; same && k < x.size(); ++k) {
             const bool isTime = k < head.size() && head[k].find("time") != std::string::npos;
-            same = (isTime && x != head) || sameWords(x[k], y[k], inTable);
+            same = (isTime && x != head) || sameWords(x[k], y[k], inTable) ||
+                   (collapsed && sameCollapsed(x[k], y[k]));
         }
         if (!same) {
             return a[line] + "\n" + b[line] + "\n";

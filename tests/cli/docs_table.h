@@ -18,7 +18,7 @@ void expectFiguresInDocs(const std::string& page, const std::string& name,
 /// The first two lines that differ by more than rounding on another machine explains, or nothing.
 /// Columns whose head speaks of time are left out; numbers with decimals may differ by half a
 /// percent and one in the last digit, and below 1e-9 they are all alike; counts in a table by two
-/// percent or one, but not from zero.
+/// percent or one, but from zero only in a row with an energy that is none or beyond 1e12.
 std::string differingFigures(const std::string& ours, const std::string& theirs);
 
 }  // namespace toile::test
