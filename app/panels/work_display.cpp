@@ -34,6 +34,10 @@ WorkDisplay::WorkDisplay(std::vector<JobRunner*> runners, QAction& cancel, QWidg
     hide();
     for (JobRunner* runner : runners_) {
         connect(runner, &JobRunner::started, this, &WorkDisplay::showJob);
+        // Later: a progress bar paints the window as it is set, the views with it, and a job may
+        // start while some of these have yet to hear what changed.
+        connect(runner, &JobRunner::started, this, &WorkDisplay::showFraction,
+                Qt::QueuedConnection);
         connect(runner, &JobRunner::idle, this, &WorkDisplay::showJob);
         connect(runner, &JobRunner::progressed, this, &WorkDisplay::showFraction);
     }
@@ -49,7 +53,6 @@ void WorkDisplay::showJob() {
     const JobRunner* runner = busy();
     if (runner) {
         task_->setText(runner->title());
-        showFraction();
     }
     setVisible(runner != nullptr);
 }

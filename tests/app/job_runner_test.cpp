@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/job_runner.h"
 
+#include <QAction>
+#include <QHBoxLayout>
+#include <QProgressBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
@@ -13,6 +16,7 @@
 
 #include "app/document/document.h"
 #include "app/jobs/garment_jobs.h"
+#include "app/panels/work_display.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 
@@ -33,6 +37,14 @@ public:
     bool isCancellable() const override { return cancellable; }
     Result<void> process(Progress& progress) override { return work(progress); }
     void finalize() override { done(); }
+};
+
+class Canvas : public QWidget {
+public:
+    bool mayBePainted = true, wasPaintedTooSoon = false;
+
+protected:
+    void paintEvent(QPaintEvent*) override { wasPaintedTooSoon |= !mayBePainted; }
 };
 
 Result<void> untilCancelled(Progress& progress) {
@@ -63,6 +75,46 @@ private slots:
         QVERIFY(worked && worked != here);
         QCOMPARE(finished, here);
         QVERIFY(!runner.isBusy());
+    }
+
+    /// A progress bar paints the window as it is set. Where a job starts while a change is still
+    /// being told, the views would paint what is no more.
+    void aJobThatStartsDoesNotPaint() {
+        Document document;
+        JobRunner runner(document);
+        QWidget window;
+        auto* canvas = new Canvas;
+        canvas->setMinimumSize(50, 50);
+        connect(&runner, &JobRunner::started, canvas, [canvas] {
+            canvas->mayBePainted = false;
+            canvas->update();
+        });
+        QAction cancel;
+        auto* row = new QHBoxLayout(&window);
+        row->addWidget(canvas);
+        row->addWidget(new WorkDisplay({&runner}, cancel));
+        connect(&runner, &JobRunner::started, canvas, [canvas] { canvas->mayBePainted = true; });
+        window.show();
+        std::atomic<bool> seen = false;
+        auto first = std::make_unique<TestJob>();
+        first->work = [&seen](Progress& progress) {
+            progress.report(0.5);
+            while (!seen) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+            return Result<void>();
+        };
+        auto second = std::make_unique<TestJob>();
+        second->work = untilCancelled;
+        runner.start(std::move(first));
+        runner.start(std::move(second));
+        const auto* bar = window.findChild<QProgressBar*>("progress");
+        QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && 2 * bar->value() == bar->maximum(),
+                                 test::kPatience);
+        seen = true;
+        QTRY_COMPARE_WITH_TIMEOUT(bar->value(), 0, test::kPatience);
+        QVERIFY(bar->isVisible());
+        QVERIFY(!canvas->wasPaintedTooSoon);
     }
 
     void reportsProgressWhileTheWorkerWorks() {

@@ -6,6 +6,9 @@
 #include <csignal>
 #include <cstdio>
 
+#include <execinfo.h>
+#include <unistd.h>
+
 #include "app/actions/project_actions.h"
 #include "app/actions/recovery.h"
 #include "app/platform_choice.h"
@@ -45,6 +48,9 @@ void tellWhatItDid() {
 
 void onCrash(int number) {
     std::signal(number, SIG_DFL);
+    constexpr int kMostFrames = 60;
+    void* frames[kMostFrames];
+    backtrace_symbols_fd(frames, backtrace(frames, kMostFrames), STDERR_FILENO);
     tellWhatItDid();
     std::raise(number);
 }
