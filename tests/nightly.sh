@@ -60,10 +60,7 @@ step_large() {
     python3 tests/large_mesh.py panel 1000000 >"$work/panel.obj" &&
         python3 tests/large_mesh.py star 100000 >"$work/star.obj" || return
     within 60 2 flatten "$work/panel.obj" --unit mm -o "$work/panel.svg" -o "$work/panel.json" &&
-        within 10 1 flatten "$work/star.obj" --unit mm -o "$work/star.svg" &&
-        if ctest --preset ci -N -L nightly | grep -q 'Total Tests: [1-9]'; then
-            ctest --preset ci -L nightly
-        fi
+        within 10 1 flatten "$work/star.obj" --unit mm -o "$work/star.svg"
 }
 
 # Runs the program, that is to end with 0 within so many seconds of processor time and GiB.
@@ -74,7 +71,7 @@ within() {
 }
 
 step_clock() {
-    build ci -DTOILE_TESTS=ON && ctest --preset ci -L 'clock|speed' --parallel 1
+    build ci -DTOILE_TESTS=ON && ctest --preset ci -L nightly --parallel 1
 }
 
 step_bench() { tests/bench/run.sh --no-slow-peers; }
