@@ -25,16 +25,14 @@ void print(const ComparisonTable& compared, std::ostream& out) {
 void printText(const Garment& garment, const Comparison& comparison, bool perPiece,
                std::ostream& out) {
     printCuts(garment, out);
-    print(comparisonTable(garment, comparison), out);
-    const std::string sentence = nearerSentence(comparison);
-    if (!sentence.empty()) {
+    const auto tables = comparisonTables(garment, comparison, perPiece);
+    print(tables.front(), out);
+    if (const std::string sentence = nearerSentence(comparison); !sentence.empty()) {
         out << sentence << '\n';
     }
-    if (perPiece) {
-        for (const ComparisonTable& table : pieceComparisonTables(garment, comparison)) {
-            out << '\n';
-            print(table, out);
-        }
+    for (std::size_t k = 1; k < tables.size(); ++k) {
+        out << '\n';
+        print(tables[k], out);
     }
 }
 

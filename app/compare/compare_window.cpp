@@ -8,8 +8,7 @@
 #include <algorithm>
 
 #include "app/compare/compared_column.h"
-#include "app/compare/comparison_model.h"
-#include "app/compare/comparison_view.h"
+#include "app/compare/figure_table.h"
 #include "app/document/document.h"
 #include "app/render/gl_support.h"
 #include "app/render/overlay_values.h"
@@ -42,13 +41,11 @@ CompareWindow::CompareWindow(Document& document, const JobRunner& ordinary, QWid
       controls_(new CompareControls(this)),
       pictures_(new QWidget(this)),
       legend_(new ColourBar(this)),
-      model_(new ComparisonModel(this)),
-      table_(new ComparisonView(this)),
+      table_(new FigureTable(this)),
       note_(new QLabel(this)) {
     setObjectName("compareWindow");
     setWindowTitle(tr("Compare methods"));
     setSizeGripEnabled(true);
-    table_->setModel(model_);
     makeLayout(glProblem());
     connect(controls_, &CompareControls::pieceChosen, &comparison_, &MethodComparison::setPiece);
     connect(controls_, &CompareControls::methodsChosen, this, [this] {
@@ -184,7 +181,7 @@ void CompareWindow::refresh() {
     }
     controls_->setPieces(names, comparison_.piece());
     controls_->showWork(comparison_.isBusy(), comparison_.isStopped(), comparison_.fraction());
-    model_->show(comparison_.entries());
+    table_->setEntries(comparison_.entries());
     showPictures();
 }
 

@@ -14,8 +14,7 @@ namespace toile {
 
 class ColourBar;
 class ComparedColumn;
-class ComparisonModel;
-class ComparisonView;
+class FigureTable;
 struct PictureLook;
 
 /// One piece by up to four methods, side by side: pictures of one scale under one colour bar, and a
@@ -57,8 +56,7 @@ private:
     std::array<ComparedColumn*, kMostCompared> columns_{};
     QWidget* pictures_;
     ColourBar* legend_;
-    ComparisonModel* model_;
-    ComparisonView* table_;
+    FigureTable* table_;
     QLabel* note_;
     bool isChosen_ = false;  ///< the methods, by the person
 };

@@ -10,10 +10,6 @@
 namespace toile {
 namespace {
 
-std::optional<double> finite(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
 ComparedFigures figuresOf(const PieceResult& result) {
     ComparedFigures figures;
     figures.pieces = 1;
@@ -22,17 +18,23 @@ ComparedFigures figuresOf(const PieceResult& result) {
         return figures;
     }
     const PieceQuality& q = *result.quality;
-    figures.seconds = result.flat->boundarySeconds + result.flat->interiorSeconds;
-    figures.piTheta = finite(q.piTheta);
-    figures.piE = finite(q.piE);
-    figures.piA = finite(q.piA);
-    figures.symmetricDirichlet = finite(q.symmetricDirichlet);
-    figures.maxBoundaryLengthError = finite(q.maxBoundaryLengthError);
-    figures.flippedTriangles = q.flippedTriangles;
-    figures.outlineCrossings = q.outlineCrossings;
+    figures[Criterion::Seconds] = result.flat->boundarySeconds + result.flat->interiorSeconds;
+    figures[Criterion::PiTheta] = q.piTheta;
+    figures[Criterion::PiE] = q.piE;
+    figures[Criterion::PiA] = q.piA;
+    figures[Criterion::SymmetricDirichlet] = q.symmetricDirichlet;
+    figures[Criterion::LengthError] = q.maxBoundaryLengthError;
+    figures[Criterion::FlippedTriangles] = q.flippedTriangles;
+    figures[Criterion::OutlineCrossings] = q.outlineCrossings;
+    figures[Criterion::StrainMean] = q.strainMeanAbs;
+    figures[Criterion::StrainMax] = q.strainMax;
+    figures[Criterion::StrainMin] = q.strainMin;
     if (q.reference) {
         figures.referencedPieces = 1;
-        figures.referenceRms = q.reference->rms;
+        figures[Criterion::ReferenceRms] = q.reference->rms;
+    }
+    for (std::optional<double>& value : figures.values) {
+        value = value && std::isfinite(*value) ? value : std::nullopt;
     }
     return figures;
 }
@@ -50,67 +52,48 @@ std::optional<double> mismatchOf(const Garment& garment, const PieceResults& res
     return measure && isSewn ? std::optional(std::abs(measure->errorMm)) : std::nullopt;
 }
 
-/// Notes the mismatch of every seam at the garment and at the pieces that it joins.
+/// Notes the mismatch of every seam at the pieces that it joins.
 void measureSeams(const Garment& garment, ComparedMethod& method) {
     for (std::size_t k = 0; k < garment.seams.seams.size(); ++k) {
         const Seam& seam = garment.seams.seams[k];
         if (const auto mismatch = mismatchOf(garment, method.results, k)) {
-            takeLargest(method.figures.seamMismatch, *mismatch);
-            takeLargest(method.pieceFigures[seam.left.piece].seamMismatch, *mismatch);
-            takeLargest(method.pieceFigures[seam.right.piece].seamMismatch, *mismatch);
+            takeLargest(method.pieceFigures[seam.left.piece][Criterion::SeamMismatch], *mismatch);
+            takeLargest(method.pieceFigures[seam.right.piece][Criterion::SeamMismatch], *mismatch);
         }
     }
 }
 
-/// A weighted mean that one missing value spoils.
-class Mean {
-public:
-    void add(const std::optional<double>& value, double weight) {
-        complete_ = complete_ && value;
-        sum_ += weight * value.value_or(0);
-        weights_ += weight;
+/// One figure of the whole garment, of the pieces that are flat.
+std::optional<double> aggregated(const CriterionTraits& criterion, const ComparedMethod& method) {
+    if (criterion.aggregate == Aggregate::PieceOnly) {
+        return std::nullopt;
     }
-
-    std::optional<double> value() const {
-        return complete_ && weights_ > 0 ? std::optional(sum_ / weights_) : std::nullopt;
-    }
-
-private:
-    double sum_ = 0, weights_ = 0;
-    bool complete_ = true;
-};
-
-void aggregate(ComparedMethod& method) {
-    ComparedFigures& whole = method.figures;
-    Mean piTheta, piE, piA, dirichlet, rms;
+    const bool isByArea = criterion.aggregate == Aggregate::MeanByArea ||
+                          criterion.aggregate == Aggregate::KnownByArea;
+    const bool isSpoiled =  // by a piece that has none
+        criterion.aggregate == Aggregate::Mean || criterion.aggregate == Aggregate::MeanByArea;
+    double sum = 0, weights = 0;
+    std::optional<double> largest;
     for (std::size_t k = 0; k < method.results.size(); ++k) {
-        const ComparedFigures& piece = method.pieceFigures[k];
-        ++whole.pieces;
-        whole.failed += piece.failed;
-        if (piece.failed > 0) {
+        const std::optional<double>& value = method.pieceFigures[k][criterion.criterion];
+        if (method.pieceFigures[k].failed > 0 || (!value && !isSpoiled)) {
             continue;
         }
-        const double area = method.results[k]->quality->area3d;
-        whole.seconds += piece.seconds;
-        piTheta.add(piece.piTheta, 1);
-        piE.add(piece.piE, 1);
-        piA.add(piece.piA, 1);
-        dirichlet.add(piece.symmetricDirichlet, area);
-        if (piece.maxBoundaryLengthError) {
-            takeLargest(whole.maxBoundaryLengthError, *piece.maxBoundaryLengthError);
+        if (!value) {
+            return std::nullopt;
         }
-        whole.flippedTriangles += piece.flippedTriangles;
-        whole.outlineCrossings += piece.outlineCrossings;
-        whole.referencedPieces += piece.referencedPieces;
-        if (piece.referenceRms) {
-            rms.add(piece.referenceRms, area);
-        }
+        const double weight = isByArea ? method.results[k]->quality->area3d : 1;
+        sum += weight * *value;
+        weights += weight;
+        takeLargest(largest, *value);
     }
-    whole.piTheta = piTheta.value();
-    whole.piE = piE.value();
-    whole.piA = piA.value();
-    whole.symmetricDirichlet = dirichlet.value();
-    whole.referenceRms = rms.value();
+    if (criterion.aggregate == Aggregate::Largest) {
+        return largest;
+    }
+    if (weights <= 0) {
+        return std::nullopt;
+    }
+    return criterion.aggregate == Aggregate::Sum ? sum : sum / weights;
 }
 
 /// Whether the method made the piece flat and the piece carries its designer's panel.
@@ -137,8 +120,15 @@ ComparedMethod compared(Method method, const Garment& garment, PieceResults resu
     for (const auto& result : made.results) {
         made.pieceFigures.push_back(figuresOf(*result));
     }
-    aggregate(made);
     measureSeams(garment, made);
+    for (const ComparedFigures& piece : made.pieceFigures) {
+        ++made.figures.pieces;
+        made.figures.failed += piece.failed;
+        made.figures.referencedPieces += piece.referencedPieces;
+    }
+    for (const CriterionTraits& criterion : allCriteria()) {
+        made.figures[criterion.criterion] = aggregated(criterion, made);
+    }
     return made;
 }
 
@@ -148,7 +138,7 @@ ComparedFigures comparedPiece(const Garment& garment, const PieceResults& result
         const Seam& seam = garment.seams.seams[k];
         if (seam.left.piece == piece || seam.right.piece == piece) {
             if (const auto mismatch = mismatchOf(garment, results, k)) {
-                takeLargest(figures.seamMismatch, *mismatch);
+                takeLargest(figures[Criterion::SeamMismatch], *mismatch);
             }
         }
     }
@@ -169,11 +159,13 @@ std::vector<int> sewnTo(const Garment& garment, int piece) {
 
 std::optional<NearerMethods> nearerThanLengthKeeping(const Comparison& comparison) {
     const auto& methods = comparison.methods;
-    const auto rms = [&methods](std::size_t k) { return *methods[k].figures.referenceRms; };
+    const auto rms = [&methods](std::size_t k) {
+        return *methods[k].figures[Criterion::ReferenceRms];
+    };
     std::optional<std::size_t> best;
     std::vector<std::size_t> nearer;
     for (std::size_t k = 0; k < methods.size(); ++k) {
-        if (!methods[k].figures.referenceRms || !hasAllPanels(methods[k], methods)) {
+        if (!methods[k].figures[Criterion::ReferenceRms] || !hasAllPanels(methods[k], methods)) {
             continue;
         }
         if (!traits(methods[k].method).keepsLengths) {

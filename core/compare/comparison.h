@@ -1,36 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
+#include "core/compare/criterion.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
 
 namespace toile {
 
-/// What one method makes of one piece, or of all pieces of a garment: the columns of [Wang05]
-/// Table 1 and what a pattern maker asks besides. Empty where there is nothing to measure, or where
-/// a figure is infinite.
+/// What one method makes of one piece, or of all pieces of a garment. A value is empty where there
+/// is nothing to measure, or where it is infinite.
 struct ComparedFigures {
-    int pieces = 0;  ///< that were tried
-    int failed = 0;  ///< that did not become flat; the other figures are of those that did
-    /// Of the solves alone, reading and measuring aside; total. Pieces run side by side, so the
-    /// clock may show less.
-    double seconds = 0;
-    std::optional<double> piTheta;  ///< radians; mean over pieces
-    std::optional<double> piE;      ///< mean over pieces
-    std::optional<double> piA;      ///< mean over pieces
-    /// Mean weighted by 3D area; nothing where one triangle is flipped or collapsed.
-    std::optional<double> symmetricDirichlet;
-    std::optional<double> maxBoundaryLengthError;  ///< a fraction; largest
-    int flippedTriangles = 0;                      ///< total
-    int outlineCrossings = 0;                      ///< total
-    /// Largest |error| of a seam whose two sides are flat, its ease taken out (SeamMeasure), mm.
-    std::optional<double> seamMismatch;
+    int pieces = 0;            ///< that were tried
+    int failed = 0;            ///< that did not become flat; the figures are of those that did
     int referencedPieces = 0;  ///< flat pieces that carry their designer's panel
-    /// Distance to the designer's panels (ReferenceFit), mm; mean over pieces weighted by 3D area.
-    std::optional<double> referenceRms;
+    std::array<std::optional<double>, kCriterionCount> values{};
+
+    std::optional<double>& operator[](Criterion criterion) {
+        return values[static_cast<std::size_t>(criterion)];
+    }
+    const std::optional<double>& operator[](Criterion criterion) const {
+        return values[static_cast<std::size_t>(criterion)];
+    }
 };
 
 /// One method's column in the comparison.

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+
 #include "core/base/text.h"
 #include "core/export/comparison_writer.h"
 
@@ -9,77 +12,55 @@ constexpr double kMillisecondsPerSecond = 1000;
 /// Above this an energy says only that the map is bad, and how many digits of it there are.
 constexpr double kLongNumber = 1000;
 
-std::string cell(const std::optional<double>& value, int decimals) {
+std::string decimal(double value, int decimals) {
+    return value < kLongNumber ? fixed(value, decimals) : scientific(value, 1);
+}
+
+std::string cell(const CriterionTraits& criterion, const ComparedFigures& figures) {
+    const std::optional<double>& value = figures[criterion.criterion];
     if (!value) {
         return "-";
     }
-    return *value < kLongNumber ? fixed(*value, decimals) : scientific(*value, 1);
+    switch (criterion.format) {
+        case FigureFormat::Seconds:
+            return fixed(kMillisecondsPerSecond * *value, 1);
+        case FigureFormat::LengthError:
+            return scientific(*value, 1);
+        case FigureFormat::Count:
+            return std::to_string(static_cast<int>(*value));
+        case FigureFormat::Millimetres:
+            return decimal(*value, 2);
+        case FigureFormat::Ratio:
+        case FigureFormat::SignedRatio:
+            break;
+    }
+    return decimal(*value, 4);
 }
 
-bool nothingFlat(const ComparedFigures& figures) {
-    return figures.failed == figures.pieces;
-}
-
-std::string count(const ComparedFigures& figures, int ComparedFigures::*member) {
-    return nothingFlat(figures) ? "-" : std::to_string(figures.*member);
-}
-
-struct Column {
-    const char* head;
-    std::string (*cell)(const ComparedFigures& figures);
-    bool (*isNeeded)(const ComparedFigures& figures);  ///< by one row at least
-};
-
-bool always(const ComparedFigures& /*figures*/) {
-    return true;
-}
-
-constexpr Column kColumns[] = {
-    {"time ms",
-     [](const ComparedFigures& f) {
-         return nothingFlat(f) ? "-" : fixed(kMillisecondsPerSecond * f.seconds, 1);
-     },
-     always},
-    {"Pi_theta", [](const ComparedFigures& f) { return cell(f.piTheta, 4); }, always},
-    {"Pi_E", [](const ComparedFigures& f) { return cell(f.piE, 4); }, always},
-    {"Pi_A", [](const ComparedFigures& f) { return cell(f.piA, 4); }, always},
-    {"SD", [](const ComparedFigures& f) { return cell(f.symmetricDirichlet, 4); }, always},
-    {"length error",
-     [](const ComparedFigures& f) {
-         return f.maxBoundaryLengthError ? scientific(*f.maxBoundaryLengthError, 1) : "-";
-     },
-     always},
-    {"flips", [](const ComparedFigures& f) { return count(f, &ComparedFigures::flippedTriangles); },
-     always},
-    {"crossings",
-     [](const ComparedFigures& f) { return count(f, &ComparedFigures::outlineCrossings); }, always},
-    {"seam mm", [](const ComparedFigures& f) { return cell(f.seamMismatch, 2); },
-     [](const ComparedFigures& f) { return f.seamMismatch.has_value(); }},
-    {"rms mm", [](const ComparedFigures& f) { return cell(f.referenceRms, 2); },
-     [](const ComparedFigures& f) { return f.referenceRms.has_value(); }},
-    {"failed", [](const ComparedFigures& f) { return std::to_string(f.failed); },
-     [](const ComparedFigures& f) { return f.failed > 0; }},
-};
-
-/// @param figures  of one method, for the table wanted
-template <class Figures>
-ComparisonTable makeTable(std::string title, const Comparison& comparison, const Figures& figures) {
+/// @param rows  the figures of each method, for the table wanted
+ComparisonTable makeTable(std::string title, const Comparison& comparison,
+                          const std::vector<const ComparedFigures*>& rows) {
     ComparisonTable table{std::move(title), {"method"}, {}};
     for (const ComparedMethod& method : comparison.methods) {
         table.rows.push_back({std::string(name(method.method))});
     }
-    for (const Column& column : kColumns) {
-        bool needed = false;
-        for (const ComparedMethod& method : comparison.methods) {
-            needed = needed || column.isNeeded(figures(method));
+    const auto addColumn = [&](std::string_view head, const auto& cellOf) {
+        table.head.emplace_back(head);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            table.rows[k].push_back(cellOf(*rows[k]));
         }
-        if (!needed) {
-            continue;
+    };
+    for (const CriterionTraits& criterion : allCriteria()) {
+        const bool isKnown = std::ranges::any_of(rows, [&](const ComparedFigures* row) {
+            return (*row)[criterion.criterion].has_value();
+        });
+        if (!criterion.head.empty() && (isKnown || !criterion.isOptional)) {
+            addColumn(criterion.head,
+                      [&](const ComparedFigures& row) { return cell(criterion, row); });
         }
-        table.head.emplace_back(column.head);
-        for (std::size_t k = 0; k < comparison.methods.size(); ++k) {
-            table.rows[k].push_back(column.cell(figures(comparison.methods[k])));
-        }
+    }
+    if (std::ranges::any_of(rows, [](const ComparedFigures* row) { return row->failed > 0; })) {
+        addColumn("failed", [](const ComparedFigures& row) { return std::to_string(row.failed); });
     }
     return table;
 }
@@ -137,22 +118,20 @@ void appendTable(std::string& out, const ComparisonTable& table) {
 
 }  // namespace
 
-ComparisonTable comparisonTable(const Garment& garment, const Comparison& comparison) {
-    return makeTable(
-        titleOf(garment), comparison,
-        [](const ComparedMethod& method) -> const ComparedFigures& { return method.figures; });
-}
-
-std::vector<ComparisonTable> pieceComparisonTables(const Garment& garment,
-                                                   const Comparison& comparison) {
-    std::vector<ComparisonTable> tables;
-    for (std::size_t k = 0; k < garment.pieces.size(); ++k) {
+std::vector<ComparisonTable> comparisonTables(const Garment& garment, const Comparison& comparison,
+                                              bool perPiece) {
+    std::vector<const ComparedFigures*> rows;
+    for (const ComparedMethod& method : comparison.methods) {
+        rows.push_back(&method.figures);
+    }
+    std::vector<ComparisonTable> tables{makeTable(titleOf(garment), comparison, rows)};
+    for (std::size_t k = 0; perPiece && k < garment.pieces.size(); ++k) {
         const Piece& piece = *garment.pieces[k];
+        for (std::size_t m = 0; m < rows.size(); ++m) {
+            rows[m] = &comparison.methods[m].pieceFigures[k];
+        }
         tables.push_back(makeTable(piece.name + ": " + counted(piece.mesh.F.rows(), "triangle"),
-                                   comparison,
-                                   [k](const ComparedMethod& method) -> const ComparedFigures& {
-                                       return method.pieceFigures[k];
-                                   }));
+                                   comparison, rows));
     }
     return tables;
 }
@@ -162,34 +141,34 @@ std::string nearerSentence(const Comparison& comparison) {
     if (!nearer) {
         return "";
     }
+    const auto rms = [](const ComparedMethod& method) {
+        return cell(traits(Criterion::ReferenceRms), method.figures);
+    };
     const ComparedMethod& kept = comparison.methods[nearer->lengthKeeping];
     std::string sentence = "nearer to the given panels than any method that keeps seam lengths: ";
     for (const std::size_t k : nearer->freeOutline) {
         const ComparedMethod& method = comparison.methods[k];
         const bool isFirst = k == nearer->freeOutline.front();
-        sentence += (isFirst ? "" : ", ") + std::string(name(method.method)) + " (" +
-                    cell(method.figures.referenceRms, 2);
-        sentence += isFirst ? " mm against " + cell(kept.figures.referenceRms, 2) + " of " +
-                                  std::string(name(kept.method)) + ")"
-                            : " mm)";
+        sentence += (isFirst ? "" : ", ") + std::string(name(method.method)) + " (" + rms(method);
+        sentence += isFirst
+                        ? " mm against " + rms(kept) + " of " + std::string(name(kept.method)) + ")"
+                        : " mm)";
     }
     return sentence;
 }
 
 std::string writeComparisonMarkdown(const Garment& garment, const Comparison& comparison,
                                     bool perPiece) {
-    std::string out;
-    appendTable(out, comparisonTable(garment, comparison));
     std::string sentence = nearerSentence(comparison);
     if (!sentence.empty()) {
         sentence.front() = 'N';
-        out += "\n" + sentence + ".\n";
+        sentence = "\n" + sentence + ".\n";
     }
-    if (perPiece) {
-        for (const ComparisonTable& table : pieceComparisonTables(garment, comparison)) {
-            out += "\n";
-            appendTable(out, table);
-        }
+    std::string out;
+    for (const ComparisonTable& table : comparisonTables(garment, comparison, perPiece)) {
+        out += out.empty() ? "" : "\n";
+        appendTable(out, table);
+        out += std::exchange(sentence, "");  // below the first
     }
     return out;
 }

@@ -9,19 +9,16 @@ namespace {
 
 constexpr int kComparisonVersion = 1;  // of the fields: grows when one changes its meaning or goes
 
-/// The figures that a garment and a piece share; null where nothing is flat.
+/// The figures that a garment and a piece share; null where there is none.
 void addFigures(Json& json, const ComparedFigures& figures) {
-    const bool flat = figures.failed < figures.pieces;
-    json["seconds"] = flat ? number(figures.seconds) : Json(nullptr);
-    json["pi_theta"] = number(figures.piTheta);
-    json["pi_e"] = number(figures.piE);
-    json["pi_a"] = number(figures.piA);
-    json["symmetric_dirichlet"] = number(figures.symmetricDirichlet);
-    json["max_boundary_length_error"] = number(figures.maxBoundaryLengthError);
-    json["flipped_triangles"] = flat ? Json(figures.flippedTriangles) : Json(nullptr);
-    json["outline_crossings"] = flat ? Json(figures.outlineCrossings) : Json(nullptr);
-    json["seam_mismatch_mm"] = number(figures.seamMismatch);
-    json["reference_rms_mm"] = number(figures.referenceRms);
+    for (const CriterionTraits& criterion : allCriteria()) {
+        if (!criterion.key.empty()) {
+            const std::optional<double>& value = figures[criterion.criterion];
+            const bool isCount = value && criterion.format == FigureFormat::Count;
+            json[std::string(criterion.key)] =
+                isCount ? Json(static_cast<int>(*value)) : number(value);
+        }
+    }
 }
 
 Json pieceJson(const PieceResult& result, const ComparedFigures& figures) {

@@ -10,18 +10,17 @@
 namespace toile {
 
 /// A comparison as people read it; every row is as long as the head. Cells are ASCII numbers in
-/// no locale, "-" where there is no figure. Columns in which nobody has a figure are left out.
+/// no locale, "-" where there is no figure. Columns in which nobody has a figure may be left out
+/// (CriterionTraits::isOptional).
 struct ComparisonTable {
     std::string title;  ///< the files, or one piece, and what is in there
     std::vector<std::string> head;
     std::vector<std::vector<std::string>> rows;  ///< one per method
 };
 
-/// What is compared over the whole garment.
-ComparisonTable comparisonTable(const Garment& garment, const Comparison& comparison);
-/// The same for each piece, in the garment's order.
-std::vector<ComparisonTable> pieceComparisonTables(const Garment& garment,
-                                                   const Comparison& comparison);
+/// What is compared over the whole garment, and then, if wanted, each piece in the garment's order.
+std::vector<ComparisonTable> comparisonTables(const Garment& garment, const Comparison& comparison,
+                                              bool perPiece);
 
 /// "nearer to the given panels than any method that keeps seam lengths: lscm (2.10 mm against 2.41
 /// of isometric)"; empty where that is not so.

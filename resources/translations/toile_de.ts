@@ -3305,6 +3305,86 @@
         <source>%1 of %2 mm at %3 mm, off by %4 of it</source>
         <translation>%1 von %2 mm bei %3 mm, um %4 ihrer Länge falsch</translation>
     </message>
+    <message>
+        <source>Mean strain, %</source>
+        <translation>Mittlere Dehnung, %</translation>
+    </message>
+    <message>
+        <source>How far the cloth must stretch or gather, on the mean of all edges of the mesh</source>
+        <translation>Wie weit sich der Stoff dehnen oder stauchen muss, im Mittel aller Netzkanten</translation>
+    </message>
+    <message>
+        <source>Most stretch, %</source>
+        <translation>Größte Dehnung, %</translation>
+    </message>
+    <message>
+        <source>The edge of the mesh that must stretch most to take its worn shape</source>
+        <translation>Die Netzkante, die sich am meisten dehnen muss, um ihre getragene Form anzunehmen</translation>
+    </message>
+    <message>
+        <source>Most surplus, %</source>
+        <translation>Größtes Zuviel, %</translation>
+    </message>
+    <message>
+        <source>The edge of the mesh that must gather most to take its worn shape</source>
+        <translation>Die Netzkante, die sich am meisten stauchen muss, um ihre getragene Form anzunehmen</translation>
+    </message>
+    <message>
+        <source>Seam Δ, %1</source>
+        <translation>Naht-Δ, %1</translation>
+    </message>
+    <message>
+        <source>The worst seam of this piece: by how much its two flat sides miss each other, the ease taken out</source>
+        <translation>Die schlechteste Naht dieses Schnittteils: wie weit ihre beiden flachen Seiten auseinanderliegen, ohne die Einhalteweite</translation>
+    </message>
+    <message>
+        <source>Outline length error, %</source>
+        <translation>Längenfehler des Umrisses, %</translation>
+    </message>
+    <message>
+        <source>The edge of the outline whose length has changed most</source>
+        <translation>Die Umrisskante, deren Länge sich am meisten geändert hat</translation>
+    </message>
+    <message>
+        <source>Area error, %</source>
+        <translation>Flächenfehler, %</translation>
+    </message>
+    <message>
+        <source>How much of the area has gone to other triangles: 0 where each has its share of the whole, as in the garment</source>
+        <translation>Wie viel der Fläche zu anderen Dreiecken gewandert ist: 0, wo jedes seinen Anteil am Ganzen hat wie im Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Flipped triangles</source>
+        <translation>Umgeklappte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles that are turned over: cloth cannot do that</source>
+        <translation>Umgeklappte Dreiecke: Stoff kann das nicht</translation>
+    </message>
+    <message>
+        <source>Outline crossings</source>
+        <translation>Kreuzungen des Umrisses</translation>
+    </message>
+    <message>
+        <source>Where the outline crosses itself</source>
+        <translation>Wo sich der Umriss selbst kreuzt</translation>
+    </message>
+    <message>
+        <source>Time, ms</source>
+        <translation>Zeit, ms</translation>
+    </message>
+    <message>
+        <source>What the solver took for this piece, when it solved it last</source>
+        <translation>Was der Löser zuletzt für dieses Schnittteil brauchte</translation>
+    </message>
+    <message>
+        <source>To the designer’s panel, %1</source>
+        <translation>Zum Schnittteil des Entwerfers, %1</translation>
+    </message>
+    <message>
+        <source>Distance to the panel that the file carries, laid on each other as well as may be; root mean square</source>
+        <translation>Abstand zum Schnittteil in der Datei, bestmöglich aufeinandergelegt; quadratisches Mittel</translation>
+    </message>
 </context>
 <context>
     <name>toile::Banner</name>
@@ -3437,107 +3517,6 @@
     <message>
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
-    </message>
-</context>
-<context>
-    <name>toile::Comparison</name>
-    <message>
-        <source>Mean strain, %</source>
-        <translation>Mittlere Dehnung, %</translation>
-    </message>
-    <message>
-        <source>How far the cloth must stretch or gather, on the mean of all edges of the mesh</source>
-        <translation>Wie weit sich der Stoff dehnen oder stauchen muss, im Mittel aller Netzkanten</translation>
-    </message>
-    <message>
-        <source>Most stretch, %</source>
-        <translation>Größte Dehnung, %</translation>
-    </message>
-    <message>
-        <source>The edge of the mesh that must stretch most to take its worn shape</source>
-        <translation>Die Netzkante, die sich am meisten dehnen muss, um ihre getragene Form anzunehmen</translation>
-    </message>
-    <message>
-        <source>Most surplus, %</source>
-        <translation>Größtes Zuviel, %</translation>
-    </message>
-    <message>
-        <source>The edge of the mesh that must gather most to take its worn shape</source>
-        <translation>Die Netzkante, die sich am meisten stauchen muss, um ihre getragene Form anzunehmen</translation>
-    </message>
-    <message>
-        <source>Seam Δ, %1</source>
-        <translation>Naht-Δ, %1</translation>
-    </message>
-    <message>
-        <source>The worst seam of this piece: by how much its two flat sides miss each other, the ease taken out</source>
-        <translation>Die schlechteste Naht dieses Schnittteils: wie weit ihre beiden flachen Seiten auseinanderliegen, ohne die Einhalteweite</translation>
-    </message>
-    <message>
-        <source>Outline length error, %</source>
-        <translation>Längenfehler des Umrisses, %</translation>
-    </message>
-    <message>
-        <source>The edge of the outline whose length has changed most</source>
-        <translation>Die Umrisskante, deren Länge sich am meisten geändert hat</translation>
-    </message>
-    <message>
-        <source>Area error, %</source>
-        <translation>Flächenfehler, %</translation>
-    </message>
-    <message>
-        <source>How much of the area has gone to other triangles: 0 where each has its share of the whole, as in the garment</source>
-        <translation>Wie viel der Fläche zu anderen Dreiecken gewandert ist: 0, wo jedes seinen Anteil am Ganzen hat wie im Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Flipped triangles</source>
-        <translation>Umgeklappte Dreiecke</translation>
-    </message>
-    <message>
-        <source>Triangles that are turned over: cloth cannot do that</source>
-        <translation>Umgeklappte Dreiecke: Stoff kann das nicht</translation>
-    </message>
-    <message>
-        <source>Outline crossings</source>
-        <translation>Kreuzungen des Umrisses</translation>
-    </message>
-    <message>
-        <source>Where the outline crosses itself</source>
-        <translation>Wo sich der Umriss selbst kreuzt</translation>
-    </message>
-    <message>
-        <source>Time, ms</source>
-        <translation>Zeit, ms</translation>
-    </message>
-    <message>
-        <source>What the solver took for this piece, when it solved it last</source>
-        <translation>Was der Löser zuletzt für dieses Schnittteil brauchte</translation>
-    </message>
-    <message>
-        <source>To the designer’s panel, %1</source>
-        <translation>Zum Schnittteil des Entwerfers, %1</translation>
-    </message>
-    <message>
-        <source>Distance to the panel that the file carries, laid on each other as well as may be; root mean square</source>
-        <translation>Abstand zum Schnittteil in der Datei, bestmöglich aufeinandergelegt; quadratisches Mittel</translation>
-    </message>
-</context>
-<context>
-    <name>toile::ComparisonModel</name>
-    <message>
-        <source>%1, the best</source>
-        <translation>%1, der beste</translation>
-    </message>
-</context>
-<context>
-    <name>toile::ComparisonView</name>
-    <message>
-        <source>Figures of the methods</source>
-        <translation>Zahlen der Verfahren</translation>
-    </message>
-    <message>
-        <source>&amp;Copy</source>
-        <translation>&amp;Kopieren</translation>
     </message>
 </context>
 <context>
@@ -3788,6 +3767,21 @@
     <message>
         <source>In one of the three directions at least. Edge strain is something else: there every edge is held to the tightest of these limits, whatever its direction.</source>
         <translation>In mindestens einer der drei Richtungen. Die Kantendehnung ist etwas anderes: Dort gilt für jede Kante die engste dieser Grenzen, gleich in welcher Richtung sie liegt.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::FigureTable</name>
+    <message>
+        <source>Figures of the methods</source>
+        <translation>Zahlen der Verfahren</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>%1, the best</source>
+        <translation>%1, der beste</translation>
     </message>
 </context>
 <context>

@@ -69,7 +69,9 @@ TEST(WriteComparison, GivesFullDigitsPerMethodAndPieceAndNeverNaN) {
 
 TEST(ComparisonTable, LeavesOutColumnsWithoutAFigure) {
     const Compared made;
-    const ComparisonTable whole = comparisonTable(made.all.garment, made.comparison);
+    const auto tables = comparisonTables(made.all.garment, made.comparison, true);
+    ASSERT_EQ(tables.size(), 4U);
+    const ComparisonTable& whole = tables.front();
     const auto has = [](const ComparisonTable& table, const char* head) {
         return std::ranges::find(table.head, head) != table.head.end();
     };
@@ -81,9 +83,8 @@ TEST(ComparisonTable, LeavesOutColumnsWithoutAFigure) {
         EXPECT_EQ(row.size(), whole.head.size());
     }
     EXPECT_EQ(whole.rows[1][1], "-");
-    const auto pieces = pieceComparisonTables(made.all.garment, made.comparison);
-    ASSERT_EQ(pieces.size(), 3U);
-    EXPECT_EQ(pieces[0].title, "front 1: 3 triangles");
+    EXPECT_EQ(tables[1].title, "front 1: 3 triangles");
+    EXPECT_EQ(comparisonTables(made.all.garment, made.comparison, false).size(), 1U);
 }
 
 TEST(ComparisonTable, KnowsNoLocale) {
@@ -97,8 +98,8 @@ TEST(ComparisonMarkdown, IsATablePerPieceAndASentence) {
     Compared made;
     auto& methods = made.comparison.methods;
     methods[0].figures.referencedPieces = methods[1].figures.referencedPieces = 2;
-    methods[0].figures.referenceRms = 2.1;
-    methods[1].figures.referenceRms = 2.4;
+    methods[0].figures[Criterion::ReferenceRms] = 2.1;
+    methods[1].figures[Criterion::ReferenceRms] = 2.4;
     const std::string text = writeComparisonMarkdown(made.all.garment, made.comparison, false);
     EXPECT_NE(text.find("| method | time ms | Pi_theta |"), std::string::npos) << text;
     EXPECT_NE(text.find("\n|---|--:|--:|"), std::string::npos);
