@@ -10,6 +10,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/compare/method_comparison.h"
+#include "app/document/document.h"
 #include "app/text/figures.h"
 
 namespace toile {
@@ -18,18 +20,35 @@ namespace {
 
 constexpr int kSteps = 1000;  // of the progress bar
 
-QString objectNameOf(Method method) {
-    return "compare_" + QString::fromUtf8(name(method));
-}
+/// What stands beside the present method at first; the present one being among them, the last.
+constexpr Method kFirst[] = {Method::Curvature, Method::Wang2005, Method::Lscm, Method::Isometric};
 
 }  // namespace
 
-CompareControls::CompareControls(QWidget* parent)
+CompareControls::CompareControls(const Document& document, MethodComparison& comparison,
+                                 QWidget* parent)
     : QWidget(parent),
+      document_(document),
+      comparison_(comparison),
       piece_(new QComboBox(this)),
       work_(new QLabel(this)),
       progress_(new QProgressBar(this)),
       button_(new QPushButton(this)) {
+    makeLayout();
+    connect(piece_, &QComboBox::activated, &comparison_, &MethodComparison::setPiece);
+    connect(button_, &QPushButton::clicked, this, [this] {
+        if (comparison_.isStopped()) {
+            comparison_.goOn();
+        } else {
+            comparison_.stop();
+        }
+    });
+    connect(&comparison_, &MethodComparison::changed, this, &CompareControls::refresh);
+    connect(&comparison_, &MethodComparison::progressed, this, &CompareControls::showWork);
+    refresh();
+}
+
+void CompareControls::makeLayout() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 8, 0);
     auto* pieceLabel = new QLabel(tr("&Piece"), this);
@@ -43,10 +62,10 @@ CompareControls::CompareControls(QWidget* parent)
     layout->addWidget(new QLabel(tr("Methods, up to four"), this));
     for (const MethodTraits& known : allMethods()) {
         auto* box = new QCheckBox(methodName(known.method), this);
-        box->setObjectName(objectNameOf(known.method));
+        box->setObjectName("compare_" + QString::fromUtf8(known.name));
         connect(box, &QCheckBox::clicked, this, [this] {
-            limitMethods();
-            emit methodsChosen();
+            isChosen_ = true;
+            comparison_.setMethods(ticked());
         });
         boxes_.emplace(known.method, box);
         layout->addWidget(box);
@@ -63,38 +82,32 @@ CompareControls::CompareControls(QWidget* parent)
     layout->addWidget(work_);
     layout->addWidget(progress_);
     layout->addWidget(button_, 0, Qt::AlignLeft);
-    connect(piece_, &QComboBox::activated, this, &CompareControls::pieceChosen);
-    connect(button_, &QPushButton::clicked, this, [this] {
-        if (stopped_) {
-            emit goOnWanted();
-        } else {
-            emit stopWanted();
+}
+
+void CompareControls::propose() {
+    if (!isChosen_) {
+        std::vector<Method> methods{document_.options().method};
+        for (const Method method : kFirst) {
+            if (methods.size() < kMostCompared &&
+                std::ranges::find(methods, method) == methods.end()) {
+                methods.push_back(method);
+            }
         }
-    });
-    showWork(false, false, 1);
+        for (const auto& [method, box] : boxes_) {
+            box->setChecked(std::ranges::find(methods, method) != methods.end());
+        }
+    }
+    int piece = 0;
+    for (int i = document_.pieceCount() - 1; i >= 0; --i) {
+        const PieceResult* result = document_.result(i);
+        piece = result && result->flat ? i : piece;
+    }
+    comparison_.setMethods(ticked());
+    comparison_.setPiece(document_.selection().empty() ? piece : *document_.selection().begin());
 }
 
-void CompareControls::setPieces(const QStringList& names, int chosen) {
-    QStringList shown;
-    for (int i = 0; i < piece_->count(); ++i) {
-        shown << piece_->itemText(i);
-    }
-    const QSignalBlocker quiet(piece_);
-    if (shown != names) {
-        piece_->clear();
-        piece_->addItems(names);
-    }
-    piece_->setCurrentIndex(chosen);
-}
-
-void CompareControls::setMethods(const std::vector<Method>& methods) {
-    for (const auto& [method, box] : boxes_) {
-        box->setChecked(std::ranges::find(methods, method) != methods.end());
-    }
-    limitMethods();
-}
-
-std::vector<Method> CompareControls::methods() const {
+/// In the order of `allMethods`.
+std::vector<Method> CompareControls::ticked() const {
     std::vector<Method> methods;
     for (const MethodTraits& known : allMethods()) {
         if (boxes_.at(known.method)->isChecked()) {
@@ -104,8 +117,32 @@ std::vector<Method> CompareControls::methods() const {
     return methods;
 }
 
+void CompareControls::refresh() {
+    showPieces();
+    limitMethods();
+    showWork();
+}
+
+void CompareControls::showPieces() {
+    QStringList names, shown;
+    if (document_.garment()) {
+        for (const auto& piece : document_.garment()->pieces) {
+            names << QString::fromStdString(piece->name);
+        }
+    }
+    for (int i = 0; i < piece_->count(); ++i) {
+        shown << piece_->itemText(i);
+    }
+    const QSignalBlocker quiet(piece_);
+    if (shown != names) {
+        piece_->clear();
+        piece_->addItems(names);
+    }
+    piece_->setCurrentIndex(comparison_.piece());
+}
+
 void CompareControls::limitMethods() {
-    const bool full = methods().size() >= kMostCompared;
+    const bool full = ticked().size() >= kMostCompared;
     for (const auto& [method, box] : boxes_) {
         box->setEnabled(box->isChecked() || !full);
         box->setToolTip(box->isEnabled() ? QString()
@@ -113,17 +150,13 @@ void CompareControls::limitMethods() {
     }
 }
 
-void CompareControls::showWork(bool busy, bool stopped, double fraction) {
-    stopped_ = stopped;
+void CompareControls::showWork() {
+    const bool busy = comparison_.isBusy(), stopped = comparison_.isStopped();
     work_->setText(busy ? tr("Comparing…") : stopped ? tr("Cancelled.") : QString());
     progress_->setVisible(busy);
+    progress_->setValue(static_cast<int>(comparison_.fraction() * kSteps));
     button_->setVisible(busy || stopped);
     button_->setText(stopped ? tr("Go on") : tr("Cancel"));
-    showFraction(fraction);
-}
-
-void CompareControls::showFraction(double fraction) {
-    progress_->setValue(static_cast<int>(fraction * kSteps));
 }
 
 }  // namespace toile

@@ -15,6 +15,9 @@ class QPushButton;
 
 namespace toile {
 
+class Document;
+class MethodComparison;
+
 /// Side by side there is room for so many.
 inline constexpr std::size_t kMostCompared = 4;
 
@@ -23,31 +26,29 @@ class CompareControls : public QWidget {
     Q_OBJECT
 
 public:
-    explicit CompareControls(QWidget* parent = nullptr);
+    CompareControls(const Document& document, MethodComparison& comparison,
+                    QWidget* parent = nullptr);
 
-    void setPieces(const QStringList& names, int chosen);
-    /// @param methods  at most `kMostCompared`
-    void setMethods(const std::vector<Method>& methods);
-    /// Those that are ticked, in the order of `allMethods`.
-    std::vector<Method> methods() const;
-    void showWork(bool busy, bool stopped, double fraction);
-    void showFraction(double fraction);
-
-signals:
-    void pieceChosen(int piece);
-    void methodsChosen();
-    void stopWanted();
-    void goOnWanted();
+    /// Proposes the selected piece, or the first flat one, and, unless a person has chosen methods,
+    /// the present one and those that tell most beside it.
+    void propose();
 
 private:
+    void makeLayout();
+    std::vector<Method> ticked() const;
+    void refresh();
+    void showPieces();
     void limitMethods();
+    void showWork();
 
+    const Document& document_;
+    MethodComparison& comparison_;
     QComboBox* piece_;
     std::map<Method, QCheckBox*> boxes_;
     QLabel* work_;
     QProgressBar* progress_;
-    QPushButton* button_;
-    bool stopped_ = false;
+    QPushButton* button_;    ///< cancels, or goes on
+    bool isChosen_ = false;  ///< the methods, by the person
 };
 
 }  // namespace toile

@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QShowEvent>
 #include <algorithm>
+#include <optional>
 
 #include "app/compare/compared_column.h"
 #include "app/compare/figure_table.h"
@@ -18,9 +19,6 @@
 namespace toile {
 
 namespace {
-
-/// What stands beside the present method at first; the present one being among them, the last.
-constexpr Method kFirst[] = {Method::Curvature, Method::Wang2005, Method::Lscm, Method::Isometric};
 
 /// Shows all that any of them shows.
 OverlayScale united(const OverlayScale& one, const OverlayScale& other) {
@@ -38,31 +36,22 @@ CompareWindow::CompareWindow(Document& document, const JobRunner& ordinary, QWid
     : QDialog(parent),
       document_(document),
       comparison_(document, ordinary),
-      controls_(new CompareControls(this)),
+      controls_(new CompareControls(document, comparison_, this)),
       pictures_(new QWidget(this)),
       legend_(new ColourBar(this)),
-      table_(new FigureTable(this)),
-      note_(new QLabel(this)) {
+      table_(new FigureTable(this)) {
     setObjectName("compareWindow");
     setWindowTitle(tr("Compare methods"));
     setSizeGripEnabled(true);
     makeLayout(glProblem());
-    connect(controls_, &CompareControls::pieceChosen, &comparison_, &MethodComparison::setPiece);
-    connect(controls_, &CompareControls::methodsChosen, this, [this] {
-        isChosen_ = true;
-        comparison_.setMethods(controls_->methods());
-    });
-    connect(controls_, &CompareControls::stopWanted, &comparison_, &MethodComparison::stop);
-    connect(controls_, &CompareControls::goOnWanted, &comparison_, &MethodComparison::goOn);
     connect(&comparison_, &MethodComparison::changed, this, &CompareWindow::refresh);
-    connect(&comparison_, &MethodComparison::progressed, controls_, &CompareControls::showFraction);
     connect(&document_, &Document::changed, this, &CompareWindow::onDocumentChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &CompareWindow::refresh);
     resize(QSize(1360, 860).boundedTo(screen()->availableSize() * 0.95));
 }
 
 CompareWindow::~CompareWindow() {
-    comparison_.disconnect(this);
+    comparison_.disconnect();
 }
 
 void CompareWindow::makeLayout(const QString& glProblem) {
@@ -82,12 +71,14 @@ void CompareWindow::makeLayout(const QString& glProblem) {
     problem->setObjectName("compareGlProblem");
     problem->setWordWrap(true);
     problem->setVisible(!glProblem.isEmpty());
-    note_->setObjectName("compareNote");
-    note_->setWordWrap(true);
-    note_->setText(tr(
-        "★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to it are "
-        "flattened by the same method for it. Drag a picture to move all of them, turn the wheel "
-        "to zoom, double click to see everything."));
+    auto* note = new QLabel(
+        tr("★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to it are "
+           "flattened by the same method for it. Drag a picture to move all of them, turn the "
+           "wheel "
+           "to zoom, double click to see everything."),
+        this);
+    note->setObjectName("compareNote");
+    note->setWordWrap(true);
 
     auto* layout = new QGridLayout(this);
     layout->addWidget(controls_, 0, 0, 3, 1);
@@ -95,35 +86,15 @@ void CompareWindow::makeLayout(const QString& glProblem) {
     layout->addWidget(pictures_, 1, 1);
     layout->addWidget(legend_, 2, 1);
     layout->addWidget(table_, 3, 0, 1, 2);
-    layout->addWidget(note_, 4, 0, 1, 2);
+    layout->addWidget(note, 4, 0, 1, 2);
     layout->setColumnStretch(1, 1);
     layout->setRowStretch(1, 1);
-}
-
-void CompareWindow::chooseFirst() {
-    if (!isChosen_) {
-        std::vector<Method> methods{document_.options().method};
-        for (const Method method : kFirst) {
-            if (methods.size() < kMostCompared &&
-                std::ranges::find(methods, method) == methods.end()) {
-                methods.push_back(method);
-            }
-        }
-        controls_->setMethods(methods);
-    }
-    int piece = 0;
-    for (int i = document_.pieceCount() - 1; i >= 0; --i) {
-        const PieceResult* result = document_.result(i);
-        piece = result && result->flat ? i : piece;
-    }
-    comparison_.setMethods(controls_->methods());
-    comparison_.setPiece(document_.selection().empty() ? piece : *document_.selection().begin());
 }
 
 void CompareWindow::showEvent(QShowEvent* event) {
     QDialog::showEvent(event);
     if (!event->spontaneous()) {
-        chooseFirst();
+        controls_->propose();
         camera_.frameAll();
         comparison_.begin();
     }
@@ -133,18 +104,12 @@ void CompareWindow::hideEvent(QHideEvent* event) {
     QDialog::hideEvent(event);
     if (!event->spontaneous()) {
         comparison_.end();
-        refresh();
     }
-}
-
-void CompareWindow::resizeEvent(QResizeEvent* event) {
-    QDialog::resizeEvent(event);
-    alignTable();
 }
 
 bool CompareWindow::event(QEvent* event) {
     const bool done = QDialog::event(event);
-    if (event->type() == QEvent::LayoutRequest) {
+    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) {
         alignTable();
     }
     return done;
@@ -173,14 +138,6 @@ void CompareWindow::onDocumentChanged(DocumentChanges what) {
 }
 
 void CompareWindow::refresh() {
-    QStringList names;
-    if (document_.garment()) {
-        for (const auto& piece : document_.garment()->pieces) {
-            names << QString::fromStdString(piece->name);
-        }
-    }
-    controls_->setPieces(names, comparison_.piece());
-    controls_->showWork(comparison_.isBusy(), comparison_.isStopped(), comparison_.fraction());
     table_->setEntries(comparison_.entries());
     showPictures();
 }
@@ -193,49 +150,42 @@ PictureLook CompareWindow::look() const {
         look.view.overlay = Overlay::Strain;  // the flat checkerboard is the same by any method
     }
     look.view.seams = false;
-    bool any = false;
+    std::optional<OverlayScale> scale;
     for (const auto& entry : comparison_.entries()) {
         if (entry.made.scene) {
-            const OverlayScale scale =
-                overlayScale(*entry.made.scene, look.view.overlay, look.fabric);
-            look.scale = any ? united(look.scale, scale) : scale;
-            any = true;
+            const auto own = overlayScale(*entry.made.scene, look.view.overlay, look.fabric);
+            scale = scale ? united(*scale, own) : own;
         }
     }
-    if (!any) {
-        look.scale = overlayScale(Scene{}, look.view.overlay, look.fabric);
-    }
+    look.scale = scale ? *scale : overlayScale(Scene{}, look.view.overlay, look.fabric);
     return look;
 }
 
 void CompareWindow::showPictures() {
     const auto& entries = comparison_.entries();
     const auto at = static_cast<std::size_t>(std::max(0, comparison_.piece()));
-    std::shared_ptr<const PieceResult> reference =
-        at < document_.results().size() ? document_.results()[at] : nullptr;
+    ComparisonGround ground{document_.options().method, {}, nullptr, look()};
+    if (at < document_.settings().size()) {
+        ground.settings = document_.settings()[at];
+    }
+    if (at < document_.results().size()) {
+        ground.reference = document_.results()[at];
+    }
     for (const auto& entry : entries) {  // any will do where the document's own is not there
-        if ((!reference || !reference->flat) && entry.made.scene) {
-            reference = entry.made.result;
+        if ((!ground.reference || !ground.reference->flat) && entry.made.scene) {
+            ground.reference = entry.made.result;
         }
     }
-    const PieceSettings settings =
-        at < document_.settings().size() ? document_.settings()[at] : PieceSettings{};
-    const PictureLook look = this->look();
     Eigen::AlignedBox2d box;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         columns_[i]->setVisible(i < entries.size());
-        if (i >= entries.size()) {
-            continue;
-        }
-        columns_[i]->show(entries[i], entries[i].method == document_.options().method, reference,
-                          settings);
-        box.extend(columns_[i]->box());
-        if (ComparedPicture* picture = columns_[i]->picture()) {
-            picture->setLook(look);
+        if (i < entries.size()) {
+            columns_[i]->show(entries[i], ground);
+            box.extend(columns_[i]->box());
         }
     }
     camera_.setBox(box);
-    legend_->show({.overlay = look.view.overlay, .scale = look.scale});
+    legend_->show({.overlay = ground.look.view.overlay, .scale = ground.look.scale});
 }
 
 }  // namespace toile

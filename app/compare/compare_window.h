@@ -5,17 +5,14 @@
 #include <array>
 
 #include "app/compare/compare_controls.h"
-#include "app/compare/linked_camera.h"
+#include "app/compare/compared_picture.h"
 #include "app/compare/method_comparison.h"
-
-class QLabel;
 
 namespace toile {
 
 class ColourBar;
 class ComparedColumn;
 class FigureTable;
-struct PictureLook;
 
 /// One piece by up to four methods, side by side: pictures of one scale under one colour bar, and a
 /// table of figures. Stays open beside the work and follows it; once closed it works no more.
@@ -37,13 +34,11 @@ signals:
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
     void makeLayout(const QString& glProblem);
     void onDocumentChanged(DocumentChanges what);
-    void chooseFirst();
     void refresh();
     void showPictures();
     void alignTable();
@@ -57,8 +52,6 @@ private:
     QWidget* pictures_;
     ColourBar* legend_;
     FigureTable* table_;
-    QLabel* note_;
-    bool isChosen_ = false;  ///< the methods, by the person
 };
 
 }  // namespace toile

@@ -49,9 +49,8 @@ ComparedColumn::ComparedColumn(LinkedCamera* camera, int number, QWidget* parent
     message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     pages_->addWidget(message_);
     if (camera) {
-        picture_ = new ComparedPicture(*camera, pages_);
+        picture_ = new ComparedPicture(*camera, number == 0, pages_);
         picture_->setObjectName(QString("comparePicture%1").arg(number));
-        picture_->setScaleBar(number == 0);
         pages_->addWidget(picture_);
     }
     use_->setObjectName(QString("compareUse%1").arg(number));
@@ -66,10 +65,9 @@ ComparedColumn::ComparedColumn(LinkedCamera* camera, int number, QWidget* parent
     layout->addWidget(use_, 0, Qt::AlignHCenter);
 }
 
-void ComparedColumn::show(const MethodComparison::Entry& entry, bool inUse,
-                          const std::shared_ptr<const PieceResult>& reference,
-                          const PieceSettings& settings) {
+void ComparedColumn::show(const MethodComparison::Entry& entry, const ComparisonGround& ground) {
     method_ = entry.method;
+    const bool inUse = method_ == ground.inUse;
     name_->setText(methodName(method_));
     use_->setEnabled(!inUse);
     use_->setText(inUse ? tr("In use") : tr("Use this method"));
@@ -79,24 +77,23 @@ void ComparedColumn::show(const MethodComparison::Entry& entry, bool inUse,
     message_->setText(message(entry));
 
     const std::shared_ptr<const Scene>& scene = entry.made.scene;
-    const SheetPlace place =
-        scene ? placeOver(entry.made.result, reference, settings) : SheetPlace{};
+    const SheetPlace place = scene ? placeOver(entry.made.result, ground) : SheetPlace{};
     box_ = scene ? outlineBox(*scene, place.placement) : Eigen::AlignedBox2d();
     if (picture_) {
-        picture_->setPiece(scene, place);
+        picture_->setPiece(scene, place, ground.look);
         picture_->setAccessibleName(tr("%1, the flat piece").arg(name_->text()));
         pages_->setCurrentIndex(scene ? 1 : 0);
     }
 }
 
 SheetPlace ComparedColumn::placeOver(const std::shared_ptr<const PieceResult>& result,
-                                     const std::shared_ptr<const PieceResult>& reference,
-                                     PieceSettings settings) {
-    if (result != result_ || reference != reference_) {
+                                     const ComparisonGround& ground) {
+    if (result != result_ || ground.reference != reference_) {
         result_ = result;
-        reference_ = reference;
-        motion_ = flatMotions({reference}, {result}).front();
+        reference_ = ground.reference;
+        motion_ = flatMotions({reference_}, {result_}).front();
     }
+    PieceSettings settings = ground.settings;
     settings.anchors.clear();
     settings.placement = settings.placement.value_or(Placement{});
     if (motion_) {
@@ -105,7 +102,7 @@ SheetPlace ComparedColumn::placeOver(const std::shared_ptr<const PieceResult>& r
     return placesOf({settings}).front();
 }
 
-QString ComparedColumn::message(const MethodComparison::Entry& entry) const {
+QString ComparedColumn::message(const MethodComparison::Entry& entry) {
     switch (entry.stage) {
         case MethodComparison::Stage::Waiting:
             return tr("Waiting…");

@@ -13,6 +13,17 @@ class QStackedWidget;
 
 namespace toile {
 
+/// What all methods of a comparison are shown by.
+struct ComparisonGround {
+    Method inUse = Method::Isometric;  ///< of the document
+    /// Of the piece as the document has it.
+    PieceSettings settings{};
+    /// What the settings are about; may be null or not flat: then a piece lies as if they were
+    /// about itself.
+    std::shared_ptr<const PieceResult> reference{};
+    PictureLook look{};
+};
+
 /// One method of the comparison: its name, the piece as it makes it or a sentence why not, and a
 /// button that takes the method over.
 class ComparedColumn : public QWidget {
@@ -22,13 +33,7 @@ public:
     /// @param camera  null where this computer cannot draw: there is no picture then
     ComparedColumn(LinkedCamera* camera, int number, QWidget* parent = nullptr);
 
-    /// @param inUse      whether the document has this method
-    /// @param reference  what the settings are about; may be null or not flat: then the piece lies
-    ///                   as if they were about itself
-    void show(const MethodComparison::Entry& entry, bool inUse,
-              const std::shared_ptr<const PieceResult>& reference, const PieceSettings& settings);
-    /// Null where this computer cannot draw.
-    ComparedPicture* picture() const { return picture_; }
+    void show(const MethodComparison::Entry& entry, const ComparisonGround& ground);
     /// Around the piece on the sheet; empty where there is none.
     const Eigen::AlignedBox2d& box() const { return box_; }
 
@@ -39,9 +44,8 @@ private:
     /// Where the result lies so that it covers the reference, as well as two shapes can: flat
     /// coordinates of two methods have nothing in common.
     SheetPlace placeOver(const std::shared_ptr<const PieceResult>& result,
-                         const std::shared_ptr<const PieceResult>& reference,
-                         PieceSettings settings);
-    QString message(const MethodComparison::Entry& entry) const;
+                         const ComparisonGround& ground);
+    static QString message(const MethodComparison::Entry& entry);
 
     Method method_ = Method::Isometric;
     /// Between these two, which takes a look at every vertex.
@@ -51,7 +55,7 @@ private:
     QLabel* name_;
     QStackedWidget* pages_;
     QLabel* message_;
-    ComparedPicture* picture_ = nullptr;
+    ComparedPicture* picture_ = nullptr;  ///< null where this computer cannot draw
     QPushButton* use_;
 };
 

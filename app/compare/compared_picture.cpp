@@ -19,11 +19,56 @@ namespace {
 constexpr double kZoomPerNotch = 1.15;
 /// How far an arrow key moves, logical pixels.
 constexpr double kStep = 24;
+/// Room below for the scale bar.
+constexpr Camera2D::Margins kMargins{14, 14, 50};
 
 }  // namespace
 
-ComparedPicture::ComparedPicture(LinkedCamera& camera, QWidget* parent)
-    : QOpenGLWidget(parent), camera_(camera) {
+Camera2D LinkedCamera::seenIn(const QSizeF& size) const {
+    Camera2D camera = camera_;
+    camera.setViewport(size.width(), size.height());
+    return camera;
+}
+
+void LinkedCamera::setBox(const Eigen::AlignedBox2d& box) {
+    const bool isSame = box.isEmpty() ? box_.isEmpty() : box.isApprox(box_, 1e-9);
+    if (!isSame) {
+        box_ = box;
+        follow();
+    }
+}
+
+void LinkedCamera::setViewport(const QSizeF& size) {
+    camera_.setViewport(size.width(), size.height());
+    follow();
+}
+
+void LinkedCamera::follow() {
+    if (followsAll_) {
+        camera_.frame(box_, kMargins);
+    }
+    emit moved();
+}
+
+void LinkedCamera::pan(const QPointF& delta) {
+    followsAll_ = false;
+    camera_.pan(delta.x(), delta.y());
+    emit moved();
+}
+
+void LinkedCamera::zoomAt(const QPointF& at, double factor) {
+    followsAll_ = false;
+    camera_.zoomAt(at.x(), at.y(), factor);
+    emit moved();
+}
+
+void LinkedCamera::frameAll() {
+    followsAll_ = true;
+    follow();
+}
+
+ComparedPicture::ComparedPicture(LinkedCamera& camera, bool hasScaleBar, QWidget* parent)
+    : QOpenGLWidget(parent), camera_(camera), hasScaleBar_(hasScaleBar) {
     setMinimumSize(120, 120);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::OpenHandCursor);
@@ -46,21 +91,13 @@ void ComparedPicture::releaseGl() {
     }
 }
 
-void ComparedPicture::setPiece(std::shared_ptr<const Scene> scene, const SheetPlace& place) {
+void ComparedPicture::setPiece(std::shared_ptr<const Scene> scene, const SheetPlace& place,
+                               const PictureLook& look) {
+    view_ = look.view;
     renderer_.setScene(std::move(scene));
     renderer_.setPlaces({place});
-    update();
-}
-
-void ComparedPicture::setLook(const PictureLook& look) {
-    look_ = look;
     renderer_.setFabric(look.fabric);
     renderer_.setScale(look.scale);
-    update();
-}
-
-void ComparedPicture::setScaleBar(bool shown) {
-    scaleBar_ = shown;
     update();
 }
 
@@ -73,8 +110,8 @@ void ComparedPicture::initializeGL() {
 void ComparedPicture::paintGL() {
     if (problem_.isEmpty()) {
         const QSize onDevice = devicePixels(*this);
-        renderer_.paint(camera_.seenIn(size()), look_.view, renderStyle(palette()),
-                        onDevice.width(), onDevice.height(), devicePixelRatioF());
+        renderer_.paint(camera_.seenIn(size()), view_, renderStyle(palette()), onDevice.width(),
+                        onDevice.height(), devicePixelRatioF());
     }
     paintWords();
 }
@@ -85,7 +122,7 @@ void ComparedPicture::paintWords() {
     const RenderStyle style = renderStyle(palette());
     if (!problem_.isEmpty()) {
         paintProblem(painter, style, rect(), problem_);
-    } else if (scaleBar_) {
+    } else if (hasScaleBar_) {
         paintScaleBar(painter, style, rect(), camera_.seenIn(size()).pixelsPerMillimetre());
     }
     if (hasFocus()) {
@@ -137,35 +174,21 @@ void ComparedPicture::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
         case Qt::Key_Plus:
         case Qt::Key_Equal:
-            camera_.zoomAt(middle, kZoomPerNotch);
-            return;
+            return camera_.zoomAt(middle, kZoomPerNotch);
         case Qt::Key_Minus:
-            camera_.zoomAt(middle, 1 / kZoomPerNotch);
-            return;
+            return camera_.zoomAt(middle, 1 / kZoomPerNotch);
         case Qt::Key_F:
-            camera_.frameAll();
-            return;
+            return camera_.frameAll();
         case Qt::Key_Left:
-            camera_.pan({kStep, 0});
-            return;
+            return camera_.pan({kStep, 0});
         case Qt::Key_Right:
-            camera_.pan({-kStep, 0});
-            return;
+            return camera_.pan({-kStep, 0});
         case Qt::Key_Up:
-            camera_.pan({0, kStep});
-            return;
+            return camera_.pan({0, kStep});
         case Qt::Key_Down:
-            camera_.pan({0, -kStep});
-            return;
+            return camera_.pan({0, -kStep});
         default:
             QOpenGLWidget::keyPressEvent(event);
-    }
-}
-
-void ComparedPicture::changeEvent(QEvent* event) {
-    QOpenGLWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) {
-        update();
     }
 }
 

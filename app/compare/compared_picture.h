@@ -2,11 +2,42 @@
 #pragma once
 
 #include <QOpenGLWidget>
+#include <memory>
 
-#include "app/compare/linked_camera.h"
+#include "app/render/camera_2d.h"
 #include "app/render/pattern_renderer.h"
 
 namespace toile {
+
+/// One camera for several pictures of one size: what moves one moves all, and a millimetre has the
+/// same size in each. Until it is moved by hand it shows the whole box.
+class LinkedCamera : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    /// As seen in a picture of this size, logical pixels.
+    Camera2D seenIn(const QSizeF& size) const;
+
+    /// What there is to see on the sheet, mm.
+    void setBox(const Eigen::AlignedBox2d& box);
+    void setViewport(const QSizeF& size);
+    void pan(const QPointF& delta);
+    void zoomAt(const QPointF& at, double factor);
+    /// Shows the whole box again, and from now on.
+    void frameAll();
+
+signals:
+    void moved();
+
+private:
+    void follow();
+
+    Camera2D camera_;
+    Eigen::AlignedBox2d box_;
+    bool followsAll_ = true;
+};
 
 /// How all pictures of a comparison are painted.
 struct PictureLook {
@@ -21,15 +52,12 @@ class ComparedPicture : public QOpenGLWidget {
     Q_OBJECT
 
 public:
-    explicit ComparedPicture(LinkedCamera& camera, QWidget* parent = nullptr);
+    ComparedPicture(LinkedCamera& camera, bool hasScaleBar, QWidget* parent = nullptr);
     ~ComparedPicture() override;
 
     /// @param scene  of one piece; may be null
-    void setPiece(std::shared_ptr<const Scene> scene, const SheetPlace& place);
-    void setLook(const PictureLook& look);
-    void setScaleBar(bool shown);
-    /// Why nothing can be drawn; empty where all is well.
-    const QString& problem() const { return problem_; }
+    void setPiece(std::shared_ptr<const Scene> scene, const SheetPlace& place,
+                  const PictureLook& look);
 
 protected:
     void initializeGL() override;
@@ -41,7 +69,6 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void releaseGl();
@@ -49,9 +76,9 @@ private:
 
     LinkedCamera& camera_;
     PatternRenderer renderer_;
-    PictureLook look_;
-    bool scaleBar_ = false;
-    QString problem_;
+    ViewState view_{};
+    bool hasScaleBar_;
+    QString problem_;  ///< why nothing can be drawn; empty where all is well
     QPointF last_;
 };
 

@@ -60,6 +60,7 @@ void MethodComparison::end() {
     entries_.clear();
     kept_.clear();
     subject_ = {};
+    emit changed();
 }
 
 void MethodComparison::setMethods(std::vector<Method> methods) {

@@ -370,11 +370,11 @@ private slots:
         QVERIFY(figures.item(0, 0)->font().bold());
         LinkedCamera camera;
         ComparedColumn column(&camera, 7);
-        column.show(entries[1], false, entries[0].made.result, {});
+        column.show(entries[1], {Method::Isometric, {}, entries[0].made.result, {}});
         QVERIFY(column.box().isEmpty());
         QCOMPARE(column.findChild<QLabel*>("compareMessage7")->text(),
                  QString::fromStdString(sentence(*failed->error)));
-        column.show(entries[2], false, entries[0].made.result, {});
+        column.show(entries[2], {Method::Isometric, {}, entries[0].made.result, {}});
         QVERIFY(!column.box().isEmpty());
     }
 
