@@ -164,7 +164,8 @@ PictureLook CompareWindow::look() const {
 void CompareWindow::showPictures() {
     const auto& entries = comparison_.entries();
     const auto at = static_cast<std::size_t>(std::max(0, comparison_.piece()));
-    ComparisonGround ground{document_.options().method, {}, nullptr, look()};
+    ComparisonGround ground{
+        document_.options().method, {}, nullptr, look(), comparison_.isStopped()};
     if (at < document_.settings().size()) {
         ground.settings = document_.settings()[at];
     }

@@ -74,7 +74,7 @@ void ComparedColumn::show(const MethodComparison::Entry& entry, const Comparison
     use_->setToolTip(inUse ? tr("The garment is flattened by this method")
                            : tr("Flatten the garment by this method from now on"));
     use_->setAccessibleName(QString("%1: %2").arg(use_->text(), name_->text()));
-    message_->setText(message(entry));
+    message_->setText(message(entry, ground.isStopped));
 
     const std::shared_ptr<const Scene>& scene = entry.made.scene;
     const SheetPlace place = scene ? placeOver(entry.made.result, ground) : SheetPlace{};
@@ -102,14 +102,12 @@ SheetPlace ComparedColumn::placeOver(const std::shared_ptr<const PieceResult>& r
     return placesOf({settings}).front();
 }
 
-QString ComparedColumn::message(const MethodComparison::Entry& entry) {
+QString ComparedColumn::message(const MethodComparison::Entry& entry, bool isStopped) {
     switch (entry.stage) {
         case MethodComparison::Stage::Waiting:
-            return tr("Waiting…");
+            return isStopped ? tr("Cancelled.") : tr("Waiting…");
         case MethodComparison::Stage::Working:
             return tr("Flattening…");
-        case MethodComparison::Stage::Stopped:
-            return tr("Cancelled.");
         case MethodComparison::Stage::Failed:
             return entry.problem;
         case MethodComparison::Stage::Done:

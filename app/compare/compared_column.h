@@ -22,6 +22,7 @@ struct ComparisonGround {
     /// about itself.
     std::shared_ptr<const PieceResult> reference{};
     PictureLook look{};
+    bool isStopped = false;  ///< the comparison
 };
 
 /// One method of the comparison: its name, the piece as it makes it or a sentence why not, and a
@@ -45,7 +46,7 @@ private:
     /// coordinates of two methods have nothing in common.
     SheetPlace placeOver(const std::shared_ptr<const PieceResult>& result,
                          const ComparisonGround& ground);
-    static QString message(const MethodComparison::Entry& entry);
+    static QString message(const MethodComparison::Entry& entry, bool isStopped);
 
     Method method_ = Method::Isometric;
     /// Between these two, which takes a look at every vertex.

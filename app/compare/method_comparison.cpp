@@ -2,21 +2,72 @@
 #include "app/compare/method_comparison.h"
 
 #include <algorithm>
-#include <set>
+#include <iterator>
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/render/scene.h"
+#include "app/render/scene_builder.h"
+#include "core/pipeline/pipeline.h"
 
 namespace toile {
 
 namespace {
 
 constexpr int kPauseMilliseconds = 200;
+/// Of a method's time, about; the rest builds the scene.
+constexpr double kComparingShare = 0.8;
 
 FlattenOptions withMethod(FlattenOptions options, Method method) {
     options.method = method;
     return options;
+}
+
+/// What to make of one piece by one method. Snapshot of a job.
+struct CompareOrder {
+    std::shared_ptr<const Garment> garment;
+    int piece = 0;
+    FlattenOptions options{};
+    PieceResults known{};  ///< one per piece: by these options; null where it is not known
+};
+
+struct Compared {
+    ComparedPiece piece;
+    PieceResults results;  ///< one per piece of the garment; null where it was of no interest
+};
+
+/// What is known, and the piece and those sewn to it.
+PieceResults flattened(const CompareOrder& order, Progress& progress) {
+    PieceResults results = order.known;
+    std::vector<int> needed = sewnTo(*order.garment, order.piece);
+    needed.push_back(order.piece);
+    std::erase_if(needed,
+                  [&](int piece) { return results[static_cast<std::size_t>(piece)] != nullptr; });
+    Garment part;  // flattening looks at the pieces alone
+    for (const int piece : needed) {
+        part.pieces.push_back(order.garment->pieces[static_cast<std::size_t>(piece)]);
+    }
+    PieceResults found = flattenGarment(part, order.options, progress);
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+        results[static_cast<std::size_t>(needed[i])] = std::move(found[i]);
+    }
+    return results;
+}
+
+Result<Compared> carriedOut(const CompareOrder& order, Progress& progress) {
+    progress.setShare(0, kComparingShare);
+    Compared made{{}, flattened(order, progress)};
+    if (!progress.isCancelled()) {
+        progress.setShare(kComparingShare, 1);
+        ComparedPiece& piece = made.piece;
+        piece.result = made.results[static_cast<std::size_t>(order.piece)];
+        piece.figures = comparedPiece(*order.garment, made.results, order.piece);
+        if (piece.result->flat) {
+            Garment alone;
+            alone.pieces = {piece.result->piece};
+            piece.scene = buildScene(alone, {piece.result}, progress);
+        }
+    }
+    return made;
 }
 
 }  // namespace
@@ -33,10 +84,7 @@ MethodComparison::MethodComparison(const Document& document, const JobRunner& or
             pause_.start();
         }
     });
-    connect(&runner_, &JobRunner::progressed, this, [this](double fraction) {
-        workingFraction_ = fraction;
-        emit progressed(this->fraction());
-    });
+    connect(&runner_, &JobRunner::progressed, this, [this] { emit progressed(fraction()); });
     connect(&runner_, &JobRunner::failed, this, [this](const QString&, const QString& sentence) {
         if (Entry* entry = working()) {
             entry->stage = Stage::Failed;
@@ -48,14 +96,12 @@ MethodComparison::MethodComparison(const Document& document, const JobRunner& or
 
 void MethodComparison::begin() {
     isActive_ = true;
-    isStopped_ = false;
-    refresh();
+    goOn();
 }
 
 void MethodComparison::end() {
     isActive_ = false;
     pause_.stop();
-    ++order_;
     runner_.cancel();
     entries_.clear();
     kept_.clear();
@@ -65,25 +111,20 @@ void MethodComparison::end() {
 
 void MethodComparison::setMethods(std::vector<Method> methods) {
     methods_ = std::move(methods);
-    isStopped_ = false;
-    refresh();
+    goOn();
 }
 
 void MethodComparison::setPiece(int piece) {
     piece_ = piece;
     pieceName_.clear();
-    isStopped_ = false;
-    refresh();
+    goOn();
 }
 
 void MethodComparison::stop() {
     isStopped_ = true;
-    ++order_;
     runner_.cancel();
-    for (Entry& entry : entries_) {
-        if (entry.stage == Stage::Waiting || entry.stage == Stage::Working) {
-            entry.stage = Stage::Stopped;
-        }
+    if (Entry* entry = working()) {
+        entry->stage = Stage::Waiting;
     }
     emit changed();
 }
@@ -94,7 +135,7 @@ void MethodComparison::goOn() {
 }
 
 bool MethodComparison::isBusy() const {
-    return std::ranges::any_of(entries_, [](const Entry& entry) {
+    return !isStopped_ && std::ranges::any_of(entries_, [](const Entry& entry) {
         return entry.stage == Stage::Waiting || entry.stage == Stage::Working;
     });
 }
@@ -102,7 +143,7 @@ bool MethodComparison::isBusy() const {
 double MethodComparison::fraction() const {
     double done = 0;
     for (const Entry& entry : entries_) {
-        done += entry.stage == Stage::Working   ? workingFraction_
+        done += entry.stage == Stage::Working   ? runner_.fraction()
                 : entry.stage == Stage::Waiting ? 0.0
                                                 : 1.0;
     }
@@ -110,25 +151,23 @@ double MethodComparison::fraction() const {
 }
 
 void MethodComparison::onDocumentChanged(DocumentChanges what) {
-    if (!isActive_ || !(what & (DocumentChange::Garment | DocumentChange::Results |
-                                DocumentChange::Options | DocumentChange::Seams))) {
-        return;
+    if (isActive_ && (what & (DocumentChange::Garment | DocumentChange::Results |
+                              DocumentChange::Options | DocumentChange::Seams))) {
+        pause_.start();
     }
-    pause_.start();
 }
 
 /// Pieces may have come and gone: the one of the same name is meant.
-void MethodComparison::keepPiece() {
+void MethodComparison::choosePiece() {
     const auto& pieces = subject_.garment->pieces;
-    if (!pieceName_.empty()) {
-        const auto named = std::ranges::find_if(
-            pieces, [this](const auto& piece) -> bool { return piece->name == pieceName_; });
-        if (named != pieces.end()) {
-            piece_ = static_cast<int>(named - pieces.begin());
-        }
+    const auto named = std::ranges::find_if(
+        pieces, [this](const auto& piece) -> bool { return piece->name == pieceName_; });
+    if (!pieceName_.empty() && named != pieces.end()) {
+        piece_ = static_cast<int>(named - pieces.begin());
     }
     piece_ = std::clamp(piece_, 0, static_cast<int>(pieces.size()) - 1);
     pieceName_ = pieces[static_cast<std::size_t>(piece_)]->name;
+    subject_.piece = piece_;
 }
 
 /// Brings the entries to what is asked now; those that still hold stay, and so does the job on its
@@ -140,31 +179,19 @@ void MethodComparison::refresh() {
     pause_.stop();
     const Subject before = std::exchange(
         subject_, {document_.garment(), withMethod(document_.options(), Method::Isometric), -1});
-    if (!subject_.garment || subject_.garment->pieces.empty()) {
-        ++order_;
-        runner_.cancel();
-        entries_.clear();
-        emit changed();
-        return;
+    const bool isEmpty = !subject_.garment || subject_.garment->pieces.empty();
+    if (!isEmpty) {
+        choosePiece();
     }
-    keepPiece();
-    subject_.piece = piece_;
     const bool isSame = subject_ == before;
-    if (!isSame) {
-        isStopped_ = false;
-        forgetOldPieces();
-    }
+    isStopped_ = isStopped_ && isSame;
     std::vector<Entry> entries;
-    for (const Method method : methods_) {
+    for (const Method method : isEmpty ? std::vector<Method>() : methods_) {
         const auto had = std::ranges::find(entries_, method, &Entry::method);
         entries.push_back(isSame && had != entries_.end() ? *had : Entry{method});
-        if (entries.back().stage == Stage::Stopped) {
-            entries.back().stage = Stage::Waiting;
-        }
     }
     entries_ = std::move(entries);
-    if (runner_.isBusy() && !working()) {
-        ++order_;
+    if (!working()) {
         runner_.cancel();
     }
     next();
@@ -185,17 +212,16 @@ void MethodComparison::next() {
         return;
     }
     entry->stage = Stage::Working;
-    workingFraction_ = 0;
-    const Method method = entry->method;
-    const FlattenOptions options = withMethod(subject_.options, method);
+    const FlattenOptions options = withMethod(subject_.options, entry->method);
     CompareOrder order{subject_.garment, subject_.piece, options, known(options)};
-    runner_.start(compareJob(
-        std::move(order),
-        [this, method, number = ++order_](ComparedPiece made, const PieceResults& results) {
-            Entry* done = working();
-            if (number == order_ && done && done->method == method) {
-                keep(method, results);
-                done->made = std::move(made);
+    // Whatever makes the result unwanted cancels the job: what comes is of the entry in work.
+    runner_.start(makeJob(
+        tr("Comparing methods"),
+        [order = std::move(order)](Progress& progress) { return carriedOut(order, progress); },
+        [this](Compared made) {
+            keep(made.results);
+            if (Entry* done = working()) {
+                done->made = std::move(made.piece);
                 done->stage = Stage::Done;
             }
         }));
@@ -210,46 +236,37 @@ void MethodComparison::onIdle() {
     emit changed();
 }
 
+/// One per piece: what the document or an earlier comparison found by these options.
 PieceResults MethodComparison::known(const FlattenOptions& options) const {
-    const auto& pieces = subject_.garment->pieces;
-    PieceResults results(pieces.size());
-    const auto kept = kept_.find(options.method);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const auto fits = [&](const std::shared_ptr<const PieceResult>& result) -> bool {
-            return result && result->piece == pieces[i] && result->options == options;
-        };
-        if (kept != kept_.end()) {
-            if (const auto found = kept->second.find(pieces[i].get());
-                found != kept->second.end() && fits(found->second)) {
-                results[i] = found->second;
-                continue;
+    PieceResults results;
+    for (const auto& piece : subject_.garment->pieces) {
+        results.emplace_back();
+        for (const PieceResults* found : {&kept_, &document_.results()}) {
+            const auto fits = std::ranges::find_if(*found, [&](const auto& result) -> bool {
+                return result && result->piece == piece && result->options == options;
+            });
+            if (fits != found->end()) {
+                results.back() = *fits;
+                break;
             }
-        }
-        if (i < document_.results().size() && fits(document_.results()[i])) {
-            results[i] = document_.results()[i];
         }
     }
     return results;
 }
 
-void MethodComparison::keep(Method method, const PieceResults& results) {
-    for (const auto& result : results) {
-        if (result) {
-            kept_[method][result->piece.get()] = result;
-        }
-    }
-}
-
-void MethodComparison::forgetOldPieces() {
-    std::set<const Piece*> present;
-    for (const auto& piece : subject_.garment->pieces) {
-        present.insert(piece.get());
-    }
-    for (auto& [method, results] : kept_) {
-        std::erase_if(results, [&present](const auto& entry) -> bool {
-            return !present.contains(entry.first);
+/// In place of what the same methods made of the same pieces before. Pieces that the garment has no
+/// more are forgotten.
+void MethodComparison::keep(const PieceResults& results) {
+    const auto& present = subject_.garment->pieces;
+    std::erase_if(kept_, [&](const auto& old) -> bool {
+        const bool isReplaced = std::ranges::any_of(results, [&](const auto& result) -> bool {
+            return result && result->piece == old->piece &&
+                   result->options.method == old->options.method;
         });
-    }
+        return isReplaced || std::ranges::find(present, old->piece) == present.end();
+    });
+    std::ranges::copy_if(results, std::back_inserter(kept_),
+                         [](const auto& result) -> bool { return result != nullptr; });
 }
 
 }  // namespace toile

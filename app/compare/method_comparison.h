@@ -3,17 +3,25 @@
 
 #include <QObject>
 #include <QTimer>
-#include <map>
-#include <optional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "app/document/document_change.h"
-#include "app/jobs/compare_job.h"
 #include "app/jobs/job_runner.h"
+#include "core/compare/comparison.h"
 
 namespace toile {
 
 class Document;
+struct Scene;
+
+/// What one method makes of one piece.
+struct ComparedPiece {
+    std::shared_ptr<const PieceResult> result{};  ///< flat, or the reason why not
+    ComparedFigures figures{};                    ///< seams: with pieces flattened alike
+    std::shared_ptr<const Scene> scene{};         ///< of this piece alone; null where not flat
+};
 
 /// One piece of the document by several methods, kept as the document is. The work is done on a
 /// thread of its own, one method after the other, and gives way to the window's own jobs: while
@@ -26,9 +34,8 @@ public:
     enum class Stage {
         Waiting,  ///< its turn comes
         Working,
-        Done,     ///< `made` is there
-        Stopped,  ///< by `stop`
-        Failed,   ///< a fault of the program, see `problem`
+        Done,    ///< `made` is there
+        Failed,  ///< a fault of the program, see `problem`
     };
 
     struct Entry {
@@ -60,7 +67,7 @@ public:
     /// One per method.
     const std::vector<Entry>& entries() const { return entries_; }
     bool isStopped() const { return isStopped_; }
-    /// True while any method is still to come.
+    /// True while any method is still to come, if not stopped.
     bool isBusy() const;
     /// Of all methods together, in [0, 1].
     double fraction() const;
@@ -81,14 +88,13 @@ private:
     };
 
     void onDocumentChanged(DocumentChanges what);
+    void onIdle();
     void refresh();
     void next();
-    void keepPiece();
+    void choosePiece();
     Entry* working();
     PieceResults known(const FlattenOptions& options) const;
-    void keep(Method method, const PieceResults& results);
-    void forgetOldPieces();
-    void onIdle();
+    void keep(const PieceResults& results);
 
     const Document& document_;
     const JobRunner& ordinary_;
@@ -100,10 +106,7 @@ private:
     int piece_ = 0;
     std::string pieceName_;
     std::vector<Entry> entries_;
-    int order_ = 0;  ///< of the job on its way; others are of no interest any more
-    double workingFraction_ = 0;
-    /// What was found, by method and by piece, whose results hold on to it.
-    std::map<Method, std::map<const Piece*, std::shared_ptr<const PieceResult>>> kept_;
+    PieceResults kept_;  ///< what was found, one per piece and method
 };
 
 }  // namespace toile

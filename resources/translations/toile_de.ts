@@ -73,13 +73,6 @@
     </message>
 </context>
 <context>
-    <name>CompareJob</name>
-    <message>
-        <source>Comparing methods</source>
-        <translation>Verfahren werden verglichen</translation>
-    </message>
-</context>
-<context>
     <name>CutJob</name>
     <message>
         <source>Cutting the pieces</source>
@@ -4069,6 +4062,13 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Click: measure from here · Esc: back to selecting · two places on an edge are measured along it too</source>
         <translation>Klick: von hier messen · Esc: zurück zum Auswählen · Zwei Stellen auf einer Kante werden auch an ihr entlang gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::MethodComparison</name>
+    <message>
+        <source>Comparing methods</source>
+        <translation>Verfahren werden verglichen</translation>
     </message>
 </context>
 <context>
