@@ -79,6 +79,7 @@ void Workspace::open(Paths files) {
         coming.loading.unit.reset();
         coming.loading.up.reset();
         coming.loading.seams = {};
+        coming.loading.seamSettings.clear();
         divideByWhatIsThere(coming.loading);
     }
     wishes_.clear();
@@ -94,7 +95,7 @@ void Workspace::startOpening() {
         const bool again = opening_.files()->paths == openPaths();
         arrived([this, again, loading = opening_.files()->loading, made] {
             DocumentState next;
-            next.loading = loading;
+            next.loading = resolveNames(loading, *made.garment);
             next.options = document_.options();
             if (again || !document_.garment()) {
                 next.fabric = document_.fabric();

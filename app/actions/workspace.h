@@ -103,7 +103,7 @@ public:
     /// @param seam an index into Garment::seams
     void joinSeam(int seam);
     /// Takes a cut of the user's back, the first of this name.
-    void removeCut(const std::string& name);
+    void removeCut(CutId id);
     /// Takes a join back, the first of this name: the seam is there again.
     void removeJoin(const std::string& name);
     /// Says how much longer a seam's left side is meant to be, as a part of the right; none: as

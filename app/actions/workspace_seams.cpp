@@ -54,13 +54,23 @@ Result<Problems> Workspace::readSeams(const std::filesystem::path& path) {
     if (!read) {
         return read.error();
     }
-    changeSeams(tr("Seams from a file"),
-                [read = std::move(*read)](SeamsFile& seams) { seams = read; });
+    wish({tr("Seams from a file"),
+          [read = std::move(*read)](LoadOptions& options) {
+              options.seams = read;
+              options.seamSettings.clear();
+              divideByWhatIsThere(options);
+          },
+          false});
     return notes;
 }
 
 Result<void> Workspace::writeSeams(const std::filesystem::path& path) const {
-    return writeFile(path, writeSeamsFile(loading().seams));
+    SeamsFile seams = loading().seams;
+    if (document_.garment()) {
+        const auto stated = easeByName(document_.garment()->seams);
+        seams.ease.insert(stated.begin(), stated.end());
+    }
+    return writeFile(path, writeSeamsFile(seams));
 }
 
 void Workspace::addCut(UserCut cut) {
@@ -88,6 +98,7 @@ void Workspace::addCut(UserCut cut) {
                   point = inFileSpace(point, options.seams, *garment);
               }
               options.seams.cuts.push_back(std::move(inFile));
+              giveIds(options.seams.cuts);
           },
           false,
           [name](const Garment& made) {
@@ -106,9 +117,8 @@ void Workspace::joinSeam(int seam) {
                          .arg(QString::fromStdString(chosen.name)));
         return;
     }
-    std::vector<std::string> cuts;
     for (const MadeCut& cut : garment->cuts) {
-        if (!isLeftBy(chosen, cut, garment->pieces)) {
+        if (std::ranges::find(chosen.cuts, cut.id) == chosen.cuts.end()) {
             continue;
         }
         if (cut.author == CutAuthor::Automatic) {
@@ -119,12 +129,11 @@ void Workspace::joinSeam(int seam) {
                     .arg(QString::fromStdString(chosen.name), QString::fromStdString(cut.piece)));
             return;
         }
-        cuts.push_back(cut.name);
     }
-    if (!cuts.empty()) {
-        changeSeams(tr("Removal of a cut"), [cuts](SeamsFile& seams) {
+    if (!chosen.cuts.empty()) {
+        changeSeams(tr("Removal of a cut"), [cuts = chosen.cuts](SeamsFile& seams) {
             std::erase_if(seams.cuts, [&cuts](const UserCut& cut) {
-                return std::ranges::find(cuts, cut.name) != cuts.end();
+                return std::ranges::find(cuts, cut.id) != cuts.end();
             });
         });
         return;
@@ -146,15 +155,12 @@ void Workspace::joinSeam(int seam) {
           }});
 }
 
-void Workspace::removeCut(const std::string& name) {
+void Workspace::removeCut(CutId id) {
     if (opening_.isActive()) {
-        return;  // what comes may have one of the same name
+        return;  // what comes may be the same garment, cut in another way
     }
-    changeSeams(tr("Removal of a cut"), [name](SeamsFile& seams) {
-        const auto cut = std::ranges::find(seams.cuts, name, &UserCut::name);
-        if (cut != seams.cuts.end()) {
-            seams.cuts.erase(cut);
-        }
+    changeSeams(tr("Removal of a cut"), [id](SeamsFile& seams) {
+        std::erase_if(seams.cuts, [id](const UserCut& cut) { return cut.id == id; });
     });
 }
 

@@ -12,6 +12,7 @@ namespace {
 /// True where the files have to be read or divided again: cuts and ease alone do not need that.
 bool needsReading(const LoadOptions& before, LoadOptions after) {
     after.seams = before.seams;
+    after.seamSettings = before.seamSettings;
     after.autoCut = before.autoCut;
     return !(before == after);
 }
@@ -121,7 +122,7 @@ void Workspace::onGranted(const LoadOptions& loading, MadeGarment made) {
         return;
     }
     DocumentState next = document_.state();
-    next.loading = loading;
+    next.loading = resolveNames(loading, *made.garment);
     next.settings = carriedSettings(made.carried, next.settings);
     if (!next.results.empty()) {  // else nothing is flat yet, and all is to be
         next.results = carriedResults(next.results, *made.garment);

@@ -8,6 +8,7 @@
 #include "app/base/path_text.h"
 #include "app/document/disposal.h"
 #include "app/document/history.h"
+#include "core/garment/lineage.h"
 #include "core/pipeline/garment_flattener.h"
 
 namespace toile {
@@ -24,12 +25,6 @@ bool isOfTheSameFiles(const Garment& a, const Garment& b) {
 
 bool haveTheSamePieces(const Garment* a, const Garment* b) {
     return a && b && a->pieces == b->pieces;
-}
-
-int indexOfPiece(const Garment& garment, const std::string& name) {
-    const auto found = std::ranges::find_if(
-        garment.pieces, [&](const auto& piece) -> bool { return piece->name == name; });
-    return found == garment.pieces.end() ? -1 : static_cast<int>(found - garment.pieces.begin());
 }
 
 }  // namespace
@@ -50,6 +45,10 @@ const PieceResult* Document::result(int piece) const {
 
 int Document::pieceCount() const {
     return garment() ? static_cast<int>(garment()->pieces.size()) : 0;
+}
+
+std::vector<int> Document::colours() const {
+    return garment() ? coloursOf(state_.labels, *garment()) : std::vector<int>{};
 }
 
 Document::Selection Document::everyPiece() const {
@@ -80,6 +79,9 @@ void Document::open(DocumentState state) {
     }
     state_ = std::move(state);
     state_.settings.resize(static_cast<std::size_t>(pieceCount()));
+    if (garment()) {
+        state_.labels = withColours(std::move(state_.labels), nullptr, *garment());
+    }
     history_.clear();
     selection_.clear();
     seam_.reset();
@@ -105,6 +107,9 @@ void Document::setGarment(std::shared_ptr<const Garment> garment,
 
 void Document::edit(const QString& text, DocumentState next, int gesture) {
     next.settings.resize(next.garment ? next.garment->pieces.size() : 0);
+    if (next.garment && next.garment != garment()) {
+        next.labels = withColours(std::move(next.labels), garment().get(), *next.garment);
+    }
     if (next == state_) {
         return;
     }
@@ -134,26 +139,33 @@ DocumentChanges Document::differences(const DocumentState& before) const {
     what.setFlag(DocumentChange::Loading, !(state_.loading == before.loading));
     what.setFlag(DocumentChange::Options, !(state_.options == before.options));
     what.setFlag(DocumentChange::Fabric, !(state_.fabric == before.fabric));
-    what.setFlag(DocumentChange::Settings, state_.settings != before.settings);
+    what.setFlag(DocumentChange::Settings,
+                 state_.settings != before.settings || state_.labels != before.labels);
     return what;
 }
 
 DocumentChanges Document::keepSelection(const DocumentState& before) {
     Selection kept;
-    for (const int piece : selection_) {
-        const auto& old = before.garment->pieces[static_cast<std::size_t>(piece)];
-        if (const int now = garment() ? indexOfPiece(*garment(), old->name) : -1; now >= 0) {
-            kept.insert(now);
-        }
-    }
     std::optional<int> seam;
-    if (seam_ && garment()) {
-        const std::string& name =
-            before.garment->seams.seams[static_cast<std::size_t>(*seam_)].name;
-        const auto& seams = garment()->seams.seams;
-        const auto found = std::ranges::find(seams, name, &Seam::name);
-        if (found != seams.end()) {
-            seam = static_cast<int>(found - seams.begin());
+    if (garment() && before.garment) {
+        // What a selected piece was cut into, and what it became part of.
+        const auto& pieces = garment()->pieces;
+        const std::vector<int> was = predecessors(before.garment->pieces, pieces);
+        const std::vector<int> is = predecessors(pieces, before.garment->pieces);
+        for (int now = 0; now < pieceCount(); ++now) {
+            if (selection_.contains(was[static_cast<std::size_t>(now)])) {
+                kept.insert(now);
+            }
+        }
+        for (const int old : selection_) {
+            if (is[static_cast<std::size_t>(old)] >= 0) {
+                kept.insert(is[static_cast<std::size_t>(old)]);
+            }
+        }
+        if (seam_) {
+            const auto& seams = before.garment->seams.seams;
+            const int now = seamAt(garment()->seams, seams[static_cast<std::size_t>(*seam_)].place);
+            seam = now >= 0 ? std::optional(now) : std::nullopt;
         }
     }
     // The indices may mean others now even where they are the same numbers.
@@ -301,11 +313,7 @@ void Document::setSeamEase(int seam, std::optional<double> ease) {
     eased->seams.seams[at].ease = ease;
     DocumentState next = state_;
     next.garment = std::move(eased);
-    if (ease) {
-        next.loading.seams.ease[before.name] = *ease;
-    } else {
-        next.loading.seams.ease.erase(before.name);
-    }
+    next.loading.seamSettings = withEase(std::move(next.loading.seamSettings), before, ease);
     edit(tr("Ease of a seam"), std::move(next));
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
+#include "core/project/piece_labels.h"
 #include "core/project/piece_settings.h"
 
 namespace toile {
@@ -21,6 +22,7 @@ struct DocumentState {
     FlattenOptions options{};  ///< how pieces are to be flattened
     Fabric fabric = fabricPresets().front();
     std::vector<PieceSettings> settings{};  ///< one per piece of the garment
+    PieceLabels labels{};                   ///< of these pieces, and of some that may come back
 
     /// What follows is made of the above. Results may be of older options, or of pieces that are
     /// no more in the garment (`PieceResult::piece`, `options` tell), until new ones come.

@@ -8,9 +8,11 @@ Project projectOf(const DocumentState& state, const ViewState& view) {
     Project project;
     project.files = meshReferences(*state.garment);
     project.loading = state.loading;
+    project.loading.known = knownPieces(*state.garment);
     project.options = state.options;
     project.fabric = state.fabric;
-    project.pieces = settingsByName(*state.garment, state.settings, state.results);
+    project.pieces = projectPieces(*state.garment, state.settings, state.results);
+    project.labels = state.labels;
     project.view = {std::string(wordOf(kOverlayWords, view.overlay)), view.wireframe,
                     view.designerOutline};
     return project;
@@ -26,10 +28,11 @@ ViewState viewOf(const ProjectView& saved, ViewState view) {
 DocumentState stateOf(const Project& project, std::shared_ptr<const Garment> garment,
                       std::shared_ptr<const Scene> scene) {
     DocumentState state;
-    state.loading = project.loading;
+    state.loading = resolveNames(project.loading, *garment);
     state.options = project.options;
     state.fabric = project.fabric;
     state.settings = settingsFor(project, *garment);
+    state.labels = project.labels;
     state.garment = std::move(garment);
     state.scene = std::move(scene);
     return state;

@@ -51,7 +51,12 @@ std::unique_ptr<Job> importJob(std::vector<std::filesystem::path> files, LoadOpt
     auto work = [files = std::move(files), options = std::move(options),
                  before = std::move(before)](Progress& progress) -> Result<MadeGarment> {
         progress.setShare(0, kReadingShare);
-        Result<Garment> garment = loadGarment(files, options, progress);
+        LoadOptions reading = options;
+        if (before) {
+            reading.known = knownPieces(*before->garment);
+        }
+        Result<Garment> garment =
+            loadGarment(files, reading, progress, before ? before->garment.get() : nullptr);
         if (!garment) {
             return garment.error();
         }

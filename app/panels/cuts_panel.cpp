@@ -18,7 +18,7 @@ namespace {
 enum CutColumn { CutName, Author, PieceName, Length, CutColumnCount };
 
 /// Data of a row.
-constexpr int kIsOwn = Qt::UserRole, kIsJoin = Qt::UserRole + 1;
+constexpr int kIsOwn = Qt::UserRole, kIsJoin = Qt::UserRole + 1, kCutId = Qt::UserRole + 2;
 
 }  // namespace
 
@@ -69,6 +69,7 @@ void CutsPanel::rebuild() {
             row->setToolTip(CutName, own ? tr("%1: Delete takes it back").arg(row->text(CutName))
                                          : row->text(CutName));
             row->setData(CutName, kIsOwn, own);
+            row->setData(CutName, kCutId, static_cast<qulonglong>(cut.id.value));
             row->setText(Author, own ? tr("you") : tr("Toile"));
             row->setText(PieceName, QString::fromStdString(cut.piece));
             row->setText(Length, lengthWithUnit(cut.length));
@@ -127,7 +128,7 @@ void CutsPanel::removeCurrent() {
     if (row->data(CutName, kIsJoin).toBool()) {
         emit joinRemovalWanted(row->text(CutName).toStdString());
     } else {
-        emit removeWanted(row->text(CutName).toStdString());
+        emit removeWanted({row->data(CutName, kCutId).toULongLong()});
     }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/document/document_change.h"
+#include "core/base/id.h"
 
 class QLabel;
 class QTreeWidget;
@@ -23,7 +24,7 @@ public:
 
 signals:
     /// A cut of the user's is to be taken back.
-    void removeWanted(const std::string& name);
+    void removeWanted(toile::CutId cut);
     /// A seam that was joined is to be there again.
     void joinRemovalWanted(const std::string& name);
 

@@ -158,7 +158,8 @@ bool PiecesModel::hasDesigner() const {
 
 QVariant PiecesModel::decoration(int row) const {
     const PieceResult* known = document_.result(row);
-    return swatch(known && known->flat ? pieceColour(row) : neutralColour());
+    const int colour = document_.colours()[static_cast<std::size_t>(row)];
+    return swatch(known && known->flat ? pieceColour(colour) : neutralColour());
 }
 
 QString PiecesModel::text(int row, int column) const {

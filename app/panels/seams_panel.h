@@ -36,7 +36,7 @@ signals:
     /// @param ease a part of the right side's length; none: as the 3D lengths have it
     void easeWanted(int seam, std::optional<double> ease);
     /// A cut of the user's is to be taken back.
-    void cutRemovalWanted(const std::string& name);
+    void cutRemovalWanted(toile::CutId cut);
     void joinRemovalWanted(const std::string& name);
 
 private:

@@ -25,7 +25,9 @@ PieceTable makePieceTable(const Scene& scene, const std::set<int>& selection,
         0.0F);
     for (int i = 0; i < count; ++i) {
         const PieceScene& piece = scene.pieces[static_cast<std::size_t>(i)];
-        const Rgb colour = !piece.flat ? neutralColour() : coloured ? pieceColour(i) : kPlainCloth;
+        const SheetPlace& place = placeOf(places, i);
+        const Rgb own = coloured ? pieceColour(place.colour) : kPlainCloth;
+        const Rgb colour = piece.flat ? own : neutralColour();
         const int flags =
             (selection.count(i) != 0 ? kPieceSelected : 0) | (piece.flat ? kPieceFlat : 0);
         float* texel = table.texels.data() + static_cast<std::size_t>(i) * 4 * kTexelsPerPiece;
@@ -33,7 +35,6 @@ PieceTable makePieceTable(const Scene& scene, const std::set<int>& selection,
         texel[1] = static_cast<float>(colour.g) / 255.0F;
         texel[2] = static_cast<float>(colour.b) / 255.0F;
         texel[3] = static_cast<float>(flags);
-        const SheetPlace& place = placeOf(places, i);
         const Eigen::Matrix2d linear = place.placement.linear();
         for (int k = 0; k < 4; ++k) {
             texel[4 + k] = static_cast<float>(linear.data()[k]);  // column by column

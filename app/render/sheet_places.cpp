@@ -3,11 +3,13 @@
 
 namespace toile {
 
-SheetPlaces placesOf(const std::vector<PieceSettings>& settings) {
+SheetPlaces placesOf(const std::vector<PieceSettings>& settings, const std::vector<int>& colours) {
     SheetPlaces places;
     places.reserve(settings.size());
     for (const PieceSettings& piece : settings) {
-        places.push_back({piece.placement.value_or(Placement{}), grainOf(piece)});
+        const std::size_t at = places.size();
+        places.push_back({piece.placement.value_or(Placement{}), grainOf(piece),
+                          at < colours.size() ? colours[at] : 0});
     }
     return places;
 }

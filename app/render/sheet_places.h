@@ -14,6 +14,7 @@ namespace toile {
 struct SheetPlace {
     Placement placement{};
     double grain = kGrainUpwards;  ///< direction of the warp in the piece's own coordinates
+    int colour = 0;                ///< its number (`pieceColour`)
 
     bool operator==(const SheetPlace&) const = default;
 };
@@ -21,7 +22,9 @@ struct SheetPlace {
 /// One per piece of the scene. Shorter lists stand for pieces that lie where they were made.
 using SheetPlaces = std::vector<SheetPlace>;
 
-SheetPlaces placesOf(const std::vector<PieceSettings>& settings);
+/// @param colours  one per piece, or none where nobody asks
+SheetPlaces placesOf(const std::vector<PieceSettings>& settings,
+                     const std::vector<int>& colours = {});
 
 const SheetPlace& placeOf(const SheetPlaces& places, int piece);
 

@@ -54,7 +54,7 @@ SceneView::SceneView(Document& document, ToolBox& tools, std::unique_ptr<SceneRe
         hover_.writeAgain();
         update();
     });
-    places_ = placesOf(document_.settings());
+    places_ = placesOf(document_.settings(), document_.colours());
     renderer_->setPlaces(places_);
     renderer_->setFabric(document_.fabric());
     renderer_->setScene(document_.scene());
@@ -88,7 +88,7 @@ void SceneView::onChanged(DocumentChanges what) {
         renderer_->setScene(document_.scene());
     }
     if (what.testFlag(DocumentChange::Settings)) {
-        SheetPlaces places = placesOf(document_.settings());
+        SheetPlaces places = placesOf(document_.settings(), document_.colours());
         // Who moves a piece wants the sheet to stay where it is.
         const bool byHand = !(what & (DocumentChange::Garment | DocumentChange::Results)) &&
                             lieElsewhere(places, places_);

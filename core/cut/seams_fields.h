@@ -8,10 +8,14 @@ namespace toile {
 
 /// Reads unit, cuts, joins and ease, which a seams file and a project have alike.
 /// @param easeUnit  what the file writes for a side twice as long as the other: 100 for percent
-void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit);
+/// @param withIds   of cuts: a seams file is written by people, and has none
+void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit, bool withIds);
+
+/// The most ease that can be stated, as a part of the seam's right side: ten times as long again.
+inline constexpr double kMostEase = 10;
 
 /// The fields of these names.
-OrderedJson cutsJson(const SeamsFile& seams);
+OrderedJson cutsJson(const SeamsFile& seams, bool withIds);
 OrderedJson joinsJson(const SeamsFile& seams);
 OrderedJson easeJson(const SeamsFile& seams, double easeUnit);
 

@@ -11,8 +11,6 @@ namespace {
 constexpr int kVersion = 1;
 constexpr int kIndent = 2;
 constexpr double kPercent = 100;
-/// The most ease that can be stated, as a part of the seam's right side: ten times as long again.
-constexpr double kMostEase = 10;
 constexpr Word<UserCut::Kind> kKinds[] = {
     {UserCut::Kind::Path, "path"}, {UserCut::Kind::Loop, "loop"}, {UserCut::Kind::Dart, "dart"}};
 constexpr Word<bool> kAlongEdges[] = {{false, "surface"}, {true, "edges"}};
@@ -44,15 +42,19 @@ OrderedJson pointsJson(const std::vector<Eigen::Vector3d>& points) {
 
 }  // namespace
 
-void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit) {
+void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit, bool withIds) {
     fields.read("unit", seams.unit);
-    fields.readObjects("cuts", [&seams](JsonFields& at) {
+    fields.readObjects("cuts", [&seams, withIds](JsonFields& at) {
         UserCut& cut = seams.cuts.emplace_back();
         cut.name = "cut " + std::to_string(seams.cuts.size());
         at.readWord("kind", cut.kind, kKinds);
         at.readWord("along", cut.alongEdges, kAlongEdges);
+        if (withIds && at.find("id")) {
+            at.readWord("id", cut.id.value, "16 hexadecimal digits", parseId);
+        }
         readNameAndPoints(at, cut.name, cut.points);
     });
+    giveIds(seams.cuts);
     fields.readObjects("joins", [&seams](JsonFields& at) {
         UserJoin& join = seams.joins.emplace_back();
         join.name = "join " + std::to_string(seams.joins.size());
@@ -82,7 +84,7 @@ Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name,
         int version = 0;
         fields.need("version");
         fields.read("version", version, kVersion, kVersion);
-        readSeams(fields, file, kPercent);
+        readSeams(fields, file, kPercent, false);
     }
     if (!faults.first.empty()) {
         return Error{ErrorCode::MalformedFile, name, faults.first};
@@ -101,13 +103,16 @@ Result<SeamsFile> readSeamsFile(const std::filesystem::path& path, Problems* not
     return parseSeamsFile(*text, path.filename().string(), notes);
 }
 
-OrderedJson cutsJson(const SeamsFile& seams) {
+OrderedJson cutsJson(const SeamsFile& seams, bool withIds) {
     OrderedJson list = OrderedJson::array();
     for (const UserCut& cut : seams.cuts) {
-        list.push_back({{"name", cut.name},
-                        {"kind", std::string(name(cut.kind))},
-                        {"along", std::string(wordOf(kAlongEdges, cut.alongEdges))},
-                        {"points", pointsJson(cut.points)}});
+        OrderedJson& entry = list.emplace_back(OrderedJson{{"name", cut.name}});
+        if (cut.id && withIds) {
+            entry["id"] = idText(cut.id);
+        }
+        entry["kind"] = std::string(name(cut.kind));
+        entry["along"] = std::string(wordOf(kAlongEdges, cut.alongEdges));
+        entry["points"] = pointsJson(cut.points);
     }
     return list;
 }
@@ -133,7 +138,7 @@ std::string writeSeamsFile(const SeamsFile& file) {
     if (file.unit) {
         json["unit"] = std::string(symbol(*file.unit));
     }
-    json["cuts"] = cutsJson(file);
+    json["cuts"] = cutsJson(file, false);
     if (!file.joins.empty()) {
         json["joins"] = joinsJson(file);
     }

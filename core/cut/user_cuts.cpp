@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cut/user_cuts.h"
 
+#include <bit>
 #include <limits>
+#include <set>
 
 #include "core/cut/edge_path.h"
 #include "core/cut/geodesic.h"
@@ -74,6 +76,28 @@ int nearestVertex(const MeshArrays& mesh, const SurfacePoint& point) {
 }
 
 }  // namespace
+
+void giveIds(std::vector<UserCut>& cuts) {
+    std::set<CutId> taken;
+    for (const UserCut& cut : cuts) {
+        taken.insert(cut.id);
+    }
+    for (UserCut& cut : cuts) {
+        if (cut.id) {
+            continue;
+        }
+        cut.id.value = hashOf(
+            {static_cast<std::uint64_t>(cut.kind), static_cast<std::uint64_t>(cut.alongEdges)});
+        for (const Eigen::Vector3d& point : cut.points) {
+            for (const double coordinate : point) {
+                cut.id.value = hashOf({cut.id.value, std::bit_cast<std::uint64_t>(coordinate)});
+            }
+        }
+        while (!taken.insert(cut.id).second) {
+            cut.id.value = hashOf({cut.id.value});
+        }
+    }
+}
 
 Result<PathPolyline> wayOfCut(const SurfaceLinks& links, const SurfacePoint& from,
                               const SurfacePoint& to, bool alongEdges, const Progress& progress) {

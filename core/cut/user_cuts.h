@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "core/base/id.h"
 #include "core/base/result.h"
 #include "core/cut/cut_along.h"
 #include "core/cut/nearest_surface.h"
@@ -26,9 +27,13 @@ struct UserCut {
     Kind kind = Kind::Path;
     std::vector<Eigen::Vector3d> points;  ///< mm
     bool alongEdges = false;              ///< between the nearest vertices, along edges
+    CutId id{};                           ///< kept where points or name change; see `giveIds`
 
     bool operator==(const UserCut&) const = default;
 };
+
+/// Gives every cut that has none an id, by its kind and its points, unlike that of any other.
+void giveIds(std::vector<UserCut>& cuts);
 
 /// The way that a cut takes between two of its points: see `geodesicPath`, or `edgePath` between
 /// the nearest vertices. @errors  a cut error where they are not connected; Cancelled

@@ -2,10 +2,13 @@
 #include "core/flatten/match_versions.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -215,6 +218,51 @@ private:
     VersionMatch match_;
 };
 
+using Place = std::array<double, 3>;
+
+/// Vertices by where they lie in space, those that share their place left out.
+std::map<Place, int> byPlace(const Piece& piece) {
+    std::map<Place, int> vertexAt;
+    for (int v = 0; v < piece.mesh.V.rows(); ++v) {
+        const Place place{piece.mesh.V(v, 0), piece.mesh.V(v, 1), piece.mesh.V(v, 2)};
+        if (const auto [known, isNew] = vertexAt.emplace(place, v); !isNew) {
+            known->second = -1;
+        }
+    }
+    return vertexAt;
+}
+
+/// Where the file was written anew with other numbers: the match by place, if that finds most
+/// vertices, and numbers find few of them where they were.
+std::optional<VersionMatch> renumberedMatch(const Piece& piece, const Piece& before) {
+    std::unordered_map<int, int> bySource;
+    for (int v = 0; v < before.mesh.V.rows(); ++v) {
+        bySource.emplace(sourceOf(before.sourceVertex, v), v);
+    }
+    const auto count = piece.mesh.V.rows();
+    Eigen::Index stay = 0;
+    for (int v = 0; v < count; ++v) {
+        const auto old = bySource.find(sourceOf(piece.sourceVertex, v));
+        stay += old != bySource.end() && before.mesh.V.row(old->second) == piece.mesh.V.row(v);
+    }
+    if (2 * stay >= count) {
+        return std::nullopt;
+    }
+    VersionMatch match;
+    match.vertex.assign(static_cast<std::size_t>(count), -1);
+    const std::map<Place, int> then = byPlace(before);
+    Eigen::Index found = 0;
+    for (const auto& [place, vertex] : byPlace(piece)) {
+        const auto old = then.find(place);
+        if (vertex >= 0 && old != then.end() && old->second >= 0) {
+            match.vertex[static_cast<std::size_t>(vertex)] = old->second;
+            ++found;
+        }
+    }
+    match.complete = found == count;
+    return 2 * found > count ? std::optional(std::move(match)) : std::nullopt;
+}
+
 }  // namespace
 
 VersionMatch matchVersions(const Piece& piece, const Piece& before) {
@@ -229,6 +277,9 @@ VersionMatch matchVersions(const Piece& piece, const Piece& before) {
         VersionMatch nothing;
         nothing.vertex.assign(static_cast<std::size_t>(piece.mesh.V.rows()), -1);
         return nothing;
+    }
+    if (auto match = renumberedMatch(piece, before)) {
+        return *std::move(match);
     }
     return Matcher(piece, before).run();
 }

@@ -11,7 +11,8 @@ namespace toile {
 struct Piece;
 
 /// Where the vertices of a piece were in an earlier version of it, by what both have from the file
-/// (`Piece::sourceVertex`, `sourceFace`; where neither version has any, by index) and by place.
+/// (`Piece::sourceVertex`, `sourceFace`; where neither version has any, by index) and by place; by
+/// place alone where the file has other numbers now.
 struct VersionMatch {
     /// A vertex that the earlier version did not have, within one of its triangles.
     struct Placed {

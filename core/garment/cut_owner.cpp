@@ -87,7 +87,7 @@ CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
                                               {figure(distance.point + 1.0),
                                                figure(distance.farthest), pieces[piece]->name})));
         } else {
-            owners.cutsOf[piece].push_back(&cuts[c]);
+            owners.cutsOf[piece].push_back(cuts[c]);
         }
     }
     return owners;

@@ -14,7 +14,7 @@ namespace toile {
 /// The user's cuts of each piece: every cut goes to the piece whose surface lies nearest to its
 /// points, in the sum of distances, the first of equals.
 struct CutOwners {
-    std::vector<std::vector<const UserCut*>> cutsOf;  ///< per piece, in the order given
+    std::vector<std::vector<UserCut>> cutsOf;  ///< per piece, in the order given
     Problems problems;  ///< cuts with a point far from every piece, or without any finite point
 };
 

@@ -2,11 +2,13 @@
 #include "core/garment/cut_pieces.h"
 
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/unique_names.h"
 #include "core/cut/surface_point.h"
 #include "core/garment/cut_owner.h"
+#include "core/garment/part_origins.h"
 #include "core/mesh/repair_part.h"
 
 namespace toile {
@@ -27,19 +29,19 @@ Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const Su
     return point;
 }
 
-/// What came of one curve: the length that came open, mm, and a point in the middle of each run.
+/// What came of one curve: the length that came open, mm.
 struct Opened {
     double length = 0;
-    std::vector<Eigen::Vector3d> middles;
     std::optional<Error> error;  ///< why it was left out
 };
 
 /// Cuts one piece along curves. What comes of it has the old piece's file, sources and panel, and
 /// its name; several parts are the caller's to name.
+/// @param ids     of the cuts, one per path
 /// @param opened  gets what each curve opened
 Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPolyline>& paths,
-                                    const CutOptions& options, const Progress& progress,
-                                    std::vector<Opened>& opened) {
+                                    const std::vector<CutId>& ids, const CutOptions& options,
+                                    const Progress& progress, std::vector<Opened>& opened) {
     auto cut = cutAlong(piece.mesh, paths, options, progress);
     if (!cut) {
         Error error = cut.error();
@@ -47,13 +49,7 @@ Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPo
         return error;
     }
     for (const OpenedCut& one : cut->cuts) {
-        opened.push_back({one.length, {}, one.error});
-        for (const CutRun& run : one.runs) {
-            const std::size_t k = (run.left.size() - 1) / 2;
-            opened.back().middles.emplace_back(
-                0.5 *
-                (cut->mesh.V.row(run.left[k]) + cut->mesh.V.row(run.left[k + 1])).transpose());
-        }
+        opened.push_back({one.length, one.error});
     }
     MeshPart part;
     for (const int v : cut->sourceVertex) {
@@ -62,10 +58,23 @@ Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPo
     for (const int f : cut->sourceFace) {
         part.sourceFace.push_back(piece.sourceFace[f]);
     }
-    part.mesh = std::move(cut->mesh);
+    part.mesh = cut->mesh;
+    std::vector<ConnectedPart> parts = connectedParts(std::move(part));
+    std::vector<int> partOf(static_cast<std::size_t>(cut->mesh.V.rows()), -1);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        for (const int v : parts[p].vertex) {
+            partOf[v] = static_cast<int>(p);
+        }
+    }
+    const std::vector<Lineage> lineages =
+        partLineages(piece.lineage, ids, *cut, partOf, static_cast<int>(parts.size()));
+    const PartOrigins origins(piece, ids, paths, *cut);
     std::vector<Piece> made;
-    for (auto& [connected, vertex] : connectedParts(std::move(part))) {
+    for (auto& [connected, vertex] : parts) {
         Piece& next = made.emplace_back(makePiece(piece.name, std::move(connected.mesh)));
+        next.lineage = lineages[made.size() - 1];
+        next.id = idOf(next.lineage);
+        next.origins = origins.of(next, vertex);
         next.file = piece.file;
         next.sourceVertex = std::move(connected.sourceVertex);
         next.sourceFace = std::move(connected.sourceFace);
@@ -87,18 +96,53 @@ bool cutsCanMend(ErrorCode defect) {
 
 class Cutter {
 public:
-    Cutter(const std::vector<PiecePointer>& wholes, bool automatic) : automatic_(automatic) {
+    Cutter(const std::vector<PiecePointer>& wholes, bool automatic,
+           const std::vector<CutWhole>& before)
+        : automatic_(automatic) {
         for (const PiecePointer& whole : wholes) {
             names_.take(whole->name);
         }
+        for (const CutWhole& cut : before) {
+            before_.emplace(cut.whole.get(), &cut);
+        }
     }
 
-    void cut(const PiecePointer& whole, const std::vector<const UserCut*>& cuts,
-             const Progress& progress) {
-        std::vector<Piece> parts = byHand(*whole, cuts, Progress(progress, kByHandShare));
+    void cut(const PiecePointer& whole, std::vector<UserCut> asked, const Progress& progress) {
+        if (asked.empty() && !isToOpen(*whole)) {
+            made_.pieces.push_back(whole);
+            return;
+        }
+        const auto known = before_.find(whole.get());
+        if (known != before_.end() && known->second->asked == asked &&
+            known->second->automatic == automatic_) {
+            done_ = *known->second;
+        } else {
+            done_ = {whole, std::move(asked), automatic_, {}};
+            cutAnew(whole, progress);
+        }
+        const auto append = [](auto& list, const auto& more) {
+            list.insert(list.end(), more.begin(), more.end());
+        };
+        append(made_.pieces, done_.pieces);
+        append(made_.cuts, done_.cuts);
+        append(made_.problems, done_.problems);
+        made_.wholes.push_back(std::move(done_));
+    }
+
+    CutPieces take() { return std::move(made_); }
+
+    void fail(Error error) { made_.problems.push_back(std::move(error)); }
+
+private:
+    bool isToOpen(const Piece& piece) const {
+        return automatic_ && piece.defect && cutsCanMend(piece.defect->code);
+    }
+
+    void cutAnew(const PiecePointer& whole, const Progress& progress) {
+        std::vector<Piece> parts = byHand(*whole, Progress(progress, kByHandShare));
         if (parts.empty()) {  // no cut of the user's, or none that could be made
-            if (!automatic_ || !whole->defect || !cutsCanMend(whole->defect->code)) {
-                made_.pieces.push_back(whole);
+            if (!isToOpen(*whole)) {
+                done_.pieces.push_back(whole);
                 return;
             }
             parts.push_back(*whole);
@@ -111,22 +155,17 @@ public:
                     part.defect->where = part.name;
                 }
             }
-            if (automatic_ && part.defect && cutsCanMend(part.defect->code)) {
+            if (isToOpen(part)) {
                 byItself(part, Progress(progress,
                                         (1 - kByHandShare) / static_cast<double>(parts.size())));
             }
-            made_.pieces.push_back(std::make_shared<Piece>(std::move(part)));
+            done_.pieces.push_back(std::make_shared<Piece>(std::move(part)));
         }
     }
 
-    CutPieces take() { return std::move(made_); }
-
-    void fail(Error error) { made_.problems.push_back(std::move(error)); }
-
-private:
     /// The parts after the user's cuts; none where no cut was made.
-    std::vector<Piece> byHand(const Piece& piece, const std::vector<const UserCut*>& cuts,
-                              const Progress& progress) {
+    std::vector<Piece> byHand(const Piece& piece, const Progress& progress) {
+        const std::vector<UserCut>& cuts = done_.asked;
         if (cuts.empty()) {
             return {};
         }
@@ -134,13 +173,15 @@ private:
         const NearestSurface nearest(piece.mesh);
         std::vector<PathPolyline> paths;
         std::vector<const UserCut*> traced;
+        std::vector<CutId> ids;
         for (std::size_t c = 0; c < cuts.size() && !progress.isCancelled(); ++c) {
-            auto path = traceUserCut(links, nearest, *cuts[c], progress);
+            auto path = traceUserCut(links, nearest, cuts[c], progress);
             if (path) {
                 paths.push_back(std::move(*path));
-                traced.push_back(cuts[c]);
+                traced.push_back(&cuts[c]);
+                ids.push_back(cuts[c].id);
             } else {
-                failIn(piece, *cuts[c], path.error());
+                failIn(piece, cuts[c], path.error());
             }
             progress.report(kTracingShare * static_cast<double>(c + 1) /
                             static_cast<double>(cuts.size()));
@@ -149,7 +190,7 @@ private:
             return {};
         }
         std::vector<Opened> opened;
-        auto parts = cutPiece(piece, paths, {.leavesOut = true}, progress, opened);
+        auto parts = cutPiece(piece, paths, ids, {.leavesOut = true}, progress, opened);
         bool areAllOut = true;
         for (std::size_t c = 0; c < traced.size(); ++c) {
             if (!parts || opened[c].error) {
@@ -158,10 +199,10 @@ private:
             }
             areAllOut = false;
             if (opened[c].length > 0) {
-                made_.cuts.push_back({traced[c]->name, CutAuthor::User, traced[c]->kind, piece.name,
-                                      opened[c].length, std::move(opened[c].middles)});
+                done_.cuts.push_back({traced[c]->name, CutAuthor::User, traced[c]->kind, piece.name,
+                                      opened[c].length, ids[c]});
             } else {
-                fail(cutError(
+                done_.problems.push_back(cutError(
                     traced[c]->name,
                     toile::worded("in %1 it runs along the outline or along another cut, and "
                                   "opens nothing",
@@ -172,7 +213,7 @@ private:
     }
 
     void failIn(const Piece& piece, const UserCut& cut, const Error& error) {
-        fail(cutError(
+        done_.problems.push_back(cutError(
             cut.name,
             toile::worded("in %1, %2", {piece.name, error.detail.empty()
                                                         ? toile::worded(describe(error.code).data())
@@ -188,11 +229,13 @@ private:
             return;
         }
         std::vector<PathPolyline> paths;
+        std::vector<CutId> ids;
         for (const ProposedCut& cut : proposal->cuts) {
+            ids.push_back({hashOf({piece.id.value, 'a', paths.size()})});
             paths.push_back(cut.path);
         }
         std::vector<Opened> opened;
-        auto parts = cutPiece(piece, paths, {}, progress, opened);
+        auto parts = cutPiece(piece, paths, ids, {}, progress, opened);
         if (!parts || parts->size() != 1) {
             piece.defect =
                 parts ? cutError(piece.name, toile::worded("the cuts would separate the piece"))
@@ -200,30 +243,33 @@ private:
             return;
         }
         for (std::size_t c = 0; c < opened.size(); ++c) {
-            made_.cuts.push_back({piece.name + ", automatic cut " + std::to_string(c + 1),
+            done_.cuts.push_back({piece.name + ", automatic cut " + std::to_string(c + 1),
                                   CutAuthor::Automatic, UserCut::Kind::Path, piece.name,
-                                  opened[c].length, std::move(opened[c].middles)});
+                                  opened[c].length, ids[c]});
         }
         piece = std::move(parts->front());
     }
 
-    bool automatic_;
+    const bool automatic_;
+    std::unordered_map<const Piece*, const CutWhole*> before_;
     UniqueNames names_;
+    CutWhole done_;  ///< with the piece at hand
     CutPieces made_;
 };
 
 }  // namespace
 
-CutPieces cutPieces(const std::vector<PiecePointer>& wholes, const std::vector<UserCut>& cuts,
-                    bool automatic, const Progress& progress) {
+CutPieces cutPieces(const std::vector<PiecePointer>& wholes, std::vector<UserCut> cuts,
+                    bool automatic, const Progress& progress, const std::vector<CutWhole>& before) {
+    giveIds(cuts);
     CutOwners owners = findCutOwners(wholes, cuts, progress);
-    Cutter cutter(wholes, automatic);
+    Cutter cutter(wholes, automatic, before);
     for (Error& problem : owners.problems) {
         cutter.fail(std::move(problem));
     }
     const auto count = static_cast<double>(wholes.size());
     for (std::size_t p = 0; p < wholes.size() && !progress.isCancelled(); ++p) {
-        cutter.cut(wholes[p], owners.cutsOf[p], Progress(progress, 1 / count));
+        cutter.cut(wholes[p], std::move(owners.cutsOf[p]), Progress(progress, 1 / count));
         progress.report(static_cast<double>(p + 1) / count);
     }
     return cutter.take();

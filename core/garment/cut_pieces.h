@@ -18,9 +18,19 @@ struct MadeCut {
     std::string name;  ///< the user's; "front, automatic cut 1"
     CutAuthor author = CutAuthor::User;
     UserCut::Kind kind = UserCut::Kind::Path;
-    std::string piece;                       ///< what it opened, by the name before the cut
-    double length = 0;                       ///< mm, of the line that came open
-    std::vector<Eigen::Vector3d> middles{};  ///< a point in the middle of each run of it, mm
+    std::string piece;  ///< what it opened, by the name before the cut
+    double length = 0;  ///< mm, of the line that came open
+    CutId id{};
+};
+
+/// What was done with one piece that was to be cut.
+struct CutWhole {
+    std::shared_ptr<const Piece> whole;
+    std::vector<UserCut> asked;
+    bool automatic = false;
+    std::vector<std::shared_ptr<const Piece>> pieces;
+    std::vector<MadeCut> cuts{};
+    Problems problems{};
 };
 
 /// Pieces after cutting, and what was done.
@@ -28,6 +38,7 @@ struct CutPieces {
     std::vector<std::shared_ptr<const Piece>> pieces;
     std::vector<MadeCut> cuts;
     Problems problems;  ///< CutImpossible, for each cut of the user's that could not be made
+    std::vector<CutWhole> wholes;  ///< of those pieces that were to be cut
 };
 
 /// Makes the user's cuts, each in the piece that lies nearest to its points, and then, where asked,
@@ -36,8 +47,11 @@ struct CutPieces {
 /// cut that fails leaves the others, and its piece, alone; a piece that no automatic cut opens
 /// keeps its defect, with the reason. Cost: the cuts'; nothing for the pieces without.
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing
+/// @param before    what an earlier call did: where the same is asked of the same piece, the same
+///                  parts come of it, by pointer
 /// Deterministic. Re-entrant.
 CutPieces cutPieces(const std::vector<std::shared_ptr<const Piece>>& wholes,
-                    const std::vector<UserCut>& cuts, bool automatic, const Progress& progress);
+                    std::vector<UserCut> cuts, bool automatic, const Progress& progress,
+                    const std::vector<CutWhole>& before = {});
 
 }  // namespace toile

@@ -17,9 +17,9 @@ struct DivideOptions {
 
 /// A file divided into pieces.
 struct DividedFile {
-    std::vector<std::shared_ptr<const Piece>> pieces;
-    SplitChoice split;  ///< the mode used, and why
-    Problems problems;  ///< what triangulating and mending had to say
+    std::vector<std::shared_ptr<Piece>> pieces;  ///< without ids yet (`identify`)
+    SplitChoice split;                           ///< the mode used, and why
+    Problems problems;                           ///< what triangulating and mending had to say
 };
 
 /// Divides a file into pieces, in order of first face, positions scaled to millimetres. Each part

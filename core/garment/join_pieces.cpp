@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -44,7 +46,8 @@ struct SewnChain {
 
 class Joiner {
 public:
-    explicit Joiner(const std::vector<PiecePointer>& wholes) : pieces_(wholes) {
+    Joiner(const std::vector<PiecePointer>& wholes, const std::vector<MadeJoin>& before)
+        : pieces_(wholes), before_(before) {
         for (const PiecePointer& whole : wholes) {
             names_.take(whole->name);
         }
@@ -227,28 +230,36 @@ private:
     }
 
     Result<void> apply(const UserJoin& join, const SewnChain& weld) {
-        const bool itself = weld.left == weld.right;
-        const Piece& left = *pieces_[weld.left];
-        const Piece& right = *pieces_[weld.right];
-        Piece made = welded(left, right, weld);
-        if (made.defect && isNoSurface(made.defect->code)) {
-            return joinError(
-                join,
-                toile::worded("%1, the result: %2",
-                              {made.name, toile::worded(describe(made.defect->code).data())}));
-        }
-        if (!itself) {
-            made.name = names_.free(left.name + " + " + right.name);
-            if (made.defect) {
-                made.defect->where = made.name;
+        MadeJoin done{join.name, "", weld.length, join, pieces_[weld.left], pieces_[weld.right]};
+        const auto known = std::ranges::find_if(before_, [&done](const MadeJoin& one) {
+            return one.left == done.left && one.right == done.right && one.asked == done.asked;
+        });
+        if (known != before_.end()) {
+            done.made = known->made;
+            names_.take(done.made->name);
+        } else {
+            Piece made = welded(*done.left, *done.right, weld);
+            if (made.defect && isNoSurface(made.defect->code)) {
+                return joinError(
+                    join,
+                    toile::worded("%1, the result: %2",
+                                  {made.name, toile::worded(describe(made.defect->code).data())}));
             }
+            if (done.left != done.right) {
+                made.name = names_.free(done.left->name + " + " + done.right->name);
+                if (made.defect) {
+                    made.defect->where = made.name;
+                }
+            }
+            done.made = std::make_shared<const Piece>(std::move(made));
         }
-        made_.joins.push_back({join.name, made.name, weld.length});
-        rims_->replace(weld.left, weld.right, made);
-        pieces_[weld.left] = std::make_shared<const Piece>(std::move(made));
-        if (!itself) {
+        done.piece = done.made->name;
+        rims_->replace(weld.left, weld.right, *done.made);
+        if (weld.left != weld.right) {
             pieces_[weld.right] = nullptr;
         }
+        pieces_[weld.left] = done.made;
+        made_.joins.push_back(std::move(done));
         return {};
     }
 
@@ -297,7 +308,41 @@ private:
         made.file = left.file;
         made.sourceVertex = std::move(sourceVertex);
         made.sourceFace = std::move(sourceFace);
+        made.lineage = lineageOf(left, right);
+        made.id = idOf(made.lineage);
+        made.origins = originsOf(left, itself ? nullptr : &right, number, offset);
         return made;
+    }
+
+    static Lineage lineageOf(const Piece& left, const Piece& right) {
+        Lineage both;
+        std::ranges::set_union(left.lineage.wholes, right.lineage.wholes,
+                               std::back_inserter(both.wholes));
+        return both;
+    }
+
+    /// Of the rims that stay open. @param number  per vertex of both: its new index
+    static std::vector<EdgeOrigin> originsOf(const Piece& left, const Piece* right,
+                                             const std::vector<int>& number, int offset) {
+        std::vector<EdgeOrigin> all;
+        std::set<std::pair<int, int>> edges;
+        const auto take = [&](const Piece& piece, int first) {
+            for (EdgeOrigin origin : piece.origins) {
+                origin.tail = number[origin.tail + first];
+                origin.head = number[origin.head + first];
+                edges.emplace(origin.tail, origin.head);
+                all.push_back(origin);
+            }
+        };
+        take(left, 0);
+        if (right) {
+            take(*right, offset);
+        }
+        std::erase_if(all, [&](const EdgeOrigin& origin) {
+            return edges.contains({origin.head, origin.tail});
+        });
+        std::ranges::sort(all, {}, &EdgeOrigin::tail);
+        return all;
     }
 
     static bool isNoSurface(ErrorCode defect) {
@@ -308,6 +353,7 @@ private:
 
     std::vector<PiecePointer> pieces_;  ///< null where a piece has become part of another
     std::optional<RimPairs> rims_;      ///< of these, once there is a join
+    const std::vector<MadeJoin>& before_;
     UniqueNames names_;
     JoinedPieces made_;
 };
@@ -315,8 +361,8 @@ private:
 }  // namespace
 
 JoinedPieces joinPieces(const std::vector<PiecePointer>& wholes, const std::vector<UserJoin>& joins,
-                        const Progress& progress) {
-    Joiner joiner(wholes);
+                        const Progress& progress, const std::vector<MadeJoin>& before) {
+    Joiner joiner(wholes, before);
     for (std::size_t j = 0; j < joins.size() && !progress.isCancelled(); ++j) {
         if (const auto done = joiner.join(joins[j]); !done) {
             joiner.fail(done.error());

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/garment/edge_origin.h"
+#include "core/garment/lineage.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/lazy_tri_mesh.h"
 #include "core/mesh/mesh_arrays.h"
@@ -15,12 +17,15 @@ namespace toile {
 
 /// A part of the garment that is cut from one piece of cloth. Immutable once made.
 struct Piece {
-    std::string name;               ///< unique within the garment
-    int file = 0;                   ///< index into Garment::files
-    MeshArrays mesh;                ///< millimetres, y up
-    std::vector<int> sourceVertex;  ///< per vertex: position index in the file's soup, or -1
-    std::vector<int> sourceFace;    ///< per triangle: face index in the file's soup
-    EdgeTable table;                ///< edges, and the three of each triangle
+    std::string name;                 ///< unique within the garment
+    PieceId id;                       ///< unique too, and the same in its next version
+    Lineage lineage;                  ///< what of the division it is
+    std::vector<EdgeOrigin> origins;  ///< of its rims' edges, sorted by tail
+    int file = 0;                     ///< index into Garment::files
+    MeshArrays mesh;                  ///< millimetres, y up
+    std::vector<int> sourceVertex;    ///< per vertex: position index in the file's soup, or -1
+    std::vector<int> sourceFace;      ///< per triangle: face index in the file's soup
+    EdgeTable table;                  ///< edges, and the three of each triangle
 
     /// The designer's own flat panel, where the file's UV map carries it: #V x 2, mm, to compare
     /// with. May lie mirrored.
@@ -54,9 +59,5 @@ std::vector<double> loopLengths(const Piece& piece);
 /// The piece with its holes closed by caps, for a solver that wants a disk: the piece's vertices
 /// and faces first, with the same indices. Precondition: no defect. Cost: linear.
 Piece withHolesFilled(const Piece& piece);
-
-/// True where one may take the other's place: the same name, mesh and origin in the file.
-/// Cost: linear. Pure.
-bool isSamePiece(const Piece& a, const Piece& b);
 
 }  // namespace toile

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/id.h"
 
 namespace toile {
 
@@ -39,6 +40,24 @@ struct SeamMatch {
     double right = 0;
 };
 
+/// A stretch of a rim of the division, or of a side of a cut, as shares of its length
+/// (`EdgeOrigin`): what stays of a side whatever is cut, joined or numbered anew. A rim is closed,
+/// so a place and the one a whole turn on are the same.
+struct LineStretch {
+    LineId line;  ///< none: not known
+    double from = 0, to = 0;
+
+    bool operator==(const LineStretch&) const = default;
+};
+
+/// A seam, or a part of one, as the two stretches that are sewn; the second has no line where the
+/// edge is free.
+struct SeamPlace {
+    LineStretch left, right;
+
+    bool operator==(const SeamPlace&) const = default;
+};
+
 /// Which edge is sewn to which. The left side runs along its outline; the right side starts where
 /// the left one starts, so between two pieces of the same winding it runs against its own.
 struct Seam {
@@ -56,7 +75,10 @@ struct Seam {
     std::optional<double> ease;
     /// The right side lies on a place that another seam already takes: a third layer.
     bool stacked = false;
-    bool closed = false;  ///< the seam is a closed line: it ends where it starts
+    bool closed = false;        ///< the seam is a closed line: it ends where it starts
+    SeamId id{};                ///< unique in the graph
+    SeamPlace place{};          ///< by which it is known in another version of the garment
+    std::vector<CutId> cuts{};  ///< those whose left or right side its own left side is, if any
 };
 
 /// All seams and free edges of a garment: seams first, ordered by pieces.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <string_view>
-#include <unordered_map>
 
 #include "core/garment/piece.h"
 #include "core/pipeline/file_space.h"
@@ -34,57 +32,34 @@ void noteHoles(Garment& garment) {
     }
 }
 
-void setEase(Garment& garment, const SeamsFile& seams) {
-    std::unordered_map<std::string_view, Seam*> byName;
-    for (Seam& seam : garment.seams.seams) {
-        byName.emplace(seam.name, &seam);
-    }
-    std::vector<std::string> unknown;
-    for (const auto& [name, ease] : seams.ease) {
-        const auto seam = byName.find(name);
-        if (seam == byName.end() || seam->second->kind == SeamKind::Free) {
-            unknown.push_back(name);
-        } else {
-            seam->second->ease = ease;
-        }
-    }
-    const Problems problems =
-        aboutEach(ErrorCode::NoSuchSeam, unknown, worded("the seams file gives it an ease"));
-    garment.problems.insert(garment.problems.end(), problems.begin(), problems.end());
-}
-
-/// Cuts and joins are made anew each time; what comes out as it was before is the same piece, so
-/// that what is known of it (flat points, a place) stays.
-void keepUnchanged(std::vector<std::shared_ptr<const Piece>>& pieces,
-                   const std::vector<std::shared_ptr<const Piece>>& before) {
-    std::unordered_map<std::string_view, const std::shared_ptr<const Piece>*> byName;
-    for (const auto& piece : before) {
-        byName.emplace(piece->name, &piece);
-    }
-    for (auto& piece : pieces) {
-        const auto known = byName.find(piece->name);
-        if (known != byName.end() && isSamePiece(*piece, **known->second)) {
-            piece = *known->second;
-        }
-    }
-}
-
 }  // namespace
+
+LoadOptions resolveNames(LoadOptions options, const Garment& garment) {
+    Problems said;  // when the garment was made
+    const auto named = settingsByName(garment.seams, options.seams.ease, said);
+    options.seamSettings.insert(options.seamSettings.end(), named.begin(), named.end());
+    options.seams.ease.clear();
+    giveIds(options.seams.cuts);
+    options.known.clear();
+    return options;
+}
 
 Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
                            const Progress& progress) {
     Garment made;
     made.files = garment.files;
     made.wholes = garment.wholes;
-    JoinedPieces joined = joinPieces(garment.wholes, joinsInPieceSpace(options.seams, garment),
-                                     Progress(progress, kJoiningShare));
+    SeamsFile seams = options.seams;
+    giveIds(seams.cuts);
+    JoinedPieces joined = joinPieces(garment.wholes, joinsInPieceSpace(seams, garment),
+                                     Progress(progress, kJoiningShare), garment.joins);
     progress.report(kJoiningShare);
-    CutPieces cut = cutPieces(joined.pieces, cutsInPieceSpace(options.seams, garment),
-                              options.autoCut, Progress(progress, kCuttingShare));
+    CutPieces cut = cutPieces(joined.pieces, cutsInPieceSpace(seams, garment), options.autoCut,
+                              Progress(progress, kCuttingShare), garment.cutWholes);
     progress.report(kJoiningShare + kCuttingShare);
     made.pieces = std::move(cut.pieces);
-    keepUnchanged(made.pieces, garment.pieces);
     made.cuts = std::move(cut.cuts);
+    made.cutWholes = std::move(cut.wholes);
     made.joins = std::move(joined.joins);
     made.problems = std::move(joined.problems);
     made.problems.insert(made.problems.end(), cut.problems.begin(), cut.problems.end());
@@ -94,8 +69,11 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
         return Error{ErrorCode::Cancelled, "", ""};
     }
     made.problems.insert(made.problems.end(), made.seams.notes.begin(), made.seams.notes.end());
-    nameAfterCuts(made.seams, made.pieces, made.cuts);
-    setEase(made, options.seams);
+    nameAfterCuts(made.seams, made.cuts);
+    std::vector<SeamSettings> settings = options.seamSettings;
+    const auto named = settingsByName(made.seams, seams.ease, made.problems);
+    settings.insert(settings.end(), named.begin(), named.end());
+    applySettings(made.seams, settings);
     progress.report(1);
     return made;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -18,10 +17,9 @@ namespace toile {
 /// what has changed since is solved again, from what it was.
 ///
 /// A piece that is the same pointer as before, with the same options, gets the same result by
-/// pointer; a piece read anew with the same contents gets a copy. A changed piece goes on from the
-/// one before that shares most of the file's faces with it (piece_flattener.h: also what the result
-/// promises after an edit); two pieces that were one both go on from it. Another method begins
-/// anew. Pieces of different files (by their paths) have nothing in common.
+/// pointer. A changed piece goes on from what it was before (`predecessors`; piece_flattener.h says
+/// what the result promises after an edit); two pieces that were one both go on from it. Another
+/// method begins anew.
 ///
 /// Undo: an older version comes back as one more edit. Who wants its very positions keeps its
 /// results, which are immutable, beside the garment that they belong to.
@@ -54,7 +52,6 @@ private:
     struct Kept {
         std::shared_ptr<const PieceResult> result;
         PieceFlattener flattener;
-        std::filesystem::path path;  ///< of the piece's file; empty where the garment has none
     };
 
     std::vector<std::shared_ptr<const Kept>> snapshot() const;

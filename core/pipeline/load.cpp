@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <map>
 
 #include <Eigen/Geometry>
 
@@ -88,7 +89,7 @@ const Error* firstChange(const Problems& problems, const LoadOptions& options) {
 /// Everything about one file up to its pieces.
 struct LoadedFile {
     std::shared_ptr<const SourceFile> file;
-    std::vector<std::shared_ptr<const Piece>> pieces;
+    std::vector<std::shared_ptr<Piece>> pieces;
 };
 
 Result<LoadedFile> loadFile(const fs::path& path, int index, const std::string& prefix,
@@ -135,11 +136,24 @@ std::vector<std::string> prefixes(const std::vector<fs::path>& paths) {
     return stems;
 }
 
+/// Whether all that a piece of the division holds is as it was.
+bool isAsBefore(const Piece& now, const Piece& before) {
+    const auto same = [](const auto& a, const auto& b) -> bool {
+        return a.rows() == b.rows() && a == b;
+    };
+    return now.name == before.name && now.file == before.file &&
+           now.sourceVertex == before.sourceVertex && now.sourceFace == before.sourceFace &&
+           same(now.mesh.F, before.mesh.F) && same(now.mesh.V, before.mesh.V) &&
+           now.reference.has_value() == before.reference.has_value() &&
+           (!now.reference || same(*now.reference, *before.reference));
+}
+
 }  // namespace
 
 Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOptions& options,
-                            Progress& progress) {
+                            Progress& progress, const Garment* before) {
     Garment garment;
+    std::vector<std::shared_ptr<Piece>> wholes;
     const std::vector<std::string> prefix = prefixes(paths);
     progress.start(1);
     Progress reading(progress, kReadingShare);
@@ -151,14 +165,30 @@ Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOption
             return loaded.error();
         }
         garment.files.push_back(std::move(loaded->file));
-        garment.wholes.insert(garment.wholes.end(), loaded->pieces.begin(), loaded->pieces.end());
+        wholes.insert(wholes.end(), loaded->pieces.begin(), loaded->pieces.end());
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled, "", ""};
         }
     }
-    if (garment.wholes.empty()) {
+    if (wholes.empty()) {
         return Error{ErrorCode::NoGeometry, paths.empty() ? "" : paths.front().string(),
                      worded("no usable face is left")};
+    }
+    identify(wholes, garment.files, options.known);
+    garment.wholes.assign(wholes.begin(), wholes.end());
+    if (before) {
+        std::map<PieceId, std::shared_ptr<const Piece>> known;
+        for (const auto& piece : before->wholes) {
+            known.emplace(piece->id, piece);
+        }
+        for (auto& piece : garment.wholes) {
+            const auto old = known.find(piece->id);
+            if (old != known.end() && isAsBefore(*piece, *old->second)) {
+                piece = old->second;
+            }
+        }
+        garment.joins = before->joins;
+        garment.cutWholes = before->cutWholes;
     }
     return cutGarment(garment, options, Progress(progress, 1 - kReadingShare));
 }

@@ -13,7 +13,9 @@
 #include "core/flatten/flatten.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
+#include "core/garment/identify.h"
 #include "core/pattern/piece_marks.h"
+#include "core/seam/seam_settings.h"
 #include "core/sheet/placement.h"
 #include "core/sheet/sheet.h"
 
@@ -30,18 +32,29 @@ struct LoadOptions {
     bool weld = false;     ///< join vertices that lie on each other, within each object
     bool strict = false;   ///< refuse a file in which anything had to be left out or mended
     bool autoCut = false;  ///< cut open what is no disk
-    SeamsFile seams{};     ///< cuts, joins and ease; in the unit and axes of the first file
+    /// Cuts and joins, in the unit and axes of the first file; and ease by the names of seams,
+    /// which `resolveNames` turns into settings.
+    SeamsFile seams{};
+    std::vector<SeamSettings> seamSettings{};
+    /// Pieces that the division is known to have given before: they keep their ids.
+    std::vector<KnownPiece> known{};
 
     bool operator==(const LoadOptions&) const = default;
 };
+
+/// The order as it is kept once the garment is there: ease by names has become settings of seams,
+/// cuts have ids.
+LoadOptions resolveNames(LoadOptions options, const Garment& garment);
 
 /// Reads files into one garment: soup, weld, unit, division, repair, joins, cuts, seams. With
 /// several files piece names are prefixed by the file's stem. A cut or a join that cannot be made,
 /// or an ease for a seam that is not there, is a problem of the garment. Errors: those of readSoup,
 /// for the first file that cannot be read; nothing is loaded then. With `strict` also the first
 /// note about something left out or mended.
+/// @param before  a garment of these files: what comes out as it was there is the same pointer
 Result<Garment> loadGarment(const std::vector<std::filesystem::path>& paths,
-                            const LoadOptions& options, Progress& progress);
+                            const LoadOptions& options, Progress& progress,
+                            const Garment* before = nullptr);
 
 /// The same garment joined, cut and sewn anew, for an edit of joins, cuts or ease: nothing is read,
 /// and pieces that come out as they were before are the same pointers as before.

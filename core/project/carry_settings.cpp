@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/carry_settings.h"
 
-#include <algorithm>
-#include <map>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 
@@ -11,59 +8,6 @@
 
 namespace toile {
 namespace {
-
-/// Finds the piece of one version that another's came from.
-class Origins {
-public:
-    explicit Origins(const Garment& before) {
-        for (std::size_t i = 0; i < before.pieces.size(); ++i) {
-            const Piece& piece = *before.pieces[i];
-            byPointer_.emplace(&piece, static_cast<int>(i));
-            byName_.emplace(piece.name, static_cast<int>(i));
-            auto& owner = ownerOfFace_[piece.file];
-            for (const int face : piece.sourceFace) {
-                if (face >= 0) {
-                    if (owner.size() <= static_cast<std::size_t>(face)) {
-                        owner.resize(static_cast<std::size_t>(face) + 1, -1);
-                    }
-                    owner[static_cast<std::size_t>(face)] = static_cast<int>(i);
-                }
-            }
-        }
-    }
-
-    CarriedFrom of(const std::shared_ptr<const Piece>& piece) const {
-        if (const auto same = byPointer_.find(piece.get()); same != byPointer_.end()) {
-            return {same->second, true, {}};
-        }
-        if (const auto named = byName_.find(piece->name); named != byName_.end()) {
-            return {named->second, false, {}};
-        }
-        return {byFaces(*piece), false, {}};
-    }
-
-private:
-    int byFaces(const Piece& piece) const {
-        const auto owners = ownerOfFace_.find(piece.file);
-        if (owners == ownerOfFace_.end()) {
-            return -1;
-        }
-        std::map<int, int> shared;
-        for (const int face : piece.sourceFace) {
-            if (face >= 0 && static_cast<std::size_t>(face) < owners->second.size()) {
-                if (const int owner = owners->second[static_cast<std::size_t>(face)]; owner >= 0) {
-                    ++shared[owner];
-                }
-            }
-        }
-        const auto most = std::ranges::max_element(shared, {}, &std::pair<const int, int>::second);
-        return most == shared.end() ? -1 : most->first;
-    }
-
-    std::unordered_map<const Piece*, int> byPointer_;
-    std::unordered_map<std::string_view, int> byName_;
-    std::map<int, std::vector<int>> ownerOfFace_;  ///< per file
-};
 
 /// Not more than may be kept, evenly over the list.
 std::vector<Anchor> thinned(std::vector<Anchor> anchors) {
@@ -111,11 +55,13 @@ std::vector<Anchor> anchorsOf(const Piece& piece, const Piece& before, const Pie
 std::vector<CarriedFrom> carriedFrom(const Garment& before,
                                      const std::vector<PieceSettings>& settings,
                                      const PieceResults& results, const Garment& after) {
-    const Origins origins(before);
+    const std::vector<int> predecessor = predecessors(before.pieces, after.pieces);
     std::vector<CarriedFrom> carried;
     std::vector<int> heirs(before.pieces.size(), 0);
-    for (const auto& piece : after.pieces) {
-        CarriedFrom& from = carried.emplace_back(origins.of(piece));
+    for (std::size_t p = 0; p < after.pieces.size(); ++p) {
+        const auto& piece = after.pieces[p];
+        CarriedFrom& from = carried.emplace_back(CarriedFrom{predecessor[p]});
+        from.same = from.piece >= 0 && before.pieces[static_cast<std::size_t>(from.piece)] == piece;
         if (from.piece >= 0 && !from.same) {
             const auto at = static_cast<std::size_t>(from.piece);
             const PieceResult* result = at < results.size() ? results[at].get() : nullptr;
@@ -129,10 +75,10 @@ std::vector<CarriedFrom> carriedFrom(const Garment& before,
     }
     for (CarriedFrom& from : carried) {
         const auto at = static_cast<std::size_t>(from.piece);
-        if (from.piece >= 0 && at < settings.size() && !settings[at].partOf.empty()) {
+        if (from.piece >= 0 && at < settings.size() && settings[at].partOf) {
             from.partOf = settings[at].partOf;  // cut again before it was laid out
         } else if (from.piece >= 0 && heirs[at] > 1) {
-            from.partOf = before.pieces[at]->name;
+            from.partOf = before.pieces[at]->id;
         }
     }
     return carried;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/flatten/piece_result.h"
@@ -15,14 +14,13 @@ struct CarriedFrom {
     int piece = -1;                 ///< index into the pieces before; -1: it is new
     bool same = false;              ///< the very same piece, with the same flat coordinates
     std::vector<Anchor> anchors{};  ///< where not the same
-    std::string partOf{};           ///< as in PieceSettings
+    PieceId partOf{};               ///< as in PieceSettings
 };
 
 /// At most as many anchors are kept of a piece that is to be flattened anew.
 inline constexpr int kMostAnchors = 128;
 
-/// Which piece each one comes from: the same one, else that of the same name, else the one it
-/// shares most of the file's faces with, so that both parts of a cut piece know the whole.
+/// Which piece each one comes from (`predecessors`): both parts of a cut piece know the whole.
 /// @param settings, results  one per piece of `before`; results may be null or left out
 /// @return one per piece of `after`  Cost: linear. Pure.
 std::vector<CarriedFrom> carriedFrom(const Garment& before,

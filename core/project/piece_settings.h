@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/id.h"
 #include "core/sheet/placement.h"
 
 namespace toile {
@@ -14,6 +15,8 @@ namespace toile {
 struct Anchor {
     int vertex = 0;
     Eigen::Vector2d flat = Eigen::Vector2d::Zero();
+    /// In a project: where the vertex is on the garment, mm, should its number be another.
+    std::optional<Eigen::Vector3d> point{};
 
     bool operator==(const Anchor&) const = default;
 };
@@ -36,8 +39,8 @@ struct PieceSettings {
     /// are anchors: those of the next are fitted to them, and then they go (`anchoredSettings`).
     std::vector<Anchor> anchors{};
     /// The piece that this one and others were cut from, as long as none of them has been laid out:
-    /// all have its placement. Empty where no piece was divided.
-    std::string partOf{};
+    /// all have its placement. None where no piece was divided.
+    PieceId partOf{};
 
     bool operator==(const PieceSettings&) const = default;
 };

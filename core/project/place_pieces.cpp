@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <string_view>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -106,9 +105,9 @@ private:
 
     /// The parts of each piece that was cut, flat for the first time since.
     std::vector<std::vector<std::size_t>> partsOfOne() const {
-        std::map<std::string_view, std::vector<std::size_t>> byWhole;
+        std::map<PieceId, std::vector<std::size_t>> byWhole;
         for (std::size_t i = 0; i < settings_.size(); ++i) {
-            if (isPlaced(i) && !settings_[i].partOf.empty() && !settings_[i].anchors.empty()) {
+            if (isPlaced(i) && settings_[i].partOf && !settings_[i].anchors.empty()) {
                 byWhole[settings_[i].partOf].push_back(i);
             }
         }
@@ -125,7 +124,7 @@ private:
     /// Lays the piece where it lay. @return whether its shape has changed
     bool fit(std::size_t i, const std::optional<FlatMotion>& motion, bool isPart) {
         PieceSettings& settings = settings_[i];
-        settings.partOf.clear();
+        settings.partOf = {};
         if (!settings.anchors.empty()) {
             const Points2& Q = results_[i]->flat->Q;
             const auto misfit = anchorMisfit(settings.anchors, Q);

@@ -2,6 +2,8 @@
 #include "core/project/project.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -18,13 +20,41 @@ bool isThere(const fs::path& path) {
     return !path.empty() && fs::exists(path, failed) && !fs::is_directory(path, failed);
 }
 
+/// The project's piece that a piece of the garment is; null where it does not know it.
+const ProjectPiece* find(const Project& project, const Piece& piece) {
+    const auto found = std::ranges::find_if(project.pieces, [&piece](const ProjectPiece& known) {
+        return known.id ? known.id == piece.id : known.name == piece.name;
+    });
+    return found == project.pieces.end() ? nullptr : &*found;
+}
+
+/// The anchors by the piece's present numbers; without those that lie nowhere now.
+std::vector<Anchor> foundAgain(std::vector<Anchor> anchors, const Piece& piece) {
+    std::map<std::array<double, 3>, int> outline;
+    for (const int v : piece.boundary) {
+        outline.emplace(std::array{piece.mesh.V(v, 0), piece.mesh.V(v, 1), piece.mesh.V(v, 2)}, v);
+    }
+    for (Anchor& anchor : anchors) {
+        if (const auto point = std::exchange(anchor.point, std::nullopt)) {
+            const bool isThere = anchor.vertex < piece.mesh.V.rows() &&
+                                 piece.mesh.V.row(anchor.vertex).transpose() == *point;
+            const auto found = outline.find({point->x(), point->y(), point->z()});
+            if (!isThere && found != outline.end()) {
+                anchor.vertex = found->second;
+            }
+        }
+    }
+    return anchors;
+}
+
 }  // namespace
 
 std::vector<PieceSettings> settingsFor(const Project& project, const Garment& garment) {
     std::vector<PieceSettings> settings;
     for (const auto& piece : garment.pieces) {
-        const auto known = project.pieces.find(piece->name);
-        settings.push_back(known == project.pieces.end() ? PieceSettings{} : known->second);
+        const ProjectPiece* known = find(project, *piece);
+        PieceSettings& said = settings.emplace_back(known ? known->settings : PieceSettings{});
+        said.anchors = foundAgain(std::move(said.anchors), *piece);
     }
     return settings;
 }
@@ -38,13 +68,13 @@ Problems differencesTo(const Project& project, const Garment& garment) {
             changed.push_back(project.files[k].path.filename().string());
         }
     }
-    std::set<std::string> there;
+    std::set<const ProjectPiece*> there;
     for (const auto& piece : garment.pieces) {
-        there.insert(piece->name);
+        there.insert(find(project, *piece));
     }
-    for (const auto& entry : project.pieces) {
-        if (!there.contains(entry.first)) {
-            gone.push_back(entry.first);
+    for (const ProjectPiece& piece : project.pieces) {
+        if (!there.contains(&piece)) {
+            gone.push_back(piece.name);
         }
     }
     Problems problems = aboutEach(ErrorCode::FileChanged, changed);
@@ -53,18 +83,23 @@ Problems differencesTo(const Project& project, const Garment& garment) {
     return problems;
 }
 
-std::map<std::string, PieceSettings> settingsByName(const Garment& garment,
-                                                    std::vector<PieceSettings> settings,
-                                                    const PieceResults& results) {
-    std::map<std::string, PieceSettings> byName;
+std::vector<ProjectPiece> projectPieces(const Garment& garment, std::vector<PieceSettings> settings,
+                                        const PieceResults& results) {
+    std::vector<ProjectPiece> pieces;
     for (std::size_t i = 0; i < settings.size() && i < garment.pieces.size(); ++i) {
+        const Piece& piece = *garment.pieces[i];
         const PieceResult* result = i < results.size() ? results[i].get() : nullptr;
         if (result && result->flat && settings[i].anchors.empty()) {
             settings[i].anchors = outlineAnchors(result->piece->boundary, result->flat->Q);
         }
-        byName.emplace(garment.pieces[i]->name, std::move(settings[i]));
+        for (Anchor& anchor : settings[i].anchors) {
+            if (anchor.vertex >= 0 && anchor.vertex < piece.mesh.V.rows()) {
+                anchor.point = piece.mesh.V.row(anchor.vertex).transpose();
+            }
+        }
+        pieces.push_back({piece.id, piece.name, std::move(settings[i])});
     }
-    return byName;
+    return pieces;
 }
 
 std::vector<MeshReference> meshReferences(const Garment& garment) {

@@ -3,13 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
+#include "core/project/piece_labels.h"
 #include "core/project/piece_settings.h"
 
 namespace toile {
@@ -22,6 +22,15 @@ struct MeshReference {
     std::filesystem::path elsewhere{};
 
     bool operator==(const MeshReference&) const = default;
+};
+
+/// A piece as a project knows it.
+struct ProjectPiece {
+    PieceId id;        ///< none in files of version 1, which know pieces by name
+    std::string name;  ///< its own, not what a person calls it
+    PieceSettings settings{};
+
+    bool operator==(const ProjectPiece&) const = default;
 };
 
 /// How the garment was shown, as far as it belongs to the garment.
@@ -40,7 +49,8 @@ struct Project {
     LoadOptions loading{};
     FlattenOptions options{};
     Fabric fabric = fabricPresets().front();
-    std::map<std::string, PieceSettings> pieces{};  ///< by name
+    std::vector<ProjectPiece> pieces{};
+    PieceLabels labels{};
     ProjectView view{};
     /// Where this is the recovery file of another: that project's path, empty where it had none.
     std::optional<std::filesystem::path> recoveryOf{};
@@ -49,18 +59,17 @@ struct Project {
 };
 
 /// The settings of a garment's pieces, in its order; as nobody had said anything where the project
-/// does not know a piece. Pure.
+/// does not know a piece. Anchors are found again by where they lie. Pure.
 std::vector<PieceSettings> settingsFor(const Project& project, const Garment& garment);
 
 /// What the person should know where the garment is not the one the project was made with: files
 /// whose content is another, pieces that are no more there. Pure.
 Problems differencesTo(const Project& project, const Garment& garment);
 
-/// The settings by name, with anchors for those pieces that are flat.
+/// The pieces with their settings, with anchors for those that are flat.
 /// @param settings, results  one per piece; results may be null or left out
-std::map<std::string, PieceSettings> settingsByName(const Garment& garment,
-                                                    std::vector<PieceSettings> settings,
-                                                    const PieceResults& results);
+std::vector<ProjectPiece> projectPieces(const Garment& garment, std::vector<PieceSettings> settings,
+                                        const PieceResults& results);
 
 /// Paths and content hashes of the garment's files.
 std::vector<MeshReference> meshReferences(const Garment& garment);

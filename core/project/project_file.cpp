@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr auto kFormat = "toile-project";
 constexpr double kMostStrain = 10;
+constexpr int kMostColour = 1000000;
+constexpr double kMostTurns = 2;   ///< round a line that is closed
 constexpr double kMostTurn = 1e6;  ///< radians: beyond, the sine of a double is no direction
 
 /// Empty where it is not there.
@@ -45,11 +47,15 @@ public:
         }
         files(fields, project);
         fields.readObject("reading", [&](JsonFields& at) { reading(at, project.loading); });
-        fields.readObject("seams",
-                          [&](JsonFields& at) { readSeams(at, project.loading.seams, 1); });
+        division(fields, project.loading.known);
+        fields.readObject("seams", [&](JsonFields& at) {
+            readSeams(at, project.loading.seams, 1, true);
+            seamSettings(at, project.loading.seamSettings);
+        });
         fields.readObject("flattening", [&](JsonFields& at) { flattening(at, project.options); });
         fields.readObject("fabric", [&](JsonFields& at) { fabric(at, project.fabric); });
-        fields.readObject("pieces", [&](JsonFields& at) { pieces(at, project); });
+        pieces(fields, project);
+        labels(fields, project.labels);
         fields.readObject("view", [&](JsonFields& at) { view(at, project.view); });
         if (fields.find("recoveryOf")) {
             project.recoveryOf = readPath(fields, "recoveryOf");
@@ -123,11 +129,77 @@ private:
         }
     }
 
+    template <class Kind>
+    static void id(JsonFields& fields, std::string_view key, Id<Kind>& id) {
+        fields.readWord(key, id.value, "16 hexadecimal digits", parseId);
+    }
+
+    static std::optional<Eigen::Vector3d> point3(JsonFields& fields, std::string_view key) {
+        const auto numbers = fields.numbers(key, 3);
+        return numbers ? std::optional(Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]))
+                       : std::nullopt;
+    }
+
+    static void division(JsonFields& fields, std::vector<KnownPiece>& known) {
+        fields.readObjects("division", [&known](JsonFields& at) {
+            KnownPiece piece;
+            at.need("id");
+            id(at, "id", piece.id);
+            at.read("file", piece.file, 0, INT_MAX);
+            at.read("name", piece.name);
+            piece.centre = point3(at, "centre").value_or(piece.centre);
+            at.read("area", piece.area, 0);
+            known.push_back(std::move(piece));
+        });
+    }
+
+    static void stretch(JsonFields& fields, std::string_view key, LineStretch& stretch) {
+        fields.readObject(key, [&stretch](JsonFields& at) {
+            at.need("line");
+            id(at, "line", stretch.line);
+            at.read("from", stretch.from, -kMostTurns, kMostTurns);
+            at.read("to", stretch.to, -kMostTurns, kMostTurns);
+        });
+    }
+
+    static void seamSettings(JsonFields& fields, std::vector<SeamSettings>& settings) {
+        fields.readObjects("settings", [&settings](JsonFields& at) {
+            SeamSettings said;
+            at.need("left");
+            stretch(at, "left", said.place.left);
+            stretch(at, "right", said.place.right);
+            at.read("ease", said.ease, -1, kMostEase);
+            if (said.ease && *said.ease <= -1) {
+                at.fail("ease", "must be more than -1");
+            }
+            at.read("name", said.name);
+            settings.push_back(std::move(said));
+        });
+    }
+
     void pieces(JsonFields& fields, Project& project) {
-        for (const auto& item : fields.all().items()) {
-            JsonFields at(item.value(), fields.placeOf(item.key()), faults_);
-            project.pieces[item.key()] = piece(at);
-        }
+        fields.readObjects("pieces", [&](JsonFields& at) {
+            ProjectPiece known;
+            if (at.find("id")) {
+                id(at, "id", known.id);
+            }
+            at.need("name");
+            at.read("name", known.name);
+            known.settings = piece(at);
+            project.pieces.push_back(std::move(known));
+        });
+    }
+
+    static void labels(JsonFields& fields, PieceLabels& labels) {
+        fields.readObjects("labels", [&labels](JsonFields& at) {
+            PieceId piece;
+            PieceLabel label;
+            at.need("id");
+            id(at, "id", piece);
+            at.read("name", label.name);
+            at.read("colour", label.colour, 0, kMostColour);
+            labels[piece] = std::move(label);
+        });
     }
 
     static std::optional<Eigen::Vector2d> point(JsonFields& fields, std::string_view key) {
@@ -151,13 +223,16 @@ private:
         fields.read("grain", settings.grain, -kMostTurn, kMostTurn);
         fields.read("quantity", settings.quantity, 0, kMostCopies);
         fields.read("mirroredPair", settings.mirroredPair);
-        fields.read("partOf", settings.partOf);
+        if (fields.find("partOf")) {
+            id(fields, "partOf", settings.partOf);
+        }
         fields.readObjects("anchors", [&settings](JsonFields& at) {
             Anchor anchor;
             at.need("vertex");
             at.need("at");
             at.read("vertex", anchor.vertex, 0, INT_MAX);
             anchor.flat = point(at, "at").value_or(anchor.flat);
+            anchor.point = point3(at, "point");
             settings.anchors.push_back(anchor);
         });
         return settings;

@@ -9,7 +9,7 @@
 namespace toile {
 
 /// The version of the project format that is written, and up to which files are read.
-inline constexpr int kProjectVersion = 1;
+inline constexpr int kProjectVersion = 2;
 
 /// Makes a document of one version into one of the next, as far as it is what it should be: what is
 /// wrong in it is found when it is read.
@@ -18,8 +18,11 @@ struct ProjectUpgrade {
     void (*apply)(JsonDocument& document);
 };
 
-/// One for each version before the present one. There are none yet.
-inline constexpr std::span<const ProjectUpgrade> kProjectUpgrades{};
+/// Version 1 knew pieces by name: `pieces` was an object, `partOf` a name.
+void listPieces(JsonDocument& document);
+
+/// One for each version before the present one.
+inline constexpr ProjectUpgrade kProjectUpgrades[] = {{1, listPieces}};
 
 /// Applies, one after the other, the upgrades from `version` on; each says its new "version".
 inline void upgradeProject(JsonDocument& document, int version,

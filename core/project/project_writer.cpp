@@ -18,6 +18,10 @@ OrderedJson pairOf(const Eigen::Vector2d& point) {
     return OrderedJson::array({point.x(), point.y()});
 }
 
+OrderedJson pointOf(const Eigen::Vector3d& point) {
+    return OrderedJson::array({point.x(), point.y(), point.z()});
+}
+
 OrderedJson filesOf(const Project& project, const fs::path& folder) {
     OrderedJson list = OrderedJson::array();
     for (const MeshReference& file : project.files) {
@@ -51,14 +55,54 @@ OrderedJson readingOf(const LoadOptions& loading) {
     return reading;
 }
 
-OrderedJson seamsOf(const SeamsFile& seams) {
+OrderedJson stretchOf(const LineStretch& stretch) {
+    return {{"line", idText(stretch.line)}, {"from", stretch.from}, {"to", stretch.to}};
+}
+
+OrderedJson settingsOf(const std::vector<SeamSettings>& settings) {
+    OrderedJson list = OrderedJson::array();
+    for (const SeamSettings& said : settings) {
+        OrderedJson& seam = list.emplace_back(OrderedJson::object());
+        seam["left"] = stretchOf(said.place.left);
+        if (said.place.right.line) {
+            seam["right"] = stretchOf(said.place.right);
+        }
+        if (said.ease) {
+            seam["ease"] = *said.ease;
+        }
+        if (!said.name.empty()) {
+            seam["name"] = said.name;
+        }
+    }
+    return list;
+}
+
+OrderedJson divisionOf(const std::vector<KnownPiece>& known) {
+    OrderedJson list = OrderedJson::array();
+    for (const KnownPiece& piece : known) {
+        list.push_back({{"id", idText(piece.id)},
+                        {"file", piece.file},
+                        {"name", piece.name},
+                        {"centre", pointOf(piece.centre)},
+                        {"area", piece.area}});
+    }
+    return list;
+}
+
+OrderedJson seamsOf(const LoadOptions& loading) {
+    const SeamsFile& seams = loading.seams;
     OrderedJson json = OrderedJson::object();
     if (seams.unit) {
         json["unit"] = std::string(symbol(*seams.unit));
     }
-    json["cuts"] = cutsJson(seams);
+    json["cuts"] = cutsJson(seams, true);
     json["joins"] = joinsJson(seams);
-    json["ease"] = easeJson(seams, 1);
+    if (!seams.ease.empty()) {  // by names that no garment has been held to yet
+        json["ease"] = easeJson(seams, 1);
+    }
+    if (!loading.seamSettings.empty()) {
+        json["settings"] = settingsOf(loading.seamSettings);
+    }
     return json;
 }
 
@@ -81,8 +125,13 @@ OrderedJson fabricOf(const Fabric& fabric) {
             {"bias", limits(fabric.bias)}};
 }
 
-OrderedJson pieceOf(const PieceSettings& settings) {
+OrderedJson pieceOf(const ProjectPiece& known) {
+    const PieceSettings& settings = known.settings;
     OrderedJson piece = OrderedJson::object();
+    if (known.id) {
+        piece["id"] = idText(known.id);
+    }
+    piece["name"] = known.name;
     if (settings.placement) {
         piece["placement"] = {{"offset", pairOf(settings.placement->offset)},
                               {"turn", settings.placement->turn},
@@ -94,24 +143,41 @@ OrderedJson pieceOf(const PieceSettings& settings) {
     }
     piece["quantity"] = settings.quantity;
     piece["mirroredPair"] = settings.mirroredPair;
-    if (!settings.partOf.empty()) {
-        piece["partOf"] = settings.partOf;
+    if (settings.partOf) {
+        piece["partOf"] = idText(settings.partOf);
     }
     if (!settings.anchors.empty()) {
         piece["anchors"] = OrderedJson::array();
         for (const Anchor& anchor : settings.anchors) {
             piece["anchors"].push_back({{"vertex", anchor.vertex}, {"at", pairOf(anchor.flat)}});
+            if (anchor.point) {
+                piece["anchors"].back()["point"] = pointOf(*anchor.point);
+            }
         }
     }
     return piece;
 }
 
 OrderedJson piecesOf(const Project& project) {
-    OrderedJson::object_t fields;
-    for (const auto& [piece, settings] : project.pieces) {
-        fields.emplace_back(piece, pieceOf(settings));  // in place of a search for the key
+    OrderedJson list = OrderedJson::array();
+    for (const ProjectPiece& piece : project.pieces) {
+        list.push_back(pieceOf(piece));
     }
-    return fields;
+    return list;
+}
+
+OrderedJson labelsOf(const PieceLabels& labels) {
+    OrderedJson list = OrderedJson::array();
+    for (const auto& [id, label] : labels) {
+        OrderedJson& entry = list.emplace_back(OrderedJson{{"id", idText(id)}});
+        if (!label.name.empty()) {
+            entry["name"] = label.name;
+        }
+        if (label.colour >= 0) {
+            entry["colour"] = label.colour;
+        }
+    }
+    return list;
 }
 
 OrderedJson viewOf(const ProjectView& view) {
@@ -132,10 +198,12 @@ std::string projectText(const Project& project, const fs::path& folder) {
                      {"program", "Toile " + std::string(version())},
                      {"files", filesOf(project, folder)},
                      {"reading", readingOf(project.loading)},
-                     {"seams", seamsOf(project.loading.seams)},
+                     {"division", divisionOf(project.loading.known)},
+                     {"seams", seamsOf(project.loading)},
                      {"flattening", flatteningOf(project.options)},
                      {"fabric", fabricOf(project.fabric)},
                      {"pieces", piecesOf(project)},
+                     {"labels", labelsOf(project.labels)},
                      {"view", viewOf(project.view)}};
     if (project.recoveryOf) {
         json["recoveryOf"] = pathText(*project.recoveryOf);

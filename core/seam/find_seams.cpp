@@ -8,6 +8,7 @@
 #include "core/seam/contacts.h"
 #include "core/seam/finish_seam.h"
 #include "core/seam/run.h"
+#include "core/seam/seam_origin.h"
 
 namespace toile {
 namespace {
@@ -117,6 +118,7 @@ SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
     }
     addFreeEdges(outlines, graph.seams);
     orderAndName(pieces, outlines, graph.seams);
+    traceOrigins(pieces, outlines, graph.seams);
     indexEdges(outlines, graph);
     progress.report(1);
     return graph;

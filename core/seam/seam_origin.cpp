@@ -2,8 +2,12 @@
 #include "core/seam/seam_origin.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
 
-#include "core/mesh/segment.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {
@@ -11,33 +15,104 @@ namespace {
 
 /// Points that tell one seam from every other, and which way round a closed one goes.
 constexpr int kJoinPoints = 9;
+/// A cut that has less of an edge than this part of it only touches it.
+constexpr double kOnLine = 1e-6;
 
-bool liesOnEdge(const Eigen::RowVector3d& point, const Eigen::RowVector3d& a,
-                const Eigen::RowVector3d& b) {
-    const double length = (b - a).norm();
-    return length > 0 && distanceToSegment(point, a, b) <= kOnLine * length;
+/// How much of a side comes of one line.
+struct Share {
+    LineStretch stretch;
+    double length = 0;  ///< mm
+};
+
+/// The line that most of a side comes of; the cuts are added to those that it comes of.
+LineStretch stretchOf(const SeamSide& side, const Outline& outline,
+                      const std::vector<EdgeOrigin>& origins, std::vector<CutId>* cuts) {
+    std::vector<Share> shares;
+    const auto [low, high] = std::minmax(side.start, side.end);
+    for (int k = side.first; k < side.first + side.count; ++k) {
+        const EdgeOrigin* origin = originAt(origins, outline.vertices[outline.wrapIndex(k)]);
+        const double start = outline.arcOf(k), length = outline.arcOf(k + 1) - start;
+        const double from = std::max(low, start) - start;
+        const double to = std::min(high, start + length) - start;
+        if (!origin || !(from < to)) {
+            continue;
+        }
+        const auto placeAt = [&](double s) -> double {
+            return origin->from + s / length * (origin->to - origin->from);
+        };
+        auto known = std::ranges::find_if(shares, [origin](const Share& share) {
+            return share.stretch.line == origin->line &&
+                   (share.stretch.from < share.stretch.to) == (origin->from < origin->to);
+        });
+        if (known == shares.end()) {
+            shares.push_back({{origin->line, placeAt(from), placeAt(from)}, 0});
+            known = shares.end() - 1;
+        }
+        known->stretch.to += placeAt(to) - placeAt(from);
+        known->length += to - from;
+        if (cuts && origin->cut && to - from > kOnLine * length &&
+            std::ranges::find(*cuts, origin->cut) == cuts->end()) {
+            cuts->push_back(origin->cut);
+        }
+    }
+    const auto most = std::ranges::max_element(shares, {}, &Share::length);
+    return most == shares.end() ? LineStretch{} : most->stretch;
 }
 
 }  // namespace
 
-bool runsThrough(const Seam& seam, const Piece& piece, const Eigen::Vector3d& point) {
-    const std::vector<int>& loop = loopOf(seam.left, piece);
-    const int n = static_cast<int>(loop.size());
-    for (int k = seam.left.first;
-         seam.kind != SeamKind::Free && k < seam.left.first + seam.left.count; ++k) {
-        if (liesOnEdge(point.transpose(), piece.mesh.V.row(loop[k % n]),
-                       piece.mesh.V.row(loop[(k + 1) % n]))) {
-            return true;
+void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces, const Outlines& outlines,
+                  std::vector<Seam>& seams) {
+    const auto trace = [&](const SeamSide& side, std::vector<CutId>* cuts) -> LineStretch {
+        return stretchOf(side, outlines.list[outlines.indexOf(side)], pieces[side.piece]->origins,
+                         cuts);
+    };
+    std::map<std::pair<LineId, LineId>, std::uint64_t> count;
+    for (Seam& seam : seams) {
+        const bool isFree = seam.kind == SeamKind::Free;
+        seam.place.left = trace(seam.left, isFree ? nullptr : &seam.cuts);
+        if (!isFree) {
+            seam.place.right = trace(seam.right, nullptr);
         }
+        const auto [one, other] = std::minmax(seam.place.left.line, seam.place.right.line);
+        seam.id.value = hashOf({one.value, other.value, count[{one, other}]++});
     }
-    return false;
 }
 
-bool isLeftBy(const Seam& seam, const MadeCut& cut,
-              const std::vector<std::shared_ptr<const Piece>>& pieces) {
-    return std::ranges::any_of(cut.middles, [&](const Eigen::Vector3d& point) {
-        return runsThrough(seam, *pieces[seam.left.piece], point);
-    });
+void nameAfterCuts(SeamGraph& graph, const std::vector<MadeCut>& cuts) {
+    std::map<CutId, std::size_t> order;
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+        if (cuts[c].author == CutAuthor::User) {
+            order.emplace(cuts[c].id, c);
+        }
+    }
+    std::set<std::string> taken;
+    std::map<CutId, std::vector<Seam*>> seamsOf;  // where two cuts run on, the first names it
+    for (Seam& seam : graph.seams) {
+        taken.insert(seam.name);
+        std::size_t first = cuts.size();
+        for (const CutId cut : seam.cuts) {
+            const auto found = order.find(cut);
+            first = found == order.end() ? first : std::min(first, found->second);
+        }
+        if (first < cuts.size()) {
+            seamsOf[cuts[first].id].push_back(&seam);
+        }
+    }
+    for (const MadeCut& cut : cuts) {
+        const std::vector<Seam*>& seams = seamsOf[cut.id];
+        for (Seam* seam : seams) {
+            taken.erase(seam->name);
+            seam->name = cut.name;
+            for (int k = 1; seams.size() > 1 || taken.contains(seam->name); ++k) {
+                seam->name = cut.name + " " + std::to_string(k);
+                if (!taken.contains(seam->name)) {
+                    break;
+                }
+            }
+            taken.insert(seam->name);
+        }
+    }
 }
 
 UserJoin joinAlong(const Seam& seam, const std::vector<std::shared_ptr<const Piece>>& pieces) {

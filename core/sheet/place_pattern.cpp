@@ -74,6 +74,7 @@ Sheet placeOnSheet(Pattern& pattern, const std::vector<PieceOnSheet>& places) {
         piece.grain = places[i].grain;
         piece.quantity = places[i].quantity;
         piece.mirroredPair = places[i].mirroredPair;
+        piece.name = places[i].name.empty() ? piece.name : places[i].name;
         hasPlace[i] = places[i].placement.has_value();
         const Placement placement = places[i].placement.value_or(Placement{});
         piece = turnedPiece(std::move(piece), placement);

@@ -39,6 +39,7 @@ struct PieceOnSheet {
     std::optional<double> grain{};
     int quantity = 1;           ///< how many are cut
     bool mirroredPair = false;  ///< each of them also mirrored: left and right
+    std::string name{};         ///< what it is called; empty: as it is in the garment
 
     bool operator==(const PieceOnSheet&) const = default;
 };

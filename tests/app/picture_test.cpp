@@ -168,7 +168,7 @@ private slots:
         const std::vector<int> colours = seamColours(document().garment()->seams);
         Camera2D camera;
         camera.setViewport(kSize.width(), kSize.height());
-        const SheetPlaces places = placesOf(document().settings());
+        const SheetPlaces places = placesOf(document().settings(), document().colours());
         framePattern(camera, scene, places, {0, 1}, false);
         const QImage shown = draw(ViewsShown::Pattern);
         document().setView(&ViewState::seams, false);

@@ -56,7 +56,7 @@ private slots:
         // As if the piece had been flattened by another way when it was saved.
         auto read = readProject(file("dress.toile"));
         QVERIFY(read);
-        PieceSettings& piece = read->project.pieces[document().garment()->pieces[0]->name];
+        PieceSettings& piece = read->project.pieces[0].settings;
         QVERIFY(piece.anchors.size() > 2);
         const double turn = 1.2;
         const Eigen::Rotation2Dd rotation(turn);

@@ -58,7 +58,7 @@ private slots:
             QCOMPARE(askedAboutOthers_, 1);
             QVERIFY(!session().isModified());
             const auto read = readProject(file("dress.toile"));
-            QCOMPARE(read->project.pieces.at("front").quantity, quantity);
+            QCOMPARE(read->project.pieces.at(0).settings.quantity, quantity);
         }
     }
 

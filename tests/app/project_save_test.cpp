@@ -43,7 +43,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
         const auto read = readProject(file("dress.toile"));
         QVERIFY(read);
-        QCOMPARE(read->project.pieces.at("front").quantity, 3);
+        QCOMPARE(read->project.pieces.at(0).settings.quantity, 3);
     }
 
     void aSaveThatFailsLosesNothingAndSaysSo() {

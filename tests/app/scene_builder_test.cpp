@@ -151,12 +151,12 @@ private slots:
         const auto [garment, scene] = build(1);
         const double half = std::numbers::pi;
         const SheetPlaces places = {
-            {Placement{{5, 7}, half, true}, 0.0}, {}, {Placement{{200, 7}}}};
+            {Placement{{5, 7}, half, true}, 0.0, 3}, {}, {Placement{{200, 7}}}};
         const PieceTable table = makePieceTable(*scene, {2}, places);
         const auto texel = [&](int piece, int which) {
             return &table.texels[std::size_t(4 * (kTexelsPerPiece * piece + which))];
         };
-        const Rgb front = pieceColour(0), neutral = neutralColour();
+        const Rgb front = pieceColour(3), neutral = neutralColour();
         QCOMPARE(texel(0, 0)[0], static_cast<float>(front.r) / 255.0F);
         QCOMPARE(texel(0, 0)[3], float(kPieceFlat));
         // Mirrored, then turned by half a turn: x stays, y becomes -y.

@@ -61,12 +61,12 @@ private slots:
     void whatIsCutWhileAProjectIsReadIsNotCutInThat() {
         DocumentState coming = document().state();
         coming.loading.seams.cuts = {
-            {"cut 1", UserCut::Kind::Path, {{0, 110, 0}, {300, 110, 0}}, false}};
+            {"cut 1", UserCut::Kind::Path, {{0, 110, 0}, {300, 110, 0}}, false, {1}}};
         workspace().openBy(std::make_unique<test::ReadingJob>(
             [&] { workspace().arrived([&] { document().open(coming); }); }));
         workspace().addCut({"", UserCut::Kind::Path, {{0, 210, 0}, {300, 210, 0}}, false});
         workspace().joinSeam(0);
-        workspace().removeCut("cut 1");
+        workspace().removeCut({1});
         QVERIFY(waitUntilDone());
         QVERIFY(workspace().loading().seams == coming.loading.seams);
         QVERIFY(!workspace().canUndo());

@@ -20,12 +20,41 @@ private slots:
     void piecesThatNoCutTouchesKeepResultAndPlace() {
         const auto back = document().results()[1];
         const auto place = document().settings()[1];
+        const int colour = document().colours()[1];
         cutAcross("waist", 210);
         QVERIFY(waitUntilDone());
         const auto& results = document().results();
         const auto at = std::find(results.begin(), results.end(), back);
         QVERIFY(at != results.end());
         QVERIFY(document().settings()[std::size_t(at - results.begin())] == place);
+        QCOMPARE(document().colours()[std::size_t(at - results.begin())], colour);
+    }
+
+    void theSelectionStaysWithItsPieces() {
+        const auto selectedIds = [this] {
+            std::set<PieceId> ids;
+            for (const int piece : document().selection()) {
+                ids.insert(document().garment()->pieces[std::size_t(piece)]->id);
+            }
+            return ids;
+        };
+        document().setSelection({1});
+        const auto back = selectedIds();
+        cutAcross("waist", 210);  // in the front, which is listed before it
+        QVERIFY(waitUntilDone());
+        QCOMPARE(document().selection(), Document::Selection{2});
+        QVERIFY(selectedIds() == back);
+        workspace().reload();
+        QVERIFY(waitUntilDone());
+        QVERIFY(selectedIds() == back);
+        workspace().undo();
+        workspace().undo();
+        QVERIFY(selectedIds() == back);
+        document().setSelection({0});
+        workspace().redo();
+        QCOMPARE(document().selection(), (Document::Selection{0, 1}));  // both halves
+        workspace().undo();
+        QCOMPARE(document().selection(), Document::Selection{0});
     }
 
     void wishesFollowOneAnother() {
@@ -126,8 +155,9 @@ private slots:
     void aWishThatChangesNothingIsNoStep() {
         cutAcross("waist", 210);
         QVERIFY(waitUntilDone());
-        workspace().removeCut("waist");
-        workspace().removeCut("waist");  // a second click, while the first is on its way
+        workspace().removeCut(document().garment()->cuts.at(0).id);
+        workspace().removeCut(
+            document().garment()->cuts.at(0).id);  // a second click, while the first is on its way
         QVERIFY(waitUntilDone());
         QCOMPARE(document().history().count(), 2);
         QVERIFY(!workspace().canRedo());
@@ -250,7 +280,7 @@ private slots:
         cutAcross("waist", 210);
         QVERIFY(waitUntilDone());
         QSignalSpy cancelled(&workspace().jobs(), &JobRunner::cancelled);
-        workspace().removeCut("waist");
+        workspace().removeCut(document().garment()->cuts.at(0).id);
         document().history().undo();  // in the list of steps
         QVERIFY(!workspace().hasWishes());
         QVERIFY(waitUntilIdle());

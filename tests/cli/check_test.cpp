@@ -5,6 +5,7 @@
 
 #include "core/project/project_file.h"
 #include "tests/cli/run_program.h"
+#include "tests/core/support/project_pieces.h"
 
 namespace toile {
 namespace {
@@ -30,7 +31,7 @@ TEST(Check, AProjectBringsItsGrainAndItsFabric) {
     Project project;
     project.files = {{folder.write("flap.obj", test::kPanel)}};
     project.loading.unit = LengthUnit::Millimetre;
-    project.pieces["flap"].grain = 0.5;
+    test::said(project, "flap").grain = 0.5;
     ASSERT_TRUE(writeProject(folder / "flap.toile", project));
     const auto ready = test::toileRun({"check", (folder / "flap.toile").string()});
     EXPECT_EQ(ready.status, 0) << ready.err;

@@ -6,6 +6,7 @@
 
 #include "core/project/project_file.h"
 #include "tests/cli/run_program.h"
+#include "tests/core/support/project_pieces.h"
 
 namespace toile {
 namespace {
@@ -38,7 +39,7 @@ TEST(Names, OfCutsSeamsAndPiecesAreShownReadableAndShort) {
         {nastyName(), UserCut::Kind::Path, {{0, 210, 0}, {300, 210, 0}}, false},
         {nastyName() + "2", UserCut::Kind::Dart, {{9000, 9000, 0}, {9001, 9000, 0}}, false}};
     seams.ease[nastyName()] = 0.5;
-    project.pieces[nastyName()].quantity = 2;
+    test::said(project, nastyName()).quantity = 2;
     ASSERT_TRUE(writeProject(folder / "flap.toile", project));
     const std::string asProject = (folder / "flap.toile").string();
     folder.write("flap.seams.json", writeSeamsFile(seams));

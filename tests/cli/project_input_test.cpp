@@ -4,6 +4,7 @@
 
 #include "core/project/project_file.h"
 #include "tests/cli/run_program.h"
+#include "tests/core/support/project_pieces.h"
 
 namespace toile {
 namespace {
@@ -34,10 +35,10 @@ TEST(ProjectInput, PiecesLieAndAreCutAsItSays) {
     Project project;
     project.files = {{folder.write("flap.obj", test::kPanel)}};
     project.loading.unit = LengthUnit::Millimetre;
-    project.pieces["flap"].quantity = 2;
-    project.pieces["flap"].mirroredPair = true;
-    project.pieces["flap"].grain = 0.5;
-    project.pieces["flap"].placement = Placement{{0, 0}, 0, true};
+    test::said(project, "flap").quantity = 2;
+    test::said(project, "flap").mirroredPair = true;
+    test::said(project, "flap").grain = 0.5;
+    test::said(project, "flap").placement = Placement{{0, 0}, 0, true};
     ASSERT_TRUE(writeProject(folder / "flap.toile", project));
     const auto run = test::toileRun({"flatten", (folder / "flap.toile").string(), "-o",
                                      (folder / "a.svg").string(), "-o", (folder / "a.dxf").string(),
@@ -104,7 +105,7 @@ TEST(ProjectInput, SaysWhatIsOtherThanItWas) {
     const test::TemporaryFolder folder;
     Project project;
     project.files = {{folder.write("flap.obj", test::kPanel), 1234}};
-    project.pieces["collar"] = {};
+    test::said(project, "collar") = {};
     ASSERT_TRUE(writeProject(folder / "flap.toile", project));
     for (const char* command : {"flatten", "info", "compare"}) {
         const auto run = test::toileRun({command, (folder / "flap.toile").string()});

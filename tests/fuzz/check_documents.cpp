@@ -62,9 +62,11 @@ Garment smallGarment() {
                                             std::to_string(quads) + " 0\n" + vertices + faces),
         kName, progress);
     Garment garment;
-    garment.wholes = divide(*file, 0, "", {}).pieces;
-    garment.pieces = garment.wholes;
+    auto wholes = divide(*file, 0, "", {}).pieces;
     garment.files.push_back(std::move(file));
+    identify(wholes, garment.files, {});
+    garment.wholes.assign(wholes.begin(), wholes.end());
+    garment.pieces = garment.wholes;
     return garment;
 }
 

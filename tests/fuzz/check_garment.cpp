@@ -28,8 +28,10 @@ double areaOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
 Garment cutAndSewn(SourceFile file) {
     Garment garment;
     file.path = "fuzz.off";
-    garment.wholes = divide(file, 0, "", {}).pieces;
+    auto wholes = divide(file, 0, "", {}).pieces;
     garment.files.push_back(std::make_shared<SourceFile>(std::move(file)));
+    identify(wholes, garment.files, {});
+    garment.wholes.assign(wholes.begin(), wholes.end());
     std::vector<UserCut> cuts;
     if (!garment.wholes.empty()) {
         const Points3& V = garment.wholes.front()->mesh.V;

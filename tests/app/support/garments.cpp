@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/content_hash.h"
 #include "core/seam/find_seams.h"
 
 namespace toile::test {
@@ -100,7 +101,11 @@ std::shared_ptr<const Garment> makeGarment(std::vector<std::pair<std::string, Me
     file->path = "garment.obj";
     garment->files.push_back(file);
     for (auto& [name, mesh] : pieces) {
-        garment->pieces.push_back(std::make_shared<const Piece>(makePiece(name, std::move(mesh))));
+        auto piece = std::make_shared<Piece>(makePiece(name, std::move(mesh)));
+        piece->id.value = contentHash(name);
+        piece->lineage = {{piece->id}, {}};
+        piece->origins = rimOrigins(*piece, UpAxis::Y);
+        garment->pieces.push_back(std::move(piece));
     }
     return garment;
 }

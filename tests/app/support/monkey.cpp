@@ -377,9 +377,8 @@ void Monkey::takeOut() {
     const auto& joins = workspace.loading().seams.joins;
     if (!cuts.empty() && random_.chance(0.4)) {
         note("remove cut");
-        const std::string name =
-            cuts[std::size_t(random_.whole(0, static_cast<int>(cuts.size()) - 1))].name;
-        workspace.removeCut(name);
+        workspace.removeCut(
+            cuts[std::size_t(random_.whole(0, static_cast<int>(cuts.size()) - 1))].id);
     } else if (!joins.empty() && random_.chance(0.4)) {
         note("remove join");
         const std::string name = joins.front().name;

@@ -113,7 +113,7 @@ TEST(SeamOrigin, KnowsTheSeamThatACutLeft) {
     ASSERT_EQ(garment->cuts.size(), 1U);
     int left = 0;
     for (const Seam& seam : garment->seams.seams) {
-        const bool is = isLeftBy(seam, garment->cuts[0], garment->pieces);
+        const bool is = seam.cuts == std::vector{garment->cuts[0].id};
         EXPECT_EQ(is, seam.name == "across") << seam.name;
         left += is ? 1 : 0;
     }

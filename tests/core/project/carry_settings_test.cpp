@@ -19,6 +19,7 @@ Garment twoPanels() {
         auto piece = std::make_shared<Piece>(*test::originalPiece(std::move(mesh)));
         piece->name = x == 0 ? "front" : "back";
         piece->file = x == 0 ? 0 : 1;
+        test::identify(*piece, x == 0 ? 1 : 2);
         garment.pieces.push_back(std::move(piece));
     }
     garment.wholes = garment.pieces;
@@ -73,7 +74,7 @@ TEST(CarrySettings, BothPartsOfACutPieceKnowTheWhole) {
         EXPECT_EQ(carried[i].placement, from.placement);
         EXPECT_EQ(carried[i].quantity, from.quantity);
         EXPECT_EQ(carried[i].anchors.empty(), whole);
-        EXPECT_EQ(carried[i].partOf, whole ? "" : "front");
+        EXPECT_EQ(carried[i].partOf, whole ? PieceId{} : garment.pieces[0]->id);
         EXPECT_LE(carried[i].anchors.size(), static_cast<std::size_t>(kMostAnchors));
         // Anchors say where the vertex lay: the panel is flat, so that is where it is in space.
         for (const Anchor& a : carried[i].anchors) {
@@ -104,11 +105,11 @@ TEST(CarrySettings, AWholePieceThatComesBackHasThePlaceOfItsLargerPart) {
     EXPECT_FALSE(carried[0].anchors.empty());
 }
 
-TEST(CarrySettings, ANameWinsOverSharedFaces) {
+TEST(CarrySettings, AnIdWinsOverNameAndSharedFaces) {
     const Garment garment = twoPanels();
     Garment renamed = garment;
     auto piece = std::make_shared<Piece>(*garment.pieces[0]);
-    piece->name = "back";
+    piece->id = garment.pieces[1]->id;
     renamed.pieces = {piece};
     EXPECT_EQ(carriedFrom(garment, {}, {}, renamed)[0].piece, 1);
 }
@@ -117,8 +118,7 @@ TEST(CarrySettings, APieceOfNothingKnownIsNew) {
     const Garment garment = twoPanels();
     Garment other;
     auto piece = std::make_shared<Piece>(*garment.pieces[0]);
-    piece->name = "collar";
-    piece->file = 7;
+    test::identify(*piece, 3);
     other.pieces = {piece};
     const auto from = carriedFrom(garment, someSettings(), {}, other);
     EXPECT_EQ(from[0].piece, -1);

@@ -27,6 +27,7 @@ Garment panels(const std::vector<MeshArrays>& meshes) {
         auto piece = std::make_shared<Piece>(*test::originalPiece(std::move(mesh)));
         piece->name = "piece " + std::to_string(garment.pieces.size() + 1);
         piece->file = static_cast<int>(garment.pieces.size());
+        test::identify(*piece, 1 + garment.pieces.size());
         garment.pieces.push_back(std::move(piece));
     }
     garment.wholes = garment.pieces;
@@ -367,6 +368,7 @@ TEST(PlacePieces, TheSheetGrowsWithAGarmentReadInAnotherUnit) {
         auto grown = std::make_shared<Piece>(*test::originalPiece(std::move(mesh)));
         grown->name = piece->name;
         grown->file = piece->file;
+        test::identify(*grown, piece->id.value);
         piece = grown;
     }
     const auto carried = carriedSettings(carriedFrom(garment, settings, before, larger), settings);

@@ -8,6 +8,7 @@
 
 #include "core/base/json_fields.h"
 #include "core/project/project_upgrades.h"
+#include "tests/core/support/project_pieces.h"
 #include "tests/core/support/temporary_folder.h"
 
 namespace toile {
@@ -50,7 +51,18 @@ public:
                 cut.points.emplace_back(number(), number(), number());
             }
             loading.seams.ease[text()] = std::uniform_real_distribution<>(-0.9, 2)(random_);
+            loading.seamSettings.push_back(
+                {{stretch(), flag() ? stretch() : LineStretch{}},
+                 flag() ? std::optional(std::uniform_real_distribution<>(-0.9, 2)(random_))
+                        : std::nullopt,
+                 flag() ? text() : ""});
+            loading.known.push_back({{random_() | 1U},
+                                     upTo(3),
+                                     text(),
+                                     {number(), number(), number()},
+                                     std::abs(number())});
         }
+        giveIds(loading.seams.cuts);
         project.options.method = static_cast<Method>(upTo(7));
         project.options.quality = static_cast<Quality>(upTo(2));
         project.options.boundarySolver = static_cast<BoundarySolver>(upTo(1));
@@ -59,7 +71,11 @@ public:
         project.options.authalic = std::uniform_real_distribution<>(0, 1)(random_);
         project.fabric = {text(), {-0.1 / 3, 1.0 / 3}, {0, 1e-300}, {-0.0, 7}};
         for (int k = upTo(5); k > 0; --k) {
-            project.pieces[text()] = piece();
+            project.pieces.push_back(
+                {flag() ? PieceId{random_() | 1U} : PieceId{}, text(), piece()});
+        }
+        for (int k = upTo(5); k > 0; --k) {
+            project.labels[{random_() | 1U}] = {flag() ? text() : "", flag() ? upTo(100) : -1};
         }
         project.view = {flag() ? "strain" : "", flag(), flag()};
         return project;
@@ -89,6 +105,8 @@ private:
         return made;
     }
 
+    LineStretch stretch() { return {{random_() | 1U}, number(2), number(2)}; }
+
     std::optional<LengthUnit> unit() {
         return flag() ? std::optional(static_cast<LengthUnit>(upTo(3))) : std::nullopt;
     }
@@ -113,9 +131,12 @@ private:
         }
         settings.quantity = upTo(1000);
         settings.mirroredPair = flag();
-        settings.partOf = flag() ? text() : "";
+        settings.partOf = flag() ? PieceId{random_() | 1U} : PieceId{};
         for (int k = upTo(3); k > 0; --k) {
             settings.anchors.push_back({upTo(1 << 20), {number(kFarthest), number(kFarthest)}});
+            if (flag()) {
+                settings.anchors.back().point.emplace(number(), number(), number());
+            }
         }
         return settings;
     }
@@ -128,9 +149,10 @@ Project someProject() {
     Project project;
     project.files = {{"/garments/dress.obj", 0x1234U, {}}};
     project.loading.seams.cuts = {{"waist", UserCut::Kind::Path, {{0, 1, 2}, {3, 4, 5}}, false}};
+    giveIds(project.loading.seams.cuts);
     project.loading.seams.ease["front / back"] = 0.1;
-    project.pieces["front"].placement = Placement{{1.5, -2}, 0.25, true};
-    project.pieces["front"].anchors = {{3, {1, 2}}, {9, {4, 5}}};
+    test::said(project, "front").placement = Placement{{1.5, -2}, 0.25, true};
+    test::said(project, "front").anchors = {{3, {1, 2}}, {9, {4, 5}}};
     return project;
 }
 
@@ -221,10 +243,10 @@ TEST(ProjectFile, AFaultNamesItsPlace) {
         const auto read = parseProject(document.dump(), "p.toile", kFolder);
         return read ? "" : read.error().detail;
     };
-    EXPECT_EQ(detailWith([](Json& d) { d["pieces"]["front"]["quantity"] = 1.5; }),
-              R"("pieces.front.quantity" must be a whole number from 0 to 1000000)");
-    EXPECT_EQ(detailWith([](Json& d) { d["pieces"]["front"]["placement"]["offset"] = {1}; }),
-              R"("pieces.front.placement.offset" must be a list of 2 numbers)");
+    EXPECT_EQ(detailWith([](Json& d) { d["pieces"][0]["quantity"] = 1.5; }),
+              R"("pieces[0].quantity" must be a whole number from 0 to 1000000)");
+    EXPECT_EQ(detailWith([](Json& d) { d["pieces"][0]["placement"]["offset"] = {1}; }),
+              R"("pieces[0].placement.offset" must be a list of 2 numbers)");
     EXPECT_EQ(detailWith([](Json& d) { d["seams"]["cuts"][0]["points"][1][2] = "x"; }),
               R"("seams.cuts[0].points[1]" must be a list of 3 numbers)");
     EXPECT_EQ(detailWith([](Json& d) { d["reading"]["unit"] = "ell"; }),
@@ -246,10 +268,10 @@ TEST(ProjectFile, NumbersOfNoGarmentAreRefused) {
         damage(document);
         return !faultOf(document).empty();
     };
-    EXPECT_TRUE(refuses([](Json& d) { d["pieces"]["front"]["placement"]["offset"] = {0, 1e308}; }));
-    EXPECT_TRUE(refuses([](Json& d) { d["pieces"]["front"]["placement"]["turn"] = 1e308; }));
-    EXPECT_TRUE(refuses([](Json& d) { d["pieces"]["front"]["grain"] = -1e308; }));
-    EXPECT_TRUE(refuses([](Json& d) { d["pieces"]["front"]["anchors"][0]["at"] = {1e308, 0}; }));
+    EXPECT_TRUE(refuses([](Json& d) { d["pieces"][0]["placement"]["offset"] = {0, 1e308}; }));
+    EXPECT_TRUE(refuses([](Json& d) { d["pieces"][0]["placement"]["turn"] = 1e308; }));
+    EXPECT_TRUE(refuses([](Json& d) { d["pieces"][0]["grain"] = -1e308; }));
+    EXPECT_TRUE(refuses([](Json& d) { d["pieces"][0]["anchors"][0]["at"] = {1e308, 0}; }));
     EXPECT_TRUE(refuses([](Json& d) { d["fabric"]["warp"] = {0, 1e308}; }));
     for (const double ease : {-1.0, 10.5, 1e308}) {
         EXPECT_TRUE(refuses([ease](Json& d) { d["seams"]["ease"]["front / back"] = ease; }));
@@ -276,13 +298,13 @@ TEST(ProjectFile, ListsInListsWithoutEndAreASentence) {
 TEST(ProjectFile, UnknownKeysAreNotedAndNotFatal) {
     Json document = someDocument();
     document["colour"] = "red";
-    document["pieces"]["front"]["lining"] = {1, 2, 3};
+    document["pieces"][0]["lining"] = {1, 2, 3};
     const auto read = parseProject(document.dump(), "p.toile", kFolder);
     ASSERT_TRUE(read);
     EXPECT_EQ(read->project, someProject());
     ASSERT_EQ(read->notes.size(), 1U);
     EXPECT_EQ(read->notes[0].code, ErrorCode::UnknownKey);
-    EXPECT_EQ(read->notes[0].detail, R"("pieces.front.lining", "colour")");
+    EXPECT_EQ(read->notes[0].detail, R"("pieces[0].lining", "colour")");
 }
 
 TEST(ProjectFile, WhatIsLeftOutIsAsInANewProject) {
@@ -346,7 +368,7 @@ TEST(ProjectFile, APathThatTheSystemWouldCutOffIsRefused) {
 TEST(ProjectFile, HundredThousandEntriesAreReadAndWrittenLikeFew) {
     Project project = someProject();
     for (int k = 0; k < 100000; ++k) {
-        project.pieces["piece " + std::to_string(k)].quantity = k;
+        project.pieces.push_back({{k + 1U}, "piece " + std::to_string(k), {}});
         project.loading.seams.ease["seam " + std::to_string(k)] = 0.5;
     }
     const auto read = parseProject(projectText(project, kFolder), "p", kFolder);

@@ -5,6 +5,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/io/soup.h"
+#include "tests/core/support/project_pieces.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/temporary_folder.h"
 
@@ -24,7 +25,7 @@ Garment garmentOfFile(std::optional<std::uint64_t> hash) {
 
 TEST(Project, SettingsFollowThePiecesNames) {
     Project project;
-    project.pieces["back"].quantity = 7;
+    test::said(project, "back").quantity = 7;
     const auto settings = settingsFor(project, garmentOfFile({}));
     ASSERT_EQ(settings.size(), 2U);
     EXPECT_EQ(settings[0], PieceSettings{});
@@ -44,8 +45,8 @@ TEST(Project, AFileThatIsAnotherNowIsNamed) {
 
 TEST(Project, APieceThatIsGoneIsNamed) {
     Project project;
-    project.pieces["collar"];
-    project.pieces["back"];
+    (void)test::said(project, "collar");
+    (void)test::said(project, "back");
     const Problems problems = differencesTo(project, garmentOfFile({}));
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_EQ(problems[0].code, ErrorCode::PieceGone);
@@ -55,11 +56,11 @@ TEST(Project, APieceThatIsGoneIsNamed) {
 TEST(Project, ManyPiecesThatAreGoneAreNamedInOneSentence) {
     Project project;
     for (int k = 0; k < 1000; ++k) {
-        project.pieces["sleeve " + std::to_string(k)];
+        (void)test::said(project, "sleeve " + std::to_string(k));
     }
     const Problems problems = differencesTo(project, garmentOfFile({}));
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_EQ(problems[0].where, R"("sleeve 0", "sleeve 1", "sleeve 10" and 997 more)");
+    EXPECT_EQ(problems[0].where, R"("sleeve 0", "sleeve 1", "sleeve 2" and 997 more)");
 }
 
 TEST(Project, ReadersRememberTheHashOfWhatTheyRead) {
@@ -77,9 +78,14 @@ TEST(Project, OnlyFlatPiecesGetAnchors) {
     const PieceResults results = flattenGarment(garment, {}, progress);
     std::vector<PieceSettings> settings(2);
     settings[1].anchors = {{1, {2, 3}}};  // of an earlier flattening: placement is about that
-    const auto byName = settingsByName(garment, settings, {results[0], nullptr});
-    EXPECT_EQ(byName.at("front").anchors.size(), results[0]->piece->boundary.size());
-    EXPECT_EQ(byName.at("back"), settings[1]);
+    const auto pieces = projectPieces(garment, settings, {results[0], nullptr});
+    ASSERT_EQ(pieces.size(), 2U);
+    EXPECT_EQ(pieces[0].name, "front");
+    EXPECT_EQ(pieces[0].settings.anchors.size(), results[0]->piece->boundary.size());
+    const Anchor& kept = pieces[1].settings.anchors.at(0);
+    EXPECT_EQ(kept.vertex, 1);
+    EXPECT_EQ(kept.flat, settings[1].anchors[0].flat);
+    EXPECT_EQ(*kept.point, Eigen::Vector3d(garment.pieces[1]->mesh.V.row(1).transpose()));
 }
 
 }  // namespace

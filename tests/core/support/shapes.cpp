@@ -12,6 +12,7 @@
 
 #include <Eigen/SVD>
 
+#include "core/base/content_hash.h"
 #include "core/mesh/disjoint_sets.h"
 
 namespace toile::test {
@@ -349,7 +350,15 @@ Renumbered renumber(const MeshArrays& mesh, unsigned seed) {
 }
 
 std::shared_ptr<const Piece> asPiece(MeshArrays mesh, const std::string& name) {
-    return std::make_shared<const Piece>(makePiece(name, std::move(mesh)));
+    auto piece = std::make_shared<Piece>(makePiece(name, std::move(mesh)));
+    identify(*piece, contentHash(name));
+    return piece;
+}
+
+void identify(Piece& piece, std::uint64_t id) {
+    piece.id.value = id;
+    piece.lineage = {{piece.id}, {}};
+    piece.origins = rimOrigins(piece, UpAxis::Y);
 }
 
 double distanceAfterRigidMotion(const Points2& P, const Points2& Q) {

@@ -53,6 +53,8 @@ Renumbered renumber(const MeshArrays& mesh, unsigned seed);
 
 /// The mesh as a checked piece.
 std::shared_ptr<const Piece> asPiece(MeshArrays mesh, const std::string& name = "piece");
+/// Makes it a piece of a division.
+void identify(Piece& piece, std::uint64_t id);
 
 /// Largest distance between two planar point sets after the best rigid motion (no reflection).
 double distanceAfterRigidMotion(const Points2& P, const Points2& Q);

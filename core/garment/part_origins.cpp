@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/garment/part_origins.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/mesh/disjoint_sets.h"
+#include "core/mesh/segment.h"
+
+namespace toile {
+namespace {
+
+/// A run of a cut that lies between two parts.
+struct Border {
+    std::size_t cut;
+    int left, right;
+};
+
+/// How far along a path points lie that follow each other on it, mm: where a cut runs along another
+/// one nothing comes open, and its places are to be the same when that is taken back.
+class PathPlaces {
+public:
+    PathPlaces(const MeshArrays& mesh, const PathPolyline& path) {
+        for (const SurfacePoint& point : path.points) {
+            points_.push_back(positionOf(mesh, point).transpose());
+            arc_.push_back(
+                points_.size() < 2 ? 0 : arc_.back() + (points_.back() - points_.end()[-2]).norm());
+        }
+    }
+
+    double length() const { return arc_.back(); }
+
+    double of(const Eigen::RowVector3d& point) {
+        double least = std::numeric_limits<double>::infinity(), along = 0;
+        for (std::size_t k = last_; k + 1 < points_.size(); ++k) {
+            const double t = nearestShare(point, points_[k], points_[k + 1]);
+            const double away = (points_[k] + t * (points_[k + 1] - points_[k]) - point).norm();
+            if (away < least) {
+                least = away;
+                last_ = k;
+                along = arc_[k] + t * (arc_[k + 1] - arc_[k]);
+            }
+        }
+        return along;
+    }
+
+private:
+    std::vector<Eigen::RowVector3d> points_;
+    std::vector<double> arc_;
+    std::size_t last_ = 0;  ///< segment
+};
+
+}  // namespace
+
+std::vector<Lineage> partLineages(const Lineage& whole, std::span<const CutId> cuts,
+                                  const CutResult& cut, const std::vector<int>& partOf, int parts) {
+    std::vector<Border> borders;
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+        for (const CutRun& run : cut.cuts[c].runs) {
+            const int left = partOf[run.left.front()], right = partOf[run.right.front()];
+            if (left != right) {
+                borders.push_back({c, left, right});
+            }
+        }
+    }
+    std::vector<Lineage> lineages(static_cast<std::size_t>(parts), whole);
+    // As if one cut were made after the other: those after this one still hold together what they
+    // will part, and what it parts itself was one until now.
+    std::vector<int> before(static_cast<std::size_t>(parts), 0);
+    for (std::size_t c = 0; c < cuts.size() && parts > 1; ++c) {
+        DisjointSets together(parts);
+        for (const Border& border : borders) {
+            if (border.cut > c) {
+                together.join(border.left, border.right);
+            }
+        }
+        std::vector<int> sideOf(static_cast<std::size_t>(parts), 0);  // per root
+        std::unordered_map<int, std::pair<int, int>> count;  // per whole: left and right so far
+        for (const Border& border : borders) {
+            const int left = together.root(border.left), right = together.root(border.right);
+            if (border.cut != c || left == right) {
+                continue;
+            }
+            auto& [lefts, rights] = count[before[border.left]];
+            sideOf[left] = sideOf[left] != 0 ? sideOf[left] : ++lefts;
+            sideOf[right] = sideOf[right] != 0 ? sideOf[right] : -++rights;
+        }
+        for (int part = 0; part < parts; ++part) {
+            before[part] = together.root(part);
+            if (const int side = sideOf[before[part]]; side != 0) {
+                lineages[part].sides.push_back({cuts[c], side});
+            }
+        }
+    }
+    return lineages;
+}
+
+PartOrigins::PartOrigins(const Piece& piece, std::span<const CutId> cuts,
+                         const std::vector<PathPolyline>& paths, const CutResult& cut)
+    : piece_(piece), cut_(cut) {
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+        const LineId line = lineOf(cuts[c]);
+        PathPlaces places(piece.mesh, paths[c]);
+        for (const CutRun& run : cut.cuts[c].runs) {
+            double along = places.of(cut.mesh.V.row(run.left.front()));
+            for (std::size_t k = 0; k + 1 < run.left.size(); ++k) {
+                const double from = along / places.length();
+                along += (cut.mesh.V.row(run.left[k + 1]) - cut.mesh.V.row(run.left[k])).norm();
+                const double to = along / places.length();
+                opened_[run.left[k]] = {run.left[k], run.left[k + 1], line, cuts[c], from, to};
+                opened_[run.right[k + 1]] = {run.right[k + 1], run.right[k], line,
+                                             cuts[c],          to,           from};
+            }
+        }
+    }
+}
+
+const EdgeOrigin* PartOrigins::rimAt(int vertex) const {
+    if (cut_.sourceVertex[vertex] >= 0) {
+        return originAt(piece_.origins, cut_.sourceVertex[vertex]);
+    }
+    const SurfacePoint& place = cut_.place[vertex];
+    for (int k = 0; k < 3 && place.face >= 0; ++k) {
+        const EdgeOrigin* edge = originAt(piece_.origins, piece_.mesh.F(place.face, k));
+        if (edge && edge->head == piece_.mesh.F(place.face, (k + 1) % 3) &&
+            place.barycentric[(k + 2) % 3] <= kOnEdge) {
+            return edge;
+        }
+    }
+    return nullptr;
+}
+
+std::optional<double> PartOrigins::shareOn(const EdgeOrigin& edge, int vertex) const {
+    const int source = cut_.sourceVertex[vertex];
+    if (source >= 0) {
+        return source == edge.tail   ? std::optional(0.0)
+               : source == edge.head ? std::optional(1.0)
+                                     : std::nullopt;
+    }
+    return rimAt(vertex) == &edge
+               ? std::optional((cut_.mesh.V.row(vertex) - piece_.mesh.V.row(edge.tail)).norm() /
+                               (piece_.mesh.V.row(edge.head) - piece_.mesh.V.row(edge.tail)).norm())
+               : std::nullopt;
+}
+
+std::vector<EdgeOrigin> PartOrigins::of(const Piece& part, const std::vector<int>& vertex) const {
+    std::vector<EdgeOrigin> origins;
+    const EdgeTable& table = part.table;
+    for (std::size_t e = 0; e + 1 < table.useStart.size(); ++e) {
+        if (table.useStart[e + 1] - table.useStart[e] != 1) {
+            continue;
+        }
+        const int use = table.use[table.useStart[e]];
+        const int tail = part.mesh.F(use / 3, use % 3);
+        const int head = part.mesh.F(use / 3, (use % 3 + 1) % 3);
+        const auto opened = opened_.find(vertex[tail]);
+        if (opened != opened_.end() && opened->second.head == vertex[head]) {
+            EdgeOrigin origin = opened->second;
+            origin.tail = tail;
+            origin.head = head;
+            origins.push_back(origin);
+        } else if (const EdgeOrigin* rim = rimAt(vertex[tail])) {
+            const auto from = shareOn(*rim, vertex[tail]), to = shareOn(*rim, vertex[head]);
+            if (from && to) {
+                const double whole = rim->to - rim->from;
+                origins.push_back({tail, head, rim->line, rim->cut, rim->from + *from * whole,
+                                   rim->from + *to * whole});
+            }
+        }
+    }
+    std::ranges::sort(origins, {}, &EdgeOrigin::tail);
+    return origins;
+}
+
+}  // namespace toile

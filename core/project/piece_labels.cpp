@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/piece_labels.h"
+
+#include <algorithm>
+#include <set>
+
+namespace toile {
+namespace {
+
+/// The label's colour; negative where there is none.
+int colourOf(const PieceLabels& labels, PieceId id) {
+    const auto known = labels.find(id);
+    return known == labels.end() ? -1 : known->second.colour;
+}
+
+}  // namespace
+
+PieceLabels withColours(PieceLabels labels, const Garment* before, const Garment& after) {
+    std::set<int> present, ever;
+    for (const auto& [id, label] : labels) {
+        ever.insert(label.colour);
+    }
+    std::vector<int> colours;
+    for (const auto& piece : after.pieces) {
+        const int own = colourOf(labels, piece->id);
+        colours.push_back(own >= 0 && present.insert(own).second ? own : -1);
+    }
+    const std::vector<int> was =
+        before ? predecessors(before->pieces, after.pieces) : std::vector<int>{};
+    int next = 0;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        if (colours[i] < 0 && before && was[i] >= 0) {
+            const int old = colourOf(labels, before->pieces[static_cast<std::size_t>(was[i])]->id);
+            colours[i] = old >= 0 && present.insert(old).second ? old : -1;
+        }
+        while (colours[i] < 0) {
+            colours[i] = ever.insert(next).second ? next : -1;
+            ++next;
+        }
+        labels[after.pieces[i]->id].colour = colours[i];
+    }
+    return labels;
+}
+
+std::vector<int> coloursOf(const PieceLabels& labels, const Garment& garment) {
+    std::vector<int> colours;
+    for (const auto& piece : garment.pieces) {
+        const int colour = colourOf(labels, piece->id);
+        colours.push_back(colour < 0 ? static_cast<int>(colours.size()) : colour);
+    }
+    return colours;
+}
+
+const std::string& nameOf(const PieceLabels& labels, const Piece& piece) {
+    const auto known = labels.find(piece.id);
+    return known == labels.end() || known->second.name.empty() ? piece.name : known->second.name;
+}
+
+}  // namespace toile

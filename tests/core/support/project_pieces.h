@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "core/project/project.h"
+
+namespace toile::test {
+
+/// What a project says of the piece of this name; added where it says nothing yet.
+inline PieceSettings& said(Project& project, const std::string& name) {
+    const auto found = std::ranges::find(project.pieces, name, &ProjectPiece::name);
+    return found != project.pieces.end() ? found->settings
+                                         : project.pieces.emplace_back(PieceId{}, name).settings;
+}
+
+}  // namespace toile::test
