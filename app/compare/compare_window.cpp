@@ -164,8 +164,10 @@ PictureLook CompareWindow::look() const {
 void CompareWindow::showPictures() {
     const auto& entries = comparison_.entries();
     const auto at = static_cast<std::size_t>(std::max(0, comparison_.piece()));
-    ComparisonGround ground{
-        document_.options().method, {}, nullptr, look(), comparison_.isStopped()};
+    ComparisonGround ground;
+    ground.inUse = document_.options().method;
+    ground.look = look();
+    ground.isStopped = comparison_.isStopped();
     if (at < document_.settings().size()) {
         ground.settings = document_.settings()[at];
     }
