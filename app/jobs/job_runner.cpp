@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/job_runner.h"
 
-#include <QtConcurrentRun>
 #include <algorithm>
 #include <utility>
 
@@ -16,26 +15,21 @@ constexpr int kPollMilliseconds = 33;
 
 }  // namespace
 
-/// The job on the worker and what comes back from it. `outcome` is written by the worker and read
-/// after the future has finished, which orders the two.
+/// The job on the worker.
 struct JobRunner::Running {
     std::unique_ptr<Job> job;
     Ticket ticket = 0;
     bool replaced = false;
-    Progress progress;
-    Attempt<Result<void>> outcome;
 };
 
 JobRunner::JobRunner(const Document& document, QObject* parent)
     : QObject(parent), document_(document) {
-    pool_.setMaxThreadCount(1);
     poll_.setInterval(kPollMilliseconds);
     connect(&poll_, &QTimer::timeout, this, [this] {
         if (current_) {
             emit progressed(fraction());
         }
     });
-    connect(&watcher_, &QFutureWatcher<void>::finished, this, &JobRunner::onFinished);
 }
 
 JobRunner::~JobRunner() {
@@ -43,7 +37,7 @@ JobRunner::~JobRunner() {
 }
 
 bool JobRunner::isUnderWay(Ticket job) const {
-    return (current_ && current_->ticket == job && !current_->progress.isCancelled()) ||
+    return (current_ && current_->ticket == job && !worker_.progress()->isCancelled()) ||
            std::ranges::find(waiting_, job, &Waiting::ticket) != waiting_.end();
 }
 
@@ -52,7 +46,7 @@ QString JobRunner::title() const {
 }
 
 double JobRunner::fraction() const {
-    return current_ ? current_->progress.fraction() : 0;
+    return current_ ? worker_.progress()->fraction() : 0;
 }
 
 JobRunner::Ticket JobRunner::start(std::unique_ptr<Job> job) {
@@ -71,7 +65,7 @@ void JobRunner::drop(Ticket job) {
     if (current_ && current_->ticket == job) {
         current_->replaced = true;
         if (current_->job->isCancellable()) {
-            current_->progress.cancel();
+            worker_.cancel();
         }
         return;
     }
@@ -91,7 +85,7 @@ void JobRunner::cancelAll(bool replaced) {
     if (current_) {
         current_->replaced = current_->replaced || replaced;
         if (current_->job->isCancellable()) {
-            current_->progress.cancel();
+            worker_.cancel();
         }
     }
     std::deque<Waiting> dropped;
@@ -118,9 +112,8 @@ void JobRunner::finish() {
 }
 
 void JobRunner::doTheRest() {
-    watcher_.disconnect(this);
     poll_.stop();
-    watcher_.waitForFinished();
+    worker_.stop(false);
     current_.reset();
     for (const Waiting& waiting : std::exchange(waiting_, {})) {
         Progress progress;
@@ -141,31 +134,28 @@ void JobRunner::startNext() {
     poll_.start();
     emit started(current_->job->title());
 
-    Running* running = current_.get();  // outlives the future: shutdown waits for it
-    watcher_.setFuture(QtConcurrent::run(&pool_, [running] {
-        running->outcome = attempt([running] { return running->job->process(running->progress); });
-    }));
+    worker_.start(
+        [job = current_->job.get()](Progress& progress) { return job->process(progress); },
+        [this](const auto& outcome, const Progress& progress) {
+            poll_.stop();
+            const std::unique_ptr<Running> done = std::move(current_);
+            settle(*done, outcome, progress.isCancelled());
+            // A slot may have started another job meanwhile.
+            startNext();
+            if (!current_) {
+                emit idle();
+            }
+        });
 }
 
-void JobRunner::onFinished() {
-    poll_.stop();
-    const std::unique_ptr<Running> done = std::move(current_);
-    if (done->outcome.fault) {
-        emit failed(done->job->title(), faultText(done->outcome.fault), done->replaced);
-    } else {
-        settle(*done);
-    }
-    // A slot may have started another job meanwhile.
-    startNext();
-    if (!current_) {
-        emit idle();
-    }
-}
-
-void JobRunner::settle(const Running& done) {
+void JobRunner::settle(const Running& done, const Attempt<Result<void>>& made, bool isCancelled) {
     Job& job = *done.job;
-    const Result<void>& outcome = *done.outcome.answer;
-    if (done.progress.isCancelled() || (!outcome && outcome.error().code == ErrorCode::Cancelled)) {
+    if (made.fault) {
+        emit failed(job.title(), faultText(made.fault), done.replaced);
+        return;
+    }
+    const Result<void>& outcome = *made.answer;
+    if (isCancelled || (!outcome && outcome.error().code == ErrorCode::Cancelled)) {
         emit cancelled(job.title(), done.replaced);
         return;
     }

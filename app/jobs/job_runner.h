@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QThreadPool>
 #include <QTimer>
 #include <cstdint>
 #include <deque>
 #include <memory>
 
+#include "app/base/worker.h"
 #include "app/jobs/job.h"
 
 namespace toile {
@@ -73,13 +72,11 @@ private:
     void startNext();
     void doTheRest();
     void cancelAll(bool replaced);
-    void onFinished();
-    void settle(const Running& done);
+    void settle(const Running& done, const Attempt<Result<void>>& made, bool isCancelled);
 
     const Document& document_;
-    QThreadPool pool_;  ///< of one thread: jobs never overlap
     QTimer poll_;
-    QFutureWatcher<void> watcher_;
+    Worker<Result<void>> worker_;  ///< jobs never overlap
     std::unique_ptr<Running> current_;
     std::deque<Waiting> waiting_;
     Ticket last_ = 0;

@@ -1,48 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/path_finder.h"
 
-#include <QtConcurrentRun>
 #include <algorithm>
-#include <exception>
+#include <optional>
 #include <utility>
 
-#include "core/base/progress.h"
 #include "core/cut/surface_links.h"
 #include "core/cut/surface_point.h"
 #include "core/cut/user_cuts.h"
 
 namespace toile {
 
+/// Made by the first search that asks for it, and looked at by those that follow.
 struct PathFinder::Surface {
-    explicit Surface(std::shared_ptr<const Piece> of)
-        : piece(std::move(of)), links(piece->mesh, piece->table) {}
-
     std::shared_ptr<const Piece> piece;
-    SurfaceLinks links;
+    std::optional<SurfaceLinks> links{};
 };
 
-/// What the worker works on: written by it, and read after the future has finished.
-struct PathFinder::Running {
-    Order order;
-    std::shared_ptr<Surface> surface;
-    Progress progress;
-    Result<PathPolyline> outcome = cutError("", "the way was not found");
-    bool isForgotten = false;
-    bool keepsSurface = true;
-};
+PathFinder::PathFinder(QObject* parent) : QObject(parent) {}
 
-PathFinder::PathFinder(QObject* parent) : QObject(parent) {
-    pool_.setMaxThreadCount(1);
-    connect(&watcher_, &QFutureWatcher<void>::finished, this, &PathFinder::onFinished);
-}
-
-PathFinder::~PathFinder() {
-    watcher_.disconnect(this);
-    if (current_) {
-        current_->progress.cancel();
-    }
-    watcher_.waitForFinished();
-}
+PathFinder::~PathFinder() = default;
 
 PathFinder::Ticket PathFinder::find(PathWish wish, Done done) {
     waiting_.push_back({++last_, std::move(wish), std::move(done)});
@@ -52,50 +29,49 @@ PathFinder::Ticket PathFinder::find(PathWish wish, Done done) {
 
 void PathFinder::forget(Ticket ticket) {
     std::erase_if(waiting_, [ticket](const Order& order) { return order.ticket == ticket; });
-    if (current_ && current_->order.ticket == ticket) {
-        current_->isForgotten = true;
-        current_->progress.cancel();
+    if (ticket == current_) {
+        current_ = 0;
+        worker_.cancel();
     }
 }
 
 void PathFinder::forgetPiece() {
     surface_ = nullptr;
-    if (current_) {
-        current_->keepsSurface = false;
-    }
+    keepsSurface_ = false;
 }
 
 void PathFinder::startNext() {
-    if (current_ || waiting_.empty()) {
+    if (worker_.isBusy() || waiting_.empty()) {
         return;
     }
-    current_ = std::make_unique<Running>();
-    current_->order = std::move(waiting_.front());
+    Order order = std::move(waiting_.front());
     waiting_.pop_front();
-    if (surface_ && surface_->piece == current_->order.wish.piece) {
-        current_->surface = surface_;
-    }
-    Running* running = current_.get();  // outlives the future: the destructor waits for it
-    watcher_.setFuture(QtConcurrent::run(&pool_, [running] {
-        try {
-            if (!running->surface) {
-                running->surface = std::make_shared<Surface>(running->order.wish.piece);
+    current_ = order.ticket;
+    keepsSurface_ = true;
+    const auto surface = surface_ && surface_->piece == order.wish.piece
+                             ? surface_
+                             : std::make_shared<Surface>(Surface{order.wish.piece});
+    worker_.start(
+        [surface, wish = order.wish](Progress& progress) {
+            if (!surface->links) {
+                surface->links.emplace(surface->piece->mesh, surface->piece->table);
             }
-            const PathWish& wish = running->order.wish;
-            running->outcome = wayOfCut(running->surface->links, wish.from, wish.to,
-                                        wish.alongEdges, running->progress);
-        } catch (const std::exception&) {
-            // Out of memory, or a fault: the preview stays straight, and the cut itself will tell.
-        }
-    }));
+            return wayOfCut(*surface->links, wish.from, wish.to, wish.alongEdges, progress);
+        },
+        [this, surface, order = std::move(order)](const auto& made, const Progress&) {
+            take(order, surface, made);
+        });
 }
 
-void PathFinder::onFinished() {
-    const std::unique_ptr<Running> done = std::move(current_);
-    surface_ = done->keepsSurface ? done->surface : nullptr;
+void PathFinder::take(const Order& order, const std::shared_ptr<Surface>& surface,
+                      const Attempt<Result<PathPolyline>>& made) {
+    surface_ = keepsSurface_ ? surface : nullptr;
+    const bool isWanted = current_ == order.ticket;
+    current_ = 0;
     startNext();
-    if (!done->isForgotten) {
-        done->order.done(done->outcome);
+    if (isWanted) {
+        // Out of memory, or a fault: the preview stays straight, and the cut itself will tell.
+        order.done(made.answer ? *made.answer : cutError("", "the way was not found"));
     }
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QThreadPool>
 #include <deque>
 #include <functional>
 #include <memory>
 
+#include "app/base/worker.h"
 #include "core/base/result.h"
 #include "core/cut/surface_point.h"
 #include "core/garment/piece.h"
@@ -33,7 +32,6 @@ public:
     using Done = std::function<void(const Result<PathPolyline>&)>;
 
     explicit PathFinder(QObject* parent = nullptr);
-    /// Cancels and waits.
     ~PathFinder() override;
 
     /// @param done  called on the GUI thread, later, unless the ticket is forgotten before
@@ -51,17 +49,17 @@ private:
         Done done{};
     };
     struct Surface;
-    struct Running;
 
     void startNext();
-    void onFinished();
+    void take(const Order& order, const std::shared_ptr<Surface>& surface,
+              const Attempt<Result<PathPolyline>>& made);
 
-    QThreadPool pool_;  ///< of one thread
-    QFutureWatcher<void> watcher_;
     std::deque<Order> waiting_;
-    std::unique_ptr<Running> current_;
     std::shared_ptr<Surface> surface_;  ///< of the piece last asked about
     Ticket last_ = 0;
+    Ticket current_ = 0;  ///< of the search that runs; 0 where it is not wanted any more
+    bool keepsSurface_ = true;
+    Worker<Result<PathPolyline>> worker_;
 };
 
 }  // namespace toile

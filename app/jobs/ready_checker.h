@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
 #include <QTimer>
-#include <memory>
 
+#include "app/base/worker.h"
 #include "app/document/document_change.h"
 #include "core/check/ready_to_cut.h"
 
@@ -22,8 +21,6 @@ class ReadyChecker : public QObject {
 
 public:
     explicit ReadyChecker(Document& document, QObject* parent = nullptr);
-    /// Cancels and waits.
-    ~ReadyChecker() override;
 
     /// Of `plan`; empty where nothing is open.
     const Readiness& readiness() const { return readiness_; }
@@ -31,7 +28,7 @@ public:
     /// document's for a moment.
     const CutPlan& plan() const { return plan_; }
     /// False while an answer is on its way.
-    bool isUpToDate() const { return !running_ && !delay_.isActive(); }
+    bool isUpToDate() const { return !worker_.isBusy() && !delay_.isActive(); }
     /// Whether a person has said that unit and up axis were guessed right.
     void setGuessesKept(bool kept);
 
@@ -40,20 +37,17 @@ signals:
     void changed();
 
 private:
-    struct Running;
-
     void onChanged(DocumentChanges what);
     CutPlan planOfDocument() const;
     void start();
-    void onFinished();
+    void take(CutPlan plan, Attempt<Readiness> made, bool isCancelled);
 
     Document& document_;
     QTimer delay_;
-    QFutureWatcher<void> watcher_;
-    std::unique_ptr<Running> running_;
     CutPlan plan_;
     Readiness readiness_;
     bool guessesKept_ = false;
+    Worker<Readiness> worker_;
 };
 
 }  // namespace toile

@@ -3,9 +3,8 @@
 
 #include <utility>
 
-#include <QtConcurrent/QtConcurrentRun>
-
 #include "app/document/document.h"
+#include "app/text/error_text.h"
 
 namespace toile {
 
@@ -23,12 +22,7 @@ FabricQuestion questionOf(const Document& document) {
 FabricWatcher::FabricWatcher(Document& document, QObject* parent, Work work)
     : QObject(parent), document_(document), work_(std::move(work)) {
     connect(&document_, &Document::changed, this, &FabricWatcher::onChanged);
-    connect(&watcher_, &QFutureWatcherBase::finished, this, &FabricWatcher::onFinished);
     start(questionOf(document_));
-}
-
-FabricWatcher::~FabricWatcher() {
-    watcher_.waitForFinished();
 }
 
 void FabricWatcher::onChanged(DocumentChanges what) {
@@ -36,7 +30,7 @@ void FabricWatcher::onChanged(DocumentChanges what) {
                   DocumentChange::Fabric | DocumentChange::Settings))) {
         return;
     }
-    if (isRunning_) {
+    if (worker_.isBusy()) {
         if (!document_.scene()) {
             show(std::nullopt);  // nothing of a garment that is gone
         }
@@ -54,11 +48,9 @@ void FabricWatcher::start(FabricQuestion question) {
         show(fabricFit(question));
         return;
     }
-    isRunning_ = true;
-    watcher_.setFuture(QtConcurrent::run(
-        [work = work_, question = std::move(question)]() -> Attempt<std::optional<FabricFit>> {
-            return attempt([&] { return work(question); });
-        }));
+    worker_.start(
+        [work = work_, question = std::move(question)](Progress&) { return work(question); },
+        [this](const auto& made, const Progress&) { take(made); });
 }
 
 void FabricWatcher::show(const std::optional<FabricFit>& fit, const QString& problem) {
@@ -69,13 +61,11 @@ void FabricWatcher::show(const std::optional<FabricFit>& fit, const QString& pro
     }
 }
 
-void FabricWatcher::onFinished() {
-    isRunning_ = false;
+void FabricWatcher::take(const Attempt<std::optional<FabricFit>>& made) {
     FabricQuestion question = questionOf(document_);
     const bool isStale = !isSameQuestion(question, asked_);
     // Of an earlier fabric or grain it is shown all the same, so that a long drag shows something.
     if (question.scene == asked_.scene) {
-        const auto made = watcher_.result();
         made.answer ? show(*made.answer) : show(std::nullopt, faultText(made.fault));
     }
     if (isStale) {

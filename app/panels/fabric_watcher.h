@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
 #include <functional>
 #include <optional>
 
+#include "app/base/worker.h"
 #include "app/document/document_change.h"
 #include "app/render/fabric_fit.h"
-#include "app/text/error_text.h"
 
 namespace toile {
 
@@ -23,13 +22,12 @@ public:
     using Work = std::function<std::optional<FabricFit>(const FabricQuestion&)>;
 
     explicit FabricWatcher(Document& document, QObject* parent = nullptr, Work work = fabricFit);
-    ~FabricWatcher() override;
 
     /// None where nothing is flat; of an earlier fabric or grain while `isUpToDate` is false.
     const std::optional<FabricFit>& fit() const { return fit_; }
     /// Why the fit could not be worked out; empty where it could.
     const QString& problem() const { return problem_; }
-    bool isUpToDate() const { return !isRunning_; }
+    bool isUpToDate() const { return !worker_.isBusy(); }
 
 signals:
     void changed();
@@ -38,15 +36,14 @@ private:
     void onChanged(DocumentChanges what);
     void start(FabricQuestion question);
     void show(const std::optional<FabricFit>& fit, const QString& problem = {});
-    void onFinished();
+    void take(const Attempt<std::optional<FabricFit>>& made);
 
     Document& document_;
     Work work_;
     FabricQuestion asked_;  ///< last
     std::optional<FabricFit> fit_;
     QString problem_;
-    QFutureWatcher<Attempt<std::optional<FabricFit>>> watcher_;
-    bool isRunning_ = false;
+    Worker<std::optional<FabricFit>> worker_;
 };
 
 }  // namespace toile

@@ -4,7 +4,6 @@
 #include <QString>
 #include <exception>
 #include <functional>
-#include <optional>
 
 namespace toile {
 
@@ -30,22 +29,5 @@ DrawingWords drawingWords();
 /// What a piece of work that ended with an exception says: that memory ran out and what to try, or
 /// that the program met a fault. Not null.
 QString faultText(const std::exception_ptr& fault);
-
-/// What came of a piece of work on another thread: an answer, or what it threw instead. No
-/// exception may leave a thread of Qt's: it would be thrown again in the event loop.
-template <class Answer>
-struct Attempt {
-    std::optional<Answer> answer{};
-    std::exception_ptr fault{};
-};
-
-template <class Work>
-auto attempt(const Work& work) -> Attempt<decltype(work())> {
-    try {
-        return {work(), nullptr};
-    } catch (const std::exception&) {
-        return {std::nullopt, std::current_exception()};
-    }
-}
 
 }  // namespace toile

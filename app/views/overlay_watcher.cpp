@@ -3,10 +3,9 @@
 
 #include <utility>
 
-#include <QtConcurrent/QtConcurrentRun>
-
 #include "app/document/document.h"
 #include "app/render/scene.h"
+#include "app/text/error_text.h"
 
 namespace toile {
 
@@ -25,12 +24,7 @@ OverlayQuestion questionOf(const Document& document) {
 OverlayWatcher::OverlayWatcher(Document& document, QObject* parent, Work work)
     : QObject(parent), document_(document), work_(std::move(work)) {
     connect(&document_, &Document::changed, this, &OverlayWatcher::onChanged);
-    connect(&watcher_, &QFutureWatcherBase::finished, this, &OverlayWatcher::onFinished);
     start(questionOf(document_));
-}
-
-OverlayWatcher::~OverlayWatcher() {
-    watcher_.waitForFinished();
 }
 
 void OverlayWatcher::onChanged(DocumentChanges what) {
@@ -46,7 +40,7 @@ void OverlayWatcher::onChanged(DocumentChanges what) {
         }
         return;
     }
-    if (!isRunning_) {
+    if (!worker_.isBusy()) {
         start(std::move(question));
         return;
     }
@@ -62,11 +56,9 @@ void OverlayWatcher::start(OverlayQuestion question) {
         return;
     }
     showFirst(question);
-    isRunning_ = true;
-    watcher_.setFuture(QtConcurrent::run(
-        [work = work_, question = std::move(question)]() -> Attempt<OverlayFigures> {
-            return attempt([&] { return work(question); });
-        }));
+    worker_.start(
+        [work = work_, question = std::move(question)](Progress&) { return work(question); },
+        [this](auto made, const Progress&) { take(std::move(made)); });
 }
 
 void OverlayWatcher::showFirst(const OverlayQuestion& question) {
@@ -80,9 +72,7 @@ void OverlayWatcher::showFirst(const OverlayQuestion& question) {
     }
 }
 
-void OverlayWatcher::onFinished() {
-    isRunning_ = false;
-    Attempt<OverlayFigures> made = watcher_.result();
+void OverlayWatcher::take(Attempt<OverlayFigures> made) {
     const bool isStale = std::exchange(isStale_, false);
     if (!made.answer) {
         emit failed(faultText(made.fault));

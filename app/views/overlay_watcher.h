@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
 #include <functional>
 
+#include "app/base/worker.h"
 #include "app/document/document_change.h"
 #include "app/render/overlay_figures.h"
-#include "app/text/error_text.h"
 
 namespace toile {
 
@@ -23,12 +22,11 @@ public:
 
     explicit OverlayWatcher(Document& document, QObject* parent = nullptr,
                             Work work = overlayFigures);
-    ~OverlayWatcher() override;
 
     /// Overlay and scale are the document's; histogram and spots may be of an earlier grain, or not
     /// there yet, while `isUpToDate` is false.
     const OverlayFigures& figures() const { return figures_; }
-    bool isUpToDate() const { return !isRunning_; }
+    bool isUpToDate() const { return !worker_.isBusy(); }
 
 signals:
     void changed();
@@ -40,14 +38,14 @@ private:
     void start(OverlayQuestion question);
     /// Overlay and scale at once, where they are others.
     void showFirst(const OverlayQuestion& question);
-    void onFinished();
+    void take(Attempt<OverlayFigures> made);
 
     Document& document_;
     Work work_;
     OverlayQuestion asked_;  ///< last
     OverlayFigures figures_;
-    QFutureWatcher<Attempt<OverlayFigures>> watcher_;
-    bool isRunning_ = false, isStale_ = false;
+    Worker<OverlayFigures> worker_;
+    bool isStale_ = false;
 };
 
 }  // namespace toile

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFutureWatcher>
+#include <QThreadPool>
+#include <QtConcurrent/QtConcurrentRun>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/base/progress.h"
+
+namespace toile {
+
+/// What came of a piece of work on another thread: an answer, or what it threw instead. No
+/// exception may leave a thread of Qt's: it would be thrown again in the event loop.
+template <class Answer>
+struct Attempt {
+    std::optional<Answer> answer{};
+    std::exception_ptr fault{};
+};
+
+template <class Work>
+auto attempt(const Work& work) -> Attempt<decltype(work())> {
+    try {
+        return {work(), nullptr};
+    } catch (const std::exception&) {
+        return {std::nullopt, std::current_exception()};
+    }
+}
+
+/// Does one piece of work at a time on a thread of its own, and hands over on the window's what
+/// came of it. GUI thread only.
+template <class Answer>
+class Worker {
+public:
+    /// What came of the work; it may have been cancelled (`Progress::isCancelled`) and incomplete.
+    using Done = std::function<void(Attempt<Answer>, const Progress&)>;
+
+    Worker() {
+        pool_.setMaxThreadCount(1);
+        QObject::connect(&watcher_, &QFutureWatcherBase::finished, &watcher_, [this] {
+            // The worker is free before anybody hears of it: they may have more to do.
+            const std::unique_ptr<Running> done = std::move(running_);
+            done->done(std::move(done->outcome), done->progress);
+        });
+    }
+    /// Cancels and waits; nobody hears of it.
+    ~Worker() { stop(); }
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    bool isBusy() const { return running_ != nullptr; }
+    /// Of the work in progress; null where there is none.
+    const Progress* progress() const { return running_ ? &running_->progress : nullptr; }
+
+    /// Precondition: not busy.
+    /// @param work  Answer(Progress&), on the other thread: what it holds is the snapshot
+    template <class Work>
+    void start(Work work, Done done) {
+        running_ = std::make_unique<Running>();
+        running_->done = std::move(done);
+        Running* running = running_.get();  // outlives the work, which is waited for
+        watcher_.setFuture(QtConcurrent::run(&pool_, [running, work = std::move(work)]() mutable {
+            running->outcome = attempt([&] { return work(running->progress); });
+        }));
+    }
+
+    /// The work is to end soon; `done` is called then.
+    void cancel() {
+        if (running_) {
+            running_->progress.cancel();
+        }
+    }
+
+    /// For good: cancels, if that is wanted, and waits; `done` is not called.
+    void stop(bool cancelling = true) {
+        watcher_.disconnect();
+        if (cancelling) {
+            cancel();
+        }
+        watcher_.waitForFinished();
+        running_.reset();
+    }
+
+private:
+    struct Running {
+        Progress progress;
+        Attempt<Answer> outcome;
+        Done done;
+    };
+
+    QThreadPool pool_;  ///< of one thread
+    QFutureWatcher<void> watcher_;
+    std::unique_ptr<Running> running_;
+};
+
+}  // namespace toile
