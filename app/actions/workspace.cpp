@@ -82,6 +82,9 @@ void Workspace::open(Paths files) {
         coming.loading.seamSettings.clear();
         divideByWhatIsThere(coming.loading);
     }
+    if (document_.garment() && coming.paths == openPaths()) {
+        coming.loading.known = knownPieces(*document_.garment());  // they may have changed
+    }
     wishes_.clear();
     opening_.begin(std::move(coming));
     startOpening();

@@ -102,7 +102,7 @@ public:
     /// cut of Toile's own, sides that do not fit vertex by vertex.
     /// @param seam an index into Garment::seams
     void joinSeam(int seam);
-    /// Takes a cut of the user's back, the first of this name.
+    /// Takes a cut of the user's back.
     void removeCut(CutId id);
     /// Takes a join back, the first of this name: the seam is there again.
     void removeJoin(const std::string& name);

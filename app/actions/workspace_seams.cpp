@@ -7,6 +7,7 @@
 #include "core/base/file.h"
 #include "core/pipeline/file_space.h"
 #include "core/seam/seam_origin.h"
+#include "core/seam/seam_settings.h"
 
 namespace toile {
 namespace {

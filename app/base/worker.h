@@ -3,12 +3,13 @@
 
 #include <QFutureWatcher>
 #include <QThreadPool>
-#include <QtConcurrent/QtConcurrentRun>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
+
+#include <QtConcurrent/QtConcurrentRun>
 
 #include "core/base/progress.h"
 

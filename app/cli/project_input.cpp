@@ -99,7 +99,9 @@ std::vector<PieceOnSheet> placesOnSheet(const Arguments& arguments, const Garmen
          placedSettings(settingsFor(*arguments.project, garment), results,
                         std::vector<std::optional<FlatMotion>>(results.size()),
                         layOut(garment, results).offsets)) {
+        const Piece& shape = *garment.pieces[places.size()];
         places.push_back(onSheet(piece));
+        places.back().name = nameOf(arguments.project->labels, shape);
     }
     return places;
 }

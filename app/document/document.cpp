@@ -10,6 +10,7 @@
 #include "app/document/history.h"
 #include "core/garment/lineage.h"
 #include "core/pipeline/garment_flattener.h"
+#include "core/seam/seam_settings.h"
 
 namespace toile {
 namespace {
@@ -49,6 +50,11 @@ int Document::pieceCount() const {
 
 std::vector<int> Document::colours() const {
     return garment() ? coloursOf(state_.labels, *garment()) : std::vector<int>{};
+}
+
+int Document::colourOf(int piece) const {
+    const auto known = state_.labels.find(garment()->pieces[static_cast<std::size_t>(piece)]->id);
+    return known == state_.labels.end() ? piece : known->second.colour;
 }
 
 Document::Selection Document::everyPiece() const {
@@ -147,7 +153,7 @@ DocumentChanges Document::differences(const DocumentState& before) const {
 DocumentChanges Document::keepSelection(const DocumentState& before) {
     Selection kept;
     std::optional<int> seam;
-    if (garment() && before.garment) {
+    if (garment() && before.garment && !selection_.empty()) {
         // What a selected piece was cut into, and what it became part of.
         const auto& pieces = garment()->pieces;
         const std::vector<int> was = predecessors(before.garment->pieces, pieces);
@@ -162,11 +168,11 @@ DocumentChanges Document::keepSelection(const DocumentState& before) {
                 kept.insert(is[static_cast<std::size_t>(old)]);
             }
         }
-        if (seam_) {
-            const auto& seams = before.garment->seams.seams;
-            const int now = seamAt(garment()->seams, seams[static_cast<std::size_t>(*seam_)].place);
-            seam = now >= 0 ? std::optional(now) : std::nullopt;
-        }
+    }
+    if (garment() && before.garment && seam_) {
+        const auto& seams = before.garment->seams.seams;
+        const int now = seamAt(garment()->seams, seams[static_cast<std::size_t>(*seam_)].place);
+        seam = now >= 0 ? std::optional(now) : std::nullopt;
     }
     // The indices may mean others now even where they are the same numbers.
     selection_ = std::move(kept);
@@ -312,8 +318,9 @@ void Document::setSeamEase(int seam, std::optional<double> ease) {
     auto eased = std::make_shared<Garment>(*garment());
     eased->seams.seams[at].ease = ease;
     DocumentState next = state_;
+    eased->seamSettings = withEase(eased->seamSettings, before, ease);
+    next.loading.seamSettings = eased->seamSettings;
     next.garment = std::move(eased);
-    next.loading.seamSettings = withEase(std::move(next.loading.seamSettings), before, ease);
     edit(tr("Ease of a seam"), std::move(next));
 }
 

@@ -44,8 +44,9 @@ public:
     const Fabric& fabric() const { return state_.fabric; }
     /// One per piece.
     const std::vector<PieceSettings>& settings() const { return state_.settings; }
-    /// Numbers of the pieces' colours.
+    /// Numbers of the pieces' colours, and of one.
     std::vector<int> colours() const;
+    int colourOf(int piece) const;
 
     /// What is kept of one flattening for the next, as long as the garment is of the same files;
     /// thread-safe, for the jobs.

@@ -86,7 +86,9 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
                                std::function<void(const std::filesystem::path&)> done) {
     std::vector<PieceOnSheet> places;
     for (const PieceSettings& piece : document.settings()) {
+        const Piece& shape = *document.garment()->pieces[places.size()];
         places.push_back(onSheet(piece));
+        places.back().name = nameOf(document.state().labels, shape);
     }
     const QString name = textOf(path.filename());
     auto work = [garment = document.garment(), results = document.results(),

@@ -51,8 +51,9 @@ void PathFinder::startNext() {
     const auto surface = surface_ && surface_->piece == order.wish.piece
                              ? surface_
                              : std::make_shared<Surface>(Surface{order.wish.piece});
+    const PathWish wish = order.wish;
     worker_.start(
-        [surface, wish = order.wish](Progress& progress) {
+        [surface, wish](Progress& progress) {
             if (!surface->links) {
                 surface->links.emplace(surface->piece->mesh, surface->piece->table);
             }

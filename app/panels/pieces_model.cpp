@@ -158,8 +158,7 @@ bool PiecesModel::hasDesigner() const {
 
 QVariant PiecesModel::decoration(int row) const {
     const PieceResult* known = document_.result(row);
-    const int colour = document_.colours()[static_cast<std::size_t>(row)];
-    return swatch(known && known->flat ? pieceColour(colour) : neutralColour());
+    return swatch(known && known->flat ? pieceColour(document_.colourOf(row)) : neutralColour());
 }
 
 QString PiecesModel::text(int row, int column) const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -18,7 +17,8 @@ struct Id {
     std::uint64_t value = 0;
 
     explicit operator bool() const { return value != 0; }
-    auto operator<=>(const Id&) const = default;
+    bool operator==(const Id&) const = default;
+    bool operator<(const Id& other) const { return value < other.value; }
 };
 
 using PieceId = Id<struct Piece>;

@@ -14,6 +14,8 @@ public:
     /// A name that is not to be given.
     void take(const std::string& name) { taken_.insert(name); }
 
+    bool isFree(const std::string& name) const { return !taken_.contains(name); }
+
     /// The name itself where it is free, else with a number from 2 on.
     /// @param before  what stands before the number
     std::string free(const std::string& wanted, const char* before = " ") {

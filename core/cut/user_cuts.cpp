@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "core/cut/edge_path.h"
@@ -79,23 +80,26 @@ int nearestVertex(const MeshArrays& mesh, const SurfacePoint& point) {
 
 void giveIds(std::vector<UserCut>& cuts) {
     std::set<CutId> taken;
-    for (const UserCut& cut : cuts) {
-        taken.insert(cut.id);
+    for (UserCut& cut : cuts) {
+        if (cut.id && !taken.insert(cut.id).second) {
+            cut.id = {};  // no two have one
+        }
     }
+    std::map<std::uint64_t, std::uint64_t> alike;
     for (UserCut& cut : cuts) {
         if (cut.id) {
             continue;
         }
-        cut.id.value = hashOf(
-            {static_cast<std::uint64_t>(cut.kind), static_cast<std::uint64_t>(cut.alongEdges)});
+        std::uint64_t hash =
+            hashOf({static_cast<std::uint64_t>(cut.kind), cut.alongEdges ? 1U : 0U});
         for (const Eigen::Vector3d& point : cut.points) {
             for (const double coordinate : point) {
-                cut.id.value = hashOf({cut.id.value, std::bit_cast<std::uint64_t>(coordinate)});
+                hash = hashOf({hash, std::bit_cast<std::uint64_t>(coordinate)});
             }
         }
-        while (!taken.insert(cut.id).second) {
-            cut.id.value = hashOf({cut.id.value});
-        }
+        do {
+            cut.id.value = hashOf({hash, alike[hash]++});
+        } while (!taken.insert(cut.id).second);
     }
 }
 

@@ -233,19 +233,22 @@ std::map<Place, int> byPlace(const Piece& piece) {
 }
 
 /// Where the file was written anew with other numbers: the match by place, if that finds most
-/// vertices, and numbers find few of them where they were.
+/// vertices, and numbers find few of them where they were. n log n then.
 std::optional<VersionMatch> renumberedMatch(const Piece& piece, const Piece& before) {
     std::unordered_map<int, int> bySource;
     for (int v = 0; v < before.mesh.V.rows(); ++v) {
         bySource.emplace(sourceOf(before.sourceVertex, v), v);
     }
     const auto count = piece.mesh.V.rows();
-    Eigen::Index stay = 0;
+    Eigen::Index stay = 0, known = 0;
     for (int v = 0; v < count; ++v) {
-        const auto old = bySource.find(sourceOf(piece.sourceVertex, v));
-        stay += old != bySource.end() && before.mesh.V.row(old->second) == piece.mesh.V.row(v);
+        const int source = sourceOf(piece.sourceVertex, v);
+        const auto old = bySource.find(source);
+        known += source >= 0 ? 1 : 0;
+        stay += source >= 0 && old != bySource.end() &&
+                before.mesh.V.row(old->second) == piece.mesh.V.row(v);
     }
-    if (2 * stay >= count) {
+    if (2 * stay >= known) {
         return std::nullopt;
     }
     VersionMatch match;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/garment/cut_pieces.h"
 
+#include <algorithm>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -114,8 +115,11 @@ public:
         }
         const auto known = before_.find(whole.get());
         if (known != before_.end() && known->second->asked == asked &&
-            known->second->automatic == automatic_) {
+            known->second->automatic == automatic_ && areFree(*known->second)) {
             done_ = *known->second;
+            for (const PiecePointer& part : done_.pieces) {
+                names_.take(part->name);
+            }
         } else {
             done_ = {whole, std::move(asked), automatic_, {}};
             cutAnew(whole, progress);
@@ -136,6 +140,13 @@ public:
 private:
     bool isToOpen(const Piece& piece) const {
         return automatic_ && piece.defect && cutsCanMend(piece.defect->code);
+    }
+
+    /// Whether its parts can be called what they were called.
+    bool areFree(const CutWhole& cut) const {
+        return std::ranges::all_of(cut.pieces, [&](const PiecePointer& part) {
+            return part->name == cut.whole->name || names_.isFree(part->name);
+        });
     }
 
     void cutAnew(const PiecePointer& whole, const Progress& progress) {

@@ -51,22 +51,22 @@ std::vector<Rim> rimsOf(const Piece& piece, UpAxis up) {
 }
 
 /// Makes the rim begin at its least vertex, whatever the numbering: where two lie on each other
-/// those after them tell.
+/// those after them tell. Two candidates at a time: what one of them begins with is passed by as a
+/// whole, so the cost is linear.
 void startAtLeast(Rim& rim) {
     const std::size_t n = rim.places.size();
-    const auto isBefore = [&](std::size_t a, std::size_t b) {
-        for (std::size_t k = 0; k < n; ++k) {
-            const Place &p = rim.places[(a + k) % n], &q = rim.places[(b + k) % n];
-            if (p != q) {
-                return p < q;
-            }
+    std::size_t first = 0, other = 1, same = 0;
+    while (first < n && other < n && same < n) {
+        const Place &a = rim.places[(first + same) % n], &b = rim.places[(other + same) % n];
+        if (a == b) {
+            ++same;
+            continue;
         }
-        return false;
-    };
-    std::size_t first = 0;
-    for (std::size_t k = 1; k < n; ++k) {
-        first = isBefore(k, first) ? k : first;
+        (b < a ? first : other) += same + 1;
+        other += first == other ? 1 : 0;
+        same = 0;
     }
+    first = std::min(first, other);
     const auto turn = static_cast<std::ptrdiff_t>(first);
     std::rotate(rim.vertices.begin(), rim.vertices.begin() + turn, rim.vertices.end());
     std::rotate(rim.places.begin(), rim.places.begin() + turn, rim.places.end());

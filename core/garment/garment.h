@@ -43,8 +43,9 @@ struct Garment {
                    ///< that none touches are the same pointers
     std::vector<MadeJoin> joins{};
     std::vector<MadeCut> cuts{};
-    std::vector<CutWhole> cutWholes{};  ///< what became of the pieces that were to be cut
-    SeamGraph seams{};                  ///< of `pieces`
+    std::vector<CutWhole> cutWholes{};         ///< what became of the pieces that were to be cut
+    SeamGraph seams{};                         ///< of `pieces`
+    std::vector<SeamSettings> seamSettings{};  ///< that these follow
     Problems problems{};  ///< of the garment as a whole: cuts and joins that could not be
 };
 

@@ -57,7 +57,7 @@ public:
                const std::vector<KnownPiece>& known)
         : wholes_(wholes), files_(files), known_(known), isFree_(known.size(), 1) {
         for (std::size_t k = 0; k < known.size(); ++k) {
-            byId_.emplace(known[k].id, k);
+            isFree_[k] = known[k].id && byId_.emplace(known[k].id, k).second ? 1 : 0;
         }
     }
 
@@ -93,15 +93,13 @@ private:
             const std::uint64_t content = file->soup.contentHash.value_or(0);
             ofFile.push_back(hashOf({content, static_cast<std::uint64_t>(times[content]++)}));
         }
-        std::set<PieceId> given;
+        std::map<std::uint64_t, std::uint64_t> alike;  // parts of one face of the file
         for (const auto& piece : wholes_) {
             const int face = piece->sourceFace.empty() ? -1 : piece->sourceFace.front();
-            PieceId id{hashOf(
-                {ofFile[static_cast<std::size_t>(piece->file)], static_cast<std::uint64_t>(face)})};
-            while (!given.insert(id).second) {  // parts of one face of the file
-                id.value = hashOf({id.value});
-            }
-            proposed_.push_back(id);
+            const std::uint64_t hash =
+                hashOf({ofFile[static_cast<std::size_t>(piece->file)],
+                        static_cast<std::uint64_t>(face), piece->sourceFace.size()});
+            proposed_.push_back({hashOf({hash, alike[hash]++})});
         }
     }
 

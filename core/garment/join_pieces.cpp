@@ -46,8 +46,7 @@ struct SewnChain {
 
 class Joiner {
 public:
-    Joiner(const std::vector<PiecePointer>& wholes, const std::vector<MadeJoin>& before)
-        : pieces_(wholes), before_(before) {
+    explicit Joiner(const std::vector<PiecePointer>& wholes) : pieces_(wholes) {
         for (const PiecePointer& whole : wholes) {
             names_.take(whole->name);
         }
@@ -230,36 +229,28 @@ private:
     }
 
     Result<void> apply(const UserJoin& join, const SewnChain& weld) {
-        MadeJoin done{join.name, "", weld.length, join, pieces_[weld.left], pieces_[weld.right]};
-        const auto known = std::ranges::find_if(before_, [&done](const MadeJoin& one) {
-            return one.left == done.left && one.right == done.right && one.asked == done.asked;
-        });
-        if (known != before_.end()) {
-            done.made = known->made;
-            names_.take(done.made->name);
-        } else {
-            Piece made = welded(*done.left, *done.right, weld);
-            if (made.defect && isNoSurface(made.defect->code)) {
-                return joinError(
-                    join,
-                    toile::worded("%1, the result: %2",
-                                  {made.name, toile::worded(describe(made.defect->code).data())}));
-            }
-            if (done.left != done.right) {
-                made.name = names_.free(done.left->name + " + " + done.right->name);
-                if (made.defect) {
-                    made.defect->where = made.name;
-                }
-            }
-            done.made = std::make_shared<const Piece>(std::move(made));
+        const bool itself = weld.left == weld.right;
+        const Piece& left = *pieces_[weld.left];
+        const Piece& right = *pieces_[weld.right];
+        Piece made = welded(left, right, weld);
+        if (made.defect && isNoSurface(made.defect->code)) {
+            return joinError(
+                join,
+                toile::worded("%1, the result: %2",
+                              {made.name, toile::worded(describe(made.defect->code).data())}));
         }
-        done.piece = done.made->name;
-        rims_->replace(weld.left, weld.right, *done.made);
-        if (weld.left != weld.right) {
+        if (!itself) {
+            made.name = names_.free(left.name + " + " + right.name);
+            if (made.defect) {
+                made.defect->where = made.name;
+            }
+        }
+        made_.joins.push_back({join.name, made.name, weld.length});
+        rims_->replace(weld.left, weld.right, made);
+        pieces_[weld.left] = std::make_shared<const Piece>(std::move(made));
+        if (!itself) {
             pieces_[weld.right] = nullptr;
         }
-        pieces_[weld.left] = done.made;
-        made_.joins.push_back(std::move(done));
         return {};
     }
 
@@ -316,8 +307,9 @@ private:
 
     static Lineage lineageOf(const Piece& left, const Piece& right) {
         Lineage both;
-        std::ranges::set_union(left.lineage.wholes, right.lineage.wholes,
-                               std::back_inserter(both.wholes));
+        std::set_union(left.lineage.wholes.begin(), left.lineage.wholes.end(),
+                       right.lineage.wholes.begin(), right.lineage.wholes.end(),
+                       std::back_inserter(both.wholes));
         return both;
     }
 
@@ -353,7 +345,6 @@ private:
 
     std::vector<PiecePointer> pieces_;  ///< null where a piece has become part of another
     std::optional<RimPairs> rims_;      ///< of these, once there is a join
-    const std::vector<MadeJoin>& before_;
     UniqueNames names_;
     JoinedPieces made_;
 };
@@ -361,8 +352,8 @@ private:
 }  // namespace
 
 JoinedPieces joinPieces(const std::vector<PiecePointer>& wholes, const std::vector<UserJoin>& joins,
-                        const Progress& progress, const std::vector<MadeJoin>& before) {
-    Joiner joiner(wholes, before);
+                        const Progress& progress) {
+    Joiner joiner(wholes);
     for (std::size_t j = 0; j < joins.size() && !progress.isCancelled(); ++j) {
         if (const auto done = joiner.join(joins[j]); !done) {
             joiner.fail(done.error());

@@ -17,9 +17,6 @@ struct MadeJoin {
     std::string name;   ///< the user's
     std::string piece;  ///< what came of it: "front + back", or the one piece on both sides
     double length = 0;  ///< mm, of the line that was closed
-    UserJoin asked{};
-    std::shared_ptr<const Piece> left{}, right{};  ///< what it joined, may be one
-    std::shared_ptr<const Piece> made{};
 };
 
 /// Pieces after joining, and what was done.
@@ -39,12 +36,9 @@ struct JoinedPieces {
 /// there that has no other one with the same vertices, or more than one; pieces of two files; what
 /// would be no surface any more.
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing
-/// @param before    what an earlier call did: the same join of the same pieces gives the same
-///                  piece, by pointer
 /// Cost: linear in all triangles, and for every join in those of its two pieces and in the edges of
 /// all rims; nothing without joins. Deterministic. Re-entrant.
 JoinedPieces joinPieces(const std::vector<std::shared_ptr<const Piece>>& wholes,
-                        const std::vector<UserJoin>& joins, const Progress& progress = Progress(),
-                        const std::vector<MadeJoin>& before = {});
+                        const std::vector<UserJoin>& joins, const Progress& progress = Progress());
 
 }  // namespace toile

@@ -67,7 +67,10 @@ std::vector<Lineage> partLineages(const Lineage& whole, std::span<const CutId> c
     // As if one cut were made after the other: those after this one still hold together what they
     // will part, and what it parts itself was one until now.
     std::vector<int> before(static_cast<std::size_t>(parts), 0);
-    for (std::size_t c = 0; c < cuts.size() && parts > 1; ++c) {
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+        if (std::ranges::find(borders, c, &Border::cut) == borders.end()) {
+            continue;  // it parts nothing
+        }
         DisjointSets together(parts);
         for (const Border& border : borders) {
             if (border.cut > c) {

@@ -58,6 +58,16 @@ struct SeamPlace {
     bool operator==(const SeamPlace&) const = default;
 };
 
+/// What a person has said about a seam, or about the part of one that was there then.
+struct SeamSettings {
+    SeamPlace place;
+    /// As Seam::ease, of the left side of `place`; none: as the 3D lengths have it.
+    std::optional<double> ease{};
+    std::string name{};  ///< shown in place of the one made up; empty: that one
+
+    bool operator==(const SeamSettings&) const = default;
+};
+
 /// Which edge is sewn to which. The left side runs along its outline; the right side starts where
 /// the left one starts, so between two pieces of the same winding it runs against its own.
 struct Seam {

@@ -4,9 +4,11 @@
 #include "core/garment/piece.h"
 #include "core/pipeline/file_space.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/reuse_pieces.h"
 #include "core/quality/measures.h"
 #include "core/seam/find_seams.h"
 #include "core/seam/seam_origin.h"
+#include "core/seam/seam_settings.h"
 
 namespace toile {
 namespace {
@@ -35,9 +37,7 @@ void noteHoles(Garment& garment) {
 }  // namespace
 
 LoadOptions resolveNames(LoadOptions options, const Garment& garment) {
-    Problems said;  // when the garment was made
-    const auto named = settingsByName(garment.seams, options.seams.ease, said);
-    options.seamSettings.insert(options.seamSettings.end(), named.begin(), named.end());
+    options.seamSettings = garment.seamSettings;
     options.seams.ease.clear();
     giveIds(options.seams.cuts);
     options.known.clear();
@@ -52,7 +52,8 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
     SeamsFile seams = options.seams;
     giveIds(seams.cuts);
     JoinedPieces joined = joinPieces(garment.wholes, joinsInPieceSpace(seams, garment),
-                                     Progress(progress, kJoiningShare), garment.joins);
+                                     Progress(progress, kJoiningShare));
+    reusePieces(joined.pieces, garment);
     progress.report(kJoiningShare);
     CutPieces cut = cutPieces(joined.pieces, cutsInPieceSpace(seams, garment), options.autoCut,
                               Progress(progress, kCuttingShare), garment.cutWholes);
@@ -70,10 +71,8 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
     }
     made.problems.insert(made.problems.end(), made.seams.notes.begin(), made.seams.notes.end());
     nameAfterCuts(made.seams, made.cuts);
-    std::vector<SeamSettings> settings = options.seamSettings;
-    const auto named = settingsByName(made.seams, seams.ease, made.problems);
-    settings.insert(settings.end(), named.begin(), named.end());
-    applySettings(made.seams, settings);
+    made.seamSettings = withEaseByName(options.seamSettings, made.seams, seams.ease, made.problems);
+    applySettings(made.seams, made.seamSettings);
     progress.report(1);
     return made;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <map>
 
 #include <Eigen/Geometry>
 
@@ -11,6 +10,7 @@
 #include "core/io/soup.h"
 #include "core/io/unit_guess.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/reuse_pieces.h"
 
 namespace toile {
 namespace {
@@ -136,18 +136,6 @@ std::vector<std::string> prefixes(const std::vector<fs::path>& paths) {
     return stems;
 }
 
-/// Whether all that a piece of the division holds is as it was.
-bool isAsBefore(const Piece& now, const Piece& before) {
-    const auto same = [](const auto& a, const auto& b) -> bool {
-        return a.rows() == b.rows() && a == b;
-    };
-    return now.name == before.name && now.file == before.file &&
-           now.sourceVertex == before.sourceVertex && now.sourceFace == before.sourceFace &&
-           same(now.mesh.F, before.mesh.F) && same(now.mesh.V, before.mesh.V) &&
-           now.reference.has_value() == before.reference.has_value() &&
-           (!now.reference || same(*now.reference, *before.reference));
-}
-
 }  // namespace
 
 Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOptions& options,
@@ -177,17 +165,8 @@ Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOption
     identify(wholes, garment.files, options.known);
     garment.wholes.assign(wholes.begin(), wholes.end());
     if (before) {
-        std::map<PieceId, std::shared_ptr<const Piece>> known;
-        for (const auto& piece : before->wholes) {
-            known.emplace(piece->id, piece);
-        }
-        for (auto& piece : garment.wholes) {
-            const auto old = known.find(piece->id);
-            if (old != known.end() && isAsBefore(*piece, *old->second)) {
-                piece = old->second;
-            }
-        }
-        garment.joins = before->joins;
+        reusePieces(garment.wholes, *before);
+        garment.pieces = before->pieces;
         garment.cutWholes = before->cutWholes;
     }
     return cutGarment(garment, options, Progress(progress, 1 - kReadingShare));

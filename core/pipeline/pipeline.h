@@ -15,7 +15,6 @@
 #include "core/garment/garment.h"
 #include "core/garment/identify.h"
 #include "core/pattern/piece_marks.h"
-#include "core/seam/seam_settings.h"
 #include "core/sheet/placement.h"
 #include "core/sheet/sheet.h"
 

@@ -22,7 +22,7 @@ inline constexpr int kMostAnchors = 128;
 
 /// Which piece each one comes from (`predecessors`): both parts of a cut piece know the whole.
 /// @param settings, results  one per piece of `before`; results may be null or left out
-/// @return one per piece of `after`  Cost: linear. Pure.
+/// @return one per piece of `after`  Cost: linear in the meshes, and that of `predecessors`. Pure.
 std::vector<CarriedFrom> carriedFrom(const Garment& before,
                                      const std::vector<PieceSettings>& settings,
                                      const PieceResults& results, const Garment& after);

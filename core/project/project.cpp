@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -20,39 +21,75 @@ bool isThere(const fs::path& path) {
     return !path.empty() && fs::exists(path, failed) && !fs::is_directory(path, failed);
 }
 
-/// The project's piece that a piece of the garment is; null where it does not know it.
-const ProjectPiece* find(const Project& project, const Piece& piece) {
-    const auto found = std::ranges::find_if(project.pieces, [&piece](const ProjectPiece& known) {
-        return known.id ? known.id == piece.id : known.name == piece.name;
-    });
-    return found == project.pieces.end() ? nullptr : &*found;
-}
-
-/// The anchors by the piece's present numbers; without those that lie nowhere now.
-std::vector<Anchor> foundAgain(std::vector<Anchor> anchors, const Piece& piece) {
-    std::map<std::array<double, 3>, int> outline;
-    for (const int v : piece.boundary) {
-        outline.emplace(std::array{piece.mesh.V(v, 0), piece.mesh.V(v, 1), piece.mesh.V(v, 2)}, v);
-    }
-    for (Anchor& anchor : anchors) {
-        if (const auto point = std::exchange(anchor.point, std::nullopt)) {
-            const bool isThere = anchor.vertex < piece.mesh.V.rows() &&
-                                 piece.mesh.V.row(anchor.vertex).transpose() == *point;
-            const auto found = outline.find({point->x(), point->y(), point->z()});
-            if (!isThere && found != outline.end()) {
-                anchor.vertex = found->second;
+/// Finds the project's piece that a piece of the garment is.
+class ProjectIndex {
+public:
+    explicit ProjectIndex(const Project& project) {
+        for (const ProjectPiece& piece : project.pieces) {
+            if (piece.id) {
+                byId_.emplace(piece.id, &piece);
+            } else {
+                byName_.emplace(piece.name, &piece);
             }
         }
     }
-    return anchors;
+
+    /// Null where the project does not know it.
+    const ProjectPiece* find(const Piece& piece) const {
+        if (const auto known = byId_.find(piece.id); known != byId_.end()) {
+            return known->second;
+        }
+        const auto named = byName_.find(piece.name);
+        return named == byName_.end() ? nullptr : named->second;
+    }
+
+private:
+    std::map<PieceId, const ProjectPiece*> byId_;
+    std::map<std::string_view, const ProjectPiece*> byName_;  ///< those without ids
+};
+
+/// The anchors by the piece's present numbers. Where the file has other numbers now, which is seen
+/// where a vertex of the outline lies elsewhere, those that are not found by their place go.
+std::vector<Anchor> foundAgain(std::vector<Anchor> anchors, const Piece& piece) {
+    std::map<std::array<double, 3>, int> outline;  // -1 where two lie on each other
+    for (std::size_t i = 0; i < piece.boundary.size() && !anchors.empty(); ++i) {
+        const int v = piece.boundary[i];
+        const auto at = outline.emplace(
+            std::array{piece.mesh.V(v, 0), piece.mesh.V(v, 1), piece.mesh.V(v, 2)}, v);
+        at.first->second = at.second ? v : -1;
+    }
+    bool isRenumbered = false;
+    std::vector<char> isLost(anchors.size(), 0);
+    for (std::size_t i = 0; i < anchors.size(); ++i) {
+        Anchor& anchor = anchors[i];
+        const auto point = std::exchange(anchor.point, std::nullopt);
+        if (!point || (anchor.vertex < piece.mesh.V.rows() &&
+                       piece.mesh.V.row(anchor.vertex).transpose() == *point)) {
+            continue;
+        }
+        const auto found = outline.find({point->x(), point->y(), point->z()});
+        isLost[i] = found == outline.end() || found->second < 0 ? 1 : 0;
+        if (isLost[i] == 0) {
+            anchor.vertex = found->second;
+            isRenumbered = true;
+        }
+    }
+    std::vector<Anchor> kept;
+    for (std::size_t i = 0; i < anchors.size(); ++i) {
+        if (!isRenumbered || isLost[i] == 0) {
+            kept.push_back(anchors[i]);
+        }
+    }
+    return kept;
 }
 
 }  // namespace
 
 std::vector<PieceSettings> settingsFor(const Project& project, const Garment& garment) {
+    const ProjectIndex index(project);
     std::vector<PieceSettings> settings;
     for (const auto& piece : garment.pieces) {
-        const ProjectPiece* known = find(project, *piece);
+        const ProjectPiece* known = index.find(*piece);
         PieceSettings& said = settings.emplace_back(known ? known->settings : PieceSettings{});
         said.anchors = foundAgain(std::move(said.anchors), *piece);
     }
@@ -68,9 +105,10 @@ Problems differencesTo(const Project& project, const Garment& garment) {
             changed.push_back(project.files[k].path.filename().string());
         }
     }
+    const ProjectIndex index(project);
     std::set<const ProjectPiece*> there;
     for (const auto& piece : garment.pieces) {
-        there.insert(find(project, *piece));
+        there.insert(index.find(*piece));
     }
     for (const ProjectPiece& piece : project.pieces) {
         if (!there.contains(&piece)) {

@@ -22,7 +22,7 @@ void listPieces(JsonDocument& document) {
         piece["name"] = item.key();
         // It only tells which pieces were one: any number that is the same for them will do.
         if (const auto whole = piece.find("partOf"); whole != piece.end() && whole->is_string()) {
-            *whole = idText(contentHash(whole->get<std::string>()));
+            *whole = idText(hashOf({contentHash(whole->get<std::string>())}));
         }
     }
     *pieces = std::move(list);

@@ -101,16 +101,14 @@ void nameAfterCuts(SeamGraph& graph, const std::vector<MadeCut>& cuts) {
     }
     for (const MadeCut& cut : cuts) {
         const std::vector<Seam*>& seams = seamsOf[cut.id];
+        int number = 0;
         for (Seam* seam : seams) {
             taken.erase(seam->name);
-            seam->name = cut.name;
-            for (int k = 1; seams.size() > 1 || taken.contains(seam->name); ++k) {
-                seam->name = cut.name + " " + std::to_string(k);
-                if (!taken.contains(seam->name)) {
-                    break;
-                }
+            std::string name = cut.name;
+            while (taken.contains(name) || (seams.size() > 1 && name == cut.name)) {
+                name = cut.name + " " + std::to_string(++number);
             }
-            taken.insert(seam->name);
+            seam->name = *taken.insert(std::move(name)).first;
         }
     }
 }

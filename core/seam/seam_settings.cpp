@@ -10,7 +10,8 @@ namespace toile {
 namespace {
 
 constexpr double kHalf = 0.5;
-constexpr double kSame = 1e-9;  ///< shares of a line
+constexpr double kMostEase = 10;  ///< that a file may state
+constexpr double kSame = 1e-9;    ///< shares of a line
 
 /// The part of `a` that `b` has, 0 to 1.
 double covered(const LineStretch& a, const LineStretch& b) {
@@ -26,45 +27,70 @@ double covered(const LineStretch& a, const LineStretch& b) {
     return std::min(1.0, common / (high - low));
 }
 
+/// The same of both sides; one that neither knows, as of a free edge, says nothing.
 double covered(const SeamPlace& a, const SeamPlace& b) {
+    if (!a.left.line && !b.left.line) {
+        return covered(a.right, b.right);
+    }
     const double left = covered(a.left, b.left);
-    const bool areFree = !a.right.line && !b.right.line;
-    return areFree ? left : std::min(left, covered(a.right, b.right));
+    return !a.right.line && !b.right.line ? left : std::min(left, covered(a.right, b.right));
 }
 
 SeamPlace turned(const SeamPlace& place) {
     return {place.right, place.left};
 }
 
-/// 0.1 longer on one side is as much shorter on the other.
+/// A tenth longer on one side is a little less than a tenth shorter on the other.
 std::optional<double> seenFromRight(std::optional<double> ease) {
-    return ease ? std::optional(1 / (1 + *ease) - 1) : std::nullopt;
+    return ease ? std::optional(std::min(kMostEase, 1 / (1 + *ease) - 1)) : std::nullopt;
 }
 
-/// How well a place fits a seam; negative where it says nothing of it.
+SeamSettings turned(SeamSettings said) {
+    said.place = turned(said.place);
+    said.ease = seenFromRight(said.ease);
+    return said;
+}
+
+/// How well a place fits a seam; 0 where it says nothing of it.
 double fit(const SeamPlace& seam, const SeamPlace& place) {
-    return covered(seam, place) > kHalf ? covered(place, seam) : -1;
+    const double has = covered(seam, place);
+    return has > kHalf ? has * covered(place, seam) : 0;
 }
 
-/// What fits a seam best, as seen from its left side.
-std::optional<SeamSettings> settingsOf(const Seam& seam,
-                                       const std::vector<SeamSettings>& settings) {
-    double best = 0;
-    std::optional<SeamSettings> found;
-    for (const SeamSettings& one : settings) {
-        const double direct = fit(seam.place, one.place), back = fit(seam.place, turned(one.place));
-        if (std::max(direct, back) < best - kSame || std::max(direct, back) < 0) {
-            continue;
-        }
-        best = std::max(direct, back);
-        found = one;
-        if (direct < back) {
-            found->place = turned(one.place);
-            found->ease = seenFromRight(one.ease);
+/// Settings by the lines that they are about: a garment may have thousands.
+class SettingsByLine {
+public:
+    explicit SettingsByLine(const std::vector<SeamSettings>& settings) {
+        for (const SeamSettings& said : settings) {
+            byLine_[said.place.left.line].push_back(&said);
+            if (said.place.right.line != said.place.left.line) {
+                byLine_[said.place.right.line].push_back(&said);
+            }
         }
     }
-    return found;
-}
+
+    /// What fits a seam best, as seen from its left side.
+    std::optional<SeamSettings> of(const Seam& seam) const {
+        const LineId line = seam.place.left.line ? seam.place.left.line : seam.place.right.line;
+        const auto known = byLine_.find(line);
+        double best = 0;
+        std::optional<SeamSettings> found;
+        for (std::size_t k = 0; known != byLine_.end() && k < known->second.size(); ++k) {
+            const SeamSettings& said = *known->second[k];
+            const double direct = fit(seam.place, said.place);
+            const double back = fit(seam.place, turned(said.place));
+            const double fits = std::max(direct, back);
+            if (fits > 0 && fits >= best - kSame) {
+                best = fits;
+                found = direct >= back ? said : turned(said);
+            }
+        }
+        return found;
+    }
+
+private:
+    std::map<LineId, std::vector<const SeamSettings*>> byLine_;
+};
 
 }  // namespace
 
@@ -90,8 +116,9 @@ void applySettings(SeamGraph& graph, const std::vector<SeamSettings>& settings) 
     for (const Seam& seam : graph.seams) {
         names.take(seam.name);
     }
+    const SettingsByLine known(settings);
     for (Seam& seam : graph.seams) {
-        if (const auto said = settingsOf(seam, settings)) {
+        if (const auto said = known.of(seam)) {
             seam.ease = seam.kind == SeamKind::Free ? std::nullopt : said->ease;
             if (!said->name.empty() && said->name != seam.name) {
                 seam.name = names.free(said->name);
@@ -102,34 +129,40 @@ void applySettings(SeamGraph& graph, const std::vector<SeamSettings>& settings) 
 
 std::vector<SeamSettings> withEase(std::vector<SeamSettings> settings, const Seam& seam,
                                    std::optional<double> ease) {
-    SeamSettings said = settingsOf(seam, settings).value_or(SeamSettings{});
+    SeamSettings said = SettingsByLine(settings).of(seam).value_or(SeamSettings{});
     std::erase_if(settings, [&seam](const SeamSettings& one) {
         return covered(one.place, seam.place) > 1 - kSame ||
                covered(turned(one.place), seam.place) > 1 - kSame;
     });
     said.place = seam.place;
     said.ease = ease;
-    if (ease || !said.name.empty() || settingsOf(seam, settings)) {
+    if (!said.place.left.line) {
+        said = turned(said);
+    }
+    const bool isSaid = ease || !said.name.empty() || SettingsByLine(settings).of(seam);
+    if (isSaid && said.place.left.line) {
         settings.push_back(std::move(said));
     }
     return settings;
 }
 
-std::vector<SeamSettings> settingsByName(const SeamGraph& graph,
+std::vector<SeamSettings> withEaseByName(std::vector<SeamSettings> settings, const SeamGraph& graph,
                                          const std::map<std::string, double>& ease,
                                          Problems& problems) {
+    if (ease.empty()) {
+        return settings;
+    }
     std::map<std::string, std::vector<const Seam*>> byName;
     for (const Seam& seam : graph.seams) {
         if (seam.kind != SeamKind::Free) {
             byName[seam.name].push_back(&seam);
         }
     }
-    std::vector<SeamSettings> settings;
     std::vector<std::string> unknown;
     for (const auto& [name, value] : ease) {
         const std::vector<const Seam*>& seams = byName[name];
         if (seams.size() == 1) {
-            settings.push_back({seams.front()->place, value});
+            settings = withEase(std::move(settings), *seams.front(), value);
         } else {
             unknown.push_back(name);
         }

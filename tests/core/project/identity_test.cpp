@@ -15,6 +15,7 @@
 #include "core/project/carry_settings.h"
 #include "core/project/project_file.h"
 #include "core/seam/seam_measure.h"
+#include "core/seam/seam_settings.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
 

@@ -6,6 +6,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/project/project_file.h"
+#include "core/seam/seam_settings.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {
