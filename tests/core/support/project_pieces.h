@@ -11,8 +11,11 @@ namespace toile::test {
 /// What a project says of the piece of this name; added where it says nothing yet.
 inline PieceSettings& said(Project& project, const std::string& name) {
     const auto found = std::ranges::find(project.pieces, name, &ProjectPiece::name);
-    return found != project.pieces.end() ? found->settings
-                                         : project.pieces.emplace_back(PieceId{}, name).settings;
+    if (found != project.pieces.end()) {
+        return found->settings;
+    }
+    project.pieces.push_back({{}, name, {}});
+    return project.pieces.back().settings;
 }
 
 }  // namespace toile::test
