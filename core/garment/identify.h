@@ -27,12 +27,12 @@ struct KnownPiece {
 /// Of the garment's pieces before any join or cut. Linear.
 std::vector<KnownPiece> knownPieces(const Garment& garment);
 
-/// Gives the pieces of a division their ids, and their rims their origins. Of one file, in however
-/// many parts it falls, the same pieces have the same ids: by the file's content, how often the
-/// garment has had it before, and the piece's first face. Where a piece is not known by that, the
-/// file is another version: of the known pieces of the same file that are left, it is the one that
-/// lies where it lies and is as large, or has its name and is not far from it.
-/// Cost: linear in the meshes, and in known times unknown pieces of each file. Pure.
+/// Gives the pieces of a division their ids, and their rims their origins. The same pieces of the
+/// same file have the same ids: by its content, how often the garment has had it before, the
+/// piece's first face and how many it has. Where a piece is not known by that, the file is another
+/// version: of the known pieces of the same file that are left, it is the one that lies where it
+/// lies and is as large, or has its name and is not far from it. Cost: linear in the meshes, and in
+/// known times unknown pieces of each file. Pure.
 /// @param wholes  of all files
 void identify(std::vector<std::shared_ptr<Piece>>& wholes,
               const std::vector<std::shared_ptr<const SourceFile>>& files,
