@@ -11,7 +11,7 @@
 #include "app/document/view_state.h"
 #include "app/render/overlay_scale.h"
 #include "app/render/stretch_crosses.h"
-#include "app/render/triangle_tree.h"
+#include "core/geometry/triangle_tree.h"
 
 namespace toile {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 

@@ -8,7 +8,7 @@
 
 #include "core/cut/edge_path.h"
 #include "core/cut/edge_set.h"
-#include "core/mesh/disjoint_sets.h"
+#include "core/geometry/disjoint_sets.h"
 
 namespace toile {
 namespace {

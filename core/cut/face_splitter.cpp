@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/cut/surface_links.h"
-#include "core/mesh/disjoint_sets.h"
+#include "core/geometry/disjoint_sets.h"
 #include "core/mesh/edge_table.h"
 
 namespace toile {

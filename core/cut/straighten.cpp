@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "core/cut/funnel.h"
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/cut/edge_path.h"
 #include "core/cut/geodesic.h"
 #include "core/cut/surface_point.h"
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {

@@ -15,8 +15,8 @@
 #include "core/base/unique_names.h"
 #include "core/garment/cut_owner.h"
 #include "core/garment/rim_pairs.h"
-#include "core/mesh/disjoint_sets.h"
-#include "core/mesh/segment.h"
+#include "core/geometry/disjoint_sets.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/mesh/disjoint_sets.h"
-#include "core/mesh/segment.h"
+#include "core/geometry/disjoint_sets.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/tolerances.h"
-#include "core/mesh/disjoint_sets.h"
+#include "core/geometry/disjoint_sets.h"
 
 namespace toile {
 namespace {

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/geometry/disjoint_sets.h"
 
 namespace toile {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {

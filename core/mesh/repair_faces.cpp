@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/base/tolerances.h"
-#include "core/mesh/disjoint_sets.h"
+#include "core/geometry/disjoint_sets.h"
 #include "core/mesh/repair_steps.h"
 
 namespace toile {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/disjoint_sets.h"
+#include "core/geometry/disjoint_sets.h"
 #include "core/mesh/repair_steps.h"
 
 namespace toile {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/geometry/disjoint_sets.h"
 #include "core/mesh/repair_steps.h"
 
 namespace toile {

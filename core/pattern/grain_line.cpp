@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <tuple>
 
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
+#include "core/geometry/segment_pairs.h"
 #include "core/quality/measures.h"
-#include "core/quality/segment_pairs.h"
 
 namespace toile {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 #include "core/seam/contacts.h"
 
 namespace toile {

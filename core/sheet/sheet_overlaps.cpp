@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/segment.h"
-#include "core/quality/segment_pairs.h"
+#include "core/geometry/segment.h"
+#include "core/geometry/segment_pairs.h"
 
 namespace toile {
 namespace {

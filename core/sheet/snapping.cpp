@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/base/angle.h"
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {

@@ -10,7 +10,7 @@
 #include <Eigen/Dense>
 
 #include "app/render/scene_builder.h"
-#include "app/render/triangle_tree.h"
+#include "core/geometry/triangle_tree.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/render/outline_corners.h"
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/actions/workspace.h"
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 

@@ -13,7 +13,7 @@
 #include "app/views/tools/sheet_map.h"
 #include "app/views/tools/tool_paint.h"
 #include "core/base/angle.h"
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 #include "core/sheet/snapping.h"
 
 namespace toile {

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 
 #include "core/flatten/isometric/coarsening.h"
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {

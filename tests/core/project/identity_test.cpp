@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/carry_settings.h"
 #include "core/project/project_file.h"

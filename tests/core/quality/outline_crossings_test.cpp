@@ -10,8 +10,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "core/geometry/segment_pairs.h"
 #include "core/quality/measures.h"
-#include "core/quality/segment_pairs.h"
 #include "tests/core/support/growth.h"
 
 namespace toile {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/mesh/disjoint_sets.h"
+#include "core/geometry/disjoint_sets.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/support/shared_data.h"
 

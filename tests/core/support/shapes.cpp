@@ -13,7 +13,7 @@
 #include <Eigen/SVD>
 
 #include "core/base/content_hash.h"
-#include "core/mesh/disjoint_sets.h"
+#include "core/geometry/disjoint_sets.h"
 
 namespace toile::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 #include "tests/core/support/generator.h"
 
 namespace toile {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/segment_pairs.h"
+#include "core/geometry/segment_pairs.h"
 
 #include <algorithm>
 #include <array>

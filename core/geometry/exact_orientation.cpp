@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/mesh/segment.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/render/triangle_tree.h"
+#include "core/geometry/triangle_tree.h"
 
 #include <bit>
 
