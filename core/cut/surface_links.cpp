@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <Eigen/Geometry>
 
 namespace toile {
 
 SurfaceLinks::SurfaceLinks(const MeshArrays& mesh, const EdgeTable& table)
-    : mesh_(mesh), table_(table), twin_(mesh.F.size(), -1), cornerStart_(mesh.V.rows() + 1, 0) {
+    : mesh_(mesh), table_(table), twin_(mesh.F.size(), -1), corners_(vertexCount(), [&](auto add) {
+          for (int c = 0; c < 3 * faceCount(); ++c) {
+              add(tail(c), c);
+          }
+      }) {
     for (int e = 0; e < edgeCount(); ++e) {
         const int* use = table.use.data() + table.useStart[e];
         if (table.useStart[e + 1] - table.useStart[e] == 2 && tail(use[0]) != tail(use[1])) {
@@ -18,19 +21,6 @@ SurfaceLinks::SurfaceLinks(const MeshArrays& mesh, const EdgeTable& table)
             twin_[use[1]] = use[0];
         }
     }
-    for (int c = 0; c < mesh.F.size(); ++c) {
-        ++cornerStart_[tail(c) + 1];
-    }
-    std::partial_sum(cornerStart_.begin(), cornerStart_.end(), cornerStart_.begin());
-    corners_.resize(mesh.F.size());
-    std::vector<int> next(cornerStart_.begin(), cornerStart_.end() - 1);
-    for (int c = 0; c < mesh.F.size(); ++c) {
-        corners_[next[tail(c)]++] = c;
-    }
-}
-
-std::span<const int> SurfaceLinks::cornersAt(int vertex) const {
-    return {corners_.data() + cornerStart_[vertex], corners_.data() + cornerStart_[vertex + 1]};
 }
 
 int SurfaceLinks::cornerIn(int face, int vertex) const {

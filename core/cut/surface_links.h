@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/cut/surface_point.h"
+#include "core/geometry/buckets.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
 
@@ -37,7 +38,7 @@ public:
     /// The same edge seen from the other triangle, or -1 at a wall.
     int twin(int use) const { return twin_[use]; }
     /// Corners 3 * face + k at the vertex, in face order.
-    std::span<const int> cornersAt(int vertex) const;
+    std::span<const int> cornersAt(int vertex) const { return corners_[vertex]; }
     /// Corner of `face` at `vertex`, 0..2, or -1.
     int cornerIn(int face, int vertex) const;
     /// Interior angle of the triangle at a corner.
@@ -62,7 +63,7 @@ private:
     const MeshArrays& mesh_;
     const EdgeTable& table_;
     std::vector<int> twin_;
-    std::vector<int> cornerStart_, corners_;
+    Buckets<> corners_;  ///< by vertex
 };
 
 }  // namespace toile

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -20,7 +19,15 @@ InnerWays::InnerWays(const Piece& piece)
     : piece_(piece),
       loopIndex_(static_cast<std::size_t>(piece.mesh.V.rows()), -1),
       isHoleRim_(loopIndex_.size(), false),
-      start_(loopIndex_.size() + 1, 0),
+      neighbours_(static_cast<int>(loopIndex_.size()),
+                  [&table = piece.table](auto add) {
+                      for (int e = 0; e < table.edges.rows(); ++e) {
+                          if (table.useStart[e + 1] - table.useStart[e] > 1) {
+                              add(table.edges(e, 0), table.edges(e, 1));
+                              add(table.edges(e, 1), table.edges(e, 0));
+                          }
+                      }
+                  }),
       distance_(loopIndex_.size(), kFar),
       parent_(loopIndex_.size(), -1) {
     for (std::size_t i = 0; i < piece.boundary.size(); ++i) {
@@ -29,23 +36,6 @@ InnerWays::InnerWays(const Piece& piece)
     for (const auto& hole : piece.holes) {
         for (const int v : hole) {
             isHoleRim_[v] = true;
-        }
-    }
-    const EdgeTable& table = piece.table;
-    const auto isInside = [&table](int e) { return table.useStart[e + 1] - table.useStart[e] > 1; };
-    for (int e = 0; e < table.edges.rows(); ++e) {
-        if (isInside(e)) {
-            ++start_[table.edges(e, 0) + 1];
-            ++start_[table.edges(e, 1) + 1];
-        }
-    }
-    std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    end_.resize(static_cast<std::size_t>(start_.back()));
-    std::vector<int> next(start_.begin(), start_.end() - 1);
-    for (int e = 0; e < table.edges.rows(); ++e) {
-        if (isInside(e)) {
-            end_[next[table.edges(e, 0)]++] = table.edges(e, 1);
-            end_[next[table.edges(e, 1)]++] = table.edges(e, 0);
         }
     }
 }
@@ -66,8 +56,7 @@ void InnerWays::search(const std::vector<int>& sources, double longest) {
         if (reached > distance_[v] || isEnd || isHoleRim_[v]) {
             continue;
         }
-        for (int k = start_[v]; k < start_[v + 1]; ++k) {
-            const int w = end_[k];
+        for (const int w : neighbours_[v]) {
             const double there = reached + (V.row(v) - V.row(w)).norm();
             if (there < distance_[w] && there > longest) {
                 hasLeftOut_ = true;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/garment/piece.h"
+#include "core/geometry/buckets.h"
 
 namespace toile {
 
@@ -40,8 +41,7 @@ private:
     const Piece& piece_;
     std::vector<int> loopIndex_;   ///< of each vertex; -1 inside
     std::vector<bool> isHoleRim_;  ///< of each vertex
-    /// Ends of the edges inside: those of vertex v are end_[start_[v]] .. end_[start_[v + 1]].
-    std::vector<int> start_, end_;
+    Buckets<> neighbours_;         ///< of each vertex: along the edges inside
     // Between two searches: infinite, -1, empty.
     std::vector<double> distance_;
     std::vector<int> parent_;

@@ -15,6 +15,7 @@
 #include <Eigen/Geometry>
 
 #include "core/garment/piece.h"
+#include "core/geometry/buckets.h"
 
 namespace toile {
 namespace {
@@ -56,20 +57,13 @@ public:
         for (int f = 0; f < faces; ++f) {
             most = std::max(most, sourceOf(before.sourceFace, f));
         }
-        start_.assign(static_cast<std::size_t>(most) + 2, 0);
-        for (int f = 0; f < faces; ++f) {
-            if (const int source = sourceOf(before.sourceFace, f); source >= 0) {
-                ++start_[static_cast<std::size_t>(source) + 1];
+        faces_ = Buckets<>(most + 1, [&](auto add) {
+            for (int f = 0; f < faces; ++f) {
+                if (const int source = sourceOf(before.sourceFace, f); source >= 0) {
+                    add(source, f);
+                }
             }
-        }
-        std::partial_sum(start_.begin(), start_.end(), start_.begin());
-        faces_.resize(static_cast<std::size_t>(start_.back()));
-        std::vector<int> next(start_.begin(), start_.end() - 1);
-        for (int f = 0; f < faces; ++f) {
-            if (const int source = sourceOf(before.sourceFace, f); source >= 0) {
-                faces_[next[source]++] = f;
-            }
-        }
+        });
         match_.vertex.assign(static_cast<std::size_t>(piece.mesh.V.rows()), -1);
     }
 
@@ -116,12 +110,7 @@ private:
     /// Triangles of the earlier version that come from the same face of the file.
     std::span<const int> allCandidates(int face) const {
         const int source = sourceOf(piece_.sourceFace, face);
-        if (source < 0 || static_cast<std::size_t>(source) + 1 >= start_.size()) {
-            return {};
-        }
-        return std::span(faces_).subspan(
-            static_cast<std::size_t>(start_[source]),
-            static_cast<std::size_t>(start_[source + 1] - start_[source]));
+        return source < 0 || source >= faces_.keyCount() ? std::span<const int>() : faces_[source];
     }
 
     bool same(int v, int w) const {
@@ -213,8 +202,8 @@ private:
 
     const Piece& piece_;
     const Piece& before_;
-    std::vector<int> start_, faces_;  ///< the earlier version's triangles by face of the file
-    std::vector<int> rank_;           ///< of the piece's triangles
+    Buckets<> faces_;        ///< the earlier version's triangles by face of the file
+    std::vector<int> rank_;  ///< of the piece's triangles
     VersionMatch match_;
 };
 

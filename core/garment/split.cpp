@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/base/words.h"
 #include "core/garment/corner_uv.h"
+#include "core/geometry/buckets.h"
 #include "core/mesh/edge_table.h"
 
 namespace toile {
@@ -53,22 +53,21 @@ void numberVertices(const Triangles& F, const std::vector<int>& kind, int positi
         return;
     }
     // Buckets by position, small sorts by kind inside.
-    std::vector<int> end(static_cast<std::size_t>(positionCount) + 1, 0);
-    for (int c = 0; c < cornerCount; ++c) {
-        ++end[position[c] + 1];
-    }
-    std::partial_sum(end.begin(), end.end(), end.begin());
-    std::vector<std::pair<int, int>> corners(static_cast<std::size_t>(cornerCount));
-    for (int c = 0; c < cornerCount; ++c) {
-        corners[end[position[c]]++] = {kind[c], c};
-    }
-    for (int p = 0, from = 0; p < positionCount; from = end[p++]) {
-        std::sort(corners.begin() + from, corners.begin() + end[p]);
-        for (int k = from; k < end[p]; ++k) {
-            if (k == from || corners[k].first != corners[k - 1].first) {
+    using Corner = std::pair<int, int>;  // kind, corner
+    Buckets<Corner> corners(positionCount, [&](auto add) {
+        for (int c = 0; c < cornerCount; ++c) {
+            add(position[c], Corner(kind[c], c));
+        }
+    });
+    for (int p = 0; p < positionCount; ++p) {
+        std::ranges::sort(corners[p]);
+        const int* last = nullptr;
+        for (const Corner& corner : corners[p]) {
+            if (last == nullptr || *last != corner.first) {
                 division.positionOf.push_back(p);
             }
-            vertex[corners[k].second] = static_cast<int>(division.positionOf.size()) - 1;
+            last = &corner.first;
+            vertex[corner.second] = static_cast<int>(division.positionOf.size()) - 1;
         }
     }
 }

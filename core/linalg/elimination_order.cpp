@@ -8,6 +8,8 @@
 #include <span>
 #include <tuple>
 
+#include "core/geometry/buckets.h"
+
 namespace toile {
 namespace {
 
@@ -16,39 +18,16 @@ constexpr double kLongest = 4;  ///< what lies between the sides of n unknowns, 
 constexpr int kSmallest = 4000;  ///< where n is less it need not be looked at
 
 /// Each unknown's neighbours.
-class Neighbours {
-public:
-    explicit Neighbours(const SymmetricMatrix& pattern)
-        : start_(static_cast<std::size_t>(pattern.size) + 1, 0) {
-        forEachPair(pattern, [this](int i, int j) {
-            ++start_[i + 1];
-            ++start_[j + 1];
-        });
-        std::partial_sum(start_.begin(), start_.end(), start_.begin());
-        list_.resize(static_cast<std::size_t>(start_.back()));
-        std::vector<int> next(start_.begin(), start_.end() - 1);
-        forEachPair(pattern, [&](int i, int j) {
-            list_[next[i]++] = j;
-            list_[next[j]++] = i;
-        });
-    }
-
-    std::span<const int> of(int unknown) const {
-        return {list_.data() + start_[unknown], list_.data() + start_[unknown + 1]};
-    }
-
-private:
-    template <class Call>
-    static void forEachPair(const SymmetricMatrix& pattern, Call call) {
+Buckets<> neighboursIn(const SymmetricMatrix& pattern) {
+    return Buckets<>(pattern.size, [&pattern](auto add) {
         for (int j = 0; j < pattern.size; ++j) {
             for (int k = pattern.columnStart[j] + 1; k < pattern.columnStart[j + 1]; ++k) {
-                call(pattern.row[k], j);
+                add(pattern.row[k], j);
+                add(j, pattern.row[k]);
             }
         }
-    }
-
-    std::vector<int> start_, list_;
-};
+    });
+}
 
 int longestAxis(std::span<const int> unknowns, const Places& places) {
     Eigen::RowVector3d low = places.row(unknowns.front());
@@ -65,7 +44,7 @@ int longestAxis(std::span<const int> unknowns, const Places& places) {
 }  // namespace
 
 std::vector<int> eliminationOrder(const SymmetricMatrix& pattern, const Places& places) {
-    const Neighbours neighbours(pattern);
+    const Buckets<> neighbours = neighboursIn(pattern);
     std::vector<int> order(static_cast<std::size_t>(pattern.size));
     std::iota(order.begin(), order.end(), 0);
     std::vector<int> cut(order.size(), 0);  // the last one that an unknown was on the near side of
@@ -85,7 +64,7 @@ std::vector<int> eliminationOrder(const SymmetricMatrix& pattern, const Places& 
         ++cuts;
         std::for_each(range.begin(), middle, [&](int v) { cut[v] = cuts; });
         const auto between = std::partition(middle, range.end(), [&](int v) {
-            return std::ranges::none_of(neighbours.of(v), [&](int w) { return cut[w] == cuts; });
+            return std::ranges::none_of(neighbours[v], [&](int w) { return cut[w] == cuts; });
         });
         if (range.size() > kSmallest &&
             static_cast<double>(range.end() - between) > kLongest * std::sqrt(range.size())) {

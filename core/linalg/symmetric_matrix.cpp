@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/geometry/buckets.h"
 #include "core/linalg/sparse_cholesky.h"
 
 namespace toile {
@@ -13,16 +14,13 @@ void SymmetricBuilder::add(int i, int j, double value) {
 SymmetricMatrix SymmetricBuilder::build() const {
     // Two stable counting passes (by row, then by column) leave each column sorted by row.
     const auto countingPass = [this](const std::vector<int>& order, auto key) {
-        std::vector<int> start(size_ + 1, 0);
-        for (const Entry& entry : entries_) {
-            ++start[key(entry) + 1];
-        }
-        std::partial_sum(start.begin(), start.end(), start.begin());
-        std::vector<int> sorted(order.size());
-        for (const int k : order) {
-            sorted[start[key(entries_[k])]++] = k;
-        }
-        return sorted;
+        return Buckets<>(size_,
+                         [&](auto add) {
+                             for (const int k : order) {
+                                 add(key(entries_[k]), k);
+                             }
+                         })
+            .items();
     };
     std::vector<int> order(entries_.size());
     std::iota(order.begin(), order.end(), 0);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "core/geometry/buckets.h"
 #include "core/mesh/cotangents.h"
 #include "core/mesh/flippable_surface.h"
 
@@ -16,7 +18,7 @@ constexpr int kFlipsPerCancelCheck = 1 << 16;
 /// An edge of the new triangulation, kept in the bucket of its smaller vertex.
 struct Link {
     int larger;
-    double weight;
+    int halfedge;  ///< of its two the one of larger number
 };
 
 /// A negative weight of an edge that does not want to be turned is rounding.
@@ -31,39 +33,30 @@ double weightOf(const FlippableSurface& surface, int h) {
 
 /// Each edge once, sorted, parallel ones summed, in linear time as `buildEdgeTable` does it.
 WeightedEdges collect(const FlippableSurface& surface, int vertexCount) {
-    const auto eachEdge = [&surface](auto&& use) {
+    Buckets<Link> links(vertexCount, [&surface](auto add) {
         for (int h = 0; h < surface.halfedgeCount(); ++h) {
             const auto [a, b] = std::minmax({surface.origin(h), surface.target(h)});
             if (h > surface.twin(h) && a != b) {
-                use(a, b, h);
+                add(a, Link{b, h});
             }
         }
-    };
-    std::vector<int> bucket(static_cast<std::size_t>(vertexCount) + 1, 0);
-    eachEdge([&bucket](int a, int, int) { ++bucket[a + 1]; });
-    for (int v = 0; v < vertexCount; ++v) {
-        bucket[v + 1] += bucket[v];
-    }
-    std::vector<Link> links(bucket.back());
-    std::vector<int> next(bucket.begin(), bucket.end() - 1);
-    eachEdge([&](int a, int b, int h) { links[next[a]++] = {b, weightOf(surface, h)}; });
-
+    });
     std::vector<int> ends;
     std::vector<double> weights;
-    ends.reserve(2 * links.size());
-    weights.reserve(links.size());
+    ends.reserve(2 * links.items().size());
+    weights.reserve(links.items().size());
     for (int v = 0; v < vertexCount; ++v) {
         // Stable, so that parallel edges are summed in one order everywhere.
-        std::stable_sort(links.begin() + bucket[v], links.begin() + bucket[v + 1],
-                         [](const Link& a, const Link& b) { return a.larger < b.larger; });
-        for (int k = bucket[v]; k < bucket[v + 1]; ++k) {
-            if (k > bucket[v] && links[k].larger == links[k - 1].larger) {
-                weights.back() += links[k].weight;
+        std::ranges::stable_sort(links[v], {}, &Link::larger);
+        int last = -1;
+        for (const auto& [larger, halfedge] : links[v]) {
+            const double weight = weightOf(surface, halfedge);
+            if (std::exchange(last, larger) == larger) {
+                weights.back() += weight;
                 continue;
             }
-            ends.push_back(v);
-            ends.push_back(links[k].larger);
-            weights.push_back(links[k].weight);
+            ends.insert(ends.end(), {v, larger});
+            weights.push_back(weight);
         }
     }
     const auto count = static_cast<Eigen::Index>(weights.size());

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include <Eigen/Geometry>
+
+#include "core/geometry/buckets.h"
 
 namespace toile {
 namespace {
@@ -82,22 +86,13 @@ public:
 private:
     void round(int wanted) {
         const auto count = static_cast<int>(V_.rows());
-        starStart_.assign(static_cast<std::size_t>(count) + 1, 0);
-        for (const Triangle& t : triangles_) {
-            for (const int v : t) {
-                ++starStart_[v + 1];
+        stars_ = Buckets<>(count, [this](auto add) {
+            for (std::size_t f = 0; f < triangles_.size(); ++f) {
+                for (const int v : triangles_[f]) {
+                    add(v, static_cast<int>(f));
+                }
             }
-        }
-        for (int v = 0; v < count; ++v) {
-            starStart_[v + 1] += starStart_[v];
-        }
-        star_.resize(3 * triangles_.size());
-        std::vector<int> next(starStart_.begin(), starStart_.end() - 1);
-        for (std::size_t f = 0; f < triangles_.size(); ++f) {
-            for (const int v : triangles_[f]) {
-                star_[next[v]++] = static_cast<int>(f);
-            }
-        }
+        });
         std::vector<char> blocked = stays_;
         for (int v = 0; v < count && interior_ > wanted; ++v) {
             if (v % kLookEvery == 0 && progress_.isCancelled()) {
@@ -115,7 +110,8 @@ private:
     }
 
     bool takeOut(int v) {
-        const int degree = starStart_[v + 1] - starStart_[v];
+        const std::span<const int> star = std::as_const(stars_)[v];
+        const int degree = static_cast<int>(star.size());
         if (degree > kLongestRing) {
             return false;
         }
@@ -125,7 +121,7 @@ private:
         double before2d = 1;
         double before3d = 1;
         for (int k = 0; k < degree; ++k) {
-            const Triangle& t = triangles_[star_[starStart_[v] + k]];
+            const Triangle& t = triangles_[star[k]];
             const int at = t[0] == v ? 0 : t[1] == v ? 1 : 2;
             from[k] = t[(at + 1) % 3];
             to[k] = t[(at + 2) % 3];
@@ -152,8 +148,8 @@ private:
             return false;
         }
         record(v, ring, degree);
-        for (int k = starStart_[v]; k < starStart_[v + 1]; ++k) {
-            Triangle& t = triangles_[star_[k]];
+        for (const int f : star) {
+            Triangle& t = triangles_[f];
             if (std::find(t.begin(), t.end(), best) != t.end()) {
                 t[0] = -1;
             } else {
@@ -212,8 +208,7 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<char> stays_;
     std::vector<char> gone_;
-    std::vector<int> starStart_;
-    std::vector<int> star_;
+    Buckets<> stars_;  ///< triangles at each vertex
     int interior_ = 0;
 };
 

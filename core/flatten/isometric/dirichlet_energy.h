@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -46,10 +47,6 @@ private:
     };
 
     Eigen::Matrix2d jacobian(const Points2& Q, int f) const;
-    /// A vertex's triangles: star[start[v]] .. star[start[v + 1] - 1].
-    struct Stars {
-        std::vector<int> start, star;
-    };
     /// The energy of a vertex's triangles as a function of its place, to second order.
     struct VertexModel {
         double energy = 0;
@@ -57,10 +54,10 @@ private:
         Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();
     };
 
-    Stars stars(int vertexCount) const;
-    double starEnergy(const Points2& Q, const Stars& stars, int v) const;
-    VertexModel vertexModel(const Points2& Q, const Stars& stars, int v) const;
-    bool relaxVertex(Points2& Q, const Stars& stars, int v) const;
+    /// @param star  the triangles at the vertex
+    double starEnergy(const Points2& Q, std::span<const int> star) const;
+    VertexModel vertexModel(const Points2& Q, std::span<const int> star, int v) const;
+    bool relaxVertex(Points2& Q, std::span<const int> star, int v) const;
 
     const MeshArrays& mesh_;
     const EdgeTable& table_;

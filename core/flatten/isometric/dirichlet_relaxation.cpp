@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include "core/flatten/isometric/dirichlet_energy.h"
+#include "core/geometry/buckets.h"
 
 namespace toile {
 namespace {
@@ -20,41 +21,24 @@ constexpr int kVerticesPerLook = 1 << 12;
 
 }  // namespace
 
-SymmetricDirichlet::Stars SymmetricDirichlet::stars(int vertexCount) const {
-    Stars stars;
-    stars.start.assign(static_cast<std::size_t>(vertexCount) + 1, 0);
-    for (Eigen::Index k = 0; k < mesh_.F.size(); ++k) {
-        ++stars.start[mesh_.F.data()[k] + 1];
-    }
-    for (int v = 0; v < vertexCount; ++v) {
-        stars.start[v + 1] += stars.start[v];
-    }
-    stars.star.resize(static_cast<std::size_t>(mesh_.F.size()));
-    std::vector<int> next(stars.start.begin(), stars.start.end() - 1);
-    for (Eigen::Index k = 0; k < mesh_.F.size(); ++k) {
-        stars.star[next[mesh_.F.data()[k]]++] = static_cast<int>(k / 3);
-    }
-    return stars;
-}
-
-double SymmetricDirichlet::starEnergy(const Points2& Q, const Stars& stars, int v) const {
+double SymmetricDirichlet::starEnergy(const Points2& Q, std::span<const int> star) const {
     double sum = 0;
-    for (int k = stars.start[v]; k < stars.start[v + 1]; ++k) {
-        const Eigen::Matrix2d J = jacobian(Q, stars.star[k]);
+    for (const int f : star) {
+        const Eigen::Matrix2d J = jacobian(Q, f);
         const double D = J.determinant();
         if (!(D > 0)) {
             return std::numeric_limits<double>::infinity();
         }
-        sum += 0.25 * shapes_[stars.star[k]].area * J.squaredNorm() * (1 + 1 / (D * D));
+        sum += 0.25 * shapes_[f].area * J.squaredNorm() * (1 + 1 / (D * D));
     }
     return sum;
 }
 
 SymmetricDirichlet::VertexModel SymmetricDirichlet::vertexModel(const Points2& Q,
-                                                                const Stars& stars, int v) const {
+                                                                std::span<const int> star,
+                                                                int v) const {
     VertexModel model;
-    for (int k = stars.start[v]; k < stars.start[v + 1]; ++k) {
-        const int f = stars.star[k];
+    for (const int f : star) {
         const Shape& shape = shapes_[f];
         const int corner = mesh_.F(f, 0) == v ? 0 : mesh_.F(f, 1) == v ? 1 : 2;
         const Eigen::Vector2d b(shape.b[corner][0], shape.b[corner][1]);
@@ -78,8 +62,8 @@ SymmetricDirichlet::VertexModel SymmetricDirichlet::vertexModel(const Points2& Q
 
 /// One Newton step of a vertex, shortened or stretched as lowers the energy. False where none does,
 /// or where it would hardly.
-bool SymmetricDirichlet::relaxVertex(Points2& Q, const Stars& stars, int v) const {
-    const VertexModel model = vertexModel(Q, stars, v);
+bool SymmetricDirichlet::relaxVertex(Points2& Q, std::span<const int> star, int v) const {
+    const VertexModel model = vertexModel(Q, star, v);
     const Eigen::RowVector2d from = Q.row(v);
     const Eigen::RowVector2d step = (-model.stiffness.inverse() * model.gradient).transpose();
     if (!(-0.5 * step.dot(model.gradient) > kWorthWhile * model.energy)) {
@@ -89,7 +73,7 @@ bool SymmetricDirichlet::relaxVertex(Points2& Q, const Stars& stars, int v) cons
     double reached = std::numeric_limits<double>::infinity();
     for (int k = 0; k < kMaxVertexHalvings; ++k, t *= 0.5) {
         Q.row(v) = from + t * step;
-        reached = starEnergy(Q, stars, v);
+        reached = starEnergy(Q, star);
         if (reached < model.energy) {
             break;
         }
@@ -102,7 +86,7 @@ bool SymmetricDirichlet::relaxVertex(Points2& Q, const Stars& stars, int v) cons
         const Eigen::RowVector2d kept = Q.row(v);
         t *= kVertexStretch;
         Q.row(v) = from + t * step;
-        const double further = starEnergy(Q, stars, v);
+        const double further = starEnergy(Q, star);
         if (!(further < reached)) {
             Q.row(v) = kept;
             break;
@@ -115,7 +99,11 @@ bool SymmetricDirichlet::relaxVertex(Points2& Q, const Stars& stars, int v) cons
 void SymmetricDirichlet::relax(Points2& Q, const std::vector<char>& fixed, int passes,
                                const Progress& progress) const {
     const auto count = static_cast<int>(Q.rows());
-    const Stars all = stars(count);
+    const Buckets<> stars(count, [this](auto add) {
+        for (int k = 0; k < static_cast<int>(mesh_.F.size()); ++k) {
+            add(mesh_.F.data()[k], k / 3);
+        }
+    });
     std::vector<char> waits(static_cast<std::size_t>(count), 1);
     bool any = true;
     for (int pass = 0; pass < passes && any; ++pass) {
@@ -129,13 +117,16 @@ void SymmetricDirichlet::relax(Points2& Q, const std::vector<char>& fixed, int p
             }
             waits[v] = 0;
             bool moved = false;
-            for (int k = 0; k < kMovesPerVisit && relaxVertex(Q, all, v); ++k) {
+            for (int k = 0; k < kMovesPerVisit && relaxVertex(Q, stars[v], v); ++k) {
                 moved = true;
             }
-            any = any || moved;
-            for (int k = all.start[v]; moved && k < all.start[v + 1]; ++k) {
+            if (!moved) {
+                continue;
+            }
+            any = true;
+            for (const int f : stars[v]) {
                 for (int corner = 0; corner < 3; ++corner) {
-                    waits[mesh_.F(all.star[k], corner)] = 1;
+                    waits[mesh_.F(f, corner)] = 1;
                 }
             }
         }
