@@ -6,31 +6,12 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/cut/surface_links.h"
+#include "core/geometry/shortest_paths.h"
 
 namespace toile {
 
-/// Shortest ways along edges from a set of sources to everywhere (Dijkstra).
-struct ShortestForest {
-    std::vector<double> distance;  ///< per vertex; infinite where not reached
-    std::vector<int> parentEdge;   ///< per vertex: edge towards its source, or -1
-    std::vector<int> source;       ///< per vertex: index into the sources, or -1
-
-    /// Vertices from a source to `vertex`, both included.
-    std::vector<int> pathTo(int vertex, const Edges& edges) const;
-};
-
 /// Lengths of all edges.
 std::vector<double> edgeLengths(const MeshArrays& mesh, const Edges& edges);
-
-/// @param sources  each a set of vertices at distance zero
-/// @param stopAt   ends early once this vertex is settled; -1: never
-/// @param progress  polled; cancelled, the search ends where it is
-/// Preconditions: weights are not negative, one per edge. Equal ways are decided by index.
-/// Cost: O(#E log #E). Pure.
-ShortestForest shortestForest(const Edges& edges, int vertexCount,
-                              const std::vector<double>& weights,
-                              const std::vector<std::vector<int>>& sources, int stopAt = -1,
-                              const Progress& progress = Progress());
 
 /// A way along edges.
 struct EdgePath {

@@ -5,12 +5,10 @@
 
 #include <Eigen/Core>
 
+#include "core/geometry/shortest_paths.h"
 #include "core/linalg/sparse_cholesky.h"
 
 namespace toile {
-
-/// Pairs of vertices, #E x 2.
-using VertexPairs = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 /// Two numbers for each vertex, #V x 2.
 using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;

@@ -3,11 +3,10 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
+#include "core/geometry/shortest_paths.h"
 #include "core/quality/measures.h"
 
 namespace toile {
@@ -50,48 +49,6 @@ std::array<int, 2> farPair(const Piece& piece, const DistancesFrom& distancesFro
     return {first, second};
 }
 
-/// Dijkstra's shortest paths along the edges.
-Eigen::VectorXd pathLengths(const Piece& piece, int from) {
-    const Edges& edges = piece.table.edges;
-    const auto vertexCount = static_cast<std::size_t>(piece.mesh.V.rows());
-    std::vector<int> start(vertexCount + 1, 0);
-    for (int e = 0; e < edges.rows(); ++e) {
-        ++start[edges(e, 0) + 1];
-        ++start[edges(e, 1) + 1];
-    }
-    for (std::size_t v = 0; v < vertexCount; ++v) {
-        start[v + 1] += start[v];
-    }
-    std::vector<int> around(static_cast<std::size_t>(2 * edges.rows()));
-    std::vector<int> next(start.begin(), start.end() - 1);
-    for (int e = 0; e < edges.rows(); ++e) {
-        around[next[edges(e, 0)]++] = edges(e, 1);
-        around[next[edges(e, 1)]++] = edges(e, 0);
-    }
-    Eigen::VectorXd distance = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(vertexCount),
-                                                         std::numeric_limits<double>::infinity());
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    distance[from] = 0;
-    open.emplace(0, from);
-    while (!open.empty()) {
-        const auto [reached, v] = open.top();
-        open.pop();
-        if (reached > distance[v]) {
-            continue;
-        }
-        for (int k = start[v]; k < start[v + 1]; ++k) {
-            const int w = around[k];
-            const double through = reached + (piece.mesh.V.row(w) - piece.mesh.V.row(v)).norm();
-            if (through < distance[w]) {
-                distance[w] = through;
-                open.emplace(through, w);
-            }
-        }
-    }
-    return distance;
-}
-
 }  // namespace
 
 std::array<int, 2> farPairInSpace(const Piece& piece) {
@@ -101,7 +58,13 @@ std::array<int, 2> farPairInSpace(const Piece& piece) {
 }
 
 std::array<int, 2> farPairAlongEdges(const Piece& piece) {
-    return farPair(piece, [&](int v) { return pathLengths(piece, v); });
+    const Eigen::VectorXd lengths = edgeLengths3d(piece.mesh.V, piece.table.edges);
+    const std::vector<double> weights(lengths.begin(), lengths.end());
+    return farPair(piece, [&](int v) -> Eigen::VectorXd {
+        const auto forest = shortestForest(piece.table.edges, static_cast<int>(piece.mesh.V.rows()),
+                                           weights, {{v}});
+        return Eigen::Map<const Eigen::VectorXd>(forest.distance.data(), piece.mesh.V.rows());
+    });
 }
 
 Result<FlatPiece> atTrueSize(const Piece& piece, const Points2& points, const Stopwatch& time) {
