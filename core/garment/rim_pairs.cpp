@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/garment/rim_pairs.h"
 
-#include <cmath>
 #include <set>
 
 #include <Eigen/Geometry>
@@ -26,36 +25,8 @@ double toleranceOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
 
 }  // namespace
 
-int Places::of(const Eigen::Vector3d& point) {
-    if (!(tolerance_ > 0)) {
-        return 0;
-    }
-    Cell cell;
-    for (int k = 0; k < 3; ++k) {
-        cell[k] = std::llround(point[k] / (2 * tolerance_));
-    }
-    for (int dx = -1; dx <= 1; ++dx) {
-        for (int dy = -1; dy <= 1; ++dy) {
-            for (int dz = -1; dz <= 1; ++dz) {
-                const auto found = cells_.find({cell[0] + dx, cell[1] + dy, cell[2] + dz});
-                if (found == cells_.end()) {
-                    continue;
-                }
-                for (const int known : found->second) {
-                    if ((points_[known] - point).norm() <= tolerance_) {
-                        return known;
-                    }
-                }
-            }
-        }
-    }
-    cells_[cell].push_back(static_cast<int>(points_.size()));
-    points_.push_back(point);
-    return static_cast<int>(points_.size()) - 1;
-}
-
 RimPairs::RimPairs(const std::vector<std::shared_ptr<const Piece>>& pieces)
-    : rims_(pieces.size()), places_(toleranceOf(pieces)) {
+    : rims_(pieces.size()), index_(places_, toleranceOf(pieces)) {
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         if (isUsable(pieces[p])) {
             add(*pieces[p], static_cast<int>(p), {});
@@ -102,8 +73,8 @@ void RimPairs::add(const Piece& piece, int index, std::vector<int> numbers) {
         const int tail = piece.mesh.F(use / 3, use % 3);
         const int head = piece.mesh.F(use / 3, (use % 3 + 1) % 3);
         edges_[number] = {index, tail, head};
-        const int from = places_.of(piece.mesh.V.row(tail));
-        ends_[number] = {from, places_.of(piece.mesh.V.row(head))};
+        const int from = index_.insert(piece.mesh.V.row(tail)).first;
+        ends_[number] = {from, index_.insert(piece.mesh.V.row(head)).first};
         between_[ends_[number]].push_back(number);
         rim.push_back(number);
     }

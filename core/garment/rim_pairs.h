@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <utility>
@@ -11,27 +9,13 @@
 #include <Eigen/Core>
 
 #include "core/garment/piece.h"
+#include "core/geometry/point_index.h"
 
 namespace toile {
 
 /// Two vertices lie on each other when they are no farther apart than this part of the diagonal of
 /// all pieces: the rounding of a file, far below any gap between two layers.
 inline constexpr double kRimTolerance = 1e-6;
-
-/// Numbers places: points closer together than a tolerance share one.
-class Places {
-public:
-    explicit Places(double tolerance) : tolerance_(tolerance) {}
-
-    int of(const Eigen::Vector3d& point);
-
-private:
-    using Cell = std::array<std::int64_t, 3>;
-
-    double tolerance_;
-    std::map<Cell, std::vector<int>> cells_;
-    std::vector<Eigen::Vector3d> points_;
-};
 
 /// The rim edges of pieces, and which of them lie on each other.
 class RimPairs {
@@ -71,7 +55,8 @@ private:
 
     std::vector<Edge> edges_;
     std::vector<std::vector<int>> rims_;
-    Places places_;
+    std::vector<Eigen::Vector3d> places_;
+    PointIndex index_;                          ///< of the places
     std::vector<Ends> ends_;                    ///< per edge
     std::map<Ends, std::vector<int>> between_;  ///< edges by their ends
 };

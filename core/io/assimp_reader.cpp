@@ -15,7 +15,7 @@
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
-#include "core/io/position_merger.h"
+#include "core/geometry/point_index.h"
 #include "core/io/soup_builder.h"
 
 namespace toile {
@@ -89,16 +89,17 @@ public:
         : firstPosition_(static_cast<int>(soup.positions.size())),
           firstUv_(static_cast<int>(soup.uvs.size())) {}
 
-    int position(const Vector3d& position, bool& isNew) {
-        return firstPosition_ + positionMerger_.indexOf(position, isNew);
+    /// Its index in the soup, and whether it is new.
+    std::pair<int, bool> position(const Vector3d& position) {
+        const auto [index, isNew] = positionIndex_.insert(position);
+        return {firstPosition_ + index, isNew};
     }
 
     /// Texture coordinates are one where they are equal and belong to one position.
     int uv(int position, const aiVector3D& uv) {
-        bool isNew = false;
-        return firstUv_ + uvMerger_.indexOf({static_cast<double>(position),
-                                             static_cast<double>(uv.x), static_cast<double>(uv.y)},
-                                            isNew);
+        const auto known = uvIndex_.insert(
+            {static_cast<double>(position), static_cast<double>(uv.x), static_cast<double>(uv.y)});
+        return firstUv_ + known.first;
     }
 
     /// Hands the texture coordinates over; the positions have been taken as they came.
@@ -112,8 +113,8 @@ private:
     int firstPosition_, firstUv_;
     std::vector<Vector3d> positions_;
     std::vector<Vector3d> uvs_;  ///< position index, u, v
-    PositionMerger positionMerger_{positions_};
-    PositionMerger uvMerger_{uvs_};
+    PointIndex positionIndex_{positions_};
+    PointIndex uvIndex_{uvs_};
 };
 
 class SceneReader {
@@ -191,9 +192,9 @@ private:
         if (mesh.HasPositions() && v < mesh.mNumVertices) {
             const Vector3d placed =
                 scale_ * (placement * vectorOf(mesh.mVertices[v]).homogeneous()).head<3>();
-            bool isNew = false;
-            position = corners.position(placed, isNew);
-            if (isNew) {
+            const auto found = corners.position(placed);
+            position = found.first;
+            if (found.second) {
                 builder_.addPosition(placed, place);
             }
             uv = mesh.HasTextureCoords(0) ? corners.uv(position, mesh.mTextureCoords[0][v]) : kNoUv;

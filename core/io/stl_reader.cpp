@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/geometry/point_index.h"
 #include "core/io/byte_order.h"
-#include "core/io/position_merger.h"
 #include "core/io/soup.h"
 #include "core/io/soup_builder.h"
 #include "core/io/text_cursor.h"
@@ -55,7 +55,7 @@ public:
           bytes_(*file_),
           builder_(name, placeWord),
           soup_(builder_.soup()),
-          merger_(soup_.positions) {}
+          index_(soup_.positions) {}
 
     Result<PolygonSoup> readBinary(const Progress& progress) {
         const std::size_t count = promisedFacets(bytes_);
@@ -127,8 +127,8 @@ private:
     }
 
     void addCorner(const Eigen::Vector3d& position, int place) {
-        bool isNew = false;
-        soup_.corners.push_back(merger_.indexOf(position, isNew));
+        const auto [index, isNew] = index_.insert(position);
+        soup_.corners.push_back(index);
         if (isNew) {
             builder_.noteNonFinite(position, place);
         }
@@ -145,7 +145,7 @@ private:
     const std::string& bytes_;
     SoupBuilder builder_;
     PolygonSoup& soup_;
-    PositionMerger merger_;
+    PointIndex index_;
 };
 
 }  // namespace

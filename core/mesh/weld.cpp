@@ -2,11 +2,9 @@
 #include "core/mesh/weld.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
+#include "core/geometry/point_index.h"
 #include "core/mesh/edge_table.h"
 
 namespace toile {
@@ -18,46 +16,6 @@ constexpr double kToleranceOfMedianEdge = 1e-3;
 /// of them must lie on an earlier one (a closed mesh of loose triangles has five of six).
 constexpr double kLooseShare = 0.95;
 constexpr double kCoincidentShare = 1.0 / 3;
-/// Cells across the largest coordinate: what a double can still count.
-constexpr double kMostCells = 1e15;
-
-using Cell = std::array<std::int64_t, 3>;
-
-std::uint64_t hashOf(const Cell& cell) {
-    std::uint64_t h = 0;
-    for (const std::int64_t c : cell) {
-        h = (h ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15u;
-        h ^= h >> 32;  // the well mixed bits are the high ones, buckets take the low
-    }
-    return h;
-}
-
-/// The vertices kept so far, by the cell they stand in, as chains from hash buckets.
-class Cells {
-public:
-    explicit Cells(int capacity)
-        : bucket_(std::bit_ceil(static_cast<std::size_t>(capacity) + 1), -1),
-          nextInBucket_(capacity, -1) {}
-
-    void insert(const Cell& cell, int vertex) {
-        int& first = bucket_[hashOf(cell) & (bucket_.size() - 1)];
-        nextInBucket_[vertex] = first;
-        first = vertex;
-    }
-
-    /// Visits all vertices of the cell, and perhaps others.
-    template <class Visit>
-    void visit(const Cell& cell, Visit visit) const {
-        for (int v = bucket_[hashOf(cell) & (bucket_.size() - 1)]; v >= 0; v = nextInBucket_[v]) {
-            visit(v);
-        }
-    }
-
-private:
-    std::vector<int> bucket_;
-    std::vector<int> nextInBucket_;
-};
-
 std::vector<char> usedVertices(const Triangles& F, Eigen::Index vertexCount) {
     std::vector<char> used(vertexCount, 0);
     for (Eigen::Index corner = 0; corner < F.size(); ++corner) {
@@ -78,84 +36,27 @@ std::vector<char> borderVertices(const Triangles& F, Eigen::Index vertexCount) {
     return border;
 }
 
-/// Gives positions their cells: the bits themselves where they are to be equal, else cubes of twice
-/// the tolerance, counted from a vertex so that they stay countable far from the origin.
-class Grid {
-public:
-    Grid(const PointsView& V, const std::vector<char>& takesPart, double tolerance)
-        : tolerance_(tolerance) {
-        double extent = 0;
-        bool any = false;
-        for (int v = 0; v < V.rows(); ++v) {
-            if (takesPart[v] != 0) {
-                origin_ = any ? origin_ : Eigen::RowVector3d(V.row(v));
-                any = true;
-                extent = std::max(extent, (V.row(v) - origin_).cwiseAbs().maxCoeff());
-            }
-        }
-        size_ = std::max(2 * tolerance, extent / kMostCells);
-    }
-
-    /// The cell of a point moved by the tolerance along each axis: down (-1), not (0) or up (1).
-    Cell cellOf(const Eigen::RowVector3d& p, int way) const {
-        Cell cell;
-        for (int k = 0; k < 3; ++k) {
-            cell[k] = tolerance_ > 0 ? static_cast<std::int64_t>(std::floor(
-                                           (p[k] - origin_[k] + way * tolerance_) / size_))
-                                     : std::bit_cast<std::int64_t>(p[k] + 0.0);  // -0 + 0 is 0
-        }
-        return cell;
-    }
-
-private:
-    Eigen::RowVector3d origin_ = Eigen::RowVector3d::Zero();
-    double tolerance_;
-    double size_;
-};
-
-/// The least vertex in `cells` that stands within the tolerance of p, or `self`.
-int leastNear(const Cells& cells, const Grid& grid, const PointsView& V, int self,
-              double tolerance) {
-    const Eigen::RowVector3d p = V.row(self);
-    const Cell low = grid.cellOf(p, -1);
-    const Cell high = grid.cellOf(p, 1);  // at most one further along each axis
-    int least = self;
-    for (auto x = low[0]; x <= high[0]; ++x) {
-        for (auto y = low[1]; y <= high[1]; ++y) {
-            for (auto z = low[2]; z <= high[2]; ++z) {
-                cells.visit({x, y, z}, [&](int other) {
-                    if (other < least && (V.row(other) - p).norm() <= tolerance) {
-                        least = other;
-                    }
-                });
-            }
-        }
-    }
-    return least;
-}
-
 }  // namespace
 
 Weld findWeld(const Triangles& F, const PointsView& V, const WeldOptions& options) {
     const int vertexCount = static_cast<int>(V.rows());
-    std::vector<char> takesPart =
+    const std::vector<char> takesPart =
         options.borderOnly ? borderVertices(F, vertexCount) : usedVertices(F, vertexCount);
-    for (int v = 0; v < vertexCount; ++v) {
-        takesPart[v] = takesPart[v] != 0 && V.row(v).allFinite() ? 1 : 0;
-    }
-    const Grid grid(V, takesPart, options.tolerance);
-    Cells kept(vertexCount);
+    std::vector<Eigen::Vector3d> places;
+    std::vector<int> vertexAt;  // per place: the first vertex there
+    PointIndex index(places, options.tolerance);
     Weld weld;
     weld.target.resize(vertexCount);
     for (int v = 0; v < vertexCount; ++v) {
         weld.target[v] = v;
-        if (takesPart[v] == 0) {
+        if (takesPart[v] == 0 || !V.row(v).allFinite()) {
             continue;
         }
-        weld.target[v] = leastNear(kept, grid, V, v, options.tolerance);
-        if (weld.target[v] == v) {
-            kept.insert(grid.cellOf(V.row(v), 0), v);
+        const auto [place, isNew] = index.insert(V.row(v));
+        if (isNew) {
+            vertexAt.push_back(v);
         } else {
+            weld.target[v] = vertexAt[place];
             ++weld.merged;
         }
     }
