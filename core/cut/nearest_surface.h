@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "core/cut/surface_point.h"
+#include "core/geometry/triangle_tree.h"
 
 namespace toile {
 
 /// Finds the surface's nearest point again and again: a tree of boxes around the triangles. Keeps
-/// a reference to the mesh. Cost: O(#F log #F) to build, about O(log #F) a question. Immutable.
+/// a reference to the mesh. Cost: linear to build, about O(log #F) a question. Immutable.
 class NearestSurface {
 public:
     /// Precondition: at least one face, finite positions.
@@ -18,19 +17,8 @@ public:
     SurfacePoint find(const Eigen::Vector3d& p) const;
 
 private:
-    struct Box {
-        Eigen::Vector3d low, high;
-        int first, count;  ///< faces order_[first ..], where it is a leaf
-        int left, right;   ///< child boxes, or -1
-
-        double squaredDistance(const Eigen::Vector3d& p) const;
-    };
-
-    Box boxAround(int first, int count) const;
-
     const MeshArrays& mesh_;
-    std::vector<int> order_;
-    std::vector<Box> boxes_;
+    TriangleTree<3, double> tree_;
 };
 
 /// Weights of the point of a triangle nearest to `p`; exact zeros on its edges and corners.

@@ -45,13 +45,14 @@ void sortByPlace(std::vector<std::uint64_t>& entries) {
 template <class Box>
 Box emptyBox() {
     Box box;
-    box.low.fill(std::numeric_limits<float>::max());
-    box.high.fill(std::numeric_limits<float>::lowest());
+    using Limits = std::numeric_limits<typename decltype(box.low)::value_type>;
+    box.low.fill(Limits::max());
+    box.high.fill(Limits::lowest());
     return box;
 }
 
-template <class Box>
-void extend(Box& box, const float* low, const float* high) {
+template <class Box, class Scalar>
+void extend(Box& box, const Scalar* low, const Scalar* high) {
     for (std::size_t k = 0; k < box.low.size(); ++k) {
         box.low[k] = std::min(box.low[k], low[k]);
         box.high[k] = std::max(box.high[k], high[k]);
@@ -60,14 +61,14 @@ void extend(Box& box, const float* low, const float* high) {
 
 }  // namespace
 
-template <int Dim>
-TriangleTree<Dim>::TriangleTree(const float* points, std::size_t stride,
-                                std::span<const std::uint32_t> triangles) {
+template <int Dim, class Scalar>
+TriangleTree<Dim, Scalar>::TriangleTree(const Scalar* points, std::size_t stride,
+                                        std::span<const std::uint32_t> triangles) {
     const std::size_t count = triangles.size() / 3;
     if (count == 0) {
         return;
     }
-    const auto corner = [&](std::size_t triangle, std::size_t k) -> const float* {
+    const auto corner = [&](std::size_t triangle, std::size_t k) -> const Scalar* {
         return points + triangles[3 * triangle + k] * stride;
     };
     Box all = emptyBox<Box>();
@@ -76,20 +77,21 @@ TriangleTree<Dim>::TriangleTree(const float* points, std::size_t stride,
     }
 
     constexpr std::uint32_t kCells = (1U << (Dim == 2 ? 16 : 10)) - 1;
-    std::array<float, Dim> scale;
+    constexpr auto kFarthest = static_cast<Scalar>(kCells);
+    std::array<Scalar, Dim> scale;
     for (std::size_t k = 0; k < Dim; ++k) {
-        const float size = all.high[k] - all.low[k];
-        scale[k] = size > 0 ? static_cast<float>(kCells) / (3 * size) : 0.0F;
+        const Scalar size = all.high[k] - all.low[k];
+        scale[k] = size > 0 ? kFarthest / (3 * size) : Scalar{0};
     }
     std::vector<std::uint64_t> entries(count);
     for (std::size_t t = 0; t < count; ++t) {
-        const float *a = corner(t, 0), *b = corner(t, 1), *c = corner(t, 2);
+        const Scalar *a = corner(t, 0), *b = corner(t, 1), *c = corner(t, 2);
         std::uint32_t place = 0;
         for (std::size_t k = 0; k < Dim; ++k) {
-            const float cell = (a[k] + b[k] + c[k] - 3 * all.low[k]) * scale[k];
-            const auto bounded =
-                static_cast<std::uint32_t>(std::clamp(cell, 0.0F, static_cast<float>(kCells)));
-            place |= spread<Dim>(bounded) << k;
+            // Where coordinates are so large that their sum is none, any place will do.
+            const Scalar cell = (a[k] + b[k] + c[k] - 3 * all.low[k]) * scale[k];
+            const Scalar bounded = cell > 0 ? std::min(cell, kFarthest) : Scalar{0};
+            place |= spread<Dim>(static_cast<std::uint32_t>(bounded)) << k;
         }
         entries[t] = std::uint64_t{place} << 32 | t;
     }
@@ -104,7 +106,7 @@ TriangleTree<Dim>::TriangleTree(const float* points, std::size_t stride,
     boxes_.assign(2 * leaves - 1, emptyBox<Box>());
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const float* point = corner(order_[i], k);
+            const Scalar* point = corner(order_[i], k);
             extend(boxes_[firstLeaf_ + i / kLeafSize], point, point);
         }
     }
@@ -117,5 +119,6 @@ TriangleTree<Dim>::TriangleTree(const float* points, std::size_t stride,
 
 template class TriangleTree<2>;
 template class TriangleTree<3>;
+template class TriangleTree<3, double>;
 
 }  // namespace toile

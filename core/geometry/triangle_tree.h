@@ -13,21 +13,23 @@ namespace toile {
 /// Boxes within boxes around triangles, for finding the few that a ray or a point may meet. Built
 /// once, in order of the places the triangles have on a curve that fills space (Morton's), which
 /// needs one sort and no choice of planes: 0.1 s for a million. Reading is thread-safe.
-/// @tparam Dim 3 for cloth in space, 2 for flat pieces
-template <int Dim>
+/// @tparam Dim     3 for cloth in space, 2 for flat pieces
+/// @tparam Scalar  of the coordinates: float or, in space, double
+template <int Dim, class Scalar = float>
 class TriangleTree {
 public:
     struct Box {
-        std::array<float, Dim> low, high;
+        std::array<Scalar, Dim> low, high;
     };
     /// Where no box is met.
     static constexpr double kMissed = std::numeric_limits<double>::infinity();
 
     TriangleTree() = default;
-    /// @param points     coordinates of vertex 0, finite; of vertex i `stride` floats further each
+    /// @param points     coordinates of vertex 0, finite; of vertex i `stride` numbers further each
     /// @param triangles  three vertices each
     /// Cost: linear.
-    TriangleTree(const float* points, std::size_t stride, std::span<const std::uint32_t> triangles);
+    TriangleTree(const Scalar* points, std::size_t stride,
+                 std::span<const std::uint32_t> triangles);
 
     bool empty() const { return order_.empty(); }
     /// That it takes in memory.
@@ -86,5 +88,6 @@ private:
 
 extern template class TriangleTree<2>;
 extern template class TriangleTree<3>;
+extern template class TriangleTree<3, double>;
 
 }  // namespace toile
