@@ -8,11 +8,6 @@
 
 namespace toile {
 
-/// Conformal weight of each edge: half the sum of the cotangents of the angles opposite to it
-/// ([DMA02] eq. 5 with the half of the Dirichlet energy). Scale-free. May be negative where those
-/// angles sum to more than pi. Precondition: no degenerate triangles.
-Eigen::VectorXd cotangentWeights(const MeshArrays& mesh, const EdgeTable& table);
-
 /// What the angles of a triangle follow from: at corner k the tangent is doubledArea / at[k].
 struct CornerProducts {
     double at[3];  ///< inner product of the two sides at each corner; they sum to half the sum
@@ -30,6 +25,21 @@ inline CornerProducts cornerProducts(const MeshArrays& mesh, int face) {
     const Eigen::Vector3d jk = mesh.V.row(k) - mesh.V.row(j);
     const bool isNeedle = jk.squaredNorm() < kNeedle * ij.squaredNorm();
     return {{ij.dot(ik), -ij.dot(jk), ik.dot(jk)}, ij.cross(isNeedle ? jk : ik).norm()};
+}
+
+/// Conformal weight of each edge: half the sum of the cotangents of the angles opposite to it
+/// ([DMA02] eq. 5 with the half of the Dirichlet energy). Scale-free. May be negative where those
+/// angles sum to more than pi. Precondition: no degenerate triangles.
+inline Eigen::VectorXd cotangentWeights(const MeshArrays& mesh, const EdgeTable& table) {
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(table.edges.rows());
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        const CornerProducts corners = cornerProducts(mesh, f);
+        const double half = 0.5 / corners.doubledArea;
+        for (int k = 0; k < 3; ++k) {
+            weights[table.faceEdges(f, k)] += half * corners.at[(k + 2) % 3];
+        }
+    }
+    return weights;
 }
 
 }  // namespace toile
