@@ -10,8 +10,8 @@
 
 #include "core/base/text.h"
 #include "core/cut/cut_graph.h"
-#include "core/cut/edge_path.h"
 #include "core/cut/straighten.h"
+#include "core/cut/surface_paths.h"
 #include "core/cut/surface_point.h"
 #include "core/mesh/disk_check.h"
 #include "core/mesh/sides.h"

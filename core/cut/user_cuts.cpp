@@ -6,8 +6,7 @@
 #include <map>
 #include <set>
 
-#include "core/cut/edge_path.h"
-#include "core/cut/geodesic.h"
+#include "core/cut/surface_paths.h"
 #include "core/cut/surface_point.h"
 #include "core/geometry/segment.h"
 

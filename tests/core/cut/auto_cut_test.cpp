@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/cut/edge_path.h"
+#include "core/cut/surface_paths.h"
 #include "tests/core/cut/auto_cut_checks.h"
 #include "tests/core/cut/cut_checks.h"
 #include "tests/core/cut/cut_shapes.h"

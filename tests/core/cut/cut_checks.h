@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/cut/cut_along.h"
-#include "core/cut/geodesic.h"
+#include "core/cut/surface_paths.h"
 
 namespace toile::test {
 

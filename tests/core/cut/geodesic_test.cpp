@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cut/geodesic.h"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "core/cut/edge_path.h"
 #include "core/cut/nearest_surface.h"
 #include "core/cut/straighten.h"
+#include "core/cut/surface_paths.h"
 #include "tests/core/cut/cut_checks.h"
 #include "tests/core/cut/cut_shapes.h"
 #include "tests/core/cut/surface.h"

@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/cut/auto_cut.h"
-#include "core/cut/edge_path.h"
-#include "core/cut/geodesic.h"
+#include "core/cut/surface_paths.h"
 #include "core/cut/user_cuts.h"
 #include "tests/core/cut/cut_checks.h"
 #include "tests/core/cut/surface.h"

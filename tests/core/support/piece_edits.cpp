@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "core/cut/cut_along.h"
-#include "core/cut/edge_path.h"
-#include "core/cut/geodesic.h"
+#include "core/cut/surface_paths.h"
 #include "core/mesh/repair_part.h"
 
 namespace toile::test {
