@@ -21,18 +21,6 @@ struct Chosen {
 std::vector<Chosen> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates,
                                const SeamOptions& options);
 
-/// A part of a candidate run: the unit of choice.
-struct Part {
-    int parent = 0;  ///< the candidate run
-    Run run;
-    double cost = 0;         ///< gap relative to the local edge length, 0 where it coincides
-    bool contested = false;  ///< another part lies on the same place
-};
-
-/// Cuts every run at the places where others begin or end on either of its outlines, and finds out
-/// which parts compete.
-std::vector<Part> cutIntoParts(const Outlines& outlines, const std::vector<Run>& runs);
-
 /// Makes runs one that follow each other on both outlines, with nothing or only a few free edges
 /// between them. `taken` are the places of all runs per piece; bridges are added to it.
 std::vector<Chosen> joinRuns(const Outlines& outlines, std::vector<Chosen> runs,

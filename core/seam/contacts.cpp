@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/seam/contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+
+#include <Eigen/Geometry>
+
+namespace toile {
+namespace {
+
+// Layers on one line that are paired with each other; more are no garment.
+constexpr std::size_t kMostLayers = 8;
+
+/// A boundary edge by what it is in its file.
+struct FileEdge {
+    std::array<int, 3> key;  ///< file, smaller and larger source position
+    int edge;
+    bool upwards;  ///< from the smaller to the larger position
+
+    bool operator<(const FileEdge& other) const {
+        return key != other.key ? key < other.key : edge < other.edge;
+    }
+};
+
+std::vector<FileEdge> fileEdges(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                                const Outlines& outlines) {
+    std::vector<FileEdge> found;
+    for (std::size_t o = 0; o < outlines.list.size(); ++o) {
+        const Outline& outline = outlines.list[o];
+        const Piece& piece = *pieces[outline.piece];
+        const int n = outline.size();
+        if (piece.sourceVertex.size() != static_cast<std::size_t>(piece.mesh.V.rows())) {
+            continue;
+        }
+        for (int k = 0; k < n; ++k) {
+            const int u = piece.sourceVertex[outline.vertices[k]];
+            const int v = piece.sourceVertex[outline.vertices[(k + 1) % n]];
+            if (u >= 0 && v >= 0 && u != v) {
+                found.push_back({{piece.file, std::min(u, v), std::max(u, v)},
+                                 outlines.firstEdge[o] + k,
+                                 u < v});
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+double lengthOf(const Outlines& outlines, int edge) {
+    const int k = outlines.local(edge);
+    return outlines.of(edge).arc[k + 1] - outlines.of(edge).arc[k];
+}
+
+}  // namespace
+
+std::vector<Contact> sharedContacts(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                                    const Outlines& outlines, std::vector<char>& settled) {
+    const std::vector<FileEdge> edges = fileEdges(pieces, outlines);
+    std::vector<Contact> contacts;
+    for (std::size_t from = 0, to = 0; from < edges.size(); from = to) {
+        while (to < edges.size() && edges[to].key == edges[from].key) {
+            ++to;
+        }
+        for (std::size_t i = from; i < to && to - from > 1; ++i) {
+            settled[edges[i].edge] = 1;
+            for (std::size_t j = i + 1; j < std::min(to, i + 1 + kMostLayers); ++j) {
+                const bool parallel = edges[i].upwards == edges[j].upwards;
+                const double la = lengthOf(outlines, edges[i].edge);
+                const double lb = lengthOf(outlines, edges[j].edge);
+                contacts.push_back({edges[i].edge, edges[j].edge, 0, la, parallel ? 0 : lb,
+                                    parallel ? lb : 0, 0, 0, parallel, to - from == 2});
+            }
+        }
+    }
+    return contacts;
+}
+
+namespace {
+
+// A seam is never wider than this part of the garment's diagonal, however coarse the mesh.
+constexpr double kGapOfGarment = 0.004;
+// Cosine between two edges that still count as one line: the turn of one edge on a tight curve.
+constexpr double kSameLine = 0.5;
+// Facing stretches below this part of the shorter edge are end effects of a polyline's corners.
+constexpr double kLeastOverlap = 0.01;
+// Ends of a facing stretch this near to a vertex, relative to the edge, are the vertex.
+constexpr double kAtEnd = 1e-7;
+// Below this fraction of the edge length two sides coincide, and which side is which says nothing.
+constexpr double kTouching = 1e-3;
+
+struct Segment {
+    Eigen::Vector3d from, along;  ///< along is a unit vector
+    Eigen::Vector3d inward;
+    double length, spacing;
+    Eigen::Vector3d at(double s) const { return from + s * along; }
+};
+
+Segment segmentOf(const Outlines& outlines, int edge) {
+    const Outline& outline = outlines.of(edge);
+    const int k = outlines.local(edge);
+    Segment s;
+    s.from = outline.P.row(k);
+    s.length = outline.arc[k + 1] - outline.arc[k];
+    s.along = (outline.P.row((k + 1) % outline.size()).transpose() - s.from) / s.length;
+    s.inward = outline.inward.row(k);
+    s.spacing = outline.spacing[k];
+    return s;
+}
+
+double snapped(double s, double length) {
+    return s < kAtEnd * length ? 0 : s > (1 - kAtEnd) * length ? length : s;
+}
+
+/// True where the cloth itself lies between the two edges: the two sides of a strip or a tip.
+bool acrossTheCloth(const Segment& a, const Segment& b, const Eigen::Vector3d& gap) {
+    const double width = gap.norm();
+    return width > kTouching * a.spacing && gap.dot(a.inward) > 0.5 * width &&
+           gap.dot(b.inward) < -0.5 * width;
+}
+
+std::optional<Contact> contactOf(const Outlines& outlines, int ea, int eb, double tolerance) {
+    const Segment a = segmentOf(outlines, ea), b = segmentOf(outlines, eb);
+    const bool samePiece = outlines.pieceOf(ea) == outlines.pieceOf(eb);
+    const double cosine = a.along.dot(b.along);
+    const bool parallel = cosine > 0;
+    if (std::abs(cosine) < kSameLine || (parallel && samePiece)) {
+        return {};
+    }
+    // Both edges are measured along the line between their directions.
+    const double sign = parallel ? 1 : -1;
+    const Eigen::Vector3d line = (a.along + sign * b.along).normalized();
+    const double slopeA = a.along.dot(line), slopeB = b.along.dot(line);
+    const double offset = (b.from - a.from).dot(line);
+    const double endA = slopeA * a.length, endB = offset + slopeB * b.length;
+    const double low = std::max(0.0, std::min(offset, endB));
+    const double high = std::min(endA, std::max(offset, endB));
+    if (high - low < kLeastOverlap * std::min(a.length, b.length)) {
+        return {};
+    }
+    Contact c{.a = ea, .b = eb};
+    c.a0 = snapped(low / slopeA, a.length);
+    c.a1 = snapped(high / slopeA, a.length);
+    c.b0 = snapped((low - offset) / slopeB, b.length);
+    c.b1 = snapped((high - offset) / slopeB, b.length);
+    const Eigen::Vector3d gap0 = b.at(c.b0) - a.at(c.a0), gap1 = b.at(c.b1) - a.at(c.a1);
+    c.gap0 = gap0.norm();
+    c.gap1 = gap1.norm();
+    c.parallel = parallel;
+    const double allowed = tolerance * 0.5 * (a.spacing + b.spacing);
+    if (0.5 * (c.gap0 + c.gap1) > std::min(allowed, kGapOfGarment * outlines.size) ||
+        (samePiece && acrossTheCloth(a, b, 0.5 * (gap0 + gap1)))) {
+        return {};
+    }
+    return c;
+}
+
+}  // namespace
+
+std::vector<Contact> nearContacts(const Outlines& outlines, double gap,
+                                  const std::vector<char>& settled,
+                                  std::vector<CrowdedPlace>& crowded) {
+    const double most = kGapOfGarment * outlines.size;
+    std::vector<double> reach;  // so that two edges together reach as far as their tolerance
+    for (const Outline& outline : outlines.list) {
+        for (const double spacing : outline.spacing) {
+            reach.push_back(std::min(0.5 * gap * spacing, most));
+        }
+    }
+    NearbyEdges nearby = nearbyEdges(outlines, settled, reach);
+    crowded = std::move(nearby.crowded);
+    std::vector<Contact> contacts;
+    for (const auto& [a, b] : nearby.pairs) {
+        if (const auto contact = contactOf(outlines, a, b, gap)) {
+            contacts.push_back(*contact);
+        }
+    }
+    return contacts;
+}
+
+namespace {
+
+// A contact that gapes by a local edge length weighs this many times less, roughly.
+constexpr double kGapePenalty = 100;
+
+/// Two pieces and how much outline length says that they are wound alike (negative: against).
+struct Balance {
+    int left, right;
+    double alike;
+};
+
+/// How much a contact says about the winding of its pieces, in mm. Near contacts speak more softly
+/// the wider they gape. Parallel edges whose cloth lies on the same side are layers on top of each
+/// other and say nothing; of a piece that is wound against its neighbour the cloth goes on beyond.
+double weightOf(const Outlines& outlines, const Contact& c) {
+    const Outline &a = outlines.of(c.a), &b = outlines.of(c.b);
+    const double gape = 0.5 * (c.gap0 + c.gap1) / a.spacing[outlines.local(c.a)];
+    const double weight = (c.a1 - c.a0) / (1 + kGapePenalty * gape);
+    if (!c.parallel) {
+        return weight;
+    }
+    const double sameSide =
+        a.inward.row(outlines.local(c.a)).dot(b.inward.row(outlines.local(c.b)));
+    return weight * 0.5 * (1 - sameSide);
+}
+
+std::vector<Balance> balances(const Outlines& outlines, const std::vector<Contact>& contacts) {
+    std::map<std::pair<int, int>, double> sums;
+    for (const Contact& c : contacts) {
+        const std::pair<int, int> pieces{outlines.pieceOf(c.a), outlines.pieceOf(c.b)};
+        if (pieces.first != pieces.second) {
+            sums[pieces] += (c.parallel ? -1 : 1) * weightOf(outlines, c);
+        }
+    }
+    std::vector<Balance> list;
+    list.reserve(sums.size());
+    for (const auto& [pieces, sum] : sums) {
+        list.push_back({pieces.first, pieces.second, sum});
+    }
+    std::stable_sort(list.begin(), list.end(), [](const Balance& x, const Balance& y) {
+        return std::abs(x.alike) > std::abs(y.alike);
+    });
+    return list;
+}
+
+/// Union-find by size that also knows whether a member is wound like its root.
+class Windings {
+public:
+    explicit Windings(int pieces) : parent_(pieces), turned_(pieces, 0), size_(pieces, 1) {
+        std::iota(parent_.begin(), parent_.end(), 0);
+    }
+
+    /// Root of x, and whether x is wound against it.
+    std::pair<int, bool> find(int x) const {
+        bool turned = false;
+        for (; parent_[x] != x; x = parent_[x]) {
+            turned ^= turned_[x] != 0;
+        }
+        return {x, turned};
+    }
+
+    void join(int x, int y, bool against) {
+        const auto [rootX, turnedX] = find(x);
+        const auto [rootY, turnedY] = find(y);
+        if (rootX != rootY) {
+            const int upper = size_[rootX] < size_[rootY] ? rootY : rootX;
+            const int lower = upper == rootX ? rootY : rootX;
+            parent_[lower] = upper;
+            size_[upper] += size_[lower];
+            turned_[lower] = (turnedX != turnedY) != against ? 1 : 0;
+        }
+    }
+
+private:
+    std::vector<int> parent_;
+    std::vector<char> turned_;
+    std::vector<int> size_;
+};
+
+}  // namespace
+
+void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& contacts) {
+    Windings windings(static_cast<int>(outlines.list.size()));
+    for (const Balance& b : balances(outlines, contacts)) {
+        windings.join(b.left, b.right, b.alike < 0);
+    }
+    std::erase_if(contacts, [&](const Contact& c) {
+        const bool against = windings.find(outlines.pieceOf(c.a)).second !=
+                             windings.find(outlines.pieceOf(c.b)).second;
+        return !c.certain && c.parallel != against;
+    });
+    std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) {
+        return std::pair(x.a, x.b) < std::pair(y.a, y.b);
+    });
+}
+
+}  // namespace toile
