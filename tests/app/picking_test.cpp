@@ -181,19 +181,6 @@ private slots:
         }
     }
 
-    void emptyAndFlatTreesAnswer() {
-        const TriangleTree<3> empty;
-        int visits = 0;
-        empty.search([](const auto&) { return 0.0; }, [&](std::uint32_t) { ++visits; });
-        QCOMPARE(visits, 0);
-        // All points in one place: a box without extent.
-        const float points[9] = {};
-        const std::uint32_t one[3] = {0, 1, 2};
-        const TriangleTree<3> dot(points, 3, one);
-        dot.search([](const auto&) { return 0.0; }, [&](std::uint32_t) { ++visits; });
-        QCOMPARE(visits, 1);
-    }
-
     void aPickLooksAtFewOfManyTriangles() {
         const auto scene = flatScene(wavySheet(250, 250));
         QCOMPARE(scene->pieces.size(), std::size_t{1});

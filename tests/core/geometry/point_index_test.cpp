@@ -54,7 +54,7 @@ TEST(PointIndex, WithoutToleranceFindsTheSameBits) {
     points.emplace_back(7, 7, 7);  // by somebody else
     EXPECT_EQ(index.insert({8, 8, 8}), std::pair(5, true));
     for (int i = 0; i < 5000; ++i) {
-        EXPECT_EQ(index.insert({i, i + 0.5, 0}).first, 6 + i);
+        EXPECT_EQ(index.insert(Eigen::Vector3d(i, i + 0.5, 0)).first, 6 + i);
     }
     EXPECT_EQ(index.insert({4, 4.5, 0}), std::pair(10, false));
     EXPECT_EQ(index.insert({8, 8, 8}), std::pair(5, false));
