@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include <Eigen/Geometry>
+
+#include "core/geometry/disjoint_sets.h"
 
 namespace toile {
 namespace {
@@ -227,51 +228,24 @@ std::vector<Balance> balances(const Outlines& outlines, const std::vector<Contac
     return list;
 }
 
-/// Union-find by size that also knows whether a member is wound like its root.
-class Windings {
-public:
-    explicit Windings(int pieces) : parent_(pieces), turned_(pieces, 0), size_(pieces, 1) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-
-    /// Root of x, and whether x is wound against it.
-    std::pair<int, bool> find(int x) const {
-        bool turned = false;
-        for (; parent_[x] != x; x = parent_[x]) {
-            turned ^= turned_[x] != 0;
-        }
-        return {x, turned};
-    }
-
-    void join(int x, int y, bool against) {
-        const auto [rootX, turnedX] = find(x);
-        const auto [rootY, turnedY] = find(y);
-        if (rootX != rootY) {
-            const int upper = size_[rootX] < size_[rootY] ? rootY : rootX;
-            const int lower = upper == rootX ? rootY : rootX;
-            parent_[lower] = upper;
-            size_[upper] += size_[lower];
-            turned_[lower] = (turnedX != turnedY) != against ? 1 : 0;
-        }
-    }
-
-private:
-    std::vector<int> parent_;
-    std::vector<char> turned_;
-    std::vector<int> size_;
-};
-
 }  // namespace
 
 void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& contacts) {
-    Windings windings(static_cast<int>(outlines.list.size()));
+    // Pieces as they are wound, and turned over: what is joined is wound alike.
+    DisjointSets sets(2 * static_cast<int>(outlines.list.size()));
+    const auto areAlike = [&sets](int p, int q) { return sets.root(2 * p) == sets.root(2 * q); };
+    const auto areAgainst = [&sets](int p, int q) {
+        return sets.root(2 * p) == sets.root(2 * q + 1);
+    };
     for (const Balance& b : balances(outlines, contacts)) {
-        windings.join(b.left, b.right, b.alike < 0);
+        if (!areAlike(b.left, b.right) && !areAgainst(b.left, b.right)) {
+            const int turn = b.alike < 0 ? 1 : 0;
+            sets.join(2 * b.left, 2 * b.right + turn);
+            sets.join(2 * b.left + 1, 2 * b.right + 1 - turn);
+        }
     }
     std::erase_if(contacts, [&](const Contact& c) {
-        const bool against = windings.find(outlines.pieceOf(c.a)).second !=
-                             windings.find(outlines.pieceOf(c.b)).second;
-        return !c.certain && c.parallel != against;
+        return !c.certain && c.parallel != areAgainst(outlines.pieceOf(c.a), outlines.pieceOf(c.b));
     });
     std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) {
         return std::pair(x.a, x.b) < std::pair(y.a, y.b);
