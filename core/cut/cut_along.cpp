@@ -5,19 +5,18 @@
 #include <set>
 
 #include "core/cut/face_splitter.h"
-#include "core/geometry/disjoint_sets.h"
+#include "core/mesh/corner_fans.h"
 
 namespace toile {
 namespace {
 
 std::optional<Error> whyNotCuttable(const SurfaceLinks& links) {
-    const EdgeTable& table = links.table();
     for (int e = 0; e < links.edgeCount(); ++e) {
-        const int count = table.useStart[e + 1] - table.useStart[e];
-        if (count > 2) {
+        const std::span<const int> uses = links.table().usesOf(e);
+        if (uses.size() > 2) {
             return Error{ErrorCode::NonManifoldEdge, "", ""};
         }
-        if (count == 2 && links.twin(table.use[table.useStart[e]]) < 0) {
+        if (uses.size() == 2 && links.twin(uses[0]) < 0) {
             return Error{ErrorCode::OpposedWinding, "", ""};
         }
     }
@@ -128,26 +127,24 @@ public:
     }
 
     void run() {
-        divideVertices();
+        partVertices();
         for (const auto& steps : steps_) {
             result_.cuts.push_back(follow(steps));
         }
     }
 
 private:
-    static int next(int use) { return 3 * (use / 3) + (use % 3 + 1) % 3; }
-
-    int newTail(int use) const { return result_.mesh.F(use / 3, use % 3); }
-    int newHead(int use) const { return newTail(next(use)); }
+    int newTail(int use) const { return tailOf(result_.mesh.F, use); }
+    int newHead(int use) const { return headOf(result_.mesh.F, use); }
 
     /// The steps of a path; {-1, -1} where it runs along a rim or an earlier cut.
     void collect(const std::vector<int>& path, std::vector<Step>& steps) {
         for (std::size_t i = 1; i < path.size(); ++i) {
             const int e = findEdge(table_.edges, path[i - 1], path[i]);
             Step step{-1, -1};
-            if (e >= 0 && isCut_[e] == 0 && links_.twin(table_.use[table_.useStart[e]]) >= 0) {
+            if (e >= 0 && isCut_[e] == 0 && links_.twin(table_.usesOf(e)[0]) >= 0) {
                 isCut_[e] = 1;
-                const int use = table_.use[table_.useStart[e]];
+                const int use = table_.usesOf(e)[0];
                 const bool along = links_.tail(use) == path[i - 1];
                 step = along ? Step{use, links_.twin(use)} : Step{links_.twin(use), use};
             }
@@ -155,41 +152,21 @@ private:
         }
     }
 
-    void divideVertices() {
-        const int cornerCount = static_cast<int>(source_.F.size());
-        DisjointSets corners(cornerCount);
+    void partVertices() {
+        DisjointSets fans(static_cast<int>(source_.F.size()));
         std::vector<char> isTouched(source_.V.rows(), 0);
         for (int e = 0; e < table_.edges.rows(); ++e) {
+            const std::span<const int> uses = table_.usesOf(e);
             if (isCut_[e] != 0) {
                 isTouched[table_.edges(e, 0)] = 1;
                 isTouched[table_.edges(e, 1)] = 1;
-                continue;
-            }
-            const int* uses = table_.use.data() + table_.useStart[e];
-            for (int i = 1; i < table_.useStart[e + 1] - table_.useStart[e]; ++i) {
-                const bool opposed = links_.tail(uses[0]) != links_.tail(uses[i]);
-                corners.join(uses[0], opposed ? next(uses[i]) : uses[i]);
-                corners.join(next(uses[0]), opposed ? uses[i] : next(uses[i]));
+            } else if (uses.size() == 2) {
+                joinCorners(source_.F, uses[0], uses[1], fans);
             }
         }
         const int sourceCount = static_cast<int>(source_.V.rows());
-        std::vector<char> isTaken(sourceCount, 0);
-        std::vector<int> vertexOf(cornerCount, -1);  // per root
-        for (int c = 0; c < cornerCount; ++c) {
-            const int v = links_.tail(c);
-            if (isTouched[v] == 0) {
-                continue;
-            }
-            int& vertex = vertexOf[corners.root(c)];
-            if (vertex < 0 && isTaken[v] == 0) {
-                isTaken[v] = 1;
-                vertex = v;
-            } else if (vertex < 0) {
-                vertex = sourceCount + static_cast<int>(result_.copyOf.size());
-                result_.copyOf.push_back(v);
-            }
-            result_.mesh.F(c / 3, c % 3) = vertex;
-        }
+        result_.copyOf = divideVertices(result_.mesh.F, sourceCount, fans,
+                                        [&](int v) { return isTouched[v] != 0; });
         const int added = static_cast<int>(result_.copyOf.size());
         result_.mesh.V.conservativeResize(sourceCount + added, 3);
         for (int k = 0; k < added; ++k) {

@@ -19,10 +19,6 @@ constexpr double kSharpVertex = std::numbers::pi / 5;
 constexpr int kMaxPeaks = 16;
 constexpr int kBasePointsTried = 6;
 
-bool isRim(const SurfaceLinks& links, int edge) {
-    return links.table().useStart[edge + 1] - links.table().useStart[edge] == 1;
-}
-
 struct Candidate {
     double length;
     int edge;
@@ -43,7 +39,7 @@ std::vector<Candidate> outside(const SurfaceLinks& links, const ShortestForest& 
     const Edges& edges = links.table().edges;
     std::vector<Candidate> candidates;
     for (int e = 0; e < links.edgeCount(); ++e) {
-        if (!isRim(links, e) && forest.parentEdge[edges(e, 0)] != e &&
+        if (!links.table().isBorder(e) && forest.parentEdge[edges(e, 0)] != e &&
             forest.parentEdge[edges(e, 1)] != e) {
             candidates.push_back(
                 {forest.distance[edges(e, 0)] + weights[e] + forest.distance[edges(e, 1)], e});
@@ -58,7 +54,7 @@ std::vector<Candidate> leftOver(const SurfaceLinks& links, const std::vector<Can
     DisjointSets faces(links.faceCount());
     std::vector<Candidate> left;
     for (auto candidate = sorted.rbegin(); candidate != sorted.rend(); ++candidate) {
-        const int* use = links.table().use.data() + links.table().useStart[candidate->edge];
+        const std::span<const int> use = links.table().usesOf(candidate->edge);
         if (faces.root(use[0] / 3) == faces.root(use[1] / 3)) {
             left.push_back(*candidate);
         } else {

@@ -9,6 +9,7 @@
 #include "core/geometry/buckets.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 
@@ -32,8 +33,8 @@ public:
     int faceCount() const { return static_cast<int>(mesh_.F.rows()); }
     int edgeCount() const { return static_cast<int>(table_.edges.rows()); }
 
-    int tail(int use) const { return mesh_.F(use / 3, use % 3); }
-    int head(int use) const { return mesh_.F(use / 3, (use % 3 + 1) % 3); }
+    int tail(int use) const { return tailOf(mesh_.F, use); }
+    int head(int use) const { return headOf(mesh_.F, use); }
     int edgeOf(int use) const { return table_.faceEdges(use / 3, use % 3); }
     /// The same edge seen from the other triangle, or -1 at a wall.
     int twin(int use) const { return twin_[use]; }

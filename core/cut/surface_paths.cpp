@@ -128,9 +128,8 @@ private:
             }
         } else if (node < start_) {
             const int e = (node - links_.vertexCount()) / onEdge_;
-            const EdgeTable& table = links_.table();
-            for (int i = table.useStart[e]; i < table.useStart[e + 1]; ++i) {
-                expandAcross(table.use[i] / 3, node, at);
+            for (const int use : links_.table().usesOf(e)) {
+                expandAcross(use / 3, node, at);
             }
         } else {
             for (const int face : links_.facesOf(links_.carrierOf(from_))) {

@@ -22,7 +22,7 @@ InnerWays::InnerWays(const Piece& piece)
       neighbours_(static_cast<int>(loopIndex_.size()),
                   [&table = piece.table](auto add) {
                       for (int e = 0; e < table.edges.rows(); ++e) {
-                          if (table.useStart[e + 1] - table.useStart[e] > 1) {
+                          if (!table.isBorder(e)) {
                               add(table.edges(e, 0), table.edges(e, 1));
                               add(table.edges(e, 1), table.edges(e, 0));
                           }

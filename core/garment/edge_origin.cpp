@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/garment/piece.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 namespace {
@@ -23,12 +24,12 @@ std::vector<Rim> rimsOf(const Piece& piece, UpAxis up) {
     std::vector<int> next(vertexCount, -1);
     std::vector<char> isDoubtful(vertexCount, 0), isSeen(vertexCount, 0);
     std::vector<int> tails;
-    for (std::size_t e = 0; e + 1 < table.useStart.size(); ++e) {
-        if (table.useStart[e + 1] - table.useStart[e] == 1) {
-            const int use = table.use[table.useStart[e]];
-            const int tail = piece.mesh.F(use / 3, use % 3);
+    for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
+        if (table.isBorder(e)) {
+            const int side = table.usesOf(e)[0];
+            const int tail = tailOf(piece.mesh.F, side);
             isDoubtful[tail] = next[tail] >= 0 ? 1 : 0;
-            next[tail] = piece.mesh.F(use / 3, (use % 3 + 1) % 3);
+            next[tail] = headOf(piece.mesh.F, side);
             tails.push_back(tail);
         }
     }

@@ -6,6 +6,7 @@
 
 #include "core/geometry/disjoint_sets.h"
 #include "core/geometry/segment.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 namespace {
@@ -148,14 +149,12 @@ std::optional<double> PartOrigins::shareOn(const EdgeOrigin& edge, int vertex) c
 
 std::vector<EdgeOrigin> PartOrigins::of(const Piece& part, const std::vector<int>& vertex) const {
     std::vector<EdgeOrigin> origins;
-    const EdgeTable& table = part.table;
-    for (std::size_t e = 0; e + 1 < table.useStart.size(); ++e) {
-        if (table.useStart[e + 1] - table.useStart[e] != 1) {
+    for (Eigen::Index e = 0; e < part.table.edges.rows(); ++e) {
+        if (!part.table.isBorder(e)) {
             continue;
         }
-        const int use = table.use[table.useStart[e]];
-        const int tail = part.mesh.F(use / 3, use % 3);
-        const int head = part.mesh.F(use / 3, (use % 3 + 1) % 3);
+        const int side = part.table.usesOf(e)[0];
+        const int tail = tailOf(part.mesh.F, side), head = headOf(part.mesh.F, side);
         const auto opened = opened_.find(vertex[tail]);
         if (opened != opened_.end() && opened->second.head == vertex[head]) {
             EdgeOrigin origin = opened->second;

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/sides.h"
+
 namespace toile {
 namespace {
 
@@ -58,8 +60,8 @@ void RimPairs::replace(int left, int right, const Piece& made) {
 void RimPairs::add(const Piece& piece, int index, std::vector<int> numbers) {
     const EdgeTable& table = piece.table;
     std::vector<int>& rim = rims_[index];
-    for (std::size_t e = 0; e + 1 < table.useStart.size(); ++e) {
-        if (table.useStart[e + 1] - table.useStart[e] != 1) {
+    for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
+        if (!table.isBorder(e)) {
             continue;
         }
         if (numbers.empty()) {
@@ -69,9 +71,8 @@ void RimPairs::add(const Piece& piece, int index, std::vector<int> numbers) {
         }
         const int number = numbers.back();
         numbers.pop_back();
-        const int use = table.use[table.useStart[e]];
-        const int tail = piece.mesh.F(use / 3, use % 3);
-        const int head = piece.mesh.F(use / 3, (use % 3 + 1) % 3);
+        const int side = table.usesOf(e)[0];
+        const int tail = tailOf(piece.mesh.F, side), head = headOf(piece.mesh.F, side);
         edges_[number] = {index, tail, head};
         const int from = index_.insert(piece.mesh.V.row(tail)).first;
         ends_[number] = {from, index_.insert(piece.mesh.V.row(head)).first};

@@ -8,6 +8,8 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/disjoint_sets.h"
+#include "core/mesh/corner_fans.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 namespace {
@@ -47,11 +49,7 @@ private:
     int vertexCount() const { return static_cast<int>(mesh_.V.rows()); }
     int faceCount() const { return static_cast<int>(mesh_.F.rows()); }
     int edgeCount() const { return static_cast<int>(table_.edges.rows()); }
-    int uses(int e) const { return table_.useStart[e + 1] - table_.useStart[e]; }
-    int tail(int use) const { return mesh_.F(use / 3, use % 3); }
-    int head(int use) const { return mesh_.F(use / 3, (use % 3 + 1) % 3); }
-    int opposite(int use) const { return mesh_.F(use / 3, (use % 3 + 2) % 3); }
-    const int* firstUse(int e) const { return table_.use.data() + table_.useStart[e]; }
+    std::span<const int> uses(int e) const { return table_.usesOf(e); }
 
     Wording place(int vertex) const {
         const auto p = mesh_.V.row(vertex);
@@ -93,9 +91,9 @@ private:
         for (int e = 0; e < edgeCount(); ++e) {
             // Doubled faces share the vertex opposite to each of their three edges: count at one.
             opposites.clear();
-            for (int i = 0; i < uses(e); ++i) {
-                if (opposite(firstUse(e)[i]) > table_.edges(e, 1)) {
-                    opposites.push_back(opposite(firstUse(e)[i]));
+            for (const int side : uses(e)) {
+                if (apexOf(mesh_.F, side) > table_.edges(e, 1)) {
+                    opposites.push_back(apexOf(mesh_.F, side));
                 }
             }
             std::sort(opposites.begin(), opposites.end());
@@ -104,7 +102,7 @@ private:
                     doubled.see(table_.edges(e, 0));
                 }
             }
-            if (uses(e) > 2) {
+            if (uses(e).size() > 2) {
                 crowded.see(table_.edges(e, 0));
             }
         }
@@ -119,12 +117,12 @@ private:
         Fault opposed;
         DisjointSets sides(2 * faceCount());  // a face as it is, and the face turned over
         for (int e = 0; e < edgeCount(); ++e) {
-            if (uses(e) != 2) {
+            if (uses(e).size() != 2) {
                 continue;
             }
-            const int a = firstUse(e)[0];
-            const int b = firstUse(e)[1];
-            const int same = tail(a) == tail(b) ? 1 : 0;  // both run the same way: opposed
+            const int a = uses(e)[0], b = uses(e)[1];
+            const int same =
+                tailOf(mesh_.F, a) == tailOf(mesh_.F, b) ? 1 : 0;  // both run the same way: opposed
             sides.join(2 * (a / 3), 2 * (b / 3) + same);
             sides.join(2 * (a / 3) + 1, 2 * (b / 3) + 1 - same);
             if (same != 0) {
@@ -145,14 +143,9 @@ private:
     /// The faces around a vertex must hang together by edges.
     bool checkFans() {
         DisjointSets corners(3 * faceCount());
-        const auto cornerAt = [this](int use, int vertex) {
-            return tail(use) == vertex ? use : 3 * (use / 3) + (use % 3 + 1) % 3;
-        };
         for (int e = 0; e < edgeCount(); ++e) {
-            if (uses(e) == 2) {
-                for (const int v : {table_.edges(e, 0), table_.edges(e, 1)}) {
-                    corners.join(cornerAt(firstUse(e)[0], v), cornerAt(firstUse(e)[1], v));
-                }
+            if (uses(e).size() == 2) {
+                joinCorners(mesh_.F, uses(e)[0], uses(e)[1], corners);
             }
         }
         Fault pinched;
@@ -173,8 +166,8 @@ private:
         std::vector<int> next(vertexCount(), -1);
         int boundaryEdges = 0;
         for (int e = 0; e < edgeCount(); ++e) {
-            if (uses(e) == 1) {
-                next[tail(firstUse(e)[0])] = head(firstUse(e)[0]);
+            if (table_.isBorder(e)) {
+                next[tailOf(mesh_.F, uses(e)[0])] = headOf(mesh_.F, uses(e)[0]);
                 ++boundaryEdges;
             }
         }

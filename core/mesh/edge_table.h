@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -13,11 +14,16 @@ namespace toile {
 /// not. Because edges are sorted by (smaller, larger) vertex, they are at the same time the rows of
 /// a symmetric sparse matrix on the vertices.
 struct EdgeTable {
-    Edges edges;          ///< #E x 2, sorted
-    Triangles faceEdges;  ///< #F x 3: edge from corner k to corner k+1
-    std::vector<int>
-        useStart;          ///< #E + 1: uses of edge e are use[useStart[e]] .. use[useStart[e+1]-1]
-    std::vector<int> use;  ///< 3 * face + k, in face order
+    Edges edges;                ///< #E x 2, sorted
+    Triangles faceEdges;        ///< #F x 3: edge from corner k to corner k+1
+    std::vector<int> useStart;  ///< #E + 1: where the uses of an edge begin, see `usesOf`
+    std::vector<int> use;       ///< 3 * face + k, edge by edge, in face order
+
+    /// The sides of triangles that lie on an edge. On the border it is one.
+    std::span<const int> usesOf(Eigen::Index e) const {
+        return {use.data() + useStart[e], use.data() + useStart[e + 1]};
+    }
+    bool isBorder(Eigen::Index e) const { return usesOf(e).size() == 1; }
 };
 
 /// @param vertexCount  all indices of F lie in [0, vertexCount)

@@ -74,11 +74,8 @@ FlippableSurface::FlippableSurface(const MeshArrays& mesh, const EdgeTable& tabl
             Halfedge& halfedge = halfedges_[3 * f + k];
             halfedge.next = 3 * f + (k + 1) % 3;
             halfedge.origin = mesh.F(f, k);
-            const int edge = table.faceEdges(f, k);
-            const int first = table.useStart[edge];
-            halfedge.twin = table.useStart[edge + 1] - first == 2
-                                ? table.use[first] + table.use[first + 1] - (3 * f + k)
-                                : -1;
+            const std::span<const int> uses = table.usesOf(table.faceEdges(f, k));
+            halfedge.twin = uses.size() == 2 ? uses[0] + uses[1] - (3 * f + k) : -1;
         }
         layOut(mesh, f);
     }

@@ -131,11 +131,10 @@ EdgeTable dropDuplicates(MeshPart& part, RepairNotes& notes) {
     std::vector<std::pair<int, int>> apexes;  // third vertex, face
     for (int e = 0; e < table.edges.rows(); ++e) {
         apexes.clear();
-        for (int u = table.useStart[e]; u < table.useStart[e + 1]; ++u) {
-            const int f = table.use[u] / 3;
-            const int apex = F(f, (table.use[u] % 3 + 2) % 3);
+        for (const int side : table.usesOf(e)) {
+            const int apex = apexOf(F, side);
             if (apex > table.edges(e, 1)) {  // each face at one of its edges: that of its least two
-                apexes.emplace_back(apex, f);
+                apexes.emplace_back(apex, side / 3);
             }
         }
         std::sort(apexes.begin(), apexes.end());

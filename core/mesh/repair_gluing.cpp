@@ -20,7 +20,7 @@ constexpr double kAngleStep = 1e-6;
 constexpr double kHandicap = std::numbers::pi / 2;
 /// Where more faces than this share one edge, no pair means anything, and looking at all of them
 /// would be quadratic: all are cut free.
-constexpr int kMostFacesPaired = 64;
+constexpr std::size_t kMostFacesPaired = 64;
 
 /// Two faces that might be joined at an edge. The order of the members is the order of preference.
 struct Pair {
@@ -44,10 +44,10 @@ public:
         gluing_.cutAtVertex.assign(mesh_.V.rows(), 0);
         std::vector<int> crowded;
         for (int e = 0; e < table_.edges.rows(); ++e) {
-            const int uses = table_.useStart[e + 1] - table_.useStart[e];
-            if (uses == 2) {
-                join(table_.use[table_.useStart[e]], table_.use[table_.useStart[e] + 1]);
-            } else if (uses > 2) {
+            const std::span<const int> uses = table_.usesOf(e);
+            if (uses.size() == 2) {
+                join(uses[0], uses[1]);
+            } else if (uses.size() > 2) {
                 crowded.push_back(e);
                 for (const int v : {table_.edges(e, 0), table_.edges(e, 1)}) {
                     gluing_.cutAtVertex[v] = 1;
@@ -99,19 +99,17 @@ private:
     }
 
     void collectPairs(int e, const Sides& sides, std::vector<Pair>& pairs) const {
-        const int from = table_.useStart[e];
-        const int to = table_.useStart[e + 1];
-        if (to - from > kMostFacesPaired) {
+        const std::span<const int> uses = table_.usesOf(e);
+        if (uses.size() > kMostFacesPaired) {
             return;
         }
         const auto isForward = [&](int side) {
             const bool runs = tailOf(mesh_.F, side) == table_.edges(e, 0);
             return runs != (mayTurn_ && sides.turn[side / 3] != 0);
         };
-        for (int i = from; i < to; ++i) {
-            for (int j = i + 1; j < to; ++j) {
-                const int a = table_.use[i];
-                const int b = table_.use[j];
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            for (std::size_t j = i + 1; j < uses.size(); ++j) {
+                const int a = uses[i], b = uses[j];
                 const int turn = isForward(a) == isForward(b) ? 1 : 0;
                 if (turn == 0 || mayTurn_) {
                     const int strange = sides.component[a / 3] == sides.component[b / 3] ? 0 : 1;
@@ -156,12 +154,6 @@ Gluing glue(const MeshArrays& mesh, const EdgeTable& table, bool mayTurn, Repair
 }
 
 namespace {
-
-double areaOf(const MeshArrays& mesh, int f) {
-    const Eigen::RowVector3d a = mesh.V.row(mesh.F(f, 1)) - mesh.V.row(mesh.F(f, 0));
-    const Eigen::RowVector3d b = mesh.V.row(mesh.F(f, 2)) - mesh.V.row(mesh.F(f, 0));
-    return a.cross(b).norm() / 2;
-}
 
 /// The way that is turned has the larger area by more than rounding; where the two are equal, the
 /// first face decides.
@@ -218,7 +210,8 @@ Sides findSides(const MeshArrays& mesh, const std::vector<int>& twin) {
         }
         double area[2] = {0, 0};
         for (std::size_t at = first; at < queue.size(); ++at) {
-            area[sides.turn[queue[at]] == 0 ? 0 : 1] += areaOf(mesh, queue[at]);
+            area[sides.turn[queue[at]] == 0 ? 0 : 1] +=
+                0.5 * doubleAreaNormal(mesh, queue[at]).norm();
         }
         for (std::size_t at = first; at < queue.size(); ++at) {
             char& turn = sides.turn[queue[at]];

@@ -1,53 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/repair_steps.h"
-
-#include "core/geometry/disjoint_sets.h"
+#include "core/mesh/corner_fans.h"
 #include "core/mesh/edge_table.h"
+#include "core/mesh/repair_steps.h"
 
 namespace toile {
 
 void separateFans(MeshPart& part, const Gluing& gluing, RepairNotes& notes) {
-    const Triangles& F = part.mesh.F;
-    const int cornerCount = static_cast<int>(F.size());
-    DisjointSets fans(cornerCount);  // a side's index is the corner at its tail
-    for (int side = 0; side < cornerCount; ++side) {
-        const int twin = gluing.twin[side];
-        if (twin > side) {
-            const bool opposed = tailOf(F, side) == tailOf(F, twin);
-            fans.join(side, opposed ? twin : nextSide(twin));
-            fans.join(nextSide(side), opposed ? nextSide(twin) : twin);
+    DisjointSets fans(static_cast<int>(part.mesh.F.size()));
+    for (int side = 0; side < static_cast<int>(part.mesh.F.size()); ++side) {
+        if (gluing.twin[side] > side) {
+            joinCorners(part.mesh.F, side, gluing.twin[side], fans);
         }
     }
-    const int vertexCount = static_cast<int>(part.mesh.V.rows());
-    std::vector<int> firstFan(vertexCount, -1);
+    const std::vector<int> copies = divideVertices(
+        part.mesh.F, static_cast<int>(part.mesh.V.rows()), fans, [](int) { return true; });
     std::vector<char> isNoted(gluing.cutAtVertex);
-    std::vector<int> ofFan(cornerCount, -1);  // at a fan's least corner: its vertex
-    std::vector<int> copies;
-    for (int corner = 0; corner < cornerCount; ++corner) {
-        const int v = F.data()[corner];
-        if (fans.root(corner) != corner) {
-            continue;
-        }
-        if (firstFan[v] < 0) {
-            firstFan[v] = corner;
-            ofFan[corner] = v;
-            continue;
-        }
-        ofFan[corner] = vertexCount + static_cast<int>(copies.size());
-        copies.push_back(v);
+    for (const int v : copies) {
         if (isNoted[v] == 0) {  // the ends of edges cut apart are part of that note
             isNoted[v] = 1;
             notes.add(ErrorCode::VerticesSplit, "vertex", translatable("split"),
                       part.mesh.V.row(v));
         }
     }
-    if (copies.empty()) {
-        return;
+    if (!copies.empty()) {
+        appendCopies(part, copies);
     }
-    for (int corner = 0; corner < cornerCount; ++corner) {
-        part.mesh.F.data()[corner] = ofFan[fans.root(corner)];
-    }
-    appendCopies(part, copies);
 }
 
 namespace {
@@ -87,12 +64,11 @@ private:
     void collect() {
         const EdgeTable table = buildEdgeTable(part_.mesh.F, static_cast<int>(part_.mesh.V.rows()));
         for (int e = 0; e < table.edges.rows(); ++e) {
-            const int first = table.useStart[e];
-            for (int u = first + 1; u < table.useStart[e + 1]; ++u) {
-                const int side = table.use[u];
+            const std::span<const int> uses = table.usesOf(e);
+            for (const int side : uses.subspan(1)) {
                 const int other = twin_[side];
                 // Uses are sorted: a joined edge is seen at its smaller side.
-                if (other == table.use[first] || (other >= 0 && other < side)) {
+                if (other == uses[0] || (other >= 0 && other < side)) {
                     continue;
                 }
                 if (touched_[side / 3] == 0 && (other < 0 || touched_[other / 3] == 0)) {

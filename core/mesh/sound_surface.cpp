@@ -34,11 +34,10 @@ std::vector<int> plainTwins(const Triangles& F, const EdgeTable& table) {
     std::vector<int> twin(static_cast<std::size_t>(F.size()));
     const int edgeCount = static_cast<int>(table.edges.rows());
     for (int e = 0; e < edgeCount; ++e) {
-        const int* use = table.use.data() + table.useStart[e];
-        const int uses = table.useStart[e + 1] - table.useStart[e];
-        if (uses == 1) {
+        const std::span<const int> use = table.usesOf(e);
+        if (use.size() == 1) {
             twin[use[0]] = -1;
-        } else if (uses == 2 && tailOf(F, use[0]) != tailOf(F, use[1]) &&
+        } else if (use.size() == 2 && tailOf(F, use[0]) != tailOf(F, use[1]) &&
                    apexOf(F, use[0]) != apexOf(F, use[1])) {
             twin[use[0]] = use[1];
             twin[use[1]] = use[0];

@@ -28,7 +28,7 @@ std::vector<char> borderVertices(const Triangles& F, Eigen::Index vertexCount) {
     std::vector<char> border(vertexCount, 0);
     const EdgeTable table = buildEdgeTable(F, static_cast<int>(vertexCount));
     for (int e = 0; e < table.edges.rows(); ++e) {
-        if (table.useStart[e + 1] - table.useStart[e] != 2) {
+        if (table.usesOf(e).size() != 2) {
             border[table.edges(e, 0)] = 1;
             border[table.edges(e, 1)] = 1;
         }

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/sides.h"
 #include "core/quality/measures.h"
 
 namespace toile {
@@ -17,8 +18,7 @@ constexpr int kSpacingReach = 2;
 
 /// The corner opposite to edge (u, v) in its one triangle.
 int oppositeVertex(const Piece& piece, int u, int v) {
-    const int use = piece.table.use[piece.table.useStart[findEdge(piece.table.edges, u, v)]];
-    return piece.mesh.F(use / 3, (use % 3 + 2) % 3);
+    return apexOf(piece.mesh.F, piece.table.usesOf(findEdge(piece.table.edges, u, v))[0]);
 }
 
 Outline buildOutline(const Piece& piece, int index, int hole) {

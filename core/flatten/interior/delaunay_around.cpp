@@ -78,7 +78,7 @@ WeightedEdges without(const Part& part, const EdgeTable& table, const Eigen::Vec
     WeightedEdges rest{table.edges, std::move(weights)};
     Eigen::Index count = 0;
     for (int e = 0; e < table.edges.rows(); ++e) {
-        if (uses[e] < table.useStart[e + 1] - table.useStart[e]) {
+        if (uses[e] < std::ssize(table.usesOf(e))) {
             rest.edges.row(count) = rest.edges.row(e);
             rest.weights[count++] = rest.weights[e];
         }

@@ -32,9 +32,8 @@ void expectTableOf(const Triangles& F, int vertexCount) {
     for (const auto& [ends, of] : uses) {
         EXPECT_EQ(table.edges(e, 0), ends.first);
         EXPECT_EQ(table.edges(e, 1), ends.second);
-        EXPECT_EQ(std::vector<int>(table.use.begin() + table.useStart[e],
-                                   table.use.begin() + table.useStart[e + 1]),
-                  of);
+        EXPECT_TRUE(std::ranges::equal(table.usesOf(e), of));
+        EXPECT_EQ(table.isBorder(e), of.size() == 1);
         for (const int use : of) {
             EXPECT_EQ(table.faceEdges(use / 3, use % 3), e);
         }
