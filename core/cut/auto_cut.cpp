@@ -13,6 +13,7 @@
 #include "core/cut/straighten.h"
 #include "core/cut/surface_paths.h"
 #include "core/cut/surface_point.h"
+#include "core/geometry/segment.h"
 #include "core/mesh/disk_check.h"
 #include "core/mesh/sides.h"
 
@@ -30,16 +31,12 @@ constexpr double kGraphShare = 0.3;
 constexpr double kTightShare = 0.6;
 
 double foldAngle(const SurfaceLinks& links, int edge) {
-    const EdgeTable& table = links.table();
-    if (table.useStart[edge + 1] - table.useStart[edge] != 2) {
+    const std::span<const int> uses = links.table().usesOf(edge);
+    if (uses.size() != 2) {
         return 0;
     }
-    const auto normal = [&](int use) -> Eigen::Vector3d {
-        return doubleAreaNormal(links.mesh(), table.use[use] / 3);
-    };
-    const Eigen::Vector3d m = normal(table.useStart[edge]);
-    const Eigen::Vector3d n = normal(table.useStart[edge] + 1);
-    return std::atan2(m.cross(n).norm(), m.dot(n));
+    return angleBetween(doubleAreaNormal(links.mesh(), uses[0] / 3),
+                        doubleAreaNormal(links.mesh(), uses[1] / 3));
 }
 
 class Proposer {

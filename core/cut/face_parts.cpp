@@ -198,10 +198,6 @@ constexpr double kLeastShare = 1e-6;
 /// For each part, should rounding turn edges to and fro.
 constexpr std::size_t kMostTurns = 100;
 
-double angle(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return std::abs(std::atan2(cross(a, b), a.dot(b)));
-}
-
 /// A source triangle laid flat at its true size.
 class FlatFace {
 public:
@@ -232,7 +228,8 @@ bool shouldTurn(const FlatFace& flat, int a, int b, int c, int d) {
     const Eigen::Vector2d pd = flat.at(d);
     const double whole = cross(pb - pa, pc - pa) + cross(pa - pb, pd - pb);
     const double least = kLeastShare * whole;
-    return angle(pa - pc, pb - pc) + angle(pa - pd, pb - pd) > std::numbers::pi + kTurnable &&
+    return angleBetween(pa - pc, pb - pc) + angleBetween(pa - pd, pb - pd) >
+               std::numbers::pi + kTurnable &&
            cross(pd - pa, pc - pa) > least && cross(pc - pb, pd - pb) > least;
 }
 

@@ -55,7 +55,7 @@ SurfacePoint NearestSurface::find(const Eigen::Vector3d& p) const {
     const auto distanceTo = [&](const auto& box) {
         const Eigen::Map<const Eigen::Vector3d> low(box.low.data()), high(box.high.data());
         const double distance = (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
-        return distance > least ? tree_.kMissed : distance;
+        return distance > least ? decltype(tree_)::kMissed : distance;
     };
     tree_.search(distanceTo, [&](std::uint32_t triangle) {
         const int f = static_cast<int>(triangle);

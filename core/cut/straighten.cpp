@@ -20,10 +20,6 @@ constexpr double kStraightAngle = 1e-8;
 constexpr double kThroughVertex = 1e-9;
 constexpr int kMaxPasses = 10000;
 
-double angleBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return std::abs(std::atan2(cross(a, b), a.dot(b)));
-}
-
 /// A stretch of gates that share a vertex, and the way around the vertex's other side.
 struct Detour {
     int first, last;  ///< gates

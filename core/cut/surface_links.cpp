@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
+#include "core/geometry/segment.h"
 
 namespace toile {
 
@@ -15,8 +15,8 @@ SurfaceLinks::SurfaceLinks(const MeshArrays& mesh, const EdgeTable& table)
           }
       }) {
     for (int e = 0; e < edgeCount(); ++e) {
-        const int* use = table.use.data() + table.useStart[e];
-        if (table.useStart[e + 1] - table.useStart[e] == 2 && tail(use[0]) != tail(use[1])) {
+        const std::span<const int> use = table.usesOf(e);
+        if (use.size() == 2 && tail(use[0]) != tail(use[1])) {
             twin_[use[0]] = use[1];
             twin_[use[1]] = use[0];
         }
@@ -35,10 +35,9 @@ int SurfaceLinks::cornerIn(int face, int vertex) const {
 double SurfaceLinks::angleAt(int corner) const {
     const int f = corner / 3;
     const int k = corner % 3;
-    const Eigen::Vector3d at = mesh_.V.row(mesh_.F(f, k));
-    const Eigen::Vector3d a = mesh_.V.row(mesh_.F(f, (k + 1) % 3)).transpose() - at;
-    const Eigen::Vector3d b = mesh_.V.row(mesh_.F(f, (k + 2) % 3)).transpose() - at;
-    return std::atan2(a.cross(b).norm(), a.dot(b));
+    const auto at = mesh_.V.row(mesh_.F(f, k));
+    return angleBetween(mesh_.V.row(mesh_.F(f, (k + 1) % 3)) - at,
+                        mesh_.V.row(mesh_.F(f, (k + 2) % 3)) - at);
 }
 
 bool SurfaceLinks::isInner(int vertex) const {
@@ -83,8 +82,8 @@ std::vector<int> SurfaceLinks::facesOf(const Carrier& carrier) const {
     if (carrier.kind == Carrier::Kind::Face) {
         faces.push_back(carrier.index);
     } else if (carrier.kind == Carrier::Kind::Edge) {
-        for (int i = table_.useStart[carrier.index]; i < table_.useStart[carrier.index + 1]; ++i) {
-            faces.push_back(table_.use[i] / 3);
+        for (const int use : table_.usesOf(carrier.index)) {
+            faces.push_back(use / 3);
         }
     } else {
         for (const int c : cornersAt(carrier.index)) {
@@ -135,7 +134,7 @@ SurfacePoint SurfaceLinks::atVertex(int vertex) const {
 }
 
 SurfacePoint SurfaceLinks::onEdge(int edge, double t) const {
-    const int use = table_.use[table_.useStart[edge]];
+    const int use = table_.usesOf(edge)[0];
     const bool along = tail(use) == table_.edges(edge, 0);
     SurfacePoint point{use / 3, Eigen::Vector3d::Zero()};
     point.barycentric[use % 3] = along ? 1 - t : t;

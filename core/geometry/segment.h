@@ -2,8 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace toile {
 
@@ -11,6 +12,25 @@ namespace toile {
 template <class A, class B>
 double cross(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
     return a.x() * b.y() - a.y() * b.x();
+}
+
+/// The angle from one vector of the plane to another, anti-clockwise, in [-pi, pi]. By atan2, as
+/// all angles: exact digits for thin triangles, where acos loses half.
+template <class A, class B>
+double turnBetween(const Eigen::MatrixBase<A>& from, const Eigen::MatrixBase<B>& to) {
+    return std::atan2(cross(from, to), from.dot(to));
+}
+
+/// The angle between two vectors of the plane or of space, in [0, pi].
+template <class A, class B>
+double angleBetween(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
+    const typename A::PlainObject u = a;
+    const typename B::PlainObject v = b;
+    if constexpr (A::SizeAtCompileTime == 2) {
+        return std::abs(turnBetween(u, v));
+    } else {
+        return std::atan2(u.cross(v).norm(), u.dot(v));
+    }
 }
 
 /// The point of a segment that is nearest to another point, as a share of the way from `a` to `b`:

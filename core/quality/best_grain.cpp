@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/angle.h"
+#include "core/mesh/sides.h"
 #include "core/quality/metric_tensor.h"
 
 namespace toile {
@@ -31,11 +32,8 @@ struct Stretch {
 
 /// Of a triangle; no area where it cannot be measured.
 Stretch stretchOf(const MeshArrays& mesh, const Points2& Q, Eigen::Index face) {
-    const int a = mesh.F(face, 0), b = mesh.F(face, 1), c = mesh.F(face, 2);
-    const Eigen::Vector3d X1 = (mesh.V.row(b) - mesh.V.row(a)).transpose();
-    const Eigen::Vector3d X2 = (mesh.V.row(c) - mesh.V.row(a)).transpose();
     const MetricTensor metric = unboundedMetric(mesh, Q, face);
-    Stretch stretch{0.5 * X1.cross(X2).norm(), 0.5 * (metric.E + metric.G),
+    Stretch stretch{0.5 * doubleAreaNormal(mesh, face).norm(), 0.5 * (metric.E + metric.G),
                     0.5 * (metric.E - metric.G), metric.F};
     const double largest = stretch.mean + std::hypot(stretch.cosine, stretch.sine);
     if (!std::isfinite(largest) || !std::isfinite(stretch.area)) {

@@ -9,14 +9,10 @@
 
 #include "core/geometry/segment.h"
 #include "core/mesh/cotangents.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 namespace {
-
-/// Angle between two vectors by atan2: exact digits for thin triangles, where acos loses half.
-double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 template <class Points>
 Eigen::VectorXd loopLengths(const Points& P, const std::vector<int>& boundary) {
@@ -26,6 +22,19 @@ Eigen::VectorXd loopLengths(const Points& P, const std::vector<int>& boundary) {
         lengths[i] = (P.row(boundary[(i + 1) % n]) - P.row(boundary[i])).norm();
     }
     return lengths;
+}
+
+template <class Points>
+Eigen::MatrixX3d cornerAngles(const Points& P, const Triangles& F) {
+    Eigen::MatrixX3d angles(F.rows(), 3);
+    for (int f = 0; f < F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const auto at = P.row(F(f, k));
+            angles(f, k) =
+                angleBetween(P.row(F(f, (k + 1) % 3)) - at, P.row(F(f, (k + 2) % 3)) - at);
+        }
+    }
+    return angles;
 }
 
 template <class Points>
@@ -68,7 +77,7 @@ Eigen::VectorXd boundaryAngles2d(const Points2& Q, const std::vector<int>& bound
         const Eigen::RowVector2d at = Q.row(boundary[i]);
         const Eigen::RowVector2d forward = Q.row(boundary[(i + 1) % n]) - at;
         const Eigen::RowVector2d backward = Q.row(boundary[(i + n - 1) % n]) - at;
-        const double angle = std::atan2(cross(forward, backward), forward.dot(backward));
+        const double angle = turnBetween(forward, backward);
         angles[i] = angle < 0 ? angle + 2 * std::numbers::pi : angle;
     }
     return angles;
@@ -93,9 +102,7 @@ Eigen::VectorXd edgeLengths2d(const Points2& Q, const Edges& edges) {
 Eigen::VectorXd triangleAreas3d(const MeshArrays& mesh) {
     Eigen::VectorXd areas(mesh.F.rows());
     for (int f = 0; f < mesh.F.rows(); ++f) {
-        const Eigen::Vector3d a = mesh.V.row(mesh.F(f, 1)) - mesh.V.row(mesh.F(f, 0));
-        const Eigen::Vector3d b = mesh.V.row(mesh.F(f, 2)) - mesh.V.row(mesh.F(f, 0));
-        areas[f] = 0.5 * a.cross(b).norm();
+        areas[f] = 0.5 * doubleAreaNormal(mesh, f).norm();
     }
     return areas;
 }
@@ -109,27 +116,11 @@ Eigen::VectorXd triangleAreas2d(const Points2& Q, const Triangles& F) {
 }
 
 Eigen::MatrixX3d cornerAngles3d(const MeshArrays& mesh) {
-    Eigen::MatrixX3d angles(mesh.F.rows(), 3);
-    for (int f = 0; f < mesh.F.rows(); ++f) {
-        for (int k = 0; k < 3; ++k) {
-            const auto at = mesh.V.row(mesh.F(f, k));
-            angles(f, k) = angleBetween(mesh.V.row(mesh.F(f, (k + 1) % 3)) - at,
-                                        mesh.V.row(mesh.F(f, (k + 2) % 3)) - at);
-        }
-    }
-    return angles;
+    return cornerAngles(mesh.V, mesh.F);
 }
 
 Eigen::MatrixX3d cornerAngles2d(const Points2& Q, const Triangles& F) {
-    Eigen::MatrixX3d angles(F.rows(), 3);
-    for (int f = 0; f < F.rows(); ++f) {
-        for (int k = 0; k < 3; ++k) {
-            const Eigen::RowVector2d a = Q.row(F(f, (k + 1) % 3)) - Q.row(F(f, k));
-            const Eigen::RowVector2d b = Q.row(F(f, (k + 2) % 3)) - Q.row(F(f, k));
-            angles(f, k) = std::atan2(std::abs(cross(a, b)), a.dot(b));
-        }
-    }
-    return angles;
+    return cornerAngles(Q, F);
 }
 
 Eigen::MatrixX2d singularValues(const MeshArrays& mesh, const Points2& Q) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/geometry/segment.h"
 #include "core/mesh/sides.h"
 #include "core/quality/measures.h"
 
@@ -38,7 +39,7 @@ MetricTensor unboundedMetric(const MeshArrays& mesh, const Points2& Q, Eigen::In
     const Eigen::Vector2d u1 = (Q.row(b) - Q.row(a)).transpose();
     const Eigen::Vector2d u2 = (Q.row(c) - Q.row(a)).transpose();
     // Images of the x and y steps: [X1 X2] times the inverse of [u1 u2].
-    const double determinant = u1.x() * u2.y() - u1.y() * u2.x();
+    const double determinant = cross(u1, u2);
     const Eigen::Vector3d alongX = (u2.y() * X1 - u1.y() * X2) / determinant;
     const Eigen::Vector3d alongY = (u1.x() * X2 - u2.x() * X1) / determinant;
     return {alongX.squaredNorm(), alongX.dot(alongY), alongY.squaredNorm()};

@@ -104,7 +104,7 @@ private:
     int side(const Point& p, const Point& q, const Point& r) const {
         const Point along = q - p;
         const Point to = r - p;
-        const double doubledArea = along.x() * to.y() - along.y() * to.x();
+        const double doubledArea = cross(along, to);
         return std::abs(doubledArea) <= touching_ * along.norm() ? 0 : exactOrientation(p, q, r);
     }
 

@@ -6,6 +6,7 @@
 
 #include "core/flatten/boundary/boundary_kkt.h"
 #include "core/flatten/boundary/circle_outline.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {
@@ -38,7 +39,7 @@ Vector circleDirections(const Points2& circle) {
     for (int i = 0; i + 1 < n; ++i) {
         const Eigen::RowVector2d in = circle.row(i) - circle.row((i + n - 1) % n);
         const Eigen::RowVector2d out = circle.row(i + 1) - circle.row(i);
-        turned += std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+        turned += turnBetween(in, out);
         phi[i] = turned;
     }
     return phi;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/segment.h"
+
 namespace toile {
 
 OutlineBending::OutlineBending(EdgeLoops loops, Eigen::VectorXd angles,
@@ -23,7 +25,7 @@ OutlineBending::Turn OutlineBending::turnAt(const Points2& Q, int i) const {
     const Eigen::RowVector2d next = Q.row(turn.vertex[2]) - Q.row(turn.vertex[1]);
     const Eigen::RowVector2d back = Q.row(turn.vertex[0]) - Q.row(turn.vertex[1]);
     // The inner angle: from the next edge anti-clockwise to the one before.
-    const double theta = std::atan2(next.x() * back.y() - next.y() * back.x(), next.dot(back));
+    const double theta = turnBetween(next, back);
     const double half = 0.5 * (theta - angles_[i]);
     turn.excess = 2 * std::sin(half);
     const auto turned = [](const Eigen::RowVector2d& e) -> Eigen::RowVector2d {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/segment.h"
 
+#include <numbers>
+
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
@@ -8,6 +10,19 @@ namespace toile {
 namespace {
 
 const Eigen::Vector2d kFrom(1, 2), kTo(5, 5);  // 5 long
+
+TEST(Segment, HasAnAngleToAnother) {
+    const Eigen::Vector2d x(2, 0), y(0, 3);
+    EXPECT_DOUBLE_EQ(turnBetween(x, y), std::numbers::pi / 2);
+    EXPECT_DOUBLE_EQ(turnBetween(y, x), -std::numbers::pi / 2);
+    EXPECT_DOUBLE_EQ(angleBetween(y, x), std::numbers::pi / 2);
+    EXPECT_EQ(angleBetween(x, 2 * x), 0);
+    EXPECT_DOUBLE_EQ(angleBetween(x, -x), std::numbers::pi);
+    // A hundred million times as long as apart: the cosine is 1.
+    const Eigen::RowVector3d along(1, 2, 2),
+        beside = along + 3e-8 * Eigen::RowVector3d(2, 1, -2) / 3;
+    EXPECT_NEAR(angleBetween(along, beside), 1e-8, 1e-15);
+}
 
 TEST(Segment, IsNearestWhereTheWayMeetsItAtRightAngles) {
     const Eigen::Vector2d across(-0.6, 0.8);

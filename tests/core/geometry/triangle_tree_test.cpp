@@ -50,7 +50,7 @@ TYPED_TEST(TriangleTreeOf, MeetsAllBoxesThatHoldAPlace) {
                     for (std::size_t k = 0; k < 3; ++k) {
                         holds = holds && box.low[k] <= at[k] && at[k] <= box.high[k];
                     }
-                    return holds ? 0.0 : tree.kMissed;
+                    return holds ? 0.0 : TriangleTree<3, Scalar>::kMissed;
                 },
                 [&](std::uint32_t triangle) { EXPECT_TRUE(visited.insert(triangle).second); });
             EXPECT_TRUE(visited.contains(t));
