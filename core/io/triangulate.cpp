@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/tolerances.h"
-#include "core/io/ear_clipping.h"
+#include "core/geometry/ear_clipping.h"
 #include "core/io/problem_tally.h"
 
 namespace toile {

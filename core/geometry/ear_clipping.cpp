@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/ear_clipping.h"
+#include "core/geometry/ear_clipping.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/segment.h"
+
 #include <array>
 #include <cmath>
-
-#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {
