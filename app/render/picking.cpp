@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/segment.h"
+
 namespace toile {
 
 namespace {
@@ -64,10 +66,7 @@ std::optional<Meeting> meet(const Ray& ray, const Eigen::Vector3d& a, const Eige
 /// Weights of a triangle's corners at a point in it, whichever way the triangle is turned.
 std::optional<Eigen::Vector3d> weightsAt(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                                          const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    const auto side = [&p](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-        return (to.x() - from.x()) * (p.y() - from.y()) - (to.y() - from.y()) * (p.x() - from.x());
-    };
-    const double u = side(b, c), v = side(c, a), w = side(a, b);
+    const double u = cross(c - b, p - b), v = cross(a - c, p - c), w = cross(b - a, p - a);
     const bool covered = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     const double sum = u + v + w;
     return covered && sum != 0 ? std::optional<Eigen::Vector3d>(Eigen::Vector3d(u, v, w) / sum)

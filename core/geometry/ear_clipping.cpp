@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/tolerances.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {
@@ -13,7 +14,7 @@ using Eigen::Vector2d;
 
 /// Twice the signed area of a triangle: positive where it runs anti-clockwise.
 double orientation(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
-    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+    return cross(b - a, c - a);
 }
 
 /// Signed height over the longest edge, relative to that edge; 0 where all three are one point.

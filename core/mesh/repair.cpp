@@ -162,10 +162,7 @@ namespace {
 constexpr int kMostRounds = 8;
 
 void noteUnusedVertices(const MeshPart& part, RepairNotes& notes) {
-    std::vector<char> used(part.mesh.V.rows(), 0);
-    for (Eigen::Index corner = 0; corner < part.mesh.F.size(); ++corner) {
-        used[part.mesh.F.data()[corner]] = 1;
-    }
+    const std::vector<char> used = usedVertices(part.mesh.F, part.mesh.V.rows());
     for (std::size_t v = 0; v < used.size(); ++v) {
         if (used[v] == 0) {
             notes.add(ErrorCode::UnusedVertices, "vertex", translatable("left out"),

@@ -11,6 +11,14 @@
 
 namespace toile {
 
+std::vector<char> usedVertices(const Triangles& F, Eigen::Index vertexCount) {
+    std::vector<char> used(vertexCount, 0);
+    for (Eigen::Index corner = 0; corner < F.size(); ++corner) {
+        used[F.data()[corner]] = 1;
+    }
+    return used;
+}
+
 void eraseFaces(MeshPart& part, const std::vector<char>& erased) {
     int kept = 0;
     for (int f = 0; f < part.mesh.F.rows(); ++f) {
@@ -25,13 +33,11 @@ void eraseFaces(MeshPart& part, const std::vector<char>& erased) {
 
 int eraseUnusedVertices(MeshPart& part) {
     const int before = static_cast<int>(part.mesh.V.rows());
+    const std::vector<char> isUsed = usedVertices(part.mesh.F, before);
     std::vector<int> newIndex(before, -1);
-    for (const int v : cornersOf(part.mesh.F)) {
-        newIndex[v] = 0;
-    }
     int kept = 0;
     for (int v = 0; v < before; ++v) {
-        if (newIndex[v] == 0) {
+        if (isUsed[v] != 0) {
             part.mesh.V.row(kept) = part.mesh.V.row(v).eval();
             part.sourceVertex[kept] = part.sourceVertex[v];
             newIndex[v] = kept++;

@@ -20,6 +20,9 @@ inline std::span<int> cornersOf(Triangles& F) {
     return {F.data(), static_cast<std::size_t>(F.size())};
 }
 
+/// Per vertex: 1 where a triangle uses it.
+std::vector<char> usedVertices(const Triangles& F, Eigen::Index vertexCount);
+
 /// Takes out the faces whose flag is set; the others keep their order. Vertices stay.
 void eraseFaces(MeshPart& part, const std::vector<char>& erased);
 

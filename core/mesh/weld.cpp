@@ -16,13 +16,6 @@ constexpr double kToleranceOfMedianEdge = 1e-3;
 /// of them must lie on an earlier one (a closed mesh of loose triangles has five of six).
 constexpr double kLooseShare = 0.95;
 constexpr double kCoincidentShare = 1.0 / 3;
-std::vector<char> usedVertices(const Triangles& F, Eigen::Index vertexCount) {
-    std::vector<char> used(vertexCount, 0);
-    for (Eigen::Index corner = 0; corner < F.size(); ++corner) {
-        used[F.data()[corner]] = 1;
-    }
-    return used;
-}
 
 std::vector<char> borderVertices(const Triangles& F, Eigen::Index vertexCount) {
     std::vector<char> border(vertexCount, 0);

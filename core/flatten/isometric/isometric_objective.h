@@ -47,7 +47,6 @@ public:
 
     /// How far along P, up to `limit`, no triangle loses its area and no contact comes to pass.
     double largestStep(const Points2& Q, const Points2& P, double limit) const;
-    bool keepsOutlineSimple() const { return !barriers_.empty(); }
 
 private:
     bool layOut(const std::vector<OutlineBarrier::Contact>& contacts);
