@@ -3,8 +3,11 @@
 
 #include <utility>
 
+#include "core/flatten/boundary/circle_outline.h"
+#include "core/garment/piece.h"
 #include "core/linalg/elimination_order.h"
 #include "core/mesh/cotangents.h"
+#include "core/quality/measures.h"
 
 namespace toile {
 namespace {
@@ -191,6 +194,15 @@ Result<Points2> fillInterior(WeightedEdges graph, const Points3& V,
         return points.error();
     }
     return Points2(*points);
+}
+
+Result<Points2> tutteOnCircle(const Piece& piece, const Progress& progress) {
+    const auto outline = circleOutline(boundaryLengths3d(piece.mesh.V, piece.boundary));
+    if (!outline) {
+        return outline.error();
+    }
+    return fillInterior({piece.table.edges, Eigen::VectorXd::Ones(piece.table.edges.rows())},
+                        piece.mesh.V, piece.boundary, *outline, progress);
 }
 
 }  // namespace toile

@@ -11,6 +11,8 @@
 
 namespace toile {
 
+struct Piece;
+
 /// The Laplace equation with the boundary held: sum_j w_ij (q_j - q_i) = 0 at every interior
 /// vertex, [DMA02] section 4. One sparse Cholesky factorisation, kept, so that several right-hand
 /// sides (x and y, or the curvature) cost a back-substitution each. Immutable: any number of
@@ -61,5 +63,15 @@ Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
 Result<Points2> fillInterior(WeightedEdges graph, const Points3& V,
                              const std::vector<int>& boundary, const Points2& outline,
                              const Progress& progress);
+
+/// Tutte's embedding [Tut63] with the piece's boundary lengths: the outline of `circleOutline`,
+/// every interior vertex at the mean of its neighbours. The outline is strictly convex and the
+/// weights are positive, so no triangle is flipped in exact arithmetic; a chord
+/// between boundary vertices does no harm. In doubles, triangles far from a short boundary can
+/// become smaller than rounding: count flips where that matters.
+/// @param piece  a disk (no defect, holes filled), mm  @return #V x 2, mm
+/// Errors: NoClosedOutline, FactorisationFailed, OutOfMemory, NotFinite, Cancelled.
+/// Cost: one factorisation of the interior, two back-substitutions. Re-entrant.
+Result<Points2> tutteOnCircle(const Piece& piece, const Progress& progress);
 
 }  // namespace toile

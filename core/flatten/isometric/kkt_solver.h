@@ -7,7 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/flatten/isometric/isometric_model.h"
+#include "core/flatten/isometric/isometric_objective.h"
 #include "core/flatten/isometric/two_level_solver.h"
 #include "core/linalg/sparse_cholesky.h"
 

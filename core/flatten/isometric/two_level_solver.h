@@ -6,7 +6,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/flatten/isometric/isometric_model.h"
+#include "core/flatten/isometric/isometric_objective.h"
 
 namespace toile {
 

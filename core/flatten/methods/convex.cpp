@@ -4,7 +4,7 @@
 #include "core/base/stopwatch.h"
 #include "core/flatten/boundary/circle_outline.h"
 #include "core/flatten/interior/directed_interior.h"
-#include "core/flatten/interior/tutte.h"
+#include "core/flatten/interior/interior.h"
 #include "core/flatten/methods/methods.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"

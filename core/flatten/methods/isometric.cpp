@@ -10,7 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/flatten/flat_notes.h"
 #include "core/flatten/flattening_memory.h"
-#include "core/flatten/interior/tutte.h"
+#include "core/flatten/interior/interior.h"
 #include "core/flatten/isometric/carried_start.h"
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric_descent.h"

@@ -6,7 +6,7 @@
 
 #include "core/flatten/flatten.h"
 #include "core/flatten/interior/directed_interior.h"
-#include "core/flatten/interior/tutte.h"
+#include "core/flatten/interior/interior.h"
 #include "core/garment/garment.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"

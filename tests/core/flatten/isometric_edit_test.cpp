@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/flattening_memory.h"
-#include "core/flatten/interior/tutte.h"
+#include "core/flatten/interior/interior.h"
 #include "core/flatten/isometric/carried_start.h"
 #include "core/flatten/isometric/coarsening.h"
 #include "core/flatten/isometric/cut_sides.h"

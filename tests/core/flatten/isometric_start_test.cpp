@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/boundary/length_constraints.h"
-#include "core/flatten/interior/tutte.h"
+#include "core/flatten/interior/interior.h"
 #include "core/flatten/isometric/coarsening.h"
 #include "core/flatten/isometric/descent_pace.h"
 #include "core/flatten/isometric/dirichlet_energy.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/flatten/interior/tutte.h"
+#include "core/flatten/interior/interior.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/flatten/interior/tutte.h"
+#include "core/flatten/interior/interior.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
