@@ -162,7 +162,7 @@ void ProjectActions::askForMeshes(const std::filesystem::path& project,
                            ? beside
                            : dialogs_.findMesh(&window_, folder, textOf(mesh.filename()));
         if (path.isEmpty()) {
-            emit failed(errorText({ErrorCode::FileUnreadable, mesh.string(),
+            emit failed(errorText({ErrorCode::FileUnreadable, Subject::file(mesh.string()),
                                    toile::worded("the project needs it, it is not there")}));
             return;
         }

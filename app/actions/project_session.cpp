@@ -136,7 +136,7 @@ void ProjectSession::save(const Path& path, std::function<void()> then, IfChange
             if (of == opened_) {
                 emit changedByOthers(path, then);
             } else {  // there is nothing left to ask about
-                emit failed(errorText({ErrorCode::FileUnwritable, path.string(),
+                emit failed(errorText({ErrorCode::FileUnwritable, Subject::file(path.string()),
                                        toile::worded("another program has changed it")}));
             }
         }));

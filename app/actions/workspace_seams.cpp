@@ -27,7 +27,7 @@ std::string freeName(const std::vector<Entry>& entries, const std::string& stem,
 /// The problem that names an order of the user's, if there is one.
 std::optional<Error> problemWith(const Garment& garment, ErrorCode code, const std::string& name) {
     const auto found = std::ranges::find_if(garment.problems, [&](const Error& problem) {
-        return problem.code == code && problem.where == name;
+        return problem.code == code && problem.subject.name == name;
     });
     return found == garment.problems.end() ? std::nullopt : std::optional(*found);
 }

@@ -35,13 +35,14 @@ void printFindings(const Readiness& readiness, std::ostream& out) {
     const auto& findings = readiness.findings;
     for (std::size_t i = 0; i < findings.size();) {
         Finding told = findings[i];
-        told.where = shownText(told.where, kMostOfPlace);
+        std::string& names = told.subject.name;
+        names = shownText(names, kMostOfPlace);
         for (++i; i < findings.size() && findings[i].severity == told.severity &&
-                  findings[i].kind == told.kind && !told.where.empty() &&
+                  findings[i].kind == told.kind && !names.empty() &&
                   description(findings[i]) == description(told) &&
                   adviceFor(findings[i]) == adviceFor(told);
              ++i) {
-            told.where += ", " + shownText(findings[i].where, kMostOfPlace);
+            names += ", " + shownText(findings[i].subject.name, kMostOfPlace);
         }
         out << name(told.severity) << ": " << sentence(told) << '\n';
     }

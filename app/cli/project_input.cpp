@@ -64,7 +64,7 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
     }
     const auto missing = locateMeshes(read->project);
     if (!missing.empty()) {
-        return refused(sentence({ErrorCode::FileUnreadable, missing.front().string(),
+        return refused(sentence({ErrorCode::FileUnreadable, Subject::file(missing.front().string()),
                                  "the project needs it, there is no such file"}),
                        kExitUnreadable);
     }

@@ -58,7 +58,7 @@ public:
             return made.error();
         }
         if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, {}, {}};
+            return Error{ErrorCode::Cancelled};
         }
         made_ = std::move(made).value();
         return {};

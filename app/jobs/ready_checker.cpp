@@ -57,6 +57,7 @@ CutPlan ReadyChecker::planOfDocument() const {
             .options = document_.options(),
             .fabric = document_.fabric(),
             .settings = document_.settings(),
+            .labels = document_.state().labels,
             .guessesKept = guessesKept_};
 }
 

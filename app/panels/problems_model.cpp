@@ -69,7 +69,7 @@ void ProblemsModel::addGroup(const Readiness& readiness, const std::vector<int>&
 }
 
 ProblemsModel::Row ProblemsModel::rowOf(const Finding& finding, int index) {
-    Row row{makeItem(QString::fromStdString(finding.where)), makeItem(problemText(finding)),
+    Row row{makeItem(QString::fromStdString(finding.subject.name)), makeItem(problemText(finding)),
             makeItem(problemAdvice(finding))};
     row[Where]->setIcon(severityMark(finding.severity));
     row[Where]->setData(QVariant::fromValue(QList<int>{index}), FindingsRole);
@@ -78,7 +78,7 @@ ProblemsModel::Row ProblemsModel::rowOf(const Finding& finding, int index) {
 
 ProblemsModel::Row ProblemsModel::rowOfGroup(const Finding& first, const std::vector<int>& group) {
     const auto size = static_cast<qlonglong>(group.size());
-    const QString where = QString::fromStdString(first.where);
+    const QString where = QString::fromStdString(first.subject.name);
     Row row{makeItem(tr("%1 (%2)").arg(problemTitle(first.kind), QLocale().toString(size))),
             makeItem(first.figures.empty() ? problemText(first) : tr("Worst: %1").arg(where)),
             makeItem(problemAdvice(first))};

@@ -56,8 +56,8 @@ QString errorAdvice(const Error& error) {
 
 QString errorText(const Error& error) {
     QString text;
-    if (!error.where.empty()) {
-        text += QString::fromStdString(shownText(error.where, kMostOfPlace)) + ": ";
+    if (!error.subject.name.empty()) {
+        text += QString::fromStdString(shownText(error.subject.name, kMostOfPlace)) + ": ";
     }
     text += errorDescription(error);
     if (QString advised = errorAdvice(error); !advised.isEmpty()) {
@@ -83,7 +83,7 @@ QString faultText(const std::exception_ptr& fault) {
     try {
         std::rethrow_exception(fault);
     } catch (const std::bad_alloc&) {
-        return errorText({ErrorCode::OutOfMemory, {}, {}});
+        return errorText({ErrorCode::OutOfMemory});
     } catch (const std::exception& exception) {
         return QCoreApplication::translate("toile",
                                            "The program met an unexpected fault (%1). Please "

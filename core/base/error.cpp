@@ -19,7 +19,6 @@ struct Words {
     std::string_view describe;  ///< what happened
     std::string_view advice;    ///< what to try
     bool note = false;          ///< only informs
-    bool namesPiece = true;     ///< not a file, a cut, a join or a seam
 };
 
 using enum ErrorCode;
@@ -27,21 +26,21 @@ using enum ErrorCode;
 /// In the order of the codes.
 constexpr Words kWords[] = {
     {FileUnreadable, "file-unreadable", TR("the file cannot be read"),
-     TR("Check its name and permissions"), false, false},
+     TR("Check its name and permissions")},
     {FileUnwritable, "file-unwritable", TR("the file cannot be written"),
-     TR("Check that the folder exists, is writable and has room"), false, false},
+     TR("Check that the folder exists, is writable and has room")},
     {UnknownFormat, "unknown-format", TR("the file's ending names no format Toile knows"),
-     TR("Read .obj, .off, .ply or .stl; write .svg, .dxf, .obj or .json"), false, false},
+     TR("Read .obj, .off, .ply or .stl; write .svg, .dxf, .obj or .json")},
     {MalformedFile, "malformed-file", TR("the file breaks the rules of its format"),
-     TR("Export it again from the program it came from"), false, false},
+     TR("Export it again from the program it came from")},
     {NoGeometry, "no-geometry", TR("the file holds no faces"),
-     TR("Export the garment as a mesh with faces"), false, false},
+     TR("Export the garment as a mesh with faces")},
     {MalformedProject, "malformed-project", TR("the project file breaks the rules of its format"),
-     TR("Open an older copy of it, or mend the place named with a text editor"), false, false},
+     TR("Open an older copy of it, or mend the place named with a text editor")},
     {NewerProject, "newer-project", TR("the project was saved by a newer version of Toile"),
-     TR("Open it with that version"), false, false},
+     TR("Open it with that version")},
     {UnitGuessed, "unit-guessed", TR("the file states no unit and its size leaves doubt"),
-     TR("State the unit if the size is wrong"), true, false},
+     TR("State the unit if the size is wrong"), true},
     {IndexOutOfRange, "index-out-of-range", TR("faces name vertices that the file does not have"),
      TR("They are left out; export the file again if something is missing"), true},
     {NonFinitePosition, "non-finite-position", TR("positions are not finite numbers"),
@@ -58,9 +57,9 @@ constexpr Words kWords[] = {
     {UnknownKey, "unknown-key", TR("the file says things that this Toile does not know"),
      TR("They do nothing, and are gone once the project is saved here; look for a "
         "misspelt name"),
-     true, false},
+     true},
     {FileChanged, "file-changed", TR("the file is not as it was when the project was saved"),
-     TR("Cuts, ease and places are kept; look whether they still fit"), true, false},
+     TR("Cuts, ease and places are kept; look whether they still fit"), true},
     {PieceGone, "piece-gone", TR("the garment has no piece of this name any more"),
      TR("What the project says of it is left out"), true},
     {EdgesCrowd, "edges-crowd", TR("the edges of outlines crowd as those of no garment do"),
@@ -129,11 +128,11 @@ constexpr Words kWords[] = {
     {ZeroLengthEdge, "zero-length-edge", TR("boundary edges have no length"),
      TR("Merge the doubled vertices in the modelling program")},
     {CutImpossible, "cut-impossible", TR("the cut cannot be made"),
-     TR("Move its points, or mend the piece first"), false, false},
+     TR("Move its points, or mend the piece first")},
     {JoinImpossible, "join-impossible", TR("the seam cannot be taken out"),
-     TR("Leave it, or join the parts in the modelling program"), false, false},
+     TR("Leave it, or join the parts in the modelling program")},
     {NoSuchSeam, "no-such-seam", TR("the garment has no seam of this name"),
-     TR("See the names with \"toile info\""), false, false},
+     TR("See the names with \"toile info\"")},
     {NoClosedOutline, "no-closed-outline",
      TR("one boundary edge is as long as all the others together, so that no flat "
         "outline has these lengths"),
@@ -160,14 +159,16 @@ const Words& wordsOf(ErrorCode code) {
 
 }  // namespace
 
-Problems aboutEach(ErrorCode code, const std::vector<std::string>& places, const Wording& detail) {
+Problems aboutEach(ErrorCode code, const std::vector<Subject>& subjects, const Wording& detail) {
     constexpr std::size_t kFew = 10, kNamed = 3;
-    if (places.size() > kFew) {
-        return {{code, quotedList(places, kNamed), detail}};
-    }
     Problems problems;
-    for (const std::string& place : places) {
-        problems.push_back({code, place, detail});
+    std::vector<std::string> names;
+    for (const Subject& subject : subjects) {
+        problems.push_back({code, subject, detail});
+        names.push_back(subject.name);
+    }
+    if (subjects.size() > kFew) {
+        return {{code, {subjects.front().kind, 0, quotedList(names, kNamed)}, detail}};
     }
     return problems;
 }
@@ -184,10 +185,6 @@ std::string_view advice(ErrorCode code) {
     return wordsOf(code).advice;
 }
 
-bool namesPiece(ErrorCode code) {
-    return wordsOf(code).namesPiece;
-}
-
 bool isNote(ErrorCode code) {
     return wordsOf(code).note;
 }
@@ -195,8 +192,8 @@ bool isNote(ErrorCode code) {
 std::string sentence(const Error& error) {
     const Words& words = wordsOf(error.code);
     std::string text;
-    if (!error.where.empty()) {
-        text += shownText(error.where, kMostOfPlace) + ": ";
+    if (!error.subject.name.empty()) {
+        text += shownText(error.subject.name, kMostOfPlace) + ": ";
     }
     text += words.describe;
     if (!error.detail.empty()) {

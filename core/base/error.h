@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "core/base/id.h"
 #include "core/base/wording.h"
 
 namespace toile {
@@ -78,17 +81,47 @@ enum class ErrorCode {
 /// One past the last code; codes are contiguous from 0.
 inline constexpr int kErrorCodeCount = static_cast<int>(ErrorCode::Cancelled) + 1;
 
-/// An expected failure or a note: what, where, and the particulars. Never thrown.
+/// The one thing that something is said of: found again by its kind and id, shown by its name.
+struct Subject {
+    enum class Kind { None, File, Piece, Seam, Cut, Join };
+
+    Kind kind = Kind::None;  ///< None: everything there is
+    std::uint64_t id = 0;    ///< of its kind; 0 where it is not known, or not there
+    std::string name;        ///< for people; of several alike, a list of them
+
+    Subject() = default;
+    Subject(Kind k, std::uint64_t i, std::string called)
+        : kind(k), id(i), name(std::move(called)) {}
+    static Subject file(std::string name, FileId id = {}) {
+        return {Kind::File, id.value, std::move(name)};
+    }
+    static Subject piece(std::string name, PieceId id = {}) {
+        return {Kind::Piece, id.value, std::move(name)};
+    }
+    static Subject seam(std::string name, SeamId id = {}) {
+        return {Kind::Seam, id.value, std::move(name)};
+    }
+    static Subject cut(std::string name, CutId id = {}) {
+        return {Kind::Cut, id.value, std::move(name)};
+    }
+    static Subject join(std::string name) { return {Kind::Join, 0, std::move(name)}; }
+
+    /// None where it is no piece, or one that is not known.
+    PieceId pieceId() const { return {kind == Kind::Piece ? id : 0}; }
+    bool operator==(const Subject&) const = default;
+};
+
+/// An expected failure or a note: what, about what, and the particulars. Never thrown.
 struct Error {
     ErrorCode code;
-    std::string where;  ///< the piece or file it is about; empty where it is about everything
-    Wording detail;     ///< the particulars: counts, places, numbers
+    Subject subject{};
+    Wording detail{};  ///< the particulars: counts, places, numbers
 };
 
 using Problems = std::vector<Error>;
 
-/// What is to be said alike of several places: of each where they are few, else in one.
-Problems aboutEach(ErrorCode code, const std::vector<std::string>& places,
+/// What is to be said alike of several things of a kind: of each where they are few, else in one.
+Problems aboutEach(ErrorCode code, const std::vector<Subject>& subjects,
                    const Wording& detail = {});
 
 /// Stable kebab-case name, for example "several-loops".
@@ -97,12 +130,9 @@ std::string_view name(ErrorCode code);
 std::string_view describe(ErrorCode code);
 /// What the user can do about it, as a sentence without a full stop; empty where nothing is needed.
 std::string_view advice(ErrorCode code);
-/// True where `where` names a piece, if anything; else a file, a cut, a join or a seam, which may
-/// be called like a piece.
-bool namesPiece(ErrorCode code);
 /// True where the code only informs: the data was taken in and work goes on.
 bool isNote(ErrorCode code);
-/// Characters of `where` and `detail` that a sentence shows: a path, and a list of particulars.
+/// Characters of name and `detail` that a sentence shows: a path, and a list of particulars.
 inline constexpr std::size_t kMostOfPlace = 300, kMostOfDetail = 1000;
 /// One sentence for a person: "front: the piece has several boundary loops (2 loops); cut it ...".
 std::string sentence(const Error& error);

@@ -27,11 +27,11 @@ constexpr std::uintmax_t kMostBytes = std::numeric_limits<int>::max();
 constexpr int kMostLinks = 40;  // as the system has it
 
 Error unreadable(const fs::path& path, std::string why) {
-    return {ErrorCode::FileUnreadable, path.string(), std::move(why)};
+    return {ErrorCode::FileUnreadable, Subject::file(path.string()), std::move(why)};
 }
 
 Error unwritable(const fs::path& path, std::string why) {
-    return {ErrorCode::FileUnwritable, path.string(), std::move(why)};
+    return {ErrorCode::FileUnwritable, Subject::file(path.string()), std::move(why)};
 }
 
 /// What the links lead to, there or not.

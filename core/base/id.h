@@ -21,6 +21,7 @@ struct Id {
     bool operator<(const Id& other) const { return value < other.value; }
 };
 
+using FileId = Id<struct SourceFile>;
 using PieceId = Id<struct Piece>;
 using SeamId = Id<struct Seam>;
 using CutId = Id<struct UserCut>;

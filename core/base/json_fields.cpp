@@ -50,14 +50,15 @@ bool isFiniteNumber(const JsonDocument& json) {
 Result<JsonDocument> parseJson(std::string_view text, const std::string& name,
                                ErrorCode malformed) {
     if (depthOf(text) > kMostDepth) {
-        return Error{malformed, name, "its lists lie too deep in each other"};
+        return Error{malformed, Subject::file(name), "its lists lie too deep in each other"};
     }
     try {
         return JsonDocument::parse(text);
     } catch (const JsonDocument::parse_error& error) {
-        return Error{malformed, name, "no JSON: trouble at byte " + std::to_string(error.byte)};
+        return Error{malformed, Subject::file(name),
+                     "no JSON: trouble at byte " + std::to_string(error.byte)};
     } catch (const JsonDocument::exception&) {  // a number that no double holds
-        return Error{malformed, name, "a number is out of range"};
+        return Error{malformed, Subject::file(name), "a number is out of range"};
     }
 }
 
@@ -65,7 +66,7 @@ Problems JsonFaults::notes(const std::string& name) const {
     if (unknown.empty()) {
         return {};
     }
-    return {{ErrorCode::UnknownKey, name, quotedList(unknown, kUnknownNamed)}};
+    return {{ErrorCode::UnknownKey, Subject::file(name), quotedList(unknown, kUnknownNamed)}};
 }
 
 std::optional<std::vector<double>> numbersOf(const JsonDocument& json, std::size_t count) {

@@ -31,9 +31,9 @@ Json findingJson(const Garment& garment, const Finding& finding) {
     return {{"kind", text(name(finding.kind))},
             {"severity", text(name(finding.severity))},
             {"code", finding.error ? text(name(finding.error->code)) : Json(nullptr)},
-            {"where", textOrNull(finding.where)},
+            {"where", textOrNull(finding.subject.name)},
             {"pieces", std::move(pieces)},
-            {"seam", finding.seam < 0 ? Json(nullptr) : Json(finding.where)},
+            {"seam", finding.seam < 0 ? Json(nullptr) : Json(finding.subject.name)},
             {"place", finding.place ? placeJson(*finding.place) : Json(nullptr)},
             {"figures", std::move(figures)},
             {"message", sentence(finding)}};

@@ -70,7 +70,7 @@ struct FindingPlace {
 struct Finding {
     FindingKind kind = FindingKind::Message;
     Severity severity = Severity::Note;
-    std::string where{};  ///< the name of the piece, the seam or the file; may be empty
+    Subject subject{};  ///< the piece, the seam or the file; None with both names where two pieces
     /// Indices into the garment's pieces: one, two that lie on each other, or none.
     std::vector<int> pieces{};
     int seam = -1;                        ///< index into the garment's seams, or -1

@@ -109,7 +109,8 @@ std::string adviceFor(const Finding& finding) {
 }
 
 std::string sentence(const Finding& finding) {
-    std::string text = finding.where.empty() ? "" : readableName(finding.where) + ": ";
+    std::string text =
+        finding.subject.name.empty() ? "" : readableName(finding.subject.name) + ": ";
     text += description(finding);
     std::string help = adviceFor(finding);
     if (!help.empty()) {

@@ -15,7 +15,7 @@ Finding findingOf(const PieceToCut& piece, FindingKind kind, Severity severity) 
     Finding finding;
     finding.kind = kind;
     finding.severity = severity;
-    finding.where = piece.result.piece->name;
+    finding.subject = subjectOf(*piece.result.piece);
     finding.pieces = {piece.index};
     return finding;
 }
@@ -35,7 +35,7 @@ void checkOutline(const PieceToCut& checked, FindingList& found) {
     finding.place = placeOnOutline(piece, result.flat->Q, first.first, first.place);
     const auto crossingCount = static_cast<long long>(crossings.size());
     finding.figures = {count(static_cast<double>(crossingCount))};
-    finding.error = {ErrorCode::OutlineCrosses, piece.name,
+    finding.error = {ErrorCode::OutlineCrosses, subjectOf(piece),
                      countWording(crossingCount, "crossing")};
     for (const Error& note : result.flat->notes) {
         if (note.code == ErrorCode::OutlineCrosses) {

@@ -58,7 +58,7 @@ void FindingList::add(Finding finding, double badness) {
 void FindingList::add(const Error& error, std::vector<int> pieces) {
     Finding finding;
     finding.severity = isNote(error.code) ? Severity::Note : Severity::Fault;
-    finding.where = error.where;
+    finding.subject = error.subject;
     finding.pieces = std::move(pieces);
     finding.error = error;
     add(std::move(finding));

@@ -9,6 +9,7 @@
 
 #include "core/base/file.h"
 #include "core/check/piece_check.h"
+#include "core/garment/identify.h"
 #include "core/seam/seam_fit.h"
 #include "core/sheet/arrange.h"
 #include "core/sheet/sheet_overlaps.h"
@@ -39,7 +40,11 @@ public:
             checkSeams();
             checkSheet();
         }
-        return found_.inOrder();
+        Readiness readiness = found_.inOrder();
+        for (Finding& finding : readiness.findings) {
+            finding.subject = labelled(plan_.labels, std::move(finding.subject));
+        }
+        return readiness;
     }
 
 private:
@@ -56,10 +61,12 @@ private:
     }
 
     void checkFiles() {
-        for (const auto& file : garment_.files) {
+        const std::vector<FileId> ids = fileIds(garment_.files);
+        for (std::size_t f = 0; f < ids.size(); ++f) {
+            const auto& file = garment_.files[f];
             Finding finding;
             finding.severity = Severity::Doubt;
-            finding.where = pathText(file->path.filename());
+            finding.subject = Subject::file(pathText(file->path.filename()), ids[f]);
             if (file->unitInDoubt && !plan_.guessesKept) {
                 finding.kind = FindingKind::UnitInDoubt;
                 finding.reason = file->unitReason;
@@ -72,23 +79,27 @@ private:
             }
             for (const Error& problem : file->problems) {
                 if (problem.code != ErrorCode::UnitGuessed) {  // said above
-                    found_.add(problem, piecesOf(problem));
+                    found_.add(problem, piecesOf(problem.subject));
                 }
             }
         }
         for (const Error& problem : garment_.problems) {
-            found_.add(problem, piecesOf(problem));
+            found_.add(problem, piecesOf(problem.subject));
         }
     }
 
-    std::vector<int> piecesOf(const Error& problem) const {
-        const auto found =
-            std::ranges::find(garment_.pieces, problem.where,
-                              [](const auto& p) -> const std::string& { return p->name; });
-        if (found == garment_.pieces.end() || !namesPiece(problem.code)) {
-            return {};
+    /// The piece itself, or what became of it when it was joined or cut.
+    std::vector<int> piecesOf(const Subject& subject) const {
+        std::vector<int> pieces;
+        const PieceId id = subject.pieceId();
+        for (std::size_t i = 0; id && i < garment_.pieces.size(); ++i) {
+            const Piece& piece = *garment_.pieces[i];
+            if (piece.id == id ||
+                std::binary_search(piece.lineage.wholes.begin(), piece.lineage.wholes.end(), id)) {
+                pieces.push_back(static_cast<int>(i));
+            }
         }
-        return {static_cast<int>(found - garment_.pieces.begin())};
+        return pieces;
     }
 
     void checkSize() {
@@ -143,7 +154,7 @@ private:
             Finding finding;
             finding.kind = FindingKind::SeamLengths;
             finding.severity = fit == SeamFit::Differs ? Severity::Fault : Severity::Doubt;
-            finding.where = seam.name;
+            finding.subject = Subject::seam(seam.name, seam.id);
             finding.pieces = {seam.left.piece};
             if (seam.right.piece != seam.left.piece) {
                 finding.pieces.push_back(seam.right.piece);
@@ -170,8 +181,9 @@ private:
             Finding finding;
             finding.kind = FindingKind::PiecesOverlap;
             finding.severity = Severity::Doubt;
-            finding.where = garment_.pieces[static_cast<std::size_t>(one)]->name + " / " +
-                            garment_.pieces[static_cast<std::size_t>(other)]->name;
+            finding.subject.name =
+                nameOf(plan_.labels, *garment_.pieces[static_cast<std::size_t>(one)]) + " / " +
+                nameOf(plan_.labels, *garment_.pieces[static_cast<std::size_t>(other)]);
             finding.pieces = {one, other};
             found_.add(std::move(finding));
         }

@@ -10,6 +10,7 @@
 #include "core/flatten/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/garment/garment.h"
+#include "core/project/piece_labels.h"
 #include "core/project/piece_settings.h"
 
 namespace toile {
@@ -22,6 +23,7 @@ struct CutPlan {
     FlattenOptions options{};                  ///< as the pieces are to be flattened
     Fabric fabric = fabricPresets().front();
     std::vector<PieceSettings> settings{};  ///< one per piece, without anchors; or left out
+    PieceLabels labels{};                   ///< what findings call the pieces; or left out
     bool guessesKept = false;  ///< unit and up axis, where guessed, are right: a person said so
 
     bool operator==(const CutPlan&) const = default;

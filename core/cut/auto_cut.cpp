@@ -66,7 +66,7 @@ public:
         std::vector<PathPolyline> tight;
         for (const auto& way : ways) {
             if (progress_.isCancelled()) {
-                return Error{ErrorCode::Cancelled, "", ""};
+                return Error{ErrorCode::Cancelled};
             }
             const PathPolyline path = polylineOf(links_, way);
             proposal_.cuts.push_back({path, path.length});
@@ -89,7 +89,8 @@ private:
         openings_ = std::move(loops.openings);
         proposal_.holesToFill = std::move(loops.holes);
         if (static_cast<int>(openings_.size()) > options_.maxLoops) {
-            return Error{ErrorCode::SeveralLoops, "",
+            return Error{ErrorCode::SeveralLoops,
+                         {},
                          counted(static_cast<long long>(openings_.size()), "loop") +
                              "; automatic cutting takes at most " +
                              std::to_string(options_.maxLoops)};
@@ -178,7 +179,7 @@ private:
         }
         const auto parts = faceComponents(cut->mesh.F, static_cast<int>(cut->mesh.V.rows()));
         if (*std::ranges::max_element(parts) > 0) {
-            return cutError("", toile::worded("the cuts would separate the piece"));
+            return cutError({}, toile::worded("the cuts would separate the piece"));
         }
         const auto defect = checkDisk(cut->mesh, "").defect;
         const bool isOnlyShape = defect && (defect->code == ErrorCode::DegenerateFace ||
@@ -209,7 +210,7 @@ Result<AutoCut> proposeCuts(const MeshArrays& mesh, const EdgeTable& table,
     }
     const auto parts = faceComponents(mesh.F, static_cast<int>(mesh.V.rows()));
     if (*std::ranges::max_element(parts) > 0) {
-        return cutError("", toile::worded("the mesh has several parts"));
+        return cutError({}, toile::worded("the mesh has several parts"));
     }
     return Proposer(mesh, table, options, progress).run(defect->code);
 }

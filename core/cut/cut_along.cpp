@@ -14,10 +14,10 @@ std::optional<Error> whyNotCuttable(const SurfaceLinks& links) {
     for (int e = 0; e < links.edgeCount(); ++e) {
         const std::span<const int> uses = links.table().usesOf(e);
         if (uses.size() > 2) {
-            return Error{ErrorCode::NonManifoldEdge, "", ""};
+            return Error{ErrorCode::NonManifoldEdge};
         }
         if (uses.size() == 2 && links.twin(uses[0]) < 0) {
-            return Error{ErrorCode::OpposedWinding, "", ""};
+            return Error{ErrorCode::OpposedWinding};
         }
     }
     return std::nullopt;
@@ -31,7 +31,7 @@ Result<std::vector<int>> embed(const FaceParts& parts, FaceSplitter& splitter,
     int face = -1;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
+            return Error{ErrorCode::Cancelled};
         }
         const SurfacePoint& point = path.points[i];
         const int vertex = splitter.insert(point);
@@ -41,14 +41,14 @@ Result<std::vector<int>> embed(const FaceParts& parts, FaceSplitter& splitter,
         }
         face = links.commonFace(path.points[i - 1], point, face);
         if (face < 0) {
-            return cutError("", worded("points %1 and %2 of a path share no triangle",
+            return cutError({}, worded("points %1 and %2 of a path share no triangle",
                                        {figure(double(i)), figure(double(i + 1))}));
         }
         if (!splitter.connect(face, vertices.back(), vertex, vertices)) {
-            return cutError("", worded("a path lost its way in a triangle"));
+            return cutError({}, worded("a path lost its way in a triangle"));
         }
         if (parts.isCrowded(face)) {
-            return cutError("", worded("it crosses itself and the cuts before it so often that a "
+            return cutError({}, worded("it crosses itself and the cuts before it so often that a "
                                        "triangle would fall into thousands of parts"));
         }
     }
@@ -251,7 +251,7 @@ Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolylin
     }
     parts.relax(edgesOf(parts, ways), progress);
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     CutResult result;
     const auto open = [&] {

@@ -87,7 +87,7 @@ Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name,
         readSeams(fields, file, kPercent, false);
     }
     if (!faults.first.empty()) {
-        return Error{ErrorCode::MalformedFile, name, faults.first};
+        return Error{ErrorCode::MalformedFile, Subject::file(name), faults.first};
     }
     if (notes) {
         *notes = faults.notes(name);

@@ -25,10 +25,10 @@ Result<EdgePath> edgePath(const MeshArrays& mesh, const EdgeTable& table, int fr
         table.edges, static_cast<int>(mesh.V.rows()),
         weights.empty() ? edgeLengths(mesh, table.edges) : weights, {{from}}, to, progress);
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     if (forest.source[to] < 0) {
-        return cutError("", worded("the points lie on parts that are not connected"));
+        return cutError({}, worded("the points lie on parts that are not connected"));
     }
     EdgePath path{forest.pathTo(to, table.edges), 0};
     for (std::size_t i = 1; i < path.vertices.size(); ++i) {
@@ -184,9 +184,9 @@ Result<PathPolyline> geodesicPath(const SurfaceLinks& links, const SurfacePoint&
     SteinerGraph graph(links, from, to);
     if (!graph.search(progress)) {
         if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
+            return Error{ErrorCode::Cancelled};
         }
-        return cutError("", worded("the points lie on parts that are not connected"));
+        return cutError({}, worded("the points lie on parts that are not connected"));
     }
     return straightened(links, graph.path());
 }

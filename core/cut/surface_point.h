@@ -42,8 +42,8 @@ inline Eigen::Vector3d positionOf(const MeshArrays& mesh, const SurfacePoint& po
 double measuredLength(const MeshArrays& mesh, const PathPolyline& path);
 
 /// A cut that cannot be made as asked: unconnected points, fewer points than it needs.
-inline Error cutError(std::string where, Wording detail) {
-    return {ErrorCode::CutImpossible, std::move(where), std::move(detail)};
+inline Error cutError(Subject subject, Wording detail) {
+    return {ErrorCode::CutImpossible, std::move(subject), std::move(detail)};
 }
 
 }  // namespace toile

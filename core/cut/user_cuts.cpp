@@ -120,12 +120,12 @@ Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurfac
                                   const UserCut& cut, const Progress& progress) {
     const int needed = cut.kind == UserCut::Kind::Loop ? 3 : 2;
     if (static_cast<int>(cut.points.size()) < needed) {
-        return cutError(cut.name, worded("it needs %1 points or more", {figure(needed)}));
+        return cutError(subjectOf(cut), worded("it needs %1 points or more", {figure(needed)}));
     }
     std::vector<SurfacePoint> points;
     for (const Eigen::Vector3d& p : cut.points) {
         if (!p.allFinite()) {
-            return cutError(cut.name, worded("a point is not finite"));
+            return cutError(subjectOf(cut), worded("a point is not finite"));
         }
         points.push_back(nearest.find(p));
     }
@@ -135,14 +135,14 @@ Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurfac
     } else if (cut.kind == UserCut::Kind::Loop) {
         points.push_back(points.front());
     } else if (!putOnRim(links, points)) {
-        return cutError(cut.name, worded("a dart starts at the rim, and the piece has none"));
+        return cutError(subjectOf(cut), worded("a dart starts at the rim, and the piece has none"));
     }
     PathPolyline whole;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const auto part = wayOfCut(links, points[i - 1], points[i], cut.alongEdges, progress);
         if (!part) {
             Error error = part.error();
-            error.where = cut.name;
+            error.subject = subjectOf(cut);
             return error;
         }
         whole.points.insert(whole.points.end(), part->points.begin() + (i == 1 ? 0 : 1),

@@ -32,6 +32,10 @@ struct UserCut {
     bool operator==(const UserCut&) const = default;
 };
 
+inline Subject subjectOf(const UserCut& cut) {
+    return Subject::cut(cut.name, cut.id);
+}
+
 /// Gives every cut that has none an id, by its kind and its points, unlike that of any other.
 void giveIds(std::vector<UserCut>& cuts);
 
@@ -43,7 +47,7 @@ Result<PathPolyline> wayOfCut(const SurfaceLinks& links, const SurfacePoint& fro
 
 /// The cut's curve on the surface. An end of a path that lies within a tenth of a triangle from the
 /// rim reaches it.
-/// @errors  a cut error, with the cut's name: too few points, points not connected, no rim;
+/// @errors  a cut error about the cut: too few points, points not connected, no rim;
 ///          Cancelled
 Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
                                   const UserCut& cut, const Progress& progress = Progress());

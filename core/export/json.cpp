@@ -2,7 +2,6 @@
 #include "core/export/json.h"
 
 #include <cmath>
-#include <set>
 #include <vector>
 
 #include "core/base/file.h"
@@ -15,21 +14,18 @@ namespace {
 
 constexpr int kIndent = 2;
 
-/// Names of pieces, before and after cutting, with their files.
-std::set<std::pair<int, std::string_view>> pieceNames(const Garment& garment) {
-    std::set<std::pair<int, std::string_view>> names;
-    for (const auto* pieces : {&garment.pieces, &garment.wholes}) {
-        for (const auto& piece : *pieces) {
-            names.emplace(piece->file, piece->name);
-        }
-    }
-    return names;
-}
-
 /// Why a piece is not flat, or will not be.
 const Error* errorOf(const Garment& garment, const PieceResults& results, std::size_t index) {
     const auto& error = results.empty() ? garment.pieces[index]->defect : results[index]->error;
     return error ? &*error : nullptr;
+}
+
+Json problemJson(const Error& error, const Json& piece) {
+    return {{"code", text(name(error.code))}, {"piece", piece}, {"message", sentence(error)}};
+}
+
+Json problemJson(const Error& error) {
+    return problemJson(error, error.subject.pieceId() ? Json(error.subject.name) : Json(nullptr));
 }
 
 Json fileJson(const SourceFile& file, Json problems) {
@@ -103,17 +99,11 @@ Json textOrNull(const std::string& words) {
     return words.empty() ? Json(nullptr) : Json(words);
 }
 
-Json problemJson(const Error& error, const Json& piece) {
-    return {{"code", text(name(error.code))}, {"piece", piece}, {"message", sentence(error)}};
-}
-
 Json filesJson(const Garment& garment, const PieceResults& results) {
-    const auto names = pieceNames(garment);
     std::vector<Json> problems(garment.files.size(), Json::array());
     for (std::size_t f = 0; f < garment.files.size(); ++f) {
         for (const Error& error : problemsOf(*garment.files[f])) {
-            const bool ofPiece = names.contains({static_cast<int>(f), error.where});
-            problems[f].push_back(problemJson(error, ofPiece ? Json(error.where) : Json(nullptr)));
+            problems[f].push_back(problemJson(error));
         }
     }
     for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
@@ -150,14 +140,9 @@ Json seamsJson(const Garment& garment, const PieceResults& results) {
 }
 
 Json problemsJson(const Garment& garment) {
-    std::set<std::string_view> names;
-    for (const auto& piece : garment.pieces) {
-        names.insert(piece->name);
-    }
     Json problems = Json::array();
     for (const Error& error : garment.problems) {
-        const bool ofPiece = namesPiece(error.code) && names.contains(error.where);
-        problems.push_back(problemJson(error, ofPiece ? Json(error.where) : Json(nullptr)));
+        problems.push_back(problemJson(error));
     }
     return problems;
 }

@@ -22,7 +22,6 @@ Json number(const std::optional<double>& value);
 Json text(std::string_view words);
 /// The text, or null where there is none.
 Json textOrNull(const std::string& words);
-Json problemJson(const Error& error, const Json& piece);
 
 /// @param results  one per piece, or empty where nothing is flat yet
 Json filesJson(const Garment& garment, const PieceResults& results);

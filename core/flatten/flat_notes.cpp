@@ -77,7 +77,7 @@ std::optional<Error> crossingNote(const Piece& piece, const Points2& Q,
             ? worded("%1, the first at %2 mm of the pattern, where %3 and %4 mm of the piece meet",
                      places)
             : worded("%1 at %2 mm of the pattern, where %3 and %4 mm of the piece meet", places);
-    return Error{ErrorCode::OutlineCrosses, piece.name, detail};
+    return Error{ErrorCode::OutlineCrosses, subjectOf(piece), detail};
 }
 
 void nameCrossingCut(const Piece& piece, const Points2& Q,
@@ -115,7 +115,7 @@ void noteFlips(const Piece& piece, const Points2& Q, Problems& notes) {
         detail += note.detail;
         return true;
     });
-    notes.push_back({ErrorCode::TrianglesFlipped, piece.name, detail});
+    notes.push_back({ErrorCode::TrianglesFlipped, subjectOf(piece), detail});
 }
 
 std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q) {
@@ -132,13 +132,13 @@ std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q) {
     const std::vector<Wording> words{
         countWording(count, "edge"), length < 1e-3 ? scientific(length, 1) : figure(length, 3),
         place(piece.mesh.V.row(piece.boundary[worst])), scientific(most, 1)};
-    return Error{ErrorCode::EdgesTooShort, piece.name,
+    return Error{ErrorCode::EdgesTooShort, subjectOf(piece),
                  count > 1 ? worded("%1, the worst of %2 mm at %3 mm, off by %4 of it", words)
                            : worded("%1 of %2 mm at %3 mm, off by %4 of it", words)};
 }
 
 Error uncrossedNote(const Piece& piece, int crossings) {
-    return {ErrorCode::OutlineUncrossed, piece.name, crossingCount(crossings)};
+    return {ErrorCode::OutlineUncrossed, subjectOf(piece), crossingCount(crossings)};
 }
 
 std::optional<Error> degenerateNote(const Piece& piece) {
@@ -174,7 +174,7 @@ std::optional<Error> degenerateNote(const Piece& piece) {
     Wording detail = countWording(count, "triangle");
     detail += named;
     detail += count > kNamedFaces ? ", ..." : "";
-    return Error{ErrorCode::DegenerateTriangles, piece.name, detail};
+    return Error{ErrorCode::DegenerateTriangles, subjectOf(piece), detail};
 }
 
 std::optional<Error> anglesNote(const Piece& piece, const Eigen::VectorXd& angles) {
@@ -189,14 +189,14 @@ std::optional<Error> anglesNote(const Piece& piece, const Eigen::VectorXd& angle
         return std::nullopt;
     }
     return Error{
-        ErrorCode::AnglesOutOfRange, piece.name,
+        ErrorCode::AnglesOutOfRange, subjectOf(piece),
         worded("%1, %2 degrees at %3 mm", {countWording(count, "outline vertex"),
                                            figure(angles[first] * 180 / std::numbers::pi),
                                            place(piece.mesh.V.row(piece.boundary[first]))})};
 }
 
 Error endedEarlyNote(const Piece& piece, const Wording& how) {
-    return {ErrorCode::EndedEarly, piece.name, how};
+    return {ErrorCode::EndedEarly, subjectOf(piece), how};
 }
 
 Error rimsNote(const Piece& piece, const Points2& Q, const Wording& why) {
@@ -210,7 +210,8 @@ Error rimsNote(const Piece& piece, const Points2& Q, const Wording& why) {
             text = worded("%1 mm flat, %2 mm on the garment", {figure(flat, 1), figure(on, 1)});
         }
     }
-    return {ErrorCode::RimsNotKept, piece.name, why.empty() ? text : worded("%1; %2", {text, why})};
+    return {ErrorCode::RimsNotKept, subjectOf(piece),
+            why.empty() ? text : worded("%1; %2", {text, why})};
 }
 
 }  // namespace toile

@@ -43,7 +43,7 @@ Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
         case Method::Convex:
             return flattenConvex(piece, options, progress);
     }
-    return Error{ErrorCode::NotFinite, piece.name, "unknown method"};
+    return Error{ErrorCode::NotFinite, subjectOf(piece), "unknown method"};
 }
 
 /// The flat direction in which the garment's y rises fastest (least squares over the vertices); for
@@ -94,10 +94,10 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
         return *piece.defect;
     }
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, piece.name, ""};
+        return Error{ErrorCode::Cancelled, subjectOf(piece), ""};
     }
     if (const double most = piece.mesh.V.cwiseAbs().maxCoeff(); !(most <= kLargestCoordinate)) {
-        return Error{ErrorCode::NotFinite, piece.name,
+        return Error{ErrorCode::NotFinite, subjectOf(piece),
                      "coordinates reach " + shortest(most) + " mm"};
     }
     // A hole is closed for the solve and its caps are forgotten: its rim follows the cloth around.
@@ -118,12 +118,12 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
     }
     if (!flat) {
         Error error = flat.error();
-        error.where = piece.name;
+        error.subject = subjectOf(piece);
         return error;
     }
     standUpright(piece.mesh.V, flat->Q);
     if (!flat->Q.allFinite()) {
-        return Error{ErrorCode::NotFinite, piece.name, "flat positions"};
+        return Error{ErrorCode::NotFinite, subjectOf(piece), "flat positions"};
     }
     const auto add = [&flat](std::optional<Error> note) {
         if (note) {

@@ -78,14 +78,15 @@ CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
     for (std::size_t c = 0; c < cuts.size(); ++c) {
         const auto& [distance, piece] = best[c];
         if (const Wording fault = faultOf(cuts[c]); !fault.empty()) {
-            owners.problems.push_back(cutError(cuts[c].name, fault));
+            owners.problems.push_back(cutError(subjectOf(cuts[c]), fault));
         } else if (piece == pieces.size()) {
-            owners.problems.push_back(cutError(cuts[c].name, worded("there is no piece to cut")));
-        } else if (distance.farthest > limit) {
             owners.problems.push_back(
-                cutError(cuts[c].name, worded("its point %1 lies %2 mm from the nearest piece, %3",
-                                              {figure(distance.point + 1.0),
-                                               figure(distance.farthest), pieces[piece]->name})));
+                cutError(subjectOf(cuts[c]), worded("there is no piece to cut")));
+        } else if (distance.farthest > limit) {
+            owners.problems.push_back(cutError(
+                subjectOf(cuts[c]), worded("its point %1 lies %2 mm from the nearest piece, %3",
+                                           {figure(distance.point + 1.0), figure(distance.farthest),
+                                            pieces[piece]->name})));
         } else {
             owners.cutsOf[piece].push_back(cuts[c]);
         }

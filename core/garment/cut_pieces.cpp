@@ -46,7 +46,7 @@ Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPo
     auto cut = cutAlong(piece.mesh, paths, options, progress);
     if (!cut) {
         Error error = cut.error();
-        error.where = piece.name;
+        error.subject = subjectOf(piece);
         return error;
     }
     for (const OpenedCut& one : cut->cuts) {
@@ -75,6 +75,7 @@ Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPo
         Piece& next = made.emplace_back(makePiece(piece.name, std::move(connected.mesh)));
         next.lineage = lineages[made.size() - 1];
         next.id = idOf(next.lineage);
+        nameDefect(next);
         next.origins = origins.of(next, vertex);
         next.file = piece.file;
         next.sourceVertex = std::move(connected.sourceVertex);
@@ -162,9 +163,7 @@ private:
         for (Piece& part : parts) {
             if (several) {
                 part.name = names_.numbered(whole->name);
-                if (part.defect) {
-                    part.defect->where = part.name;
-                }
+                nameDefect(part);
             }
             if (isToOpen(part)) {
                 byItself(part, Progress(progress,
@@ -214,7 +213,7 @@ private:
                                       opened[c].length, ids[c]});
             } else {
                 done_.problems.push_back(cutError(
-                    traced[c]->name,
+                    subjectOf(*traced[c]),
                     toile::worded("in %1 it runs along the outline or along another cut, and "
                                   "opens nothing",
                                   {piece.name})));
@@ -225,7 +224,7 @@ private:
 
     void failIn(const Piece& piece, const UserCut& cut, const Error& error) {
         done_.problems.push_back(cutError(
-            cut.name,
+            subjectOf(cut),
             toile::worded("in %1, %2", {piece.name, error.detail.empty()
                                                         ? toile::worded(describe(error.code).data())
                                                         : error.detail})));
@@ -236,7 +235,7 @@ private:
         const auto proposal = proposeCuts(piece.mesh, piece.table, {}, progress);
         if (!proposal) {
             piece.defect = proposal.error();
-            piece.defect->where = piece.name;
+            nameDefect(piece);
             return;
         }
         std::vector<PathPolyline> paths;
@@ -248,9 +247,9 @@ private:
         std::vector<Opened> opened;
         auto parts = cutPiece(piece, paths, ids, {}, progress, opened);
         if (!parts || parts->size() != 1) {
-            piece.defect =
-                parts ? cutError(piece.name, toile::worded("the cuts would separate the piece"))
-                      : parts.error();
+            piece.defect = parts ? cutError(subjectOf(piece),
+                                            toile::worded("the cuts would separate the piece"))
+                                 : parts.error();
             return;
         }
         for (std::size_t c = 0; c < opened.size(); ++c) {

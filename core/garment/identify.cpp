@@ -87,17 +87,12 @@ public:
 
 private:
     void proposeIds() {
-        std::map<std::uint64_t, int> times;
-        std::vector<std::uint64_t> ofFile;
-        for (const auto& file : files_) {
-            const std::uint64_t content = file->soup.contentHash.value_or(0);
-            ofFile.push_back(hashOf({content, static_cast<std::uint64_t>(times[content]++)}));
-        }
+        const std::vector<FileId> ofFile = fileIds(files_);
         std::map<std::uint64_t, std::uint64_t> alike;  // parts of one face of the file
         for (const auto& piece : wholes_) {
             const int face = piece->sourceFace.empty() ? -1 : piece->sourceFace.front();
             const std::uint64_t hash =
-                hashOf({ofFile[static_cast<std::size_t>(piece->file)],
+                hashOf({ofFile[static_cast<std::size_t>(piece->file)].value,
                         static_cast<std::uint64_t>(face), piece->sourceFace.size()});
             proposed_.push_back({hashOf({hash, alike[hash]++})});
         }
@@ -150,6 +145,16 @@ private:
 
 }  // namespace
 
+std::vector<FileId> fileIds(const std::vector<std::shared_ptr<const SourceFile>>& files) {
+    std::map<std::uint64_t, std::uint64_t> times;
+    std::vector<FileId> ids;
+    for (const auto& file : files) {
+        const std::uint64_t content = file->soup.contentHash.value_or(0);
+        ids.push_back({hashOf({content, times[content]++})});
+    }
+    return ids;
+}
+
 std::vector<KnownPiece> knownPieces(const Garment& garment) {
     std::vector<KnownPiece> known;
     for (const auto& piece : garment.wholes) {
@@ -165,6 +170,27 @@ void identify(std::vector<std::shared_ptr<Piece>>& wholes,
               const std::vector<std::shared_ptr<const SourceFile>>& files,
               const std::vector<KnownPiece>& known) {
     Identifier(wholes, files, known).run();
+}
+
+void nameSubjects(const std::vector<std::shared_ptr<SourceFile>>& files,
+                  const std::vector<std::shared_ptr<Piece>>& wholes) {
+    std::map<std::string_view, PieceId> byName;  // all of one division: no two are called alike
+    for (const auto& piece : wholes) {
+        byName.emplace(piece->name, piece->id);
+        nameDefect(*piece);
+    }
+    const std::vector<FileId> ids = fileIds({files.begin(), files.end()});
+    for (std::size_t f = 0; f < files.size(); ++f) {
+        for (Problems* problems : {&files[f]->soup.problems, &files[f]->problems}) {
+            for (auto& [code, subject, detail] : *problems) {
+                if (subject.kind == Subject::Kind::File) {
+                    subject.id = ids[f].value;
+                } else if (const auto found = byName.find(subject.name); found != byName.end()) {
+                    subject.id = found->second.value;
+                }
+            }
+        }
+    }
 }
 
 }  // namespace toile

@@ -27,6 +27,9 @@ struct KnownPiece {
 /// Of the garment's pieces before any join or cut. Linear.
 std::vector<KnownPiece> knownPieces(const Garment& garment);
 
+/// By content, and how often the garment has had it before. Linear.
+std::vector<FileId> fileIds(const std::vector<std::shared_ptr<const SourceFile>>& files);
+
 /// Gives the pieces of a division their ids, and their rims their origins. The same pieces of the
 /// same file have the same ids: by its content, how often the garment has had it before, the
 /// piece's first face and how many it has. Where a piece is not known by that, the file is another
@@ -37,5 +40,11 @@ std::vector<KnownPiece> knownPieces(const Garment& garment);
 void identify(std::vector<std::shared_ptr<Piece>>& wholes,
               const std::vector<std::shared_ptr<const SourceFile>>& files,
               const std::vector<KnownPiece>& known);
+
+/// Completes with these ids what reading, mending and checking said of files and pieces by name.
+/// Precondition: the wholes are those of `files`, with ids. n log n in what was said and the
+/// pieces.
+void nameSubjects(const std::vector<std::shared_ptr<SourceFile>>& files,
+                  const std::vector<std::shared_ptr<Piece>>& wholes);
 
 }  // namespace toile

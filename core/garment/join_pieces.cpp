@@ -28,7 +28,7 @@ using PiecePointer = std::shared_ptr<const Piece>;
 constexpr double kNearlyThere = 0.5;
 
 Error joinError(const UserJoin& join, Wording detail) {
-    return {ErrorCode::JoinImpossible, join.name, std::move(detail)};
+    return {ErrorCode::JoinImpossible, Subject::join(join.name), std::move(detail)};
 }
 
 /// A place on a rim edge: how far along, and how far the asker is from it.
@@ -241,10 +241,8 @@ private:
         }
         if (!itself) {
             made.name = names_.free(left.name + " + " + right.name);
-            if (made.defect) {
-                made.defect->where = made.name;
-            }
         }
+        nameDefect(made);
         made_.joins.push_back({join.name, made.name, weld.length});
         rims_->replace(weld.left, weld.right, made);
         pieces_[weld.left] = std::make_shared<const Piece>(std::move(made));

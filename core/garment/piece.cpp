@@ -79,7 +79,9 @@ Piece withHolesFilled(const Piece& piece) {
         }
         loops.push_back(std::move(loop));
     }
-    return makePiece(piece.name, fillHoles(piece.mesh, loops).mesh);
+    Piece filled = makePiece(piece.name, fillHoles(piece.mesh, loops).mesh);
+    filled.id = piece.id;
+    return filled;
 }
 
 }  // namespace toile

@@ -39,8 +39,19 @@ struct Piece {
     std::optional<Error> defect;          ///< why the piece cannot be flattened as it is
 };
 
-/// Checks the mesh, or names the defect. The mapping back to a file is
-/// left empty. Loops that are holes in the cloth (`sortLoops`) are no defect.
+inline Subject subjectOf(const Piece& piece) {
+    return Subject::piece(piece.name, piece.id);
+}
+
+/// Says of the defect whose it is, after a change of the piece's name or id.
+inline void nameDefect(Piece& piece) {
+    if (piece.defect) {
+        piece.defect->subject = subjectOf(piece);
+    }
+}
+
+/// Checks the mesh, or names the defect. The mapping back to a file
+/// and the id are left empty. Loops that are holes in the cloth (`sortLoops`) are no defect.
 /// @param mesh  one connected component, mm  Cost: linear. Pure.
 Piece makePiece(std::string name, MeshArrays mesh);
 

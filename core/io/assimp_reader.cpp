@@ -232,9 +232,9 @@ Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, const std:
     if (scene == nullptr) {
         // Assimp does not say whether the file or its bytes are at fault.
         const Result<std::string> bytes = readFile(path);
-        return bytes
-                   ? Error{ErrorCode::MalformedFile, name, readableName(importer.GetErrorString())}
-                   : bytes.error();
+        return bytes ? Error{ErrorCode::MalformedFile, Subject::file(name),
+                             readableName(importer.GetErrorString())}
+                     : bytes.error();
     }
     return SceneReader(*scene, name, unitOf(*scene, path.extension().string())).read(progress);
 }

@@ -148,7 +148,7 @@ private:
     }
 
     Error malformed(const std::string& what) const {
-        return {ErrorCode::MalformedFile, name_,
+        return {ErrorCode::MalformedFile, Subject::file(name_),
                 "line " + std::to_string(cursor_.line()) + ": " + what};
     }
 

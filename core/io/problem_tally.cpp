@@ -32,13 +32,13 @@ std::string ProblemTally::summary() const {
     return text;
 }
 
-Problems ProblemTally::problems(const std::string& where) const {
+Problems ProblemTally::problems(const std::string& file) const {
     Problems problems;
     for (const Entry& entry : entries_) {
         const auto same = std::find_if(problems.begin(), problems.end(),
                                        [&](const Error& e) { return e.code == entry.code; });
         if (same == problems.end()) {
-            problems.push_back({entry.code, where, inWords(entry)});
+            problems.push_back({entry.code, Subject::file(file), inWords(entry)});
         } else {
             same->detail += "; " + inWords(entry);
         }

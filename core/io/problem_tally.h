@@ -25,7 +25,7 @@ public:
     /// All faults in words: "2 faces left out: ..., first at line 7; 1 vertex ..., line 3".
     std::string summary() const;
     /// One problem per code, in order of first occurrence.
-    Problems problems(const std::string& where) const;
+    Problems problems(const std::string& file) const;
 
 private:
     struct Entry {

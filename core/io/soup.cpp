@@ -59,13 +59,13 @@ Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progre
         return soup;
 #else
         return Error{
-            ErrorCode::UnknownFormat, name,
+            ErrorCode::UnknownFormat, Subject::file(name),
             "\"" + ending + "\" needs Toile built with -DTOILE_ASSIMP=ON, or an export as OBJ"};
 #endif
     }
     const Reader reader = readerFor(ending);
     if (reader == nullptr) {
-        return Error{ErrorCode::UnknownFormat, name,
+        return Error{ErrorCode::UnknownFormat, Subject::file(name),
                      ending.empty() ? "the name has no ending" : "\"" + ending + "\""};
     }
     Result<std::string> bytes = readFile(path);

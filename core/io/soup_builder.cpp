@@ -57,7 +57,7 @@ void SoupBuilder::takeBackCorners() {
 }
 
 Error SoupBuilder::malformed(std::string detail) const {
-    return {ErrorCode::MalformedFile, name_, std::move(detail)};
+    return {ErrorCode::MalformedFile, Subject::file(name_), std::move(detail)};
 }
 
 void SoupBuilder::leaveOutFacesOutOfRange() {
@@ -129,7 +129,7 @@ Result<PolygonSoup> SoupBuilder::finish() {
         if (!tally_.empty()) {
             detail += "; " + tally_.summary();
         }
-        return Error{ErrorCode::NoGeometry, name_, std::move(detail)};
+        return Error{ErrorCode::NoGeometry, Subject::file(name_), std::move(detail)};
     }
     soup_.problems = tally_.problems(name_);
     return std::move(soup_);

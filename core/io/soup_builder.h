@@ -55,7 +55,7 @@ public:
 
     Error malformed(std::string detail) const;
 
-    Error cancelled() const { return {ErrorCode::Cancelled, name_, ""}; }
+    Error cancelled() const { return {ErrorCode::Cancelled, Subject::file(name_)}; }
 
     /// Leaves out faces with indices out of range and hands the soup over.
     /// Errors: NoGeometry where no face is left.

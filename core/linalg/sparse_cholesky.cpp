@@ -215,7 +215,7 @@ Result<void> SparseCholesky::analyse(const SymmetricMatrix& pattern, std::vector
     state_->factor =
         cholmod_analyze_p(&view, order.empty() ? nullptr : order.data(), nullptr, 0, &common);
     if (state_->factor == nullptr) {
-        return Error{ErrorCode::OutOfMemory, "", "ordering"};
+        return Error{ErrorCode::OutOfMemory, {}, "ordering"};
     }
     return {};
 }
@@ -225,7 +225,7 @@ Result<void> SparseCholesky::refactorise(const SymmetricMatrix& matrix) {
     cholmod_common& common = state_->workspace.common;
     const BlasCall blas;
     if (state_->factor->is_super != 0 && !blas.hasRoom()) {
-        return Error{ErrorCode::OutOfMemory, "", "factorising"};
+        return Error{ErrorCode::OutOfMemory, {}, "factorising"};
     }
     if (state_->factor->is_super != 0 && state_->factor->xtype == CHOLMOD_PATTERN) {
         cholmod_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, state_->factor, &common);
@@ -234,10 +234,10 @@ Result<void> SparseCholesky::refactorise(const SymmetricMatrix& matrix) {
     cholmod_sparse view = viewOf(matrix);
     cholmod_factorize(&view, state_->factor, &common);
     if (common.status == CHOLMOD_NOT_POSDEF || state_->factor->minor < state_->factor->n) {
-        return Error{ErrorCode::FactorisationFailed, "", "the matrix is not positive definite"};
+        return Error{ErrorCode::FactorisationFailed, {}, "the matrix is not positive definite"};
     }
     if (common.status < CHOLMOD_OK) {
-        return Error{ErrorCode::OutOfMemory, "", "factorising"};
+        return Error{ErrorCode::OutOfMemory, {}, "factorising"};
     }
     return {};
 }
@@ -246,7 +246,7 @@ Result<Eigen::MatrixXd> SparseCholesky::solve(const Eigen::MatrixXd& B) const {
     assert(state_->factor != nullptr);
     const BlasCall blas;
     if (state_->factor->is_super != 0 && !blas.hasRoom()) {
-        return Error{ErrorCode::OutOfMemory, "", "back-substitution"};
+        return Error{ErrorCode::OutOfMemory, {}, "back-substitution"};
     }
     CholmodWorkspace workspace;  // its own: several threads may solve at a time
     cholmod_dense right{};
@@ -259,7 +259,7 @@ Result<Eigen::MatrixXd> SparseCholesky::solve(const Eigen::MatrixXd& B) const {
     right.dtype = CHOLMOD_DOUBLE;
     cholmod_dense* x = cholmod_solve(CHOLMOD_A, state_->factor, &right, &workspace.common);
     if (x == nullptr) {
-        return Error{ErrorCode::OutOfMemory, "", "back-substitution"};
+        return Error{ErrorCode::OutOfMemory, {}, "back-substitution"};
     }
     Eigen::MatrixXd X =
         Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(x->x), B.rows(), B.cols());

@@ -29,9 +29,9 @@ namespace {
 
 Error failureOf(int status) {
     if (status == UMFPACK_ERROR_out_of_memory) {
-        return Error{ErrorCode::OutOfMemory, "", "factorising"};
+        return Error{ErrorCode::OutOfMemory, {}, "factorising"};
     }
-    return Error{ErrorCode::FactorisationFailed, "", "the matrix is singular"};
+    return Error{ErrorCode::FactorisationFailed, {}, "the matrix is singular"};
 }
 
 }  // namespace

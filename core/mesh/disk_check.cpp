@@ -58,7 +58,7 @@ private:
     }
 
     bool fail(ErrorCode code, const Wording& detail) {
-        result_.defect = Error{code, name_, detail};
+        result_.defect = Error{code, Subject::piece(name_), detail};
         return false;
     }
 

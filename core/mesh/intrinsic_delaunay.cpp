@@ -264,7 +264,7 @@ Result<IntrinsicDelaunay> intrinsicDelaunay(const MeshArrays& mesh, const EdgeTa
                 continue;
             }
             if (++result.flips % kFlipsPerCancelCheck == 0 && progress.isCancelled()) {
-                return Error{ErrorCode::Cancelled, "", ""};
+                return Error{ErrorCode::Cancelled};
             }
             for (const int side : surface.sidesAround(h)) {
                 enqueue(later, side);

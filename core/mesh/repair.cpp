@@ -22,7 +22,7 @@ void RepairNotes::add(ErrorCode code, std::string_view noun, const char* what,
     entries_.push_back({code, noun, what, place, 1});
 }
 
-Problems RepairNotes::problems(const std::string& where) const {
+Problems RepairNotes::problems(const std::string& piece) const {
     std::vector<Entry> sorted = entries_;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const Entry& a, const Entry& b) { return a.code < b.code; });
@@ -40,7 +40,7 @@ Problems RepairNotes::problems(const std::string& where) const {
             problems.back().detail += "; ";
             problems.back().detail += text;
         } else {
-            problems.push_back({entry.code, where, text});
+            problems.push_back({entry.code, Subject::piece(piece), text});
         }
     }
     return problems;

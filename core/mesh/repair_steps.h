@@ -27,7 +27,7 @@ public:
 
     /// One note per code, in the order of the codes: "3 faces turned, the first at 1.0, 2.0, 0.0
     /// mm"; what differs within a code is parted by a semicolon.
-    Problems problems(const std::string& where) const;
+    Problems problems(const std::string& piece) const;
 
 private:
     struct Entry {

@@ -63,7 +63,7 @@ Error weldNote(const Weld& weld, const PointsView& V, const std::string& name) {
     }
     const std::vector<Wording> words{countWording(weld.merged, "vertex"), figure(V(first, 0), 1),
                                      figure(V(first, 1), 1), figure(V(first, 2), 1)};
-    return {ErrorCode::VerticesWelded, name,
+    return {ErrorCode::VerticesWelded, Subject::file(name),
             weld.merged == 1 ? worded("%1 welded to another, at %2, %3, %4 mm", words)
                              : worded("%1 welded to another, the first at %2, %3, %4 mm", words)};
 }

@@ -27,7 +27,7 @@ void noteHoles(Garment& garment) {
             }
             const auto count = static_cast<long long>(piece->holes.size());
             const std::vector<Wording> words{countWording(count, "hole"), figure(longest, 1)};
-            garment.problems.push_back({ErrorCode::HolesKept, piece->name,
+            garment.problems.push_back({ErrorCode::HolesKept, subjectOf(*piece),
                                         count > 1 ? worded("%1, the longest rim %2 mm", words)
                                                   : worded("%1, its rim %2 mm", words)});
         }
@@ -67,7 +67,7 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
     noteHoles(made);
     made.seams = findSeams(made.pieces, {}, Progress(progress, 1 - kJoiningShare - kCuttingShare));
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     made.problems.insert(made.problems.end(), made.seams.notes.begin(), made.seams.notes.end());
     nameAfterCuts(made.seams, made.cuts);

@@ -78,13 +78,13 @@ Result<void> exportFile(const std::filesystem::path& path, const Garment& garmen
                         const PieceResults& results, const std::vector<PieceOnSheet>& places,
                         const Progress& progress, const DrawingWords& words) {
     if (!canExport(path)) {
-        return Error{ErrorCode::UnknownFormat, path.string(),
+        return Error{ErrorCode::UnknownFormat, Subject::file(path.string()),
                      "ending \"" + lowerCaseEnding(path) + "\""};
     }
     const std::string bytes =
         bytesOf(lowerCaseEnding(path), garment, results, places, progress, words);
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, {}, {}};
+        return Error{ErrorCode::Cancelled};
     }
     progress.report(kMakingShare);
     return writeFile(path, bytes);

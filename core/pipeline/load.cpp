@@ -47,7 +47,7 @@ void chooseUnit(SourceFile& file, const std::optional<LengthUnit>& stated, doubl
     file.unitInDoubt = guess.inDoubt;
     if (guess.inDoubt) {
         file.problems.push_back(
-            {ErrorCode::UnitGuessed, file.path.filename().string(), guess.reason});
+            {ErrorCode::UnitGuessed, Subject::file(file.path.filename().string()), guess.reason});
     }
 }
 
@@ -71,7 +71,7 @@ void noteUnusedVertices(SourceFile& file) {
     const auto unused = std::count(used.begin(), used.end(), 0);
     if (unused > 0) {
         file.problems.push_back(
-            {ErrorCode::UnusedVertices, file.path.filename().string(),
+            {ErrorCode::UnusedVertices, Subject::file(file.path.filename().string()),
              worded("%1 of %2", {countWording(unused, "vertex"), figure(double(used.size()))})});
     }
 }
@@ -88,7 +88,7 @@ const Error* firstChange(const Problems& problems, const LoadOptions& options) {
 
 /// Everything about one file up to its pieces.
 struct LoadedFile {
-    std::shared_ptr<const SourceFile> file;
+    std::shared_ptr<SourceFile> file;
     std::vector<std::shared_ptr<Piece>> pieces;
 };
 
@@ -141,6 +141,7 @@ std::vector<std::string> prefixes(const std::vector<fs::path>& paths) {
 Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOptions& options,
                             Progress& progress, const Garment* before) {
     Garment garment;
+    std::vector<std::shared_ptr<SourceFile>> files;
     std::vector<std::shared_ptr<Piece>> wholes;
     const std::vector<std::string> prefix = prefixes(paths);
     progress.start(1);
@@ -152,17 +153,20 @@ Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOption
         if (!loaded) {
             return loaded.error();
         }
-        garment.files.push_back(std::move(loaded->file));
+        files.push_back(std::move(loaded->file));
         wholes.insert(wholes.end(), loaded->pieces.begin(), loaded->pieces.end());
         if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
+            return Error{ErrorCode::Cancelled};
         }
     }
     if (wholes.empty()) {
-        return Error{ErrorCode::NoGeometry, paths.empty() ? "" : paths.front().string(),
+        return Error{ErrorCode::NoGeometry,
+                     paths.empty() ? Subject{} : Subject::file(paths.front().string()),
                      worded("no usable face is left")};
     }
+    garment.files.assign(files.begin(), files.end());
     identify(wholes, garment.files, options.known);
+    nameSubjects(files, wholes);
     garment.wholes.assign(wholes.begin(), wholes.end());
     if (before) {
         reusePieces(garment.wholes, *before);

@@ -41,7 +41,7 @@ std::shared_ptr<PieceResult> emptyResult(const std::shared_ptr<const Piece>& pie
 
 DoneTask cancelledTask(const std::shared_ptr<const Piece>& piece, const FlattenOptions& options) {
     auto result = emptyResult(piece, options);
-    result->error = Error{ErrorCode::Cancelled, piece->name, ""};
+    result->error = Error{ErrorCode::Cancelled, subjectOf(*piece)};
     return {std::move(result)};
 }
 
@@ -72,7 +72,7 @@ DoneTask flattenOne(const PieceTask& task, const FlattenOptions& options,
     } catch (const std::bad_alloc&) {  // one piece too large must not end the others' thread
         result->flat.reset();
         result->quality.reset();
-        result->error = Error{ErrorCode::OutOfMemory, piece->name, ""};
+        result->error = Error{ErrorCode::OutOfMemory, subjectOf(*piece)};
     }
     result->seconds = time.seconds();
     progress.report(1);

@@ -56,4 +56,12 @@ const std::string& nameOf(const PieceLabels& labels, const Piece& piece) {
     return known == labels.end() || known->second.name.empty() ? piece.name : known->second.name;
 }
 
+Subject labelled(const PieceLabels& labels, Subject subject) {
+    const auto known = labels.find(subject.pieceId());
+    if (known != labels.end() && !known->second.name.empty()) {
+        subject.name = known->second.name;
+    }
+    return subject;
+}
+
 }  // namespace toile

@@ -31,5 +31,7 @@ std::vector<int> coloursOf(const PieceLabels& labels, const Garment& garment);
 
 /// What a piece is called.
 const std::string& nameOf(const PieceLabels& labels, const Piece& piece);
+/// The subject by the name that a person gave it, where it is a piece with one.
+Subject labelled(const PieceLabels& labels, Subject subject);
 
 }  // namespace toile

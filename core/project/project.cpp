@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/garment/identify.h"
 #include "core/project/rigid_motion.h"
 
 namespace toile {
@@ -97,12 +98,13 @@ std::vector<PieceSettings> settingsFor(const Project& project, const Garment& ga
 }
 
 Problems differencesTo(const Project& project, const Garment& garment) {
-    std::vector<std::string> changed, gone;
+    std::vector<Subject> changed, gone;
+    const std::vector<FileId> fileId = fileIds(garment.files);
     for (std::size_t k = 0; k < project.files.size() && k < garment.files.size(); ++k) {
         const auto& wanted = project.files[k].hash;
         const auto& found = garment.files[k]->soup.contentHash;
         if (wanted && found && *wanted != *found) {
-            changed.push_back(project.files[k].path.filename().string());
+            changed.push_back(Subject::file(project.files[k].path.filename().string(), fileId[k]));
         }
     }
     const ProjectIndex index(project);
@@ -112,7 +114,7 @@ Problems differencesTo(const Project& project, const Garment& garment) {
     }
     for (const ProjectPiece& piece : project.pieces) {
         if (!there.contains(&piece)) {
-            gone.push_back(piece.name);
+            gone.push_back(Subject::piece(piece.name, piece.id));
         }
     }
     Problems problems = aboutEach(ErrorCode::FileChanged, changed);

@@ -272,17 +272,17 @@ Result<ReadProject> readDocument(JsonDocument json, const std::string& name,
     JsonFaults faults;
     const int version = versionOf(json, faults);
     if (!faults.first.empty()) {
-        return Error{ErrorCode::MalformedProject, name, faults.first};
+        return Error{ErrorCode::MalformedProject, Subject::file(name), faults.first};
     }
     if (version > kProjectVersion) {
-        return Error{ErrorCode::NewerProject, name,
+        return Error{ErrorCode::NewerProject, Subject::file(name),
                      "its format is version " + std::to_string(version) + ", this Toile knows " +
                          std::to_string(kProjectVersion)};
     }
     upgradeProject(json, version, kProjectUpgrades);
     ReadProject read{Reader(folder, faults).run(json), {}};
     if (!faults.first.empty()) {
-        return Error{ErrorCode::MalformedProject, name, faults.first};
+        return Error{ErrorCode::MalformedProject, Subject::file(name), faults.first};
     }
     read.notes = faults.notes(name);
     return read;

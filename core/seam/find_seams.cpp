@@ -79,7 +79,8 @@ Problems notesOf(const std::vector<CrowdedPlace>& crowded) {
         return {};
     }
     const Eigen::Vector3d& at = worst->middle;
-    return {{ErrorCode::EdgesCrowd, "",
+    return {{ErrorCode::EdgesCrowd,
+             {},
              counted(static_cast<long long>(crowded.size()), "place") + ", with up to " +
                  std::to_string(worst->edges) + " edges, as at " + fixed(at.x(), 1) + ", " +
                  fixed(at.y(), 1) + ", " + fixed(at.z(), 1) + " mm"}};

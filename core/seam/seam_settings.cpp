@@ -158,13 +158,13 @@ std::vector<SeamSettings> withEaseByName(std::vector<SeamSettings> settings, con
             byName[seam.name].push_back(&seam);
         }
     }
-    std::vector<std::string> unknown;
+    std::vector<Subject> unknown;
     for (const auto& [name, value] : ease) {
         const std::vector<const Seam*>& seams = byName[name];
         if (seams.size() == 1) {
             settings = withEase(std::move(settings), *seams.front(), value);
         } else {
-            unknown.push_back(name);
+            unknown.push_back(Subject::seam(name));
         }
     }
     const Problems found =

@@ -377,7 +377,7 @@ private slots:
         auto failed = std::make_shared<PieceResult>(*entries[1].made.result);
         failed->flat.reset();
         failed->quality.reset();
-        failed->error = Error{ErrorCode::NotFinite, "narrow", {}};
+        failed->error = Error{ErrorCode::NotFinite, Subject::piece("narrow")};
         entries[1].made = {failed, {}, nullptr};
         FigureTable figures;
         figures.setEntries(entries);

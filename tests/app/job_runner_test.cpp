@@ -51,7 +51,7 @@ Result<void> untilCancelled(Progress& progress) {
     while (!progress.isCancelled()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    return Error{ErrorCode::Cancelled, {}, {}};
+    return Error{ErrorCode::Cancelled};
 }
 
 }  // namespace
@@ -212,7 +212,8 @@ private slots:
         JobRunner runner(document);
         auto job = std::make_unique<TestJob>();
         job->work = [](Progress&) {
-            return Result<void>(Error{ErrorCode::FileUnreadable, "coat.obj", "no such file"});
+            return Result<void>(
+                Error{ErrorCode::FileUnreadable, Subject::file("coat.obj"), "no such file"});
         };
         QSignalSpy failed(&runner, &JobRunner::failed);
         runner.start(std::move(job));

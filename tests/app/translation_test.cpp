@@ -218,7 +218,7 @@ private slots:
         useLanguage(Language::German);
         QCOMPARE(wordingText(guessUnit(1.52).reason),
                  QString("größte Ausdehnung 1,52, als Meter gelesen: 1.520 mm"));
-        const QString said = errorText({ErrorCode::CutImpossible, "Abnäher",
+        const QString said = errorText({ErrorCode::CutImpossible, Subject::cut("Abnäher"),
                                         worded("it needs %1 points or more", {figure(3)})});
         QVERIFY2(said.contains("mindestens 3 Punkte sind nötig"), qPrintable(said));
         QCOMPARE(drawingWords().cutPairs, std::string("%1 Paare zuschneiden"));

@@ -91,7 +91,7 @@ std::string brokenByRefusal(const Error& error) {
     const bool expected = error.code == ErrorCode::MalformedFile ||
                           error.code == ErrorCode::MalformedProject ||
                           error.code == ErrorCode::NewerProject;
-    return expected && error.where == kName && !error.detail.empty()
+    return expected && error.subject.name == kName && !error.detail.empty()
                ? ""
                : "refused without a proper reason: " + sentence(error);
 }

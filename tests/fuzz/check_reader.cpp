@@ -22,7 +22,7 @@ bool inRange(const Indices& indices, int least, Eigen::Index count) {
 std::string brokenByError(const Error& error) {
     const bool expected =
         error.code == ErrorCode::MalformedFile || error.code == ErrorCode::NoGeometry;
-    if (!expected || error.where.empty() || error.detail.empty()) {
+    if (!expected || error.subject.name.empty() || error.detail.empty()) {
         return "refused without a proper reason: " + sentence(error);
     }
     return "";

@@ -126,7 +126,7 @@ Result<FlatBoundary> solveBoundaryDescent(const BoundaryProblem& problem,
                          stage < kStages ? kStepsPerStage : kStepsAtLast, progress);
     }
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     const DirectionProblem directions(problem);
     FlatBoundary reached = detail::closeOutline(problem, directions.withLast(phi), steps);

@@ -83,7 +83,7 @@ Result<FlatBoundary> newtonFrom(const BoundaryProblem& problem, const Eigen::Vec
     int iteration = 0;
     for (; iteration <= kMaxIterations; ++iteration) {
         if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
+            return Error{ErrorCode::Cancelled};
         }
         const Vector gradient = DirectionProblem::gradient(newton.residual(at.phi));
         const Eigen::Vector2d closure = newton.closure(at.phi);
@@ -118,7 +118,8 @@ Result<FlatBoundary> newtonFrom(const BoundaryProblem& problem, const Eigen::Vec
         at.lambda = lambda;
     }
     return Error{
-        ErrorCode::BoundaryNotConverged, "",
+        ErrorCode::BoundaryNotConverged,
+        {},
         "stopped after " + counted(iteration, "step") + ", gradient " + shortest(bestSize)};
 }
 

@@ -75,11 +75,12 @@ Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolve
                                    const Progress& progress) {
     const double perimeter = problem.lengths.sum();
     if (!std::isfinite(perimeter) || !problem.angles.allFinite()) {
-        return Error{ErrorCode::NotFinite, "", worded("boundary lengths or angles are not finite")};
+        return Error{ErrorCode::NotFinite, {}, worded("boundary lengths or angles are not finite")};
     }
     const double longest = problem.lengths.maxCoeff();
     if (!(longest < 0.5 * perimeter)) {
-        return Error{ErrorCode::NoClosedOutline, "",
+        return Error{ErrorCode::NoClosedOutline,
+                     {},
                      worded("the edge has %1, the others together %2",
                             {shortest(longest), shortest(perimeter - longest)})};
     }
@@ -101,7 +102,8 @@ Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolve
         return solved.error();
     }
     if (!isClosed(*solved)) {
-        return Error{ErrorCode::BoundaryNotConverged, "",
+        return Error{ErrorCode::BoundaryNotConverged,
+                     {},
                      worded("closing gap %1 of the perimeter", {shortest(solved->closureGap)})};
     }
     solved->points *= perimeter;

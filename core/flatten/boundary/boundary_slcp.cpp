@@ -61,7 +61,7 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
     double size = 0;
     for (int iteration = 0; iteration <= kMaxPrograms; ++iteration) {
         if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
+            return Error{ErrorCode::Cancelled};
         }
         const Eigen::VectorXd phi = directionsOf(theta);
         const Constraints c = constraintsAt(problem, phi);
@@ -83,7 +83,8 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
         lambda += step;
     }
     return Error{
-        ErrorCode::BoundaryNotConverged, "",
+        ErrorCode::BoundaryNotConverged,
+        {},
         worded("not within %1 steps, gradient %2", {figure(kMaxPrograms), shortest(size)})};
 }
 

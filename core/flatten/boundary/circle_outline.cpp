@@ -36,7 +36,8 @@ Result<Points2> circleOutline(const Eigen::VectorXd& lengths) {
     }
     if (!(most > 0 && most < others)) {
         return Error{
-            ErrorCode::NoClosedOutline, "",
+            ErrorCode::NoClosedOutline,
+            {},
             "the edge has " + shortest(most) + ", the others together " + shortest(others)};
     }
     const Eigen::VectorXd relative = lengths / most;

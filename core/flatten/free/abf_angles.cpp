@@ -85,7 +85,7 @@ public:
             }
         }
         if (!change.allFinite()) {
-            return Error{ErrorCode::NotFinite, "", "planar angles"};
+            return Error{ErrorCode::NotFinite, {}, "planar angles"};
         }
         x_ += length * change;
         multipliers_ += length * (*solved - multipliers_);
@@ -183,7 +183,7 @@ private:
         }
         const SymmetricMatrix matrix = builder.build();
         if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
+            return Error{ErrorCode::Cancelled};
         }
         const auto factorised = cholesky_.factorise(matrix);
         if (!factorised) {

@@ -29,7 +29,7 @@ Result<Points2> solvePinned(const ConformalEnergy& energy, std::array<int, 2> pi
     energy.addTo(builder, unknown);
     const SymmetricMatrix matrix = builder.build();
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     SparseCholesky cholesky;
     const auto factorised = cholesky.factorise(matrix);
@@ -43,7 +43,7 @@ Result<Points2> solvePinned(const ConformalEnergy& energy, std::array<int, 2> pi
     double last = std::numeric_limits<double>::infinity();
     for (int step = 0; step <= kMaxRefinements && count > 0; ++step) {
         if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
+            return Error{ErrorCode::Cancelled};
         }
         const Eigen::VectorXcd gradient = energy.adjoint(energy.residual(z));
         Eigen::VectorXd right(2 * count);
@@ -59,7 +59,7 @@ Result<Points2> solvePinned(const ConformalEnergy& energy, std::array<int, 2> pi
         }
         const double size = change->cwiseAbs().maxCoeff();
         if (!std::isfinite(size)) {
-            return Error{ErrorCode::NotFinite, "", "flat positions"};
+            return Error{ErrorCode::NotFinite, {}, "flat positions"};
         }
         if (step > 0 && size >= 0.5 * last) {
             break;  // nothing more to gain

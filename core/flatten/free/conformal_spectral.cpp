@@ -34,11 +34,11 @@ public:
         for (std::size_t v = 0; v < unknown.size(); ++v) {
             unknown[v] = static_cast<int>(v);
         }
-        Result<void> done = Error{ErrorCode::FactorisationFailed, "", ""};
+        Result<void> done = Error{ErrorCode::FactorisationFailed};
         double shift = kFirstShift;
         for (int attempt = 0; attempt < kShifts; ++attempt, shift *= kShiftGrowth) {
             if (progress.isCancelled()) {
-                return Error{ErrorCode::Cancelled, "", ""};
+                return Error{ErrorCode::Cancelled};
             }
             SymmetricBuilder builder(2 * energy_.vertexCount());
             energy_.addTo(builder, unknown);
@@ -156,7 +156,7 @@ Result<Points2> solveSpectral(const ConformalEnergy& energy, const std::vector<i
     for (iterations = 1; iterations < kMaxPowerSteps && change > kConverged && !basis.empty();
          ++iterations) {
         if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
+            return Error{ErrorCode::Cancelled};
         }
         z = basis[0];
         // The next step of the inverse iteration differs from z by this solve; taken as a
@@ -180,7 +180,7 @@ Result<Points2> solveSpectral(const ConformalEnergy& energy, const std::vector<i
         basis = problem.orthonormal({Eigen::VectorXcd(c[0] * basis[0] + last)});
     }
     if (basis.empty() || !basis[0].allFinite()) {
-        return Error{ErrorCode::NotFinite, "", "flat positions"};
+        return Error{ErrorCode::NotFinite, {}, "flat positions"};
     }
     Points2 Q(energy.vertexCount(), 2);
     Q << basis[0].real(), basis[0].imag();

@@ -73,7 +73,7 @@ Result<FlatPiece> atTrueSize(const Piece& piece, const Points2& points, const St
     FlatPiece flat;
     flat.Q = scale * points;
     if (!flat.Q.allFinite()) {
-        return Error{ErrorCode::NotFinite, "", "flat positions"};
+        return Error{ErrorCode::NotFinite, {}, "flat positions"};
     }
     flat.angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
                                    boundaryAngles2d(flat.Q, piece.boundary));

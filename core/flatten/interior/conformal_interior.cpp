@@ -72,7 +72,7 @@ Result<ConformalInterior> ConformalInterior::withDelaunayWeights(const Progress&
         return delaunay.error();
     }
     if (delaunay->flips == 0) {
-        return Error{ErrorCode::FactorisationFailed, "", "the mesh is Delaunay"};
+        return Error{ErrorCode::FactorisationFailed, {}, "the mesh is Delaunay"};
     }
     auto system = InteriorSystem::make(std::move(delaunay->graph), piece_->mesh.V, piece_->boundary,
                                        progress);
@@ -88,7 +88,7 @@ Result<ConformalInterior> ConformalInterior::withDelaunayWeightsAround(
         return delaunay.error();
     }
     if (delaunay->flips == 0) {
-        return Error{ErrorCode::FactorisationFailed, "", "the triangles are Delaunay"};
+        return Error{ErrorCode::FactorisationFailed, {}, "the triangles are Delaunay"};
     }
     auto system = InteriorSystem::make(std::move(delaunay->graph), piece_->mesh.V, piece_->boundary,
                                        progress);

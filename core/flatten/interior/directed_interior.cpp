@@ -73,7 +73,7 @@ Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
         }
     }
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     SparseLu lu;
     const auto factorised = lu.factorise(size, entries);
@@ -81,14 +81,14 @@ Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
         return factorised.error();
     }
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     const auto solved = lu.solve(right);
     if (!solved) {
         return solved.error();
     }
     if (!solved->allFinite()) {
-        return Error{ErrorCode::NotFinite, "", "interior positions"};
+        return Error{ErrorCode::NotFinite, {}, "interior positions"};
     }
     for (int v = 0; v < vertexCount; ++v) {
         if (unknown[v] >= 0) {

@@ -89,7 +89,7 @@ Result<InteriorSystem> InteriorSystem::make(WeightedEdges graph, const Points3& 
 Result<void> InteriorSystem::factorise(const Points3& V, const Progress& progress) {
     const SymmetricMatrix L = interiorLaplacian(graph_, interiorIndex_, interior_.size());
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     progress.step();
     std::vector<int> order;
@@ -100,14 +100,14 @@ Result<void> InteriorSystem::factorise(const Points3& V, const Progress& progres
         return analysed.error();
     }
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     progress.step();
     if (const auto factorised = cholesky_.refactorise(L); !factorised) {
         return factorised.error();
     }
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     progress.step();
     return {};
@@ -154,7 +154,7 @@ Result<Eigen::MatrixXd> InteriorSystem::solve(const Eigen::MatrixXd& b) const {
         return solved.error();
     }
     if (!solved->allFinite()) {
-        return Error{ErrorCode::NotFinite, "", "interior positions"};
+        return Error{ErrorCode::NotFinite, {}, "interior positions"};
     }
     Eigen::MatrixXd values = Eigen::MatrixXd::Zero(vertexCount, b.cols());
     for (std::size_t i = 0; i < interior_.size(); ++i) {

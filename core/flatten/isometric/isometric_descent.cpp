@@ -111,7 +111,7 @@ public:
         double part = 1;
         for (int k = 0; k <= kMaxApproaches && part > kLeastApproach; ++k) {
             if (progress_.isCancelled()) {
-                return Error{ErrorCode::Cancelled, "", ""};
+                return Error{ErrorCode::Cancelled};
             }
             if (const auto renewed = renew(Q, at); !renewed) {
                 return renewed.error();
@@ -135,7 +135,7 @@ public:
             at = objective_.evaluate(Q);
             relax(Q, at);
         }
-        return Error{ErrorCode::BoundaryNotConverged, "", "the lengths are too far from exact"};
+        return Error{ErrorCode::BoundaryNotConverged, {}, "the lengths are too far from exact"};
     }
 
     /// After a step that single triangles stopped: gives them room.
@@ -270,7 +270,7 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
     result.Q = start;
     IsometricObjective::Value at = descent.objective().evaluate(start);
     if (!std::isfinite(at.total)) {
-        return Error{ErrorCode::NotFinite, "", "the start has flipped triangles or touches itself"};
+        return Error{ErrorCode::NotFinite, {}, "the start has flipped triangles or touches itself"};
     }
     if (!descent.hasLengths(start)) {
         if (const auto exact = descent.makeExact(result.Q, at); !exact) {
@@ -325,7 +325,7 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
         result.model = descent.kkt().share();
     }
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     // The objective has fallen. Its small terms may have fallen at the cost of the distortion.
     const double before = descent.objective().distortion(exactStart);

@@ -44,7 +44,7 @@ Result<void> KktSolver::renew(IsometricObjective& objective, const ModelPoint& p
     if (twoLevel_ && !huge_ && twoLevel_->rounds() > kManyRounds) {
         twoLevel_.reset();
     }
-    Result<void> ready = Error{ErrorCode::FactorisationFailed, "", ""};
+    Result<void> ready = Error{ErrorCode::FactorisationFailed};
     for (const double regularisation : kRegularisation) {
         const auto hessian = objective.hessian(point.Q, point.at);
         laidOut_ = laidOut_ && hessian.samePattern;
@@ -121,7 +121,7 @@ Result<void> KktSolver::solveOnce(const Points2& forces, Points2& P, double& fir
             return {};
         }
         if (progress_.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
+            return Error{ErrorCode::Cancelled};
         }
         // Rare. Memory is the price of a result.
         twoLevel_.reset();
@@ -135,7 +135,7 @@ Result<void> KktSolver::solveOnce(const Points2& forces, Points2& P, double& fir
         return solved.error();
     }
     if (!solved->allFinite()) {
-        return Error{ErrorCode::NotFinite, "", "a step of the isometric descent"};
+        return Error{ErrorCode::NotFinite, {}, "a step of the isometric descent"};
     }
     P = Eigen::Map<const Points2>(solved->data(), forces.rows(), 2);
     return {};

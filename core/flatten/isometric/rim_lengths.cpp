@@ -65,7 +65,7 @@ Result<void> keepRimLengths(const Piece& piece, Quality quality, FlatPiece& flat
     const Stopwatch time;
     auto kept = descend(piece, flat.Q, quality, progress);
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     if (!kept && kept.error().code == ErrorCode::OutOfMemory) {
         return kept.error();

@@ -57,10 +57,10 @@ Result<void> TwoLevelSolver::renew(const BlockMatrix& K, const ModelPoint& point
     coarse_ =
         std::make_unique<Coarse>(mesh_, loops_, point.Q, lengths_, keepOutlineSimple_, progress_);
     if (progress_.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     if (!coarse_->piece.savesWork()) {
-        return Error{ErrorCode::FactorisationFailed, "", "no coarse piece"};
+        return Error{ErrorCode::FactorisationFailed, {}, "no coarse piece"};
     }
     const Points2 Q = coarse_->piece.restricted(point.Q);
     const auto at = coarse_->objective.evaluate(Q);
@@ -68,7 +68,7 @@ Result<void> TwoLevelSolver::renew(const BlockMatrix& K, const ModelPoint& point
     addSpring(coarse, coarse_->piece.loops().vertex(0));
     addLengths(coarse, coarse_->constraints, {Q, at, point.multipliers}, stiffness, regularisation);
     if (progress_.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     return coarse_->cholesky.factorise(coarse.matrix());
 }

@@ -144,7 +144,7 @@ Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece fla
         }
     }
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled, "", ""};
+        return Error{ErrorCode::Cancelled};
     }
     if (memory != nullptr) {
         keep(std::move(lowest), isSimple ? &flat.Q : nullptr, *memory);
@@ -237,7 +237,7 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
         descent.sharesModel = true;
         auto again = descendFromCarried(piece, descent, *carried, progress);
         if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled, "", ""};
+            return Error{ErrorCode::Cancelled};
         }
         if (again) {
             return finish(piece, std::move(*again), memory->start, descent, &*carried, time,

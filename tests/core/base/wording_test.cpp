@@ -18,7 +18,7 @@ TEST(Wording, IsItsEnglishText) {
     EXPECT_EQ(figure(-5.77350269e300, 1), "-5.77e+300");
     EXPECT_EQ(figure(-5.77350269e300, 1).decimals(), -1);
     EXPECT_EQ(placeWording(1, -2.5, 0), "(1.0, -2.5, 0.0)");
-    const Error error{ErrorCode::CutImpossible, "dart", worded("it has no points")};
+    const Error error{ErrorCode::CutImpossible, Subject::cut("dart"), worded("it has no points")};
     EXPECT_NE(sentence(error).find("dart: the cut cannot be made (it has no points)"),
               std::string::npos);
 }

@@ -20,7 +20,8 @@ inline CutPlan readyPlan(const std::vector<std::string>& names = {"front", "back
     file->path = "shirt.obj";
     garment->files = {file};
     for (const std::string& name : names) {
-        const auto piece = std::make_shared<const Piece>(makePiece(name, planeGrid(2, 2, 50)));
+        const auto piece = std::make_shared<Piece>(makePiece(name, planeGrid(2, 2, 50)));
+        piece->id = {plan.results.size() + 1};
         auto result = std::make_shared<PieceResult>();
         result->piece = piece;
         result->flat.emplace();

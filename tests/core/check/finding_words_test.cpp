@@ -24,7 +24,7 @@ TEST(FindingWords, EveryKindHasANameOfItsOwnAndATitle) {
 TEST(FindingWords, SentenceSaysWhereWhatAndWhatToTry) {
     Finding finding;
     finding.kind = FindingKind::SeamLengths;
-    finding.where = "front / back";
+    finding.subject.name = "front / back";
     finding.figures = {{3.2, Figure::Unit::Length},
                        {412.34, Figure::Unit::Length},
                        {409.14, Figure::Unit::Length}};

@@ -55,7 +55,7 @@ TEST(ReadyToCut, MissingAndStaleResultsAreNotFlattened) {
     plan = readyPlan();
     auto cancelled = copyOfResult(plan, 0);
     cancelled->flat.reset();
-    cancelled->error = Error{ErrorCode::Cancelled, "front", ""};
+    cancelled->error = Error{ErrorCode::Cancelled, Subject::piece("front")};
     plan.results[0] = cancelled;
     EXPECT_EQ(onlyFinding(plan, FindingKind::NotFlattened).figures[0].value, 1);
 }
@@ -73,7 +73,7 @@ TEST(ReadyToCut, PieceThatIsNotFlatIsAFault) {
     CutPlan plan = readyPlan();
     auto failed = copyOfResult(plan, 1);
     failed->flat.reset();
-    failed->error = Error{ErrorCode::SeveralLoops, "back", "2 loops"};
+    failed->error = Error{ErrorCode::SeveralLoops, Subject::piece("back"), "2 loops"};
     plan.results[1] = failed;
     const Finding finding = onlyFinding(plan, FindingKind::NotFlat);
     EXPECT_EQ(finding.severity, Severity::Fault);
@@ -132,7 +132,7 @@ TEST(ReadyToCut, OutlineThatCrossesItselfIsAFaultWithItsPlace) {
 
     // The note of the flattening, which knows the cut that helps, is told instead, and once.
     auto noted = std::make_shared<PieceResult>(*result);
-    noted->flat->notes = {{ErrorCode::OutlineCrosses, "ring", "cut it there"}};
+    noted->flat->notes = {{ErrorCode::OutlineCrosses, Subject::piece("ring"), "cut it there"}};
     plan.results = {noted};
     const Readiness readiness = readyToCut(plan);
     EXPECT_NE(sentence(findingsOf(readiness, FindingKind::OutlineCrosses).at(0)).find("cut it"),
@@ -229,7 +229,8 @@ TEST(ReadyToCut, SeamsAreJudgedAsTheLedgerDoes) {
     EXPECT_EQ(differs.severity, Severity::Fault);
     EXPECT_NEAR(differs.figures[0].value, 5, 1e-9);
     ASSERT_GE(differs.seam, 0);
-    EXPECT_EQ(differs.where, garment->seams.seams[static_cast<std::size_t>(differs.seam)].name);
+    EXPECT_EQ(differs.subject.name,
+              garment->seams.seams[static_cast<std::size_t>(differs.seam)].name);
     EXPECT_EQ(differs.pieces, (std::vector{0, 1}));
 
     // Meant to be longer: no fault.
@@ -254,7 +255,7 @@ TEST(ReadyToCut, GuessesInDoubtAreDoubtsUntilTheyAreKept) {
     auto file = std::make_shared<SourceFile>(*garment->files[0]);
     file->unitInDoubt = file->upInDoubt = true;
     file->unitReason = "largest extent 200, read as centimetres: 2000 mm";
-    file->problems = {{ErrorCode::UnitGuessed, "shirt.obj", file->unitReason}};
+    file->problems = {{ErrorCode::UnitGuessed, Subject::file("shirt.obj"), file->unitReason}};
     garment->files = {file};
     plan.garment = garment;
     const Readiness readiness = readyToCut(plan);
@@ -289,7 +290,9 @@ TEST(ReadyToCut, PiecesOnEachOtherAreADoubt) {
     plan.settings[1].placement->offset.x() = 60;
     const Finding finding = onlyFinding(plan, FindingKind::PiecesOverlap);
     EXPECT_EQ(finding.pieces, (std::vector{0, 1}));
-    EXPECT_EQ(finding.where, "front / back");
+    EXPECT_EQ(finding.subject.name, "front / back");
+    plan.labels[plan.garment->pieces[1]->id].name = "Rücken";
+    EXPECT_EQ(onlyFinding(plan, FindingKind::PiecesOverlap).subject.name, "front / Rücken");
     plan.settings[1].placement.reset();  // finds a place of its own
     EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
 }
@@ -297,8 +300,8 @@ TEST(ReadyToCut, PiecesOnEachOtherAreADoubt) {
 TEST(ReadyToCut, MessagesAreNotesOrFaultsAsTheirCodeSays) {
     CutPlan plan = readyPlan();
     auto garment = std::make_shared<Garment>(*plan.garment);
-    garment->problems = {{ErrorCode::CutImpossible, "waist", "it ends in the air"},
-                         {ErrorCode::HolesKept, "back", "1 hole"}};
+    garment->problems = {{ErrorCode::CutImpossible, Subject::cut("waist"), "it ends in the air"},
+                         {ErrorCode::HolesKept, subjectOf(*garment->pieces[1]), "1 hole"}};
     plan.garment = garment;
     const Readiness readiness = readyToCut(plan);
     ASSERT_EQ(readiness.findings.size(), 2U);
@@ -306,6 +309,57 @@ TEST(ReadyToCut, MessagesAreNotesOrFaultsAsTheirCodeSays) {
     EXPECT_EQ(readiness.findings[1].severity, Severity::Note);
     EXPECT_EQ(readiness.findings[1].pieces, std::vector{1});
     EXPECT_EQ(readiness.verdict(), Verdict::Faults);
+}
+
+TEST(ReadyToCut, WhatIsCalledLikeAPieceIsNone) {
+    CutPlan plan = readyPlan();
+    auto garment = std::make_shared<Garment>(*plan.garment);
+    const std::uint64_t id = garment->pieces[1]->id.value;
+    garment->problems = {{ErrorCode::CutImpossible, Subject::cut("back", {id})},
+                         {ErrorCode::JoinImpossible, Subject::join("back")},
+                         {ErrorCode::NoSuchSeam, Subject::seam("back", {id})},
+                         {ErrorCode::UnusedVertices, Subject::file("back", {id})},
+                         {ErrorCode::FlatFacesRemoved, Subject::piece("back")}};
+    plan.garment = garment;
+    const Readiness readiness = readyToCut(plan);
+    EXPECT_EQ(readiness.findings.size(), 5U);
+    for (const Finding& finding : readiness.findings) {
+        EXPECT_TRUE(finding.pieces.empty()) << sentence(finding);
+    }
+}
+
+TEST(ReadyToCut, AMessageLeadsToThePieceWhateverItIsCalledNow) {
+    CutPlan plan = readyPlan({"front", "back", "back 2"});
+    auto garment = std::make_shared<Garment>(*plan.garment);
+    const PieceId divided{77};  // cut since: two of the pieces are its parts
+    for (const std::size_t part : {1U, 2U}) {
+        auto cut = std::make_shared<Piece>(*garment->pieces[part]);
+        cut->lineage.wholes = {divided};
+        garment->pieces[part] = cut;
+    }
+    garment->problems = {{ErrorCode::HolesKept, Subject::piece("old", garment->pieces[0]->id)},
+                         {ErrorCode::WindingsTurned, Subject::piece("front", divided)}};
+    plan.garment = garment;
+    plan.labels[garment->pieces[0]->id].name = "Vorderteil";
+    const auto messages = findingsOf(readyToCut(plan), FindingKind::Message);
+    ASSERT_EQ(messages.size(), 2U);
+    EXPECT_EQ(messages[0].pieces, std::vector{0});
+    EXPECT_EQ(messages[0].subject, Subject::piece("Vorderteil", garment->pieces[0]->id));
+    EXPECT_EQ(messages[1].pieces, (std::vector{1, 2}));
+    EXPECT_EQ(messages[1].subject.name, "front");
+}
+
+TEST(ReadyToCut, FilesOfOneNameAreToldApart) {
+    CutPlan plan = readyPlan();
+    auto garment = std::make_shared<Garment>(*plan.garment);
+    auto file = std::make_shared<SourceFile>(*garment->files[0]);
+    file->unitInDoubt = true;
+    garment->files = {file, file};
+    plan.garment = garment;
+    const auto doubts = findingsOf(readyToCut(plan), FindingKind::UnitInDoubt);
+    ASSERT_EQ(doubts.size(), 2U);
+    EXPECT_EQ(doubts[0].subject.name, doubts[1].subject.name);
+    EXPECT_NE(doubts[0].subject, doubts[1].subject);
 }
 
 TEST(ReadyToCut, FaultsComeFirstAndTheWorstOfAKindBeforeTheOthers) {
@@ -320,7 +374,7 @@ TEST(ReadyToCut, FaultsComeFirstAndTheWorstOfAKindBeforeTheOthers) {
     const Readiness readiness = readyToCut(plan);
     const auto warp = findingsOf(readiness, FindingKind::StrainWarp);
     ASSERT_EQ(warp.size(), 3U);
-    EXPECT_EQ(warp[0].where + warp[1].where + warp[2].where, "bca");
+    EXPECT_EQ(warp[0].subject.name + warp[1].subject.name + warp[2].subject.name, "bca");
     EXPECT_TRUE(std::ranges::is_sorted(readiness.findings, {}, &Finding::severity));
 }
 

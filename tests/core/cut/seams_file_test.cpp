@@ -83,7 +83,7 @@ TEST(SeamsFile, SaysWhatIsWrongInOneSentence) {
         const auto file = parseSeamsFile(wrong, "a.json");
         ASSERT_FALSE(file) << wrong;
         EXPECT_EQ(file.error().code, ErrorCode::MalformedFile);
-        EXPECT_EQ(file.error().where, "a.json");
+        EXPECT_EQ(file.error().subject.name, "a.json");
         EXPECT_FALSE(file.error().detail.empty()) << wrong;
     }
     EXPECT_EQ(readSeamsFile("/no/such/file.json").error().code, ErrorCode::FileUnreadable);
@@ -100,7 +100,7 @@ TEST(SeamsFile, WhatIsNotKnownIsNotedAndNotFatal) {
     EXPECT_EQ(file->joins.size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].code, ErrorCode::UnknownKey);
-    EXPECT_EQ(notes[0].where, "a.json");
+    EXPECT_EQ(notes[0].subject.name, "a.json");
     EXPECT_EQ(notes[0].detail, R"("cuts[0]. [31m", "joins[0].kind", "cut")");
 }
 

@@ -82,7 +82,7 @@ TEST(UserCuts, NameTheCutThatCannotBeMade) {
     const auto why = [&](const UserCut& wrong) {
         const auto result = applyUserCuts(grid, {wrong});
         EXPECT_FALSE(result);
-        return result.error().where;
+        return result.error().subject.name;
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(why({"a", UserCut::Kind::Path, {{1, 1, 0}}, false}), "a");

@@ -25,7 +25,7 @@ struct Compared {
         for (const auto& result : all.results) {
             auto failed = std::make_shared<PieceResult>();
             failed->piece = result->piece;
-            failed->error = Error{ErrorCode::BoundaryNotConverged, result->piece->name, ""};
+            failed->error = Error{ErrorCode::BoundaryNotConverged, subjectOf(*result->piece)};
             none.push_back(failed);
         }
         comparison.methods.push_back(compared(Method::Natural, all.garment, all.results));

@@ -102,9 +102,12 @@ std::shared_ptr<SourceFile> textFile() {
     addFace(file->soup, {3, 2, 6});     // front
     addFace(file->soup, {1, 4, 5, 2});  // back
     addFace(file->soup, {0, 0, 1});     // in no piece
-    file->soup.problems.push_back({ErrorCode::OutputDiffers, "by hand.obj", "2 lines left out"});
-    file->problems.push_back({ErrorCode::UnitGuessed, "by hand.obj", "read as centimetres"});
-    file->problems.push_back({ErrorCode::DegenerateFaceRecord, "by hand.obj", "1 face"});
+    file->soup.problems.push_back(
+        {ErrorCode::OutputDiffers, Subject::file("by hand.obj"), "2 lines left out"});
+    file->problems.push_back(
+        {ErrorCode::UnitGuessed, Subject::file("by hand.obj"), "read as centimetres"});
+    file->problems.push_back(
+        {ErrorCode::DegenerateFaceRecord, Subject::file("by hand.obj"), "1 face"});
     file->problems.push_back(file->soup.problems.front());  // said once more
     return file;
 }
@@ -170,7 +173,7 @@ GarmentAndResults handmadeGarment() {
 
     one << 0, 1, 2;
     const auto ring = makePiece("ring", *file, {7, 8, 9}, one, {1}, {});
-    ring->defect = Error{ErrorCode::SeveralLoops, "ring", "2 loops"};
+    ring->defect = Error{ErrorCode::SeveralLoops, Subject::piece("ring"), "2 loops"};
     auto failed = std::make_shared<PieceResult>();
     failed->piece = ring;
     failed->error = ring->defect;

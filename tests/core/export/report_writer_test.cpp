@@ -93,7 +93,7 @@ TEST(WriteReport, SaysWhatTheInteriorTookAndWhatIsNoted) {
     auto result = std::make_shared<PieceResult>(*all.results[0]);
     result->flat->interiorIterations = 7;
     result->flat->delaunayFlips = 12;
-    result->flat->notes = {{ErrorCode::HolesKept, "front 1", "1 hole"}};
+    result->flat->notes = {{ErrorCode::HolesKept, Subject::piece("front 1", {1}), "1 hole"}};
     all.results[0] = result;
     const Json piece = report(all)["pieces"][0];
     EXPECT_EQ(piece["interior_iterations"], 7);
@@ -159,7 +159,7 @@ TEST(WriteReport, HasNoFieldThatIsNotInItsDocumentation) {
     ASSERT_TRUE(page);
     test::GarmentAndResults all = test::handmadeGarment();
     all.garment.cuts = {{"inseam", CutAuthor::User, UserCut::Kind::Path, "front 1", 12}};
-    all.garment.problems = {{ErrorCode::HolesKept, "front 1", "1 hole"}};
+    all.garment.problems = {{ErrorCode::HolesKept, Subject::piece("front 1", {1}), "1 hole"}};
     Seam edge;
     edge.kind = SeamKind::Free;
     edge.left.piece = 1;

@@ -35,7 +35,7 @@ TEST(FlatNotes, NameTheCutThatResolvesACrossing) {
     const auto* note = noteOf(*flat, ErrorCode::OutlineCrosses);
     ASSERT_TRUE(note);
     EXPECT_TRUE(isNote(note->code));
-    EXPECT_EQ(note->where, "flounce");
+    EXPECT_EQ(note->subject.name, "flounce");
     EXPECT_NE(note->detail.find(" crossings, the first at ("), std::string::npos) << note->detail;
     // The search takes seconds on large pieces: it is no part of the solve.
     EXPECT_EQ(note->detail.find("cut"), std::string::npos) << note->detail;
@@ -70,7 +70,7 @@ TEST(FlatNotes, NameTrianglesTurnedOverInPlaceOfAnEarlyEnd) {
     noteFlips(*piece, Q, notes);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes.front().code, ErrorCode::TrianglesFlipped);
-    EXPECT_EQ(notes.front().where, "yoke");
+    EXPECT_EQ(notes.front().subject.name, "yoke");
     EXPECT_EQ(notes.front().detail,
               std::to_string(measure(*piece, Q).flippedTriangles) +
                   " of 8 triangles, the worst at (13.3, 6.7, 0.0) mm; after 3 steps");

@@ -93,7 +93,7 @@ TEST(Flatten, PassesOnWhatIsWrongWithThePiece) {
     const auto flat = flatten(*tube, {}, progress);
     ASSERT_FALSE(flat);
     EXPECT_EQ(flat.error().code, ErrorCode::SeveralLoops);
-    EXPECT_EQ(flat.error().where, "leg");
+    EXPECT_EQ(flat.error().subject.name, "leg");
 }
 
 TEST(Flatten, EveryMethodRefusesCoordinatesThatHaveNoFigures) {

@@ -117,7 +117,7 @@ TEST(CutPieces, OneThatFailsLeavesTheOthersAlone) {
     ASSERT_EQ(made.problems.size(), 5U);
     for (const Error& problem : made.problems) {
         EXPECT_EQ(problem.code, ErrorCode::CutImpossible) << sentence(problem);
-        EXPECT_FALSE(problem.where.empty());
+        EXPECT_FALSE(problem.subject.name.empty());
     }
 }
 
@@ -149,7 +149,7 @@ TEST(CutPieces, ATangleIsRefusedAndTheOthersAreMade) {
     ASSERT_EQ(made.problems.size(), 2U);
     for (const Error& problem : made.problems) {
         EXPECT_EQ(problem.code, ErrorCode::CutImpossible);
-        EXPECT_EQ(problem.where, "tangle");
+        EXPECT_EQ(problem.subject.name, "tangle");
         EXPECT_NE(problem.detail.find("in front, it crosses itself"), std::string::npos);
     }
     // Alone, it leaves the very piece.

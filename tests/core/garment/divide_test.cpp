@@ -78,7 +78,7 @@ TEST(Divide, MendsAndSaysSo) {
     EXPECT_FALSE(divided.pieces[0]->defect);
     ASSERT_EQ(divided.problems.size(), 1U);
     EXPECT_EQ(name(divided.problems[0].code), "windings-turned");
-    EXPECT_EQ(divided.problems[0].where, "yoke");
+    EXPECT_EQ(divided.problems[0].subject.name, "yoke");
 }
 
 /// Two squares welded along an edge, apart in the UV map; lengths there as in 3D.

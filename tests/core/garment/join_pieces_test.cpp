@@ -314,7 +314,7 @@ TEST(JoinPieces, RefuseWithAReasonAndLeaveThePiecesAlone) {
         EXPECT_TRUE(joined.joins.empty()) << word;
         ASSERT_EQ(joined.problems.size(), 1U) << word;
         EXPECT_EQ(joined.problems[0].code, ErrorCode::JoinImpossible);
-        EXPECT_EQ(joined.problems[0].where, "seam");
+        EXPECT_EQ(joined.problems[0].subject.name, "seam");
         EXPECT_NE(joined.problems[0].detail.find(word), std::string::npos)
             << joined.problems[0].detail;
     };

@@ -159,7 +159,7 @@ TEST_F(AssimpReader, RefusesWithAReason) {
     const Result<PolygonSoup> broken = readAs("a.glb", "no glTF at all");
     ASSERT_FALSE(broken);
     EXPECT_EQ(broken.error().code, ErrorCode::MalformedFile);
-    EXPECT_EQ(broken.error().where, "a.glb");
+    EXPECT_EQ(broken.error().subject.name, "a.glb");
     EXPECT_FALSE(broken.error().detail.empty());
     Progress progress;
     const Result<PolygonSoup> missing = readSoup("/nowhere/a.glb", progress);

@@ -240,7 +240,7 @@ TEST(ObjReader, RefusesAFileWithoutFaces) {
     const Result<PolygonSoup> points = read(readObj, kThreePoints + "f 1 2\n");
     ASSERT_FALSE(points);
     EXPECT_EQ(points.error().code, ErrorCode::NoGeometry);
-    EXPECT_EQ(points.error().where, "test");
+    EXPECT_EQ(points.error().subject.name, "test");
     EXPECT_EQ(points.error().detail,
               "3 vertices, no faces; 1 face left out: fewer than three corners, line 4");
 }

@@ -59,7 +59,7 @@ std::string detailOf(const Problems& problems, ErrorCode code) {
         ADD_FAILURE() << "expected the one problem " << name(code) << ", found " << problems.size();
         return "";
     }
-    EXPECT_EQ(problems.front().where, "test");
+    EXPECT_EQ(problems.front().subject.name, "test");
     return problems.front().detail;
 }
 

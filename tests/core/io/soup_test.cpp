@@ -50,7 +50,7 @@ TEST_F(ReadSoup, RefusesOtherEndings) {
         const Result<PolygonSoup> soup = readAs(fileName, sampleObj());
         ASSERT_FALSE(soup) << fileName;
         EXPECT_EQ(soup.error().code, ErrorCode::UnknownFormat) << fileName;
-        EXPECT_EQ(soup.error().where, fileName);
+        EXPECT_EQ(soup.error().subject.name, fileName);
     }
 }
 
@@ -79,7 +79,7 @@ TEST_F(ReadSoup, RefusesWhatCannotBeRead) {
 TEST_F(ReadSoup, NamesTheFileInMessages) {
     const Result<PolygonSoup> soup = readAs("blouse.obj", "v 0 0 0\n");
     ASSERT_FALSE(soup);
-    EXPECT_EQ(soup.error().where, "blouse.obj");
+    EXPECT_EQ(soup.error().subject.name, "blouse.obj");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ void expectDefect(const MeshArrays& mesh, ErrorCode code) {
     const DiskCheck check = checkDisk(mesh, "sleeve");
     ASSERT_TRUE(check.defect) << "no defect found";
     EXPECT_EQ(name(check.defect->code), name(code));
-    EXPECT_EQ(check.defect->where, "sleeve");
+    EXPECT_EQ(check.defect->subject.name, "sleeve");
     EXPECT_FALSE(check.defect->detail.empty());
     EXPECT_TRUE(check.boundary.empty());
 }

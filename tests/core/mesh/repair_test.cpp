@@ -26,7 +26,7 @@ RepairResult repaired(const MeshArrays& mesh) {
     test::expectOrientedManifold(result.part.mesh);
     test::expectSources(result.part, mesh);
     for (const Error& note : result.repairs) {
-        EXPECT_EQ(note.where, "sleeve");
+        EXPECT_EQ(note.subject.name, "sleeve");
         EXPECT_TRUE(isNote(note.code));
     }
     return result;

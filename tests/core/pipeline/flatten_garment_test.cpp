@@ -109,7 +109,7 @@ TEST_P(CancelWithinAPiece, LeavesItUnsolved) {
             continue;
         }
         EXPECT_EQ(results[0]->error->code, ErrorCode::Cancelled);
-        EXPECT_EQ(results[0]->error->where, "panel");
+        EXPECT_EQ(results[0]->error->subject.name, "panel");
         EXPECT_FALSE(results[0]->flat);
         EXPECT_FALSE(results[0]->quality);
         EXPECT_LT(progress.fraction(), 1);
@@ -141,7 +141,7 @@ TEST(FlattenGarment, KeepsWhatIsDoneWhenCancelled) {
             EXPECT_EQ(results[k]->flat.has_value(), results[k]->quality.has_value());
             if (results[k]->error) {
                 EXPECT_EQ(results[k]->error->code, ErrorCode::Cancelled);
-                EXPECT_EQ(results[k]->error->where, pieces[k]->name);
+                EXPECT_EQ(results[k]->error->subject.name, pieces[k]->name);
                 ++cancelled;
             }
         }

@@ -306,7 +306,7 @@ TEST(GarmentSeams, EaseIsStatedByName) {
     EXPECT_NEAR(rows[0].second.errorMm, -2.5, 1e-12);
     ASSERT_EQ(flat.garment.problems.size(), 1U);
     EXPECT_EQ(flat.garment.problems[0].code, ErrorCode::NoSuchSeam);
-    EXPECT_EQ(flat.garment.problems[0].where, "left / sleeve");
+    EXPECT_EQ(flat.garment.problems[0].subject.name, "left / sleeve");
 }
 
 TEST(GarmentSeams, CuttingAnewKeepsThePiecesWithoutCuts) {

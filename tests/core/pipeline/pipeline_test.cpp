@@ -59,7 +59,7 @@ TEST(Pipeline, TellsWhichFileCannotBeRead) {
         loadGarment({folder.write("a.obj", kTriangle), folder / "no.obj"}, {}, progress);
     ASSERT_FALSE(garment);
     EXPECT_EQ(garment.error().code, ErrorCode::FileUnreadable);
-    EXPECT_NE(garment.error().where.find("no.obj"), std::string::npos);
+    EXPECT_NE(garment.error().subject.name.find("no.obj"), std::string::npos);
 }
 
 TEST(Pipeline, ReadingLeavesRoomForJoinsCutsAndSeams) {

@@ -60,7 +60,7 @@ TEST_P(OldProjects, OpenWithAllTheySayAndAreSavedAsNewOnes) {
     std::vector<std::string> named;
     for (const Error& problem : garment->problems) {
         EXPECT_EQ(problem.code, ErrorCode::NoSuchSeam);
-        named.push_back(problem.where);
+        named.push_back(problem.subject.name);
     }
     EXPECT_EQ(named, GetParam().unknownSeams);
 

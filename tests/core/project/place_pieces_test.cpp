@@ -387,7 +387,7 @@ TEST(PlacePieces, APieceThatCouldNotBeFlattenedKeepsWhatIsKnownOfIt) {
     settings[0].anchors = {{0, {0, 0}}, {1, {1, 0}}};
     auto failed = std::make_shared<PieceResult>();
     failed->piece = garment.pieces[0];
-    failed->error = Error{ErrorCode::NotFinite, "", ""};
+    failed->error = Error{ErrorCode::NotFinite};
     EXPECT_EQ(placedSettings(settings, {failed}, {std::nullopt}, {{0, 0}}), settings);
 }
 

@@ -40,7 +40,7 @@ TEST(Project, AFileThatIsAnotherNowIsNamed) {
     const Problems problems = differencesTo(project, garmentOfFile(2U));
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_EQ(problems[0].code, ErrorCode::FileChanged);
-    EXPECT_EQ(problems[0].where, "dress.obj");
+    EXPECT_EQ(problems[0].subject.name, "dress.obj");
 }
 
 TEST(Project, APieceThatIsGoneIsNamed) {
@@ -50,7 +50,7 @@ TEST(Project, APieceThatIsGoneIsNamed) {
     const Problems problems = differencesTo(project, garmentOfFile({}));
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_EQ(problems[0].code, ErrorCode::PieceGone);
-    EXPECT_EQ(problems[0].where, "collar");
+    EXPECT_EQ(problems[0].subject.name, "collar");
 }
 
 TEST(Project, ManyPiecesThatAreGoneAreNamedInOneSentence) {
@@ -60,7 +60,7 @@ TEST(Project, ManyPiecesThatAreGoneAreNamedInOneSentence) {
     }
     const Problems problems = differencesTo(project, garmentOfFile({}));
     ASSERT_EQ(problems.size(), 1U);
-    EXPECT_EQ(problems[0].where, R"("sleeve 0", "sleeve 1", "sleeve 2" and 997 more)");
+    EXPECT_EQ(problems[0].subject.name, R"("sleeve 0", "sleeve 1", "sleeve 2" and 997 more)");
 }
 
 TEST(Project, ReadersRememberTheHashOfWhatTheyRead) {
