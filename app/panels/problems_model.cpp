@@ -17,6 +17,16 @@ QStandardItem* makeItem(const QString& text) {
     return item;
 }
 
+/// Tells what is found from all else, in the next list too.
+QString keyOf(const Finding& finding) {
+    const auto& [kind, id, name] = finding.subject;
+    return QString("%1 %2 %3 ")
+               .arg(static_cast<int>(finding.kind))
+               .arg(finding.error ? static_cast<int>(finding.error->code) : -1)
+               .arg(static_cast<int>(kind)) +
+           QString::fromStdString(id != 0 ? idText(id) : name);
+}
+
 }  // namespace
 
 ProblemsModel::ProblemsModel(QObject* parent) : QStandardItemModel(0, ColumnCount, parent) {}
@@ -73,6 +83,7 @@ ProblemsModel::Row ProblemsModel::rowOf(const Finding& finding, int index) {
             makeItem(problemAdvice(finding))};
     row[Where]->setIcon(severityMark(finding.severity));
     row[Where]->setData(QVariant::fromValue(QList<int>{index}), FindingsRole);
+    row[Where]->setData(keyOf(finding), KeyRole);
     return row;
 }
 
@@ -85,6 +96,7 @@ ProblemsModel::Row ProblemsModel::rowOfGroup(const Finding& first, const std::ve
     row[Where]->setIcon(severityMark(first.severity));
     row[Where]->setData(QVariant::fromValue(QList<int>(group.begin(), group.end())), FindingsRole);
     row[Where]->setData(static_cast<int>(first.kind), KindRole);
+    row[Where]->setData(QString::number(static_cast<int>(first.kind)), KeyRole);
     return row;
 }
 

@@ -20,6 +20,8 @@ public:
     static constexpr int FindingsRole = Qt::UserRole;
     /// int: the kind of a row that stands for several; invalid else.
     static constexpr int KindRole = Qt::UserRole + 1;
+    /// QString: by which a row is known in the next list; the rest of a long one has none.
+    static constexpr int KeyRole = Qt::UserRole + 2;
     /// So many rows of a kind are listed; the last one says how many more there are.
     static constexpr int kMostRows = 200;
 

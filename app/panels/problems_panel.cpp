@@ -11,7 +11,6 @@
 #include <QToolButton>
 #include <QTreeView>
 #include <algorithm>
-#include <optional>
 
 #include "app/jobs/ready_checker.h"
 #include "app/panels/problem_text.h"
@@ -29,8 +28,7 @@ constexpr int kOpenUpTo = 4;
 
 struct ProblemsPanel::Outlook {
     std::set<int> open, closed;  ///< kinds
-    QString where;               ///< of the current row
-    std::optional<int> kind;     ///< likewise
+    QString key;                 ///< of the current row
     int scroll = 0;
 };
 
@@ -190,24 +188,21 @@ ProblemsPanel::Outlook ProblemsPanel::outlook() const {
     }
     const QModelIndex current = table_->currentIndex().siblingAtColumn(ProblemsModel::Where);
     if (current.isValid()) {
-        seen.where = current.data().toString();
-        const QVariant kind = current.parent().data(ProblemsModel::KindRole);
-        seen.kind = kind.isValid() ? std::optional(kind.toInt()) : std::nullopt;
+        seen.key = current.data(ProblemsModel::KeyRole).toString();
     }
     seen.scroll = table_->verticalScrollBar()->value();
     return seen;
 }
 
 void ProblemsPanel::restore(const Outlook& before) {
-    const auto select = [this, &before](const QModelIndex& index, std::optional<int> kind) {
-        if (!before.where.isEmpty() && kind == before.kind &&
-            index.data().toString() == before.where) {
+    const auto select = [this, &before](const QModelIndex& index) {
+        if (!before.key.isEmpty() && index.data(ProblemsModel::KeyRole) == before.key) {
             table_->setCurrentIndex(index);
         }
     };
     for (int row = 0; row < model_->rowCount(); ++row) {
         const QModelIndex index = model_->index(row, 0);
-        select(index, std::nullopt);
+        select(index);
         const QVariant kind = index.data(ProblemsModel::KindRole);
         if (!kind.isValid()) {
             continue;
@@ -216,7 +211,7 @@ void ProblemsPanel::restore(const Outlook& before) {
         const bool isNew = !wasOpen && !before.closed.contains(kind.toInt());
         table_->setExpanded(index, wasOpen || (isNew && model_->rowCount(index) <= kOpenUpTo));
         for (int child = 0; child < model_->rowCount(index); ++child) {
-            select(model_->index(child, 0, index), kind.toInt());
+            select(model_->index(child, 0, index));
         }
     }
     table_->verticalScrollBar()->setValue(before.scroll);

@@ -392,6 +392,45 @@ private slots:
         QCOMPARE(table().currentIndex().data().toString(), where);
     }
 
+    void whatIsCalledAlikeIsToldApart() {
+        QVERIFY(open("sheets.obj"));
+        document().setSelection({0});
+        UserCut cut{"front", UserCut::Kind::Path, {{9e5, 0, 0}, {9e5, 9, 0}}};
+        DocumentState next = document().state();
+        auto garment = std::make_shared<Garment>(*next.garment);
+        garment->problems = {cutError(subjectOf(cut), "far away"),
+                             {ErrorCode::HolesKept, subjectOf(*garment->pieces[0])}};
+        // Two files of one name, both in doubt.
+        auto file = std::make_shared<SourceFile>(*garment->files[0]);
+        file->unitInDoubt = true;
+        garment->files = {file, file};
+        next.garment = garment;
+        document().edit("Cut", next);
+        QVERIFY(waitForAnswer());
+        const auto clickOn = [this](ErrorCode code) {
+            const QModelIndex first = rowOf(FindingKind::Message);
+            for (int row = first.row(); row < table().model()->rowCount(); ++row) {
+                const QModelIndex index = first.siblingAtRow(row);
+                const auto list = index.data(ProblemsModel::FindingsRole).value<QList<int>>();
+                const auto& found = checker().readiness().findings[std::size_t(list.front())];
+                if (found.error && found.error->code == code) {
+                    click(index);
+                }
+            }
+        };
+        clickOn(ErrorCode::CutImpossible);
+        QCOMPARE(document().selection(), Document::Selection());
+        clickOn(ErrorCode::HolesKept);
+        QCOMPARE(document().selection(), Document::Selection{0});
+        const QModelIndex first = rowOf(FindingKind::UnitInDoubt);
+        QCOMPARE(first.data(), first.siblingAtRow(first.row() + 1).data());
+        table().setCurrentIndex(first);
+        const QVariant finding = first.data(ProblemsModel::FindingsRole);
+        setGrain(document(), "Turn", {{0, 1.0}});
+        QVERIFY(waitForAnswer());
+        QCOMPARE(table().currentIndex().data(ProblemsModel::FindingsRole), finding);
+    }
+
     void closingWhileItLooksIsSafe() {
         QVERIFY(open("sheets.obj"));
         setGrain(document(), "Turn", {{0, 1.0}});
