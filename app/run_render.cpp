@@ -12,14 +12,14 @@
 #include "app/cli/project_input.h"
 #include "app/document/document.h"
 #include "app/document/project_state.h"
+#include "app/jobs/derivation.h"
 #include "app/platform_choice.h"
 #include "app/render/offscreen_context.h"
-#include "app/render/scene_builder.h"
 #include "app/settings/language.h"
 #include "app/settings/theme.h"
 #include "app/views/view_picture.h"
 #include "core/base/file.h"
-#include "core/project/place_pieces.h"
+#include "core/pipeline/garment_flattener.h"
 
 namespace toile {
 
@@ -43,22 +43,25 @@ QFont pictureFont() {
                                                           : QGuiApplication::font();
 }
 
-/// What the window shows once everything is flat.
-DocumentState flattenedState(const Arguments& arguments, Garment read, bool& failed) {
+/// Opens what the window shows once everything is flat. @return whether some piece is not
+bool openFlattened(Document& document, const Arguments& arguments, Garment read) {
     Progress progress;
-    const auto garment = std::make_shared<const Garment>(std::move(read));
-    DocumentState state =
-        arguments.project ? stateOf(*arguments.project, garment, nullptr) : DocumentState{};
-    state.garment = garment;
-    state.loading = arguments.load;
+    Derivation made;
+    Derived& derived = made.derived;
+    derived.inputs.loading = arguments.load;
+    derived.garment = std::make_shared<const Garment>(std::move(read));
+    DocumentState state;
+    if (arguments.project) {
+        state = stateOf(*arguments.project, derived.inputs, *derived.garment);
+    }
     state.options = arguments.options;
-    state.results = flattenGarment(*garment, arguments.options, progress);
-    failed = printFailures(state.results, std::cerr);
-    state.settings.resize(garment->pieces.size());
-    state.settings = placedSettings(state.settings, state.results, flatMotions({}, state.results),
-                                    layOut(*garment, state.results).offsets);
-    state.scene = buildScene(*garment, state.results, progress);
-    return state;
+    GarmentFlattener flattener;
+    flatten(made, state.options, flattener, progress);
+    draw(derived, progress);
+    state.settings = settingsAfter(made, std::move(state.settings), {});
+    const bool failed = printFailures(derived.results, std::cerr);
+    document.open(std::move(state), std::move(derived));
+    return failed;
 }
 
 void applyView(Document& document, const Arguments& arguments) {
@@ -107,10 +110,8 @@ int render(int argc, char** argv, const Arguments& arguments) {
         return kExitUnreadable;
     }
     bool failed = printProblems(*garment, std::cerr);
-    bool someFailed = false;
     Document document;
-    document.open(flattenedState(arguments, std::move(*garment), someFailed));
-    failed = failed || someFailed;
+    failed = openFlattened(document, arguments, std::move(*garment)) || failed;
     applyView(document, arguments);
     const QImage picture =
         drawViews(document, pictureOptions(arguments.picture, document.view().overlay), problem);

@@ -93,11 +93,10 @@ void GarmentActions::connectFiles() {
 }
 
 void GarmentActions::connectHistory() {
-    actions_.on(ActionId::Undo, &workspace_, &Workspace::undo);
-    actions_.on(ActionId::Redo, &workspace_, &Workspace::redo);
-    connect(&workspace_, &Workspace::loadingChanged, this, &GarmentActions::updateHistory);
-    connect(&workspace_.document().history(), &QUndoStack::indexChanged, this,
-            &GarmentActions::updateHistory);
+    QUndoStack& history = workspace_.document().history();
+    actions_.on(ActionId::Undo, &history, &QUndoStack::undo);
+    actions_.on(ActionId::Redo, &history, &QUndoStack::redo);
+    connect(&history, &QUndoStack::indexChanged, this, &GarmentActions::updateHistory);
     updateHistory();
 }
 
@@ -105,9 +104,9 @@ void GarmentActions::updateHistory() {
     const QUndoStack& history = workspace_.document().history();
     QAction& undo = actions_[ActionId::Undo];
     QAction& redo = actions_[ActionId::Redo];
-    undo.setEnabled(workspace_.canUndo());
-    redo.setEnabled(workspace_.canRedo());
-    undo.setText(workspace_.canUndo() ? tr("&Undo: %1").arg(workspace_.undoText()) : tr("&Undo"));
+    undo.setEnabled(history.canUndo());
+    redo.setEnabled(history.canRedo());
+    undo.setText(history.canUndo() ? tr("&Undo: %1").arg(history.undoText()) : tr("&Undo"));
     redo.setText(history.canRedo() ? tr("&Redo: %1").arg(history.redoText()) : tr("&Redo"));
 }
 

@@ -77,10 +77,8 @@ void ProjectActions::leaveThen(std::function<void()> next) {
     }
     switch (dialogs_.askToSave(&window_, session_.title())) {
         case SaveAnswer::Save:
-            onceChanged([this, next = std::move(next)] {
-                // What is edited while the file is being written is asked about too.
-                save([this, next] { leaveThen(next); });
-            });
+            // What is edited while the file is being written is asked about too.
+            save([this, next = std::move(next)] { leaveThen(next); });
             break;
         case SaveAnswer::Discard:
             next();
@@ -88,25 +86,6 @@ void ProjectActions::leaveThen(std::function<void()> next) {
         case SaveAnswer::Cancel:
             break;
     }
-}
-
-void ProjectActions::onceChanged(std::function<void()> next) {
-    if (!workspace_.hasWishes()) {
-        next();
-        return;
-    }
-    // Queued: the change is a finished step by then. The last one asked for counts.
-    disconnect(waiting_);
-    waiting_ = connect(
-        &workspace_, &Workspace::loadingChanged, this,
-        [this, next = std::move(next)] {
-            if (!workspace_.hasWishes()) {
-                const auto once = next;  // the connection holds it
-                disconnect(waiting_);
-                once();
-            }
-        },
-        Qt::QueuedConnection);
 }
 
 void ProjectActions::save(std::function<void()> then) {

@@ -34,12 +34,10 @@ public:
     void leaveThen(std::function<void()> next);
 
 signals:
-    /// A wish could not be granted, and why.
+    /// What was asked for cannot be done, and why.
     void failed(const QString& sentence);
 
 private:
-    /// Calls it once no change is on its way any more.
-    void onceChanged(std::function<void()> next);
     void save(std::function<void()> then);
     void saveAs(std::function<void()> then);
     void askAboutOthers(const std::filesystem::path& path, const std::function<void()>& then);
@@ -56,7 +54,6 @@ private:
     QWidget& window_;
     ProjectSession session_;
     RecentFiles recent_;
-    QMetaObject::Connection waiting_;  ///< for a change that is on its way
 };
 
 }  // namespace toile

@@ -20,7 +20,6 @@ ProjectSession::ProjectSession(Workspace& workspace, QObject* parent)
     connect(&workspace.document(), &Document::changed, this, &ProjectSession::onChanged);
     connect(&workspace.document().history(), &QUndoStack::cleanChanged, this,
             &ProjectSession::changed);
-    connect(&workspace, &Workspace::loadingChanged, this, &ProjectSession::onLoadingChanged);
     connect(&saves_, &JobRunner::failed, this, [this](const QString&, const QString& sentence) {
         afterSaving_.clear();
         onNotSaved();
@@ -29,14 +28,7 @@ ProjectSession::ProjectSession(Workspace& workspace, QObject* parent)
 }
 
 bool ProjectSession::isModified() const {
-    return workspace_.document().garment() &&
-           (!workspace_.document().history().isClean() || workspace_.hasWishes());
-}
-
-void ProjectSession::onLoadingChanged() {
-    if (std::exchange(hadWishes_, workspace_.hasWishes()) != hadWishes_) {
-        emit changed();
-    }
+    return workspace_.document().garment() && !workspace_.document().history().isClean();
 }
 
 void ProjectSession::onNotSaved() {
@@ -87,7 +79,8 @@ void ProjectSession::onOpened(const Path& file, const OpenedProject& opened, boo
     openingAs_ = restoring    ? OpeningAs{recoveryOf.value_or(file), opened.known}
                  : recoveryOf ? OpeningAs{}
                               : OpeningAs{file, opened.known};
-    document.open(stateOf(opened.project, opened.garment, opened.scene));
+    document.open(stateOf(opened.project, opened.derived.inputs, *opened.derived.garment),
+                  opened.derived);
     document.setView(view);
     if (restoring || moved || recoveryOf) {
         document.history().resetClean();

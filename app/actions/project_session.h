@@ -30,8 +30,7 @@ public:
 
     /// Empty where the garment has never been saved.
     const Path& path() const { return path_; }
-    /// Whether there is anything to lose: a step of the history that is not saved, or one that is
-    /// on its way.
+    /// Whether there is anything to lose: a step of the history that is not saved.
     bool isModified() const;
     /// Whether the file is being written.
     bool isSaving() const { return saves_.isBusy() || saves_.hasWaiting(); }
@@ -79,7 +78,6 @@ private:
     /// @param moved  meshes are elsewhere than the file says
     void onOpened(const Path& file, const OpenedProject& opened, bool restoring, bool moved);
     void onChanged(DocumentChanges what);
-    void onLoadingChanged();
     /// What was taken for saved is not.
     void onNotSaved();
     void onSaved(const Path& path, int of);
@@ -95,7 +93,6 @@ private:
     std::shared_ptr<KnownFile> known_ = std::make_shared<KnownFile>();  ///< what path_ held last
     std::optional<OpeningAs> openingAs_;  ///< set while a project becomes the open document
     std::vector<std::function<void()>> afterSaving_;
-    bool hadWishes_ = false;
     int opened_ = 0;   ///< garments opened so far
     int saving_ = 0;   ///< of these the one that is being written
     JobRunner saves_;  ///< apart from the others, which may take long

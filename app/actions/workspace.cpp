@@ -7,28 +7,34 @@
 #include "app/base/path_text.h"
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/garment_jobs.h"
+#include "app/text/error_text.h"
+#include "core/garment/identify.h"
 
 namespace toile {
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
     connect(&document_, &Document::changed, this, &Workspace::onChanged);
-    connect(&document_.history(), &QUndoStack::indexChanged, this, [this] {
+    connect(&document_.history(), &QUndoStack::indexChanged, this, [this](int index) {
         opening_.noteEdit();
-        if (document_.state().letGo) {
-            upkeep_.noteStepToLetGo();
+        if (index < std::exchange(step_, index)) {
+            recompute_.retry();
             follow();
         }
     });
+    recompute_.setObjection(
+        [this](const Garment& garment, DocumentState& rest) { return objectionTo(garment, rest); });
+    connect(&recompute_, &Recompute::refused, this,
+            [this](const Error& why) { emit refused(errorText(why)); });
     // A job that makes room for another says nothing about what is asked for now.
     connect(&jobs_, &JobRunner::failed, this,
             [this](const QString&, const QString&, bool replaced) {
                 if (!replaced) {
-                    onFailed();
+                    onStopped(true);
                 }
             });
     connect(&jobs_, &JobRunner::cancelled, this, [this](const QString&, bool replaced) {
         if (!replaced) {
-            onCancelled();
+            onStopped(false);
         }
     });
     connect(&writing_, &JobRunner::failed, this, [this] { afterWriting_ = {}; });
@@ -54,17 +60,12 @@ void Workspace::cancel() {
         return;
     }
     jobs_.cancel();
-    // The job says so when it has stopped; what is asked for until then is not cancelled with it.
-    if (!isChanging()) {
-        upkeep_.onCancelled();
-    } else if (!jobs_.isUnderWay(change_)) {
-        stopChanging();
-    }
+    onStopped(false);  // what is asked for until the job has stopped is not cancelled with it
 }
 
-void Workspace::begin(std::unique_ptr<Job> job) {
-    upkeep_.giveWay();
-    change_ = jobs_.replace(std::move(job));
+void Workspace::startReading(std::unique_ptr<Job> job) {
+    recompute_.giveWay();
+    reading_ = jobs_.replace(std::move(job));
 }
 
 void Workspace::open(Paths files) {
@@ -73,19 +74,20 @@ void Workspace::open(Paths files) {
     }
     const bool another = opening_.isActive() && !opening_.files();
     const Paths before = opening_.files() ? opening_.files()->paths : openPaths();
-    // What was wished for while another is read was about that.
+    // What was asked for while another is read was about that.
     Opening::Files coming{std::move(files), another ? document_.loading() : loading()};
     if (!before.empty() && coming.paths != before) {
         coming.loading.unit.reset();
         coming.loading.up.reset();
         coming.loading.seams = {};
         coming.loading.seamSettings.clear();
+        coming.loading.known.clear();
         divideByWhatIsThere(coming.loading);
     }
     if (document_.garment() && coming.paths == openPaths()) {
         coming.loading.known = knownPieces(*document_.garment());  // they may have changed
     }
-    wishes_.clear();
+    forOpening_.clear();
     opening_.begin(std::move(coming));
     startOpening();
 }
@@ -93,37 +95,35 @@ void Workspace::open(Paths files) {
 void Workspace::startOpening() {
     emit loadingChanged();
     const Opening::Files& files = *opening_.files();
-    begin(importJob(files.paths, files.loading, std::nullopt, [this](const MadeGarment& made) {
+    startReading(importJob(files.paths, files.loading, [this](const Derived& made) {
         // Another garment is not cut from the same cloth for having been opened later.
         const bool again = opening_.files()->paths == openPaths();
-        arrived([this, again, loading = opening_.files()->loading, made] {
+        arrived([this, again, made] {
             DocumentState next;
-            next.loading = resolveNames(loading, *made.garment);
             next.options = document_.options();
             if (again || !document_.garment()) {
                 next.fabric = document_.fabric();
             }
-            next.garment = made.garment;
-            next.scene = made.scene;
-            document_.open(std::move(next));
+            document_.open(std::move(next), made);
         });
     }));
 }
 
 void Workspace::openBy(std::unique_ptr<Job> reading) {
-    wishes_.clear();
+    forOpening_.clear();
     opening_.begin();
     emit loadingChanged();
-    begin(std::move(reading));
+    startReading(std::move(reading));
 }
 
 void Workspace::arrived(std::function<void()> open) {
-    // What was asked for meanwhile is about what comes.
     const Opening::Next next = opening_.arrive(
-        [this, open = std::move(open), wishes = std::exchange(wishes_, {})]() mutable {
-            jobs_.drop(change_);  // of a wish for the garment that goes
-            wishes_ = std::exchange(wishes, {});
+        [this, open = std::move(open), changes = std::exchange(forOpening_, {})]() mutable {
+            onTrial_.clear();
             open();
+            for (LoadingChange& change : changes) {
+                changeLoading(std::move(change));
+            }
             follow();
         });
     emit loadingChanged();
@@ -132,94 +132,44 @@ void Workspace::arrived(std::function<void()> open) {
 }
 
 void Workspace::notOpened() {
-    stopChanging();
+    stopReading();
     follow();
 }
 
-void Workspace::stopChanging() {
-    if (isChanging()) {
+void Workspace::stopReading() {
+    if (opening_.isActive()) {
         opening_.stop();
-        wishes_.clear();
+        forOpening_.clear();
         emit loadingChanged();
     }
 }
 
 void Workspace::follow() {
-    if (opening_.isActive() || jobs_.isUnderWay(change_)) {
-        return;
+    if (!isReading()) {
+        recompute_.catchUp();
     }
-    wishes_.empty() ? upkeep_.catchUp() : grantWish();
 }
 
 void Workspace::onChanged(DocumentChanges what) {
+    recompute_.note(what);
     if (what.testFlag(DocumentChange::Loading)) {
         emit loadingChanged();
     }
     constexpr DocumentChanges kWork = DocumentChange::Opened | DocumentChange::Garment |
                                       DocumentChange::Seams | DocumentChange::Options |
-                                      DocumentChange::Results;
+                                      DocumentChange::Loading | DocumentChange::Results;
     if (what & kWork) {
-        upkeep_.note(what);
-    }
-    if (opening_.isActive()) {
-        return;  // what comes is flattened then
-    }
-    if (!wishes_.empty()) {
-        if ((what & (kWork | DocumentChange::Loading)) && jobs_.isUnderWay(change_)) {
-            grantWish();  // what is on its way was begun with another state
-        }
-    } else if (what & kWork) {
-        upkeep_.catchUp();
-    }
-}
-
-void Workspace::onCancelled() {
-    if (!isChanging()) {
-        upkeep_.onCancelled();
-    } else if (!jobs_.isUnderWay(change_)) {
-        stopChanging();
-        follow();  // what this had taken the place of
-    }
-}
-
-void Workspace::onFailed() {
-    if (!isChanging()) {
-        upkeep_.onFailed();
-    } else if (!jobs_.isUnderWay(change_)) {
-        stopChanging();
         follow();
     }
 }
 
-bool Workspace::canUndo() const {
-    return !wishes_.empty() || document_.history().canUndo();
-}
-
-bool Workspace::canRedo() const {
-    return wishes_.empty() && document_.history().canRedo();
-}
-
-QString Workspace::undoText() const {
-    return wishes_.empty() ? document_.history().undoText() : wishes_.back().text;
-}
-
-void Workspace::undo() {
-    if (wishes_.empty()) {
-        document_.history().undo();
-        return;
+void Workspace::onStopped(bool failed) {
+    if (!opening_.isActive()) {
+        recompute_.onStopped(failed);
+    } else if (!jobs_.isUnderWay(reading_)) {
+        stopReading();
     }
-    wishes_.pop_back();
-    if (wishes_.empty() && !opening_.isActive()) {
-        jobs_.drop(change_);  // it was on its way
-    }
-    emit loadingChanged();
-    follow();
-}
-
-void Workspace::redo() {
-    if (wishes_.empty()) {
-        document_.history().redo();
-    }
+    follow();  // what this had taken the place of
 }
 
 void Workspace::changeOptions(const QString& text, const FlattenOptions& options) {
@@ -251,16 +201,97 @@ void Workspace::setBoundarySolver(BoundarySolver solver) {
 }
 
 void Workspace::flattenAgain() {
-    if (document_.garment() && !isChanging()) {
-        upkeep_.want();
-        upkeep_.catchUp();
+    if (document_.garment() && !opening_.isActive()) {
+        recompute_.want();
+        follow();
     }
 }
 
 void Workspace::setAutoFlatten(bool on) {
-    upkeep_.setAutomatic(on);
-    if (!isChanging()) {
-        upkeep_.catchUp();
+    recompute_.setAutomatic(on);
+    follow();
+}
+
+LoadOptions Workspace::loading() const {
+    return opening_.files() ? opening_.files()->loading : document_.loading();
+}
+
+void Workspace::reload() {
+    if (opening_.files()) {
+        startOpening();
+        return;
+    }
+    if (!document_.garment() || opening_.isActive()) {
+        return;
+    }
+    startReading(readingJob(openPaths(), [this](ReadFiles files) {
+        reading_ = 0;
+        DocumentState next = document_.state();
+        next.inputs.files = std::move(files);
+        next.inputs.loading.known = knownPieces(*document_.garment());
+        document_.edit(tr("Reload"), std::move(next));
+        follow();
+    }));
+}
+
+void Workspace::setLoading(LoadOptions loading) {
+    changeLoading({tr("Reading"),
+                   [loading = std::move(loading)](LoadOptions& options) { options = loading; }});
+}
+
+template <class Value>
+void Workspace::setLoadingField(const QString& text, Value LoadOptions::*field,
+                                const Value& value) {
+    changeLoading({text, [field, value](LoadOptions& options) { options.*field = value; }});
+}
+
+void Workspace::setUnit(std::optional<LengthUnit> unit) {
+    setLoadingField(tr("Unit"), &LoadOptions::unit, unit);
+}
+
+void Workspace::setUpAxis(std::optional<UpAxis> up) {
+    setLoadingField(tr("Up axis"), &LoadOptions::up, up);
+}
+
+void Workspace::setSplit(SplitMode split) {
+    setLoadingField(tr("Division"), &LoadOptions::split, split);
+}
+
+void Workspace::setAutoCut(bool on) {
+    setLoadingField(tr("Automatic cuts"), &LoadOptions::autoCut, on);
+}
+
+void Workspace::setWeld(bool on) {
+    setLoadingField(tr("Welding"), &LoadOptions::weld, on);
+}
+
+void Workspace::changeLoading(LoadingChange change) {
+    if (opening_.isActive() && !opening_.files()) {
+        // What the garment that comes will be like is not known before it is here.
+        forOpening_.push_back(std::move(change));
+        return;
+    }
+    const LoadOptions before = loading();
+    LoadOptions after = before;
+    change.change(after);
+    if (after == before) {
+        return;
+    }
+    if (opening_.files()) {
+        opening_.files()->loading = std::move(after);
+        startOpening();
+    } else if (document_.garment()) {
+        LoadOptions cutAlike = after;
+        cutAlike.seams = before.seams;
+        cutAlike.autoCut = before.autoCut;
+        if (document_.isCurrent() && !(cutAlike == before)) {
+            after.known = knownPieces(*document_.garment());  // they are to be divided anew
+        }
+        DocumentState next = document_.state();
+        next.inputs.loading = std::move(after);
+        document_.edit(change.text, std::move(next));
+    } else {
+        document_.setLoading(std::move(after));
     }
 }
 

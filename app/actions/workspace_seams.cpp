@@ -24,14 +24,6 @@ std::string freeName(const std::vector<Entry>& entries, const std::string& stem,
     return name;
 }
 
-/// The problem that names an order of the user's, if there is one.
-std::optional<Error> problemWith(const Garment& garment, ErrorCode code, const std::string& name) {
-    const auto found = std::ranges::find_if(garment.problems, [&](const Error& problem) {
-        return problem.code == code && problem.subject.name == name;
-    });
-    return found == garment.problems.end() ? std::nullopt : std::optional(*found);
-}
-
 }  // namespace
 
 void Workspace::divideByWhatIsThere(LoadOptions& loading) {
@@ -40,13 +32,34 @@ void Workspace::divideByWhatIsThere(LoadOptions& loading) {
     }
 }
 
+std::optional<Error> Workspace::objectionTo(const Garment& garment, DocumentState& rest) {
+    const std::vector<std::string> tried = std::exchange(onTrial_, {});
+    const auto isTried = [&tried](const std::string& name) {
+        return std::ranges::find(tried, name) != tried.end();
+    };
+    std::optional<Error> objection;
+    for (const Error& problem : garment.problems) {
+        SeamsFile& seams = rest.inputs.loading.seams;
+        const bool isCut = problem.code == ErrorCode::CutImpossible;
+        if ((isCut || problem.code == ErrorCode::JoinImpossible) && isTried(problem.subject.name)) {
+            isCut ? std::erase_if(
+                        seams.cuts,
+                        [&](const UserCut& cut) { return cut.name == problem.subject.name; })
+                  : std::erase_if(seams.joins, [&](const UserJoin& join) {
+                        return join.name == problem.subject.name;
+                    });
+            objection = problem;
+        }
+    }
+    return objection;
+}
+
 void Workspace::changeSeams(const QString& text, std::function<void(SeamsFile&)> change) {
-    wish({text,
-          [change = std::move(change)](LoadOptions& options) {
-              change(options.seams);
-              divideByWhatIsThere(options);
-          },
-          false});
+    changeLoading({text, [change = std::move(change)](LoadOptions& options) {
+                       change(options.seams);
+                       giveIds(options.seams.cuts);
+                       divideByWhatIsThere(options);
+                   }});
 }
 
 Result<Problems> Workspace::readSeams(const std::filesystem::path& path) {
@@ -55,13 +68,12 @@ Result<Problems> Workspace::readSeams(const std::filesystem::path& path) {
     if (!read) {
         return read.error();
     }
-    wish({tr("Seams from a file"),
-          [read = std::move(*read)](LoadOptions& options) {
-              options.seams = read;
-              options.seamSettings.clear();
-              divideByWhatIsThere(options);
-          },
-          false});
+    changeLoading({tr("Seams from a file"), [read = std::move(*read)](LoadOptions& options) {
+                       options.seams = read;
+                       options.seamSettings.clear();
+                       giveIds(options.seams.cuts);
+                       divideByWhatIsThere(options);
+                   }});
     return notes;
 }
 
@@ -90,21 +102,11 @@ void Workspace::addCut(UserCut cut) {
         return {tr("Cut"), "cut"};
     }();
     cut.name = freeName(loading().seams.cuts, stem, true);
-    const std::string name = cut.name;
-    const auto garment = document_.garment();
-    wish({text,
-          [garment, cut = std::move(cut)](LoadOptions& options) {
-              UserCut inFile = cut;
-              for (Eigen::Vector3d& point : inFile.points) {
-                  point = inFileSpace(point, options.seams, *garment);
-              }
-              options.seams.cuts.push_back(std::move(inFile));
-              giveIds(options.seams.cuts);
-          },
-          false,
-          [name](const Garment& made) {
-              return problemWith(made, ErrorCode::CutImpossible, name);
-          }});
+    for (Eigen::Vector3d& point : cut.points) {
+        point = inFileSpace(point, loading().seams, *document_.garment());
+    }
+    onTrial_.push_back(cut.name);
+    changeSeams(text, [cut = std::move(cut)](SeamsFile& seams) { seams.cuts.push_back(cut); });
 }
 
 void Workspace::joinSeam(int seam) {
@@ -141,19 +143,12 @@ void Workspace::joinSeam(int seam) {
     }
     UserJoin join = joinAlong(chosen, garment->pieces);
     join.name = freeName(loading().seams.joins, join.name, false);
-    const std::string name = join.name;
-    wish({tr("Join"),
-          [garment, join = std::move(join)](LoadOptions& options) {
-              UserJoin inFile = join;
-              for (Eigen::Vector3d& point : inFile.points) {
-                  point = inFileSpace(point, options.seams, *garment);
-              }
-              options.seams.joins.push_back(std::move(inFile));
-          },
-          false,
-          [name](const Garment& made) {
-              return problemWith(made, ErrorCode::JoinImpossible, name);
-          }});
+    for (Eigen::Vector3d& point : join.points) {
+        point = inFileSpace(point, loading().seams, *garment);
+    }
+    onTrial_.push_back(join.name);
+    changeSeams(tr("Join"),
+                [join = std::move(join)](SeamsFile& seams) { seams.joins.push_back(join); });
 }
 
 void Workspace::removeCut(CutId id) {

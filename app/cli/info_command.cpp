@@ -16,8 +16,8 @@ namespace {
 
 void printFile(const SourceFile& file, std::ostream& out) {
     out << shownText(file.path.string(), kMostOfPlace) << ": "
-        << counted(file.soup.faceCount(), "face") << ", "
-        << counted(static_cast<long long>(file.soup.positions.size()), "vertex") << ", unit "
+        << counted(file.soup->faceCount(), "face") << ", "
+        << counted(static_cast<long long>(file.soup->positions.size()), "vertex") << ", unit "
         << symbol(file.unit);
     if (!file.unitReason.empty()) {
         out << " (" << file.unitReason << ")";

@@ -6,33 +6,29 @@
 #include <utility>
 
 #include "app/base/path_text.h"
-#include "app/document/disposal.h"
 #include "app/document/history.h"
 #include "core/garment/lineage.h"
-#include "core/pipeline/garment_flattener.h"
 #include "core/seam/seam_settings.h"
 
 namespace toile {
 namespace {
 
 /// Steps that can be undone. States share what they have in common, so most cost little.
-constexpr int kMostSteps = 500;
-
-bool isOfTheSameFiles(const Garment& a, const Garment& b) {
-    return std::equal(
-        a.files.begin(), a.files.end(), b.files.begin(), b.files.end(),
-        [](const auto& one, const auto& other) -> bool { return one->path == other->path; });
-}
+constexpr int kMaxSteps = 500;
 
 bool haveTheSamePieces(const Garment* a, const Garment* b) {
-    return a && b && a->pieces == b->pieces;
+    return a == b || (a && b && a->pieces == b->pieces);
 }
 
 }  // namespace
 
-Document::Document(QObject* parent)
-    : QObject(parent), flattener_(sharedForDisposal(std::make_unique<GarmentFlattener>())) {
-    history_.setUndoLimit(kMostSteps);
+Document::Document(QObject* parent) : QObject(parent) {
+    history_.setUndoLimit(kMaxSteps);
+    connect(&history_, &QUndoStack::indexChanged, this, [this](int index) {
+        if (isCurrent()) {
+            currentAt_ = index;
+        }
+    });
 }
 
 Document::~Document() {
@@ -78,17 +74,22 @@ QString Document::title() const {
     return others == 0 ? first : tr("%1 and %n more", nullptr, others).arg(first);
 }
 
-void Document::open(DocumentState state) {
-    // What was open before must leave no trace in another garment's results.
-    if (!garment() || !state.garment || !isOfTheSameFiles(*garment(), *state.garment)) {
-        flattener_ = sharedForDisposal(std::make_unique<GarmentFlattener>());
-    }
+bool Document::isFlattened() const {
+    return isCurrent() && toile::isFlattened(derived_, state_.options);
+}
+
+void Document::open(DocumentState state, Derived derived) {
     state_ = std::move(state);
-    state_.settings.resize(static_cast<std::size_t>(pieceCount()));
+    state_.inputs = derived.inputs;
+    derived_ = std::move(derived);
     if (garment()) {
         state_.labels = withColours(std::move(state_.labels), nullptr, *garment());
     }
+    refreshSettings(true);
+    wasFlat_ = isFlattened();
+    cache_.clear();
     history_.clear();
+    currentAt_ = 0;
     selection_.clear();
     seam_.reset();
     mark_.reset();
@@ -100,49 +101,70 @@ void Document::open(DocumentState state) {
                  DocumentChange::Options | DocumentChange::Fabric | DocumentChange::Settings);
 }
 
-void Document::setGarment(std::shared_ptr<const Garment> garment,
-                          std::shared_ptr<const Scene> scene) {
-    DocumentState next;
-    next.garment = std::move(garment);
-    next.loading = state_.loading;
-    next.options = state_.options;
-    next.fabric = state_.fabric;
-    next.scene = std::move(scene);
-    open(std::move(next));
-}
-
 void Document::edit(const QString& text, DocumentState next, int gesture) {
-    next.settings.resize(next.garment ? next.garment->pieces.size() : 0);
-    if (next.garment && next.garment != garment()) {
-        next.labels = withColours(std::move(next.labels), garment().get(), *next.garment);
+    if (!(next == state_)) {
+        history_.push(new StateStep(*this, text, std::move(next), gesture));
     }
-    if (next == state_) {
-        return;
-    }
-    history_.push(new StateStep(*this, text, std::move(next), gesture));
 }
 
-void Document::exchange(DocumentState& other) {
-    std::swap(state_, other);
-    const DocumentState& before = other;
-    DocumentChanges what = differences(before);
-    if (what.testFlag(DocumentChange::Garment)) {
-        what |= keepSelection(before);
+void Document::takeBack(DocumentState rest) {
+    const QString text = history_.undoText();
+    takesBack_ = true;
+    while (history_.index() > currentAt_ && !isCurrent()) {
+        history_.undo();  // it goes by that: StateStep::undo
     }
-    if (what & (DocumentChange::Garment | DocumentChange::Options)) {
+    while (history_.index() < currentAt_ && history_.canRedo()) {
+        history_.redo();
+    }
+    takesBack_ = false;
+    edit(text, std::move(rest));
+    tell({});
+}
+
+void Document::exchange(DocumentState& other, bool& wasFlat) {
+    const bool wasCurrent = isCurrent();
+    std::swap(state_, other);
+    std::swap(wasFlat_, wasFlat);
+    DocumentChanges what = differences(other);
+    Derived derived = knownOf(state_);
+    const bool otherPieces = !haveTheSamePieces(derived.garment.get(), garment().get());
+    const bool samePieces = wasCurrent && derived.inputs == state_.inputs && !otherPieces;
+    if (otherPieces || what.testFlag(DocumentChange::Options) ||
+        (what.testFlag(DocumentChange::Loading) && !samePieces)) {
         ++revision_;
     }
-    emit changed(what);
+    tell(what | showOther(std::move(derived)));
+}
+
+void Document::tell(DocumentChanges what) {
+    untold_ |= what;
+    if (!takesBack_ && untold_) {
+        emit changed(std::exchange(untold_, {}));
+    }
+}
+
+Derived Document::knownOf(const DocumentState& state) {
+    if (derived_.inputs == state.inputs && toile::isFlattened(derived_, state.options)) {
+        return derived_;
+    }
+    cache_.keep(derived_);
+    if (const Derived* known = cache_.find(state.inputs, state.options)) {
+        return *known;
+    }
+    Derived eased = derived_;
+    eased.inputs.loading.seamSettings = state.inputs.loading.seamSettings;
+    if (garment() && eased.inputs == state.inputs) {
+        if (auto other = easedGarment(*garment(), state.inputs.loading.seamSettings)) {
+            eased.garment = std::make_shared<const Garment>(std::move(*other));
+            return eased;
+        }
+    }
+    return derived_;
 }
 
 DocumentChanges Document::differences(const DocumentState& before) const {
     DocumentChanges what;
-    what.setFlag(DocumentChange::Garment,
-                 !haveTheSamePieces(state_.garment.get(), before.garment.get()));
-    what.setFlag(DocumentChange::Seams, state_.garment != before.garment);
-    what.setFlag(DocumentChange::Results,
-                 state_.results != before.results || state_.scene != before.scene);
-    what.setFlag(DocumentChange::Loading, !(state_.loading == before.loading));
+    what.setFlag(DocumentChange::Loading, !(state_.inputs == before.inputs));
     what.setFlag(DocumentChange::Options, !(state_.options == before.options));
     what.setFlag(DocumentChange::Fabric, !(state_.fabric == before.fabric));
     what.setFlag(DocumentChange::Settings,
@@ -150,10 +172,40 @@ DocumentChanges Document::differences(const DocumentState& before) const {
     return what;
 }
 
-DocumentChanges Document::keepSelection(const DocumentState& before) {
+DocumentChanges Document::showOther(Derived derived) {
+    const Derived before = std::exchange(derived_, std::move(derived));
+    DocumentChanges what;
+    const bool otherPieces = !haveTheSamePieces(garment().get(), before.garment.get());
+    what.setFlag(DocumentChange::Garment, otherPieces);
+    what.setFlag(DocumentChange::Seams, garment() != before.garment);
+    what.setFlag(DocumentChange::Results, results() != before.results || scene() != before.scene);
+    if (otherPieces) {
+        state_.labels = withColours(std::move(state_.labels), before.garment.get(), *garment());
+        what |= keepSelection(before);
+    }
+    refreshSettings(otherPieces);
+    wasFlat_ = wasFlat_ || isFlattened();
+    return what;
+}
+
+void Document::refreshSettings(bool otherPieces) {
+    const auto count = static_cast<std::size_t>(pieceCount());
+    if (otherPieces) {
+        settings_.assign(count, {});
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        // What a state does not know that is about to come stays as it was.
+        if (const auto said = state_.settings.find(garment()->pieces[i]->id);
+            said != state_.settings.end()) {
+            settings_[i] = said->second;
+        }
+    }
+}
+
+DocumentChanges Document::keepSelection(const Derived& before) {
     Selection kept;
     std::optional<int> seam;
-    if (garment() && before.garment && !selection_.empty()) {
+    if (!selection_.empty()) {
         // What a selected piece was cut into, and what it became part of.
         const auto& pieces = garment()->pieces;
         const std::vector<int> was = predecessors(before.garment->pieces, pieces);
@@ -169,7 +221,7 @@ DocumentChanges Document::keepSelection(const DocumentState& before) {
             }
         }
     }
-    if (garment() && before.garment && seam_) {
+    if (seam_) {
         const auto& seams = before.garment->seams.seams;
         const int now = seamAt(garment()->seams, seams[static_cast<std::size_t>(*seam_)].place);
         seam = now >= 0 ? std::optional(now) : std::nullopt;
@@ -184,34 +236,13 @@ DocumentChanges Document::keepSelection(const DocumentState& before) {
            DocumentChange::Hover;
 }
 
-void Document::setResults(PieceResults results, std::shared_ptr<const Scene> scene) {
-    setResults(std::move(results), std::move(scene), settings());
-}
-
-void Document::setResults(PieceResults results, std::shared_ptr<const Scene> scene,
-                          std::vector<PieceSettings> settings) {
-    Q_ASSERT(static_cast<int>(results.size()) == pieceCount());
-    Q_ASSERT(static_cast<int>(settings.size()) == pieceCount());
-    DocumentChanges what = DocumentChange::Results;
+void Document::show(Derived derived, SettingsById settings) {
+    DocumentChanges what;
     what.setFlag(DocumentChange::Settings, settings != state_.settings);
-    state_.results = std::move(results);
-    state_.scene = std::move(scene);
     state_.settings = std::move(settings);
-    state_.letGo = false;
-    emit changed(what);
-}
-
-void Document::setScene(std::shared_ptr<const Scene> scene) {
-    state_.scene = std::move(scene);
-    emit changed(DocumentChange::Results);
-}
-
-const DocumentState& Document::keptState(int step) const {
-    return static_cast<const StateStep*>(history_.command(step))->other();
-}
-
-void Document::letGo(int step, bool results) {
-    static_cast<const StateStep*>(history_.command(step))->letGo(results);
+    state_.inputs = derived.inputs;
+    currentAt_ = history_.index();
+    tell(what | showOther(std::move(derived)));
 }
 
 void Document::setOptions(const FlattenOptions& options) {
@@ -231,7 +262,8 @@ void Document::setOptions(const FlattenOptions& options) {
 
 void Document::setLoading(LoadOptions loading) {
     Q_ASSERT(!garment());
-    state_.loading = std::move(loading);
+    state_.inputs.loading = std::move(loading);
+    derived_.inputs = state_.inputs;
     emit changed(DocumentChange::Loading);
 }
 
@@ -314,13 +346,9 @@ void Document::setSeamEase(int seam, std::optional<double> ease) {
     if (before.ease == ease) {
         return;
     }
-    // Jobs and the views may hold the garment as it was, so it is not touched.
-    auto eased = std::make_shared<Garment>(*garment());
-    eased->seams.seams[at].ease = ease;
     DocumentState next = state_;
-    eased->seamSettings = withEase(eased->seamSettings, before, ease);
-    next.loading.seamSettings = eased->seamSettings;
-    next.garment = std::move(eased);
+    auto& settings = next.inputs.loading.seamSettings;
+    settings = withEase(std::move(settings), before, ease);
     edit(tr("Ease of a seam"), std::move(next));
 }
 

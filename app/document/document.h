@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "app/document/derived_cache.h"
 #include "app/document/document_change.h"
 #include "app/document/document_state.h"
 #include "app/document/feature.h"
@@ -16,12 +17,12 @@
 
 namespace toile {
 
-class GarmentFlattener;
-
-/// The open garment: the one place that holds its state. Everything it hands out is a finished,
-/// immutable, shared value, so that a snapshot for a job costs nothing and old states can be kept.
-/// A change of the state is a step of the history (`edit`); selection and view are not.
-/// GUI thread only. Everything that changes something emits `changed` once.
+/// The open garment: the one place that holds what a person has decided (`state`), and what is
+/// shown of all that follows from it (`derived`): of this state where it is there (`isCurrent`),
+/// else of an earlier one until somebody has worked it out (`show`). Everything it hands out is a
+/// finished, immutable, shared value, so that a snapshot for a job costs nothing. A change of the
+/// state is a step of the history (`edit`); selection and view are not. GUI thread only. Everything
+/// that changes something emits `changed` once.
 class Document : public QObject {
     Q_OBJECT
 
@@ -33,24 +34,28 @@ public:
 
     const DocumentState& state() const { return state_; }
     /// Null where nothing is open.
-    const std::shared_ptr<const Garment>& garment() const { return state_.garment; }
+    const std::shared_ptr<const Garment>& garment() const { return derived_.garment; }
     /// One per piece, in the garment's order, null where not flattened yet; empty until the first
     /// flattening is done.
-    const PieceResults& results() const { return state_.results; }
-    /// What the views draw, made of garment and results by the job that made them. May be null.
-    const std::shared_ptr<const Scene>& scene() const { return state_.scene; }
-    const LoadOptions& loading() const { return state_.loading; }
+    const PieceResults& results() const { return derived_.results; }
+    /// What the views draw. May be null.
+    const std::shared_ptr<const Scene>& scene() const { return derived_.scene; }
+    const Derived& derived() const { return derived_; }
+    /// Whether the garment is that of the present state.
+    bool isCurrent() const { return derived_.inputs == state_.inputs; }
+    /// Whether every piece is flat, too, as the state has it.
+    bool isFlattened() const;
+    /// Whether it was so before, and has only been forgotten since.
+    bool wasFlattened() const { return wasFlat_; }
+    const LoadOptions& loading() const { return state_.inputs.loading; }
     const FlattenOptions& options() const { return state_.options; }
     const Fabric& fabric() const { return state_.fabric; }
     /// One per piece.
-    const std::vector<PieceSettings>& settings() const { return state_.settings; }
+    const std::vector<PieceSettings>& settings() const { return settings_; }
     /// Numbers of the pieces' colours, and of one.
     std::vector<int> colours() const;
     int colourOf(int piece) const;
 
-    /// What is kept of one flattening for the next, as long as the garment is of the same files;
-    /// thread-safe, for the jobs.
-    const std::shared_ptr<GarmentFlattener>& flattener() const { return flattener_; }
     const Selection& selection() const { return selection_; }
     /// The selected seam: an index into Garment::seams; none where no seam is selected.
     std::optional<int> seam() const { return seam_; }
@@ -59,8 +64,8 @@ public:
     /// What the pointer is on in one of the views.
     const std::optional<Feature>& hover() const { return hover_; }
     const ViewState& view() const { return view_; }
-    /// Another number whenever the garment or the options are others: results begun before are
-    /// stale then.
+    /// Another number whenever other pieces or other options are asked for: results begun before
+    /// are stale then.
     std::uint64_t revision() const { return revision_; }
 
     /// Null where the piece is not flattened yet.
@@ -79,31 +84,24 @@ public:
     const QUndoStack& history() const { return history_; }
 
     /// Opens another document: history and selections are cleared.
-    void open(DocumentState state);
-    /// The same for a garment alone: what else there is to say of it is as before.
-    void setGarment(std::shared_ptr<const Garment> garment, std::shared_ptr<const Scene> scene);
-    /// One step of the history; nothing where the state is the same already. `settings` are brought
-    /// to the number of pieces.
+    /// @param derived  its garment, and what else has been worked out
+    void open(DocumentState state, Derived derived);
+    /// One step of the history; nothing where the state is the same already. What follows from it
+    /// is shown at once where it was worked out before.
     /// @param text     what was done, for the undo menu: "Move piece"
     /// @param gesture  edits with the same number, see `newGesture`, become one step; -1: alone
     void edit(const QString& text, DocumentState next, int gesture = -1);
     /// For the edits of a drag to come.
     int newGesture() { return ++gestures_; }
 
-    /// The state that step `step` of the history would bring back, undone or done again.
-    const DocumentState& keptState(int step) const;
-    /// Lets go of what can be worked out again of that state: its scene and, where that is said and
-    /// all of them are there, its results. Whoever brings it back has to do that.
-    void letGo(int step, bool results);
+    /// Takes the steps back, for good, that were made since the garment shown was that of the
+    /// state, and makes one step of what is to stay of them.
+    void takeBack(DocumentState rest);
 
-    /// Adds what was worked out for the present state; no step of the history.
-    /// @param results one per piece of the present garment
-    void setResults(PieceResults results, std::shared_ptr<const Scene> scene);
-    /// The same, with places for pieces that had none.
-    void setResults(PieceResults results, std::shared_ptr<const Scene> scene,
-                    std::vector<PieceSettings> settings);
-    /// The same of the scene alone.
-    void setScene(std::shared_ptr<const Scene> scene);
+    /// Shows what was worked out for the present state; no step of the history.
+    /// @param settings  with places for pieces that had none
+    void show(Derived derived, SettingsById settings);
+    DerivedCache& cache() { return cache_; }
 
     /// How pieces are to be flattened: a step of the history where a garment is open.
     void setOptions(const FlattenOptions& options);
@@ -136,15 +134,26 @@ private:
     friend class StateStep;
 
     /// The state becomes `other` and the other way round.
-    void exchange(DocumentState& other);
+    void exchange(DocumentState& other, bool& wasFlat);
+    /// What is known already to follow from the state; what is shown else.
+    Derived knownOf(const DocumentState& state);
     DocumentChanges differences(const DocumentState& before) const;
-    DocumentChanges keepSelection(const DocumentState& before);
+    DocumentChanges showOther(Derived derived);
+    DocumentChanges keepSelection(const Derived& before);
+    void refreshSettings(bool otherPieces);
+    void tell(DocumentChanges what);
     bool isInGarment(const Feature& feature) const;
 
     DocumentState state_;
+    Derived derived_;
+    DerivedCache cache_;
+    std::vector<PieceSettings> settings_;  ///< of the pieces shown
     QUndoStack history_;
     int gestures_ = 0;
-    std::shared_ptr<GarmentFlattener> flattener_;
+    int currentAt_ = 0;  ///< step of the history that the garment shown is of
+    bool takesBack_ = false;
+    bool wasFlat_ = false;
+    DocumentChanges untold_;
     Selection selection_;
     std::optional<int> seam_;
     std::optional<Feature> mark_, hover_;

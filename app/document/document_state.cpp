@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_state.h"
 
+#include <algorithm>
+
 namespace toile {
 
-bool isFlattened(const DocumentState& state) {
-    if (!state.garment || state.results.size() != state.garment->pieces.size()) {
+bool isFlattened(const Derived& derived, const FlattenOptions& options) {
+    if (!derived.garment || derived.results.size() != derived.garment->pieces.size()) {
         return false;
     }
-    for (std::size_t i = 0; i < state.results.size(); ++i) {
-        const PieceResult* result = state.results[i].get();
-        if (!result || result->piece != state.garment->pieces[i] ||
-            !(result->options == state.options)) {
+    for (std::size_t i = 0; i < derived.results.size(); ++i) {
+        const PieceResult* result = derived.results[i].get();
+        if (!result || result->piece != derived.garment->pieces[i] ||
+            !(result->options == options)) {
             return false;
         }
     }
     return true;
+}
+
+bool isWarm(const Derived& derived) {
+    return std::ranges::any_of(derived.results,
+                               [](const auto& result) { return result && isWarm(*result); });
 }
 
 }  // namespace toile

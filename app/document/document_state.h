@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -13,28 +14,34 @@ namespace toile {
 
 struct Scene;
 
-/// The open garment and everything a person has made of it: what one step of the history changes
-/// and undo brings back. Copies are cheap, since what is large is immutable and shared; equality
-/// compares it by pointer.
+/// What a person has decided: what one step of the history changes and undo brings back. Nothing
+/// in it is worked out; copies are cheap.
 struct DocumentState {
-    std::shared_ptr<const Garment> garment{};  ///< null where nothing is open
-    LoadOptions loading{};     ///< how the files were read, divided and cut, and the ease stated
+    GarmentInputs inputs{};    ///< files, how they are divided and cut, the ease stated
     FlattenOptions options{};  ///< how pieces are to be flattened
     Fabric fabric = fabricPresets().front();
-    std::vector<PieceSettings> settings{};  ///< one per piece of the garment
-    PieceLabels labels{};                   ///< of these pieces, and of some that may come back
-
-    /// What follows is made of the above. Results may be of older options, or of pieces that are
-    /// no more in the garment (`PieceResult::piece`, `options` tell), until new ones come.
-    PieceResults results{};  ///< one per piece, null where not flattened yet; or empty
-    std::shared_ptr<const Scene> scene{};  ///< what the views draw; may be null
-    /// The results were all there, and were let go for their memory: they are to be found again.
-    bool letGo = false;
+    SettingsById settings{};
+    PieceLabels labels{};
 
     bool operator==(const DocumentState&) const = default;
 };
 
-/// True where every piece has the result that the state's garment and options ask for.
-bool isFlattened(const DocumentState& state);
+/// What follows from a state. Immutable and shared; equality compares what is large by pointer.
+struct Derived {
+    GarmentInputs inputs{};                    ///< what the garment was made of
+    std::shared_ptr<const Garment> garment{};  ///< null where nothing is open
+    /// One per piece, null where not flattened yet; or empty. May be of older options, or warm,
+    /// until others come.
+    PieceResults results{};
+    std::shared_ptr<const Scene> scene{};  ///< what the views draw; may be null
+    std::size_t bytes = 0;                 ///< about what results and scene take
+
+    bool operator==(const Derived&) const = default;
+};
+
+/// True where every piece has the result that these options ask for.
+bool isFlattened(const Derived& derived, const FlattenOptions& options);
+/// True where some result is warm: another is to take its place.
+bool isWarm(const Derived& derived);
 
 }  // namespace toile

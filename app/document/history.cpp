@@ -11,19 +11,12 @@ StateStep::StateStep(Document& document, const QString& text, DocumentState next
     : QUndoCommand(text), document_(document), other_(std::move(next)), gesture_(gesture) {}
 
 void StateStep::redo() {
-    document_.exchange(other_);
+    document_.exchange(other_, wasFlat_);
 }
 
 void StateStep::undo() {
-    document_.exchange(other_);
-}
-
-void StateStep::letGo(bool results) const {
-    other_.scene.reset();
-    if (results && isFlattened(other_)) {
-        other_.results.clear();
-        other_.letGo = true;
-    }
+    document_.exchange(other_, wasFlat_);
+    setObsolete(document_.takesBack_);
 }
 
 bool StateStep::mergeWith(const QUndoCommand*) {

@@ -10,7 +10,7 @@ namespace toile {
 class Document;
 
 /// One step of the history: exchanges the document's state for another, finished one, and so cannot
-/// fail. What is worked out afterwards (results) becomes part of the state it was worked out for.
+/// fail. Places that pieces are given afterwards become part of the state they were given for.
 class StateStep : public QUndoCommand {
 public:
     /// @param gesture  steps of one gesture, such as a drag, become one; -1: stands alone
@@ -21,14 +21,10 @@ public:
     void undo() override;
     bool mergeWith(const QUndoCommand* later) override;
 
-    const DocumentState& other() const { return other_; }
-    /// See Document::letGo. The step stays the same: what goes follows from what stays.
-    void letGo(bool results) const;
-
 private:
     Document& document_;
-    /// The state to exchange for; mutable, since the stack shows its steps as constants only.
-    mutable DocumentState other_;
+    DocumentState other_;   ///< to exchange the present one for
+    bool wasFlat_ = false;  ///< all of it, once
     int gesture_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "app/base/translate.h"
 #include "app/document/document.h"
+#include "app/document/piece_edits.h"
 #include "core/sheet/placement.h"
 #include "core/sheet/sheet.h"
 
@@ -24,19 +25,27 @@ std::vector<Eigen::AlignedBox2d> boxesOf(const Document& document, const std::ve
     return boxes;
 }
 
+template <class Value>
+std::vector<int> piecesOf(const std::map<int, Value>& byPiece) {
+    std::vector<int> pieces;
+    for (const auto& entry : byPiece) {
+        pieces.push_back(entry.first);
+    }
+    return pieces;
+}
+
 /// Lays pieces elsewhere. @param byHand  no other piece may push them away from there
 void placeEach(Document& document, const QString& text, const PiecePlacements& placements,
                int gesture, bool byHand) {
-    DocumentState next = document.state();
-    for (const auto& [piece, placement] : placements) {
+    const auto place = [&](int piece, PieceSettings& settings) {
+        const Placement& placement = placements.at(piece);
         if (placement.offset.cwiseAbs().maxCoeff() <= kFarthestOnSheet &&
             placement.offset.allFinite() && std::isfinite(placement.turn)) {
-            PieceSettings& settings = next.settings[static_cast<std::size_t>(piece)];
             settings.placement = placement;
             settings.placedByHand = byHand;
         }
-    }
-    document.edit(text, std::move(next), gesture);
+    };
+    editSettings(document, text, piecesOf(placements), place, gesture);
 }
 
 void moveEach(Document& document, const QString& text, const std::vector<int>& pieces,
@@ -98,23 +107,24 @@ void place(Document& document, const QString& text, const PiecePlacements& place
 
 void placeBack(Document& document, const QString& text, const PiecePlacements& pieces,
                const std::vector<PieceSettings>& before, int gesture) {
-    DocumentState next = document.state();
-    for (const auto& entry : pieces) {
-        const auto piece = static_cast<std::size_t>(entry.first);
-        if (piece < before.size() && piece < next.settings.size()) {
-            next.settings[piece].placement = before[piece].placement;
-            next.settings[piece].placedByHand = before[piece].placedByHand;
-        }
-    }
-    document.edit(text, std::move(next), gesture);
+    std::vector<int> there = piecesOf(pieces);
+    std::erase_if(there, [&](int piece) {
+        const auto at = static_cast<std::size_t>(piece);
+        return at >= before.size() || at >= document.settings().size();
+    });
+    const auto back = [&before](int piece, PieceSettings& settings) {
+        const PieceSettings& was = before[static_cast<std::size_t>(piece)];
+        settings.placement = was.placement;
+        settings.placedByHand = was.placedByHand;
+    };
+    editSettings(document, text, there, back, gesture);
 }
 
 void setGrain(Document& document, const QString& text, const PieceGrains& grains, int gesture) {
-    DocumentState next = document.state();
-    for (const auto& [piece, grain] : grains) {
-        next.settings[static_cast<std::size_t>(piece)].grain = grain;
-    }
-    document.edit(text, std::move(next), gesture);
+    const auto turn = [&grains](int piece, PieceSettings& settings) {
+        settings.grain = grains.at(piece);
+    };
+    editSettings(document, text, piecesOf(grains), turn, gesture);
 }
 
 void turnTogether(Document& document, const QString& text, const std::vector<int>& pieces,

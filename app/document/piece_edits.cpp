@@ -25,24 +25,26 @@ QString nameOf(const Document& document, const std::vector<int>& pieces) {
         document.garment()->pieces[static_cast<std::size_t>(pieces.front())]->name);
 }
 
-template <class Change>
+}  // namespace
+
 void editSettings(Document& document, const QString& text, const std::vector<int>& pieces,
-                  const Change& change) {
+                  const std::function<void(int piece, PieceSettings&)>& change, int gesture) {
     DocumentState next = document.state();
     for (const int piece : pieces) {
-        change(next.settings[static_cast<std::size_t>(piece)]);
+        const auto at = static_cast<std::size_t>(piece);
+        PieceSettings& said = next.settings[document.garment()->pieces[at]->id];
+        said = document.settings()[at];
+        change(piece, said);
     }
-    document.edit(text, std::move(next));
+    document.edit(text, std::move(next), gesture);
 }
-
-}  // namespace
 
 void setQuantity(Document& document, const std::vector<int>& pieces, int quantity) {
     const std::vector<int> there = inGarment(document, pieces);
     const int copies = std::clamp(quantity, 1, kMostCopies);
     if (!there.empty()) {
         editSettings(document, tr("Quantity of %1: %2").arg(nameOf(document, there)).arg(copies),
-                     there, [copies](PieceSettings& settings) { settings.quantity = copies; });
+                     there, [copies](int, PieceSettings& settings) { settings.quantity = copies; });
     }
 }
 
@@ -51,7 +53,7 @@ void setMirroredPair(Document& document, const std::vector<int>& pieces, bool is
     if (!there.empty()) {
         const QString text = isPair ? tr("Mirrored pair: %1") : tr("No mirrored pair: %1");
         editSettings(document, text.arg(nameOf(document, there)), there,
-                     [isPair](PieceSettings& settings) { settings.mirroredPair = isPair; });
+                     [isPair](int, PieceSettings& settings) { settings.mirroredPair = isPair; });
     }
 }
 

@@ -2,15 +2,20 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <vector>
 
 namespace toile {
 
 class Document;
+struct PieceSettings;
 
 /// Edits of what is said about pieces beyond their shape and place. Each is one step of the
 /// history, nothing where all is so already; indices outside the garment are left out.
 
+/// @param pieces  in the garment  @param gesture  as for Document::edit
+void editSettings(Document& document, const QString& text, const std::vector<int>& pieces,
+                  const std::function<void(int piece, PieceSettings&)>& change, int gesture = -1);
 /// @param quantity  how many of each are cut, 1 to kMostCopies; others are brought there
 void setQuantity(Document& document, const std::vector<int>& pieces, int quantity);
 /// @param isPair  each of them is also cut mirrored

@@ -4,14 +4,20 @@
 #include <utility>
 
 namespace toile {
-Project projectOf(const DocumentState& state, const ViewState& view) {
+Project projectOf(const DocumentState& state, const Derived& derived, const ViewState& view) {
+    const Garment& garment = *derived.garment;
     Project project;
-    project.files = meshReferences(*state.garment);
-    project.loading = state.loading;
-    project.loading.known = knownPieces(*state.garment);
+    project.files = meshReferences(garment);
+    project.loading = state.inputs.loading;
+    project.loading.known = knownPieces(garment);
     project.options = state.options;
     project.fabric = state.fabric;
-    project.pieces = projectPieces(*state.garment, state.settings, state.results);
+    std::vector<PieceSettings> settings;
+    for (const auto& piece : garment.pieces) {
+        const auto said = state.settings.find(piece->id);
+        settings.push_back(said == state.settings.end() ? PieceSettings{} : said->second);
+    }
+    project.pieces = projectPieces(garment, std::move(settings), derived.results);
     project.labels = state.labels;
     project.view = {std::string(wordOf(kOverlayWords, view.overlay)), view.wireframe,
                     view.designerOutline};
@@ -25,16 +31,16 @@ ViewState viewOf(const ProjectView& saved, ViewState view) {
     return view;
 }
 
-DocumentState stateOf(const Project& project, std::shared_ptr<const Garment> garment,
-                      std::shared_ptr<const Scene> scene) {
+DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garment& garment) {
     DocumentState state;
-    state.loading = resolveNames(project.loading, *garment);
+    state.inputs = std::move(inputs);
     state.options = project.options;
     state.fabric = project.fabric;
-    state.settings = settingsFor(project, *garment);
     state.labels = project.labels;
-    state.garment = std::move(garment);
-    state.scene = std::move(scene);
+    std::vector<PieceSettings> settings = settingsFor(project, garment);
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        state.settings.emplace(garment.pieces[i]->id, std::move(settings[i]));
+    }
     return state;
 }
 

@@ -8,13 +8,12 @@
 namespace toile {
 
 /// What is saved of the open document. Requires a garment. Linear in the outlines; thread-safe.
-Project projectOf(const DocumentState& state, const ViewState& view);
+Project projectOf(const DocumentState& state, const Derived& derived, const ViewState& view);
 
 /// How the project was shown; what it does not say is as before.
 ViewState viewOf(const ProjectView& saved, ViewState before);
 
-/// What is opened of a project, with the garment read for it.
-DocumentState stateOf(const Project& project, std::shared_ptr<const Garment> garment,
-                      std::shared_ptr<const Scene> scene);
+/// What is opened of a project, with the garment made for it.
+DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garment& garment);
 
 }  // namespace toile

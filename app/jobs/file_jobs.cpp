@@ -5,20 +5,17 @@
 #include <utility>
 
 #include "app/base/path_text.h"
-#include "app/document/disposal.h"
 #include "app/document/document.h"
 #include "app/document/project_state.h"
-#include "app/render/scene_builder.h"
+#include "app/jobs/derivation.h"
 #include "app/text/error_text.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
+#include "core/pipeline/garment_flattener.h"
 #include "core/project/project_file.h"
 
 namespace toile {
 namespace {
-
-/// Of the job's time, about; the rest is the scene.
-constexpr double kProjectReadingShare = 0.97;
 
 /// True where there is such a file, and it holds something else. Reads it.
 bool wasChangedByOthers(const KnownFile& known) {
@@ -36,6 +33,25 @@ KnownFile knownOf(const std::filesystem::path& path, std::uint64_t hash, const P
     }
     const auto bytes = readFile(*project.recoveryOf);
     return {*project.recoveryOf, bytes ? std::optional(contentHash(*bytes)) : std::nullopt};
+}
+
+/// Of the time of an export whose flat pieces are still warm, about.
+constexpr double kSettlingShare = 0.7;
+
+/// What is saved of a state, also where its garment is still on its way.
+Result<Project> projectNow(DocumentState state, const Derived& derived,
+                           const std::vector<PieceSettings>& settings, const ViewState& view,
+                           Progress& progress) {
+    if (derived.inputs == state.inputs) {
+        return projectOf(state, derived, view);
+    }
+    const Result<Derivation> made = deriveGarment(state, derived, settings, progress);
+    if (!made) {
+        return made.error();
+    }
+    state.inputs = made->derived.inputs;
+    state.settings = settingsAfter(*made, std::move(state.settings), settings);
+    return projectOf(state, made->derived, view);
 }
 
 struct ReadMeshes {
@@ -67,16 +83,13 @@ Result<ReadMeshes> readMeshes(const std::filesystem::path& path, const FoundMesh
     for (const MeshReference& file : project.files) {
         paths.push_back(file.path);
     }
-    progress.setShare(0, kProjectReadingShare);
-    Result<Garment> garment = loadGarment(paths, project.loading, progress);
-    if (!garment) {
-        return garment.error();
+    Result<Derived> derived = readGarment(paths, project.loading, progress);
+    if (!derived) {
+        return derived.error();
     }
-    const Problems differences = differencesTo(project, *garment);
+    opened.derived = std::move(derived).value();
+    const Problems differences = differencesTo(project, *opened.derived.garment);
     opened.notes.insert(opened.notes.end(), differences.begin(), differences.end());
-    opened.garment = sharedForDisposal(std::make_unique<const Garment>(std::move(garment).value()));
-    progress.setShare(kProjectReadingShare, 1);
-    opened.scene = buildScene(*opened.garment, {}, progress);
     return made;
 }
 
@@ -84,17 +97,22 @@ Result<ReadMeshes> readMeshes(const std::filesystem::path& path, const FoundMesh
 
 std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path path,
                                std::function<void(const std::filesystem::path&)> done) {
-    std::vector<PieceOnSheet> places;
-    for (const PieceSettings& piece : document.settings()) {
-        const Piece& shape = *document.garment()->pieces[places.size()];
-        places.push_back(onSheet(piece));
-        places.back().name = nameOf(document.state().labels, shape);
-    }
     const QString name = textOf(path.filename());
-    auto work = [garment = document.garment(), results = document.results(),
-                 places = std::move(places), path = std::move(path),
+    auto work = [derived = document.derived(), state = document.state(), path = std::move(path),
                  words = drawingWords()](Progress& progress) -> Result<std::filesystem::path> {
-        const auto written = exportFile(path, *garment, results, places, progress, words);
+        Derivation made{derived};
+        progress.setShare(0, kSettlingShare);
+        GarmentFlattener flattener;
+        settle(made, flattener, progress);
+        progress.setShare(kSettlingShare, 1);
+        SettingsById settings = settingsAfter(made, state.settings, {});
+        std::vector<PieceOnSheet> places;
+        for (const auto& piece : derived.garment->pieces) {
+            places.push_back(onSheet(settings[piece->id]));
+            places.back().name = nameOf(state.labels, *piece);
+        }
+        const auto written =
+            exportFile(path, *derived.garment, made.derived.results, places, progress, words);
         return written ? Result(path) : written.error();
     };
     return makeJob(QCoreApplication::translate("ExportJob", "Writing %1").arg(name),
@@ -105,15 +123,20 @@ std::unique_ptr<Job> saveJob(const Document& document, SaveTarget target,
                              std::function<void(SaveOutcome)> done) {
     Q_ASSERT(document.garment());
     const QString name = textOf(target.path.filename());
-    auto work = [state = document.state(), view = document.view(),
-                 target = std::move(target)](Progress&) -> Result<SaveOutcome> {
+    auto work = [state = document.state(), derived = document.derived(),
+                 settings = document.settings(), view = document.view(),
+                 target = std::move(target)](Progress& progress) -> Result<SaveOutcome> {
         // At the last moment: another program may be at it just now.
         KnownFile* known = target.known.get();
         if (known && known->path == target.path && !target.overwrite &&
             wasChangedByOthers(*known)) {
             return SaveOutcome::ChangedByOthers;
         }
-        Project project = projectOf(state, view);
+        const Result<Project> saved = projectNow(state, derived, settings, view, progress);
+        if (!saved) {
+            return saved.error();
+        }
+        Project project = *saved;
         project.recoveryOf = target.recoveryOf;
         const auto written = writeProject(target.path, project);
         if (!written) {

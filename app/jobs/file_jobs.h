@@ -9,13 +9,13 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/document_state.h"
 #include "app/jobs/job.h"
 #include "core/project/project.h"
 
 namespace toile {
 
 class Document;
-struct Scene;
 
 /// The jobs that write files of the document, and the one that reads projects. What they take is a
 /// snapshot: edits may go on. What they are to call is called on the GUI thread.
@@ -57,8 +57,7 @@ using FoundMeshes = std::map<std::filesystem::path, std::filesystem::path>;
 
 struct OpenedProject {
     Project project;  ///< with the paths that were found
-    std::shared_ptr<const Garment> garment;
-    std::shared_ptr<const Scene> scene;
+    Derived derived;
     Problems notes;   ///< what is other than it was when the project was saved
     KnownFile known;  ///< the project's file; of a recovery file the one that it is of
 };

@@ -2,15 +2,11 @@
 #include "app/jobs/garment_jobs.h"
 
 #include <QCoreApplication>
-#include <unordered_map>
 #include <utility>
 
 #include "app/base/path_text.h"
-#include "app/document/disposal.h"
 #include "app/document/document.h"
-#include "app/render/scene_builder.h"
 #include "core/pipeline/garment_flattener.h"
-#include "core/project/place_pieces.h"
 #include "core/quality/best_grain.h"
 
 namespace toile {
@@ -19,142 +15,73 @@ namespace {
 
 /// Of the jobs' times, about, on garments of 10 000 to 100 000 triangles; the rest is laying out
 /// and the scene.
-constexpr double kReadingShare = 0.97, kCuttingShare = 0.8, kFlatteningShare = 0.5;
-
-struct Flattened {
-    PieceResults results;
-    std::vector<std::optional<FlatMotion>> motions;
-    std::vector<Eigen::Vector2d> proposed;  ///< offsets, per piece
-    std::shared_ptr<const Scene> scene;
-};
-
-/// Pieces that are flat already keep their very positions: after steps back and forth the flattener
-/// comes from another version of the garment, and what it finds is as good, but not the same to the
-/// last bit.
-void keepWhatFits(const PieceResults& before, const Garment& garment, const FlattenOptions& options,
-                  PieceResults& results) {
-    for (std::size_t i = 0; i < results.size() && i < before.size(); ++i) {
-        const PieceResult* known = before[i].get();
-        if (known && known->flat && known->piece == garment.pieces[i] &&
-            known->options == options) {
-            results[i] = before[i];
-        }
-    }
-}
+constexpr double kGarmentShare = 0.3, kGarmentAloneShare = 0.97, kFlatteningShare = 0.6;
 
 }  // namespace
 
-std::unique_ptr<Job> importJob(std::vector<std::filesystem::path> files, LoadOptions options,
-                               std::optional<DocumentState> before,
-                               std::function<void(MadeGarment)> done) {
-    const QString name = files.empty() ? QString() : textOf(files.front().filename());
-    auto work = [files = std::move(files), options = std::move(options),
-                 before = std::move(before)](Progress& progress) -> Result<MadeGarment> {
-        progress.setShare(0, kReadingShare);
-        LoadOptions reading = options;
-        if (before) {
-            reading.known = knownPieces(*before->garment);
-        }
-        Result<Garment> garment =
-            loadGarment(files, reading, progress, before ? before->garment.get() : nullptr);
-        if (!garment) {
-            return garment.error();
-        }
-        MadeGarment made;
-        made.garment =
-            sharedForDisposal(std::make_unique<const Garment>(std::move(garment).value()));
-        if (before) {
-            made.carried =
-                carriedFrom(*before->garment, before->settings, before->results, *made.garment);
-        }
-        progress.setShare(kReadingShare, 1);
-        made.scene = buildScene(*made.garment, {}, progress);
-        return made;
+std::unique_ptr<Job> readingJob(std::vector<std::filesystem::path> paths,
+                                std::function<void(ReadFiles)> done) {
+    const QString name = paths.empty() ? QString() : textOf(paths.front().filename());
+    auto work = [paths = std::move(paths)](Progress& progress) {
+        return readFiles(paths, progress);
     };
     return makeJob(QCoreApplication::translate("ImportJob", "Reading %1").arg(name),
                    std::move(work), std::move(done));
 }
 
-std::unique_ptr<Job> cutJob(DocumentState before, LoadOptions options,
-                            std::function<void(MadeGarment)> done) {
-    auto work = [before = std::move(before),
-                 options = std::move(options)](Progress& progress) -> Result<MadeGarment> {
-        progress.setShare(0, kCuttingShare);
-        Result<Garment> garment = cutGarment(*before.garment, options, progress);
-        if (!garment) {
-            return garment.error();
-        }
-        MadeGarment made;
-        made.garment =
-            sharedForDisposal(std::make_unique<const Garment>(std::move(garment).value()));
-        made.carried = carriedFrom(*before.garment, before.settings, before.results, *made.garment);
-        progress.setShare(kCuttingShare, 1);
-        made.scene =
-            buildScene(*made.garment, carriedResults(before.results, *made.garment), progress);
-        return made;
+std::unique_ptr<Job> importJob(std::vector<std::filesystem::path> paths, LoadOptions loading,
+                               std::function<void(Derived)> done) {
+    const QString name = paths.empty() ? QString() : textOf(paths.front().filename());
+    auto work = [paths = std::move(paths), loading = std::move(loading)](Progress& progress) {
+        return readGarment(paths, loading, progress);
     };
-    return makeJob(QCoreApplication::translate("CutJob", "Cutting the pieces"), std::move(work),
-                   std::move(done));
+    return makeJob(QCoreApplication::translate("ImportJob", "Reading %1").arg(name),
+                   std::move(work), std::move(done));
 }
 
-PieceResults carriedResults(const PieceResults& results, const Garment& after) {
-    std::unordered_map<const Piece*, std::shared_ptr<const PieceResult>> known;
-    for (const auto& result : results) {
-        if (result) {
-            known.emplace(result->piece.get(), result);
+std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder& order,
+                                  std::shared_ptr<GarmentFlattener> flattener,
+                                  std::function<void(Derivation)> onGarment,
+                                  std::function<void(Derivation)> done) {
+    const bool isOther = !document.isCurrent();
+    auto work = [isOther, order, state = document.state(), before = document.derived(),
+                 settings = document.settings(), flattener = std::move(flattener),
+                 onGarment = std::move(onGarment)](Progress& progress) -> Result<Derivation> {
+        Derivation made{before};
+        double from = 0;
+        if (isOther) {
+            from = order.flatten ? kGarmentShare : kGarmentAloneShare;
+            progress.setShare(0, from);
+            Result<Derivation> garment = deriveGarment(state, before, settings, progress);
+            if (!garment) {
+                return garment.error();
+            }
+            made = std::move(garment).value();
+            Progress drawing(progress, 0);
+            draw(made.derived, drawing);
+            if (!order.flatten) {
+                return made;
+            }
+            onGarment(made);
+            made.hasOtherGarment = false;
         }
-    }
-    PieceResults carried;
-    for (const auto& piece : after.pieces) {
-        const auto found = known.find(piece.get());
-        carried.push_back(found == known.end() ? nullptr : found->second);
-    }
-    return carried;
-}
-
-std::unique_ptr<Job> flattenJob(Document& document) {
-    Q_ASSERT(document.garment());
-    auto work = [garment = document.garment(), options = document.options(),
-                 before = document.results(),
-                 flattener = document.state().letGo
-                                 ? std::make_shared<GarmentFlattener>()
-                                 : document.flattener()](Progress& progress) -> Result<Flattened> {
-        progress.setShare(0, kFlatteningShare);
-        Flattened made;
-        made.results = flattener->flatten(*garment, options, progress);
-        keepWhatFits(before, *garment, options, made.results);
+        if (order.flatten || order.settle) {
+            progress.setShare(from, from + (1 - from) * kFlatteningShare);
+            order.flatten ? flatten(made, state.options, *flattener, progress)
+                          : settle(made, *flattener, progress);
+            from += (1 - from) * kFlatteningShare;
+        }
         if (!progress.isCancelled()) {
-            progress.setShare(kFlatteningShare, 1);
-            made.motions = flatMotions(before, made.results);
-            made.proposed = layOut(*garment, made.results).offsets;
-            made.scene = buildScene(*garment, made.results, progress);
+            progress.setShare(from, 1);
+            draw(made.derived, progress);
         }
         return made;
     };
-    auto done = [&document](Flattened made) {
-        // Places that were given meanwhile are kept.
-        std::vector<PieceSettings> settings =
-            placedSettings(document.settings(), made.results, made.motions, made.proposed);
-        document.setResults(std::move(made.results), std::move(made.scene), std::move(settings));
-    };
-    return makeJob(QCoreApplication::translate("FlattenJob", "Flattening the pieces"),
-                   std::move(work), std::move(done), {.revision = document.revision()});
-}
-
-std::unique_ptr<Job> sceneJob(Document& document) {
-    Q_ASSERT(document.garment());
-    const auto& garment = document.garment();
-    const auto& results = document.results();
-    auto work = [garment, results](Progress& progress) -> Result<std::shared_ptr<const Scene>> {
-        return buildScene(*garment, results, progress);
-    };
-    auto done = [&document, garment, results](std::shared_ptr<const Scene> scene) {
-        if (document.garment() == garment && document.results() == results) {
-            document.setScene(std::move(scene));
-        }
-    };
-    return makeJob(QCoreApplication::translate("SceneJob", "Drawing the pieces"), std::move(work),
-                   std::move(done));
+    const QString title = isOther ? QCoreApplication::translate("RecomputeJob", "Making the pieces")
+                          : order.flatten || order.settle
+                              ? QCoreApplication::translate("RecomputeJob", "Flattening the pieces")
+                              : QCoreApplication::translate("RecomputeJob", "Drawing the pieces");
+    return makeJob(title, std::move(work), std::move(done), {.revision = document.revision()});
 }
 
 std::unique_ptr<Job> grainJob(const Document& document, const std::vector<int>& pieces,

@@ -36,8 +36,8 @@ Json fileJson(const SourceFile& file, Json problems) {
             {"up_reason", textOrNull(file.upReason)},
             {"split", text(name(file.split.mode))},
             {"split_reason", textOrNull(file.split.reason)},
-            {"vertices", file.soup.positions.size()},
-            {"faces", file.soup.faceCount()},
+            {"vertices", file.soup->positions.size()},
+            {"faces", file.soup->faceCount()},
             {"seconds_read", number(file.readSeconds)},
             {"problems", std::move(problems)}};
 }

@@ -205,7 +205,7 @@ private:
 
 FaceChanges appendFaces(std::string& out, const Garment& garment, int file,
                         const ObjIndices& indices) {
-    const PolygonSoup& soup = garment.files[file]->soup;
+    const PolygonSoup& soup = *garment.files[file]->soup;
     const FaceTriangles triangles(garment, file, soup.faceCount());
     FaceWriter writer(out, garment, file, indices);
     for (int face = 0; face < soup.faceCount(); ++face) {

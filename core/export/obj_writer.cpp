@@ -157,7 +157,7 @@ std::string writeObj(const Garment& garment, const PieceResults& results,
     std::string vertices;
     int next = 1;
     for (std::size_t f = 0; f < garment.files.size(); ++f) {
-        const PolygonSoup& soup = garment.files[f]->soup;
+        const PolygonSoup& soup = *garment.files[f]->soup;
         const int file = static_cast<int>(f), own = static_cast<int>(soup.positions.size());
         indices.firstVertex.push_back(next);
         notes[f].first = next;
@@ -178,7 +178,7 @@ std::string writeObj(const Garment& garment, const PieceResults& results,
     std::string faces;
     for (std::size_t f = 0; f < garment.files.size(); ++f) {
         const SourceFile& file = *garment.files[f];
-        faces.reserve(faces.size() + static_cast<std::size_t>(file.soup.faceCount()) * kFaceBytes);
+        faces.reserve(faces.size() + static_cast<std::size_t>(file.soup->faceCount()) * kFaceBytes);
         notes[f].faces = appendFaces(faces, garment, static_cast<int>(f), indices);
     }
 

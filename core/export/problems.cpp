@@ -11,12 +11,10 @@ namespace toile {
 Problems problemsOf(const SourceFile& file) {
     Problems all;
     std::set<std::tuple<ErrorCode, Subject::Kind, std::string_view, std::string_view>> seen;
-    for (const Problems* list : {&file.soup.problems, &file.problems}) {
-        for (const Error& error : *list) {
-            const auto& [kind, id, name] = error.subject;
-            if (seen.emplace(error.code, kind, name, error.detail).second) {
-                all.push_back(error);
-            }
+    for (const Error& error : file.problems) {
+        const auto& [kind, id, name] = error.subject;
+        if (seen.emplace(error.code, kind, name, error.detail).second) {
+            all.push_back(error);
         }
     }
     return all;

@@ -66,6 +66,8 @@ struct FlatPiece {
     /// Edges turned to make the cotangent weights non-negative where triangles flipped
     /// (conformal_interior.h); 0 where the interior was placed by the mesh's own weights.
     int delaunayFlips = 0;
+    /// Found from where an earlier version lay: as good, but not a function of the piece alone.
+    bool warm = false;
     double boundarySeconds = 0;
     double interiorSeconds = 0;
     Problems notes{};  ///< what the user should know of the result: crossings, degenerate triangles

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -20,6 +21,7 @@ struct PieceResult {
     std::optional<FlatPiece> flat;        ///< points in the plane, before the sheet places them
     std::optional<PieceQuality> quality;  ///< there where flat is
     std::optional<Error> error;           ///< there where flat is not
+    std::uint64_t fingerprint = 0;        ///< of the flat points; 0 where not flat
     double seconds = 0;
 };
 
@@ -32,6 +34,11 @@ inline std::string_view statusOf(const PieceResult& result) {
 /// Whether triangles lie turned over although the method promises that none does.
 inline bool breaksPromise(const PieceResult& result) {
     return result.options.method == Method::Isometric && statusOf(result) == "flipped";
+}
+
+/// Whether another result is to take its place before anything is written.
+inline bool isWarm(const PieceResult& result) {
+    return result.flat && result.flat->warm;
 }
 
 using PieceResults = std::vector<std::shared_ptr<const PieceResult>>;

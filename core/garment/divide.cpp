@@ -86,7 +86,7 @@ public:
         for (int v = 0; v < vertexCount; ++v) {
             const int position = division_.positionOf[vertices_[firstVertex + v]];
             made.sourceVertex[v] = position;
-            made.mesh.V.row(v) = millimetres * withYUp(file_.up, file_.soup.positions[position]);
+            made.mesh.V.row(v) = millimetres * withYUp(file_.up, file_.soup->positions[position]);
         }
         const int firstFace = begin(memberEnd_, part);
         const int faceCount = memberEnd_[part] - firstFace;
@@ -154,12 +154,12 @@ public:
         : file_(file), fileIndex_(fileIndex), prefix_(namePrefix), options_(options) {}
 
     DividedFile run() {
-        Triangulation triangles = triangulate(file_.soup, file_.path.filename().string());
+        Triangulation triangles = triangulate(*file_.soup, file_.path.filename().string());
         divided_.problems = std::move(triangles.problems);
-        divided_.split = chooseSplit(options_.split, file_.soup, triangles);
-        const Division division = splitTriangles(divided_.split.mode, file_.soup, triangles);
+        divided_.split = chooseSplit(options_.split, *file_.soup, triangles);
+        const Division division = splitTriangles(divided_.split.mode, *file_.soup, triangles);
         if (divided_.split.mode == SplitMode::Uv) {
-            uvScale_ = measureUvScale(file_.soup, triangles);
+            uvScale_ = measureUvScale(*file_.soup, triangles);
             if (uvScale_ && std::abs(uvScale_->ratio - 1) < kExactScaleBand) {
                 uvScale_->ratio = 1;
             }
@@ -175,7 +175,7 @@ private:
     /// Adds the piece, or the pieces, that a part of the division becomes.
     void addPieces(MeshPart part) {
         const std::string wanted =
-            nameInFile(file_.soup, divided_.split.mode, part.sourceFace.front());
+            nameInFile(*file_.soup, divided_.split.mode, part.sourceFace.front());
         std::string name = uniqueName(wanted);
         if (options_.repair) {
             RepairResult mended = repair(std::move(part), RepairOptions{}, prefix_ + name);
@@ -210,7 +210,7 @@ private:
         piece->sourceFace = std::move(sources.sourceFace);
         if (uvScale_) {
             piece->reference =
-                flatPanel(file_.soup, *piece, millimetresPer(file_.unit) * uvScale_->ratio);
+                flatPanel(*file_.soup, *piece, millimetresPer(file_.unit) * uvScale_->ratio);
         }
         divided_.pieces.push_back(std::move(piece));
     }

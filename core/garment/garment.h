@@ -18,7 +18,17 @@
 
 namespace toile {
 
-/// One mesh file of a garment, kept as read so that exports can repeat it.
+/// What a mesh file held when it was read: whatever is divided, cut or exported later is made of
+/// this, not of what is on the disk by then. Equal where it is the same reading.
+struct ReadFile {
+    std::filesystem::path path;
+    std::shared_ptr<const PolygonSoup> soup{};
+    double seconds = 0;  ///< that reading took
+
+    bool operator==(const ReadFile& other) const { return soup == other.soup; }
+};
+
+/// One mesh file of a garment, and how it was taken.
 struct SourceFile {
     std::filesystem::path path;
     LengthUnit unit = LengthUnit::Millimetre;
@@ -27,10 +37,11 @@ struct SourceFile {
     UpAxis up = UpAxis::Y;  ///< the file's axis that points up; pieces have y up
     Wording upReason;       ///< why this axis, where it was not stated; else empty
     bool upInDoubt = false;
-    PolygonSoup soup;
-    SplitChoice split;  ///< by what the file was divided, and why
-    Problems problems;  ///< of the file as a whole; a piece's own are with the piece
-    double readSeconds = 0;
+    /// As read, or welded; never null.
+    std::shared_ptr<const PolygonSoup> soup = std::make_shared<const PolygonSoup>();
+    SplitChoice split;       ///< by what the file was divided, and why
+    Problems problems;       ///< of the file as a whole; a piece's own are with the piece
+    double readSeconds = 0;  ///< reading and dividing
 };
 
 /// A garment: files, the pieces found in them, in order of their first face, and how these are cut

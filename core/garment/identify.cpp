@@ -149,7 +149,7 @@ std::vector<FileId> fileIds(const std::vector<std::shared_ptr<const SourceFile>>
     std::map<std::uint64_t, std::uint64_t> times;
     std::vector<FileId> ids;
     for (const auto& file : files) {
-        const std::uint64_t content = file->soup.contentHash.value_or(0);
+        const std::uint64_t content = file->soup->contentHash.value_or(0);
         ids.push_back({hashOf({content, times[content]++})});
     }
     return ids;
@@ -181,13 +181,11 @@ void nameSubjects(const std::vector<std::shared_ptr<SourceFile>>& files,
     }
     const std::vector<FileId> ids = fileIds({files.begin(), files.end()});
     for (std::size_t f = 0; f < files.size(); ++f) {
-        for (Problems* problems : {&files[f]->soup.problems, &files[f]->problems}) {
-            for (auto& [code, subject, detail] : *problems) {
-                if (subject.kind == Subject::Kind::File) {
-                    subject.id = ids[f].value;
-                } else if (const auto found = byName.find(subject.name); found != byName.end()) {
-                    subject.id = found->second.value;
-                }
+        for (auto& [code, subject, detail] : files[f]->problems) {
+            if (subject.kind == Subject::Kind::File) {
+                subject.id = ids[f].value;
+            } else if (const auto found = byName.find(subject.name); found != byName.end()) {
+                subject.id = found->second.value;
             }
         }
     }

@@ -101,7 +101,9 @@ void rename(PolygonSoup& soup, const std::vector<int>& renamed) {
 
 }  // namespace
 
-Problems weldSoup(PolygonSoup& soup, bool wanted, double millimetres, const std::string& name) {
+Problems weldSoup(std::shared_ptr<const PolygonSoup>& shared, bool wanted, double millimetres,
+                  const std::string& name) {
+    const PolygonSoup& soup = *shared;
     // Most files are told apart from loose triangles by a count, before anything is built.
     if (soup.corners.empty() || (!wanted && !isMostlyLoose(usesInFans(soup)))) {
         return {};
@@ -135,7 +137,9 @@ Problems weldSoup(PolygonSoup& soup, bool wanted, double millimetres, const std:
     if (merged == 0) {
         return {};
     }
-    rename(soup, renamed);
+    auto welded = std::make_shared<PolygonSoup>(soup);
+    rename(*welded, renamed);
+    shared = std::move(welded);
     // The note of the first object that has any, with the count of all.
     std::vector<Wording> words = note.detail.arguments();
     words.front() = countWording(merged, "vertex");

@@ -40,8 +40,23 @@ LoadOptions resolveNames(LoadOptions options, const Garment& garment) {
     options.seamSettings = garment.seamSettings;
     options.seams.ease.clear();
     giveIds(options.seams.cuts);
-    options.known.clear();
     return options;
+}
+
+std::optional<Garment> easedGarment(const Garment& garment,
+                                    const std::vector<SeamSettings>& settings) {
+    const auto isNamed = [](const SeamSettings& said) { return !said.name.empty(); };
+    if (std::ranges::any_of(settings, isNamed) ||
+        std::ranges::any_of(garment.seamSettings, isNamed)) {
+        return std::nullopt;
+    }
+    Garment eased = garment;
+    for (Seam& seam : eased.seams.seams) {
+        seam.ease.reset();
+    }
+    eased.seamSettings = settings;
+    applySettings(eased.seams, settings);
+    return eased;
 }
 
 Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,

@@ -48,7 +48,7 @@ LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
         garment.files.empty() ? std::string() : garment.files.front()->path.stem().string();
     std::vector<PieceOnSheet> ofFlat;
     for (std::size_t i = 0; i < results.size(); ++i) {
-        if (results[i]->flat) {
+        if (results[i] && results[i]->flat) {
             ofFlat.push_back(i < places.size() ? places[i] : PieceOnSheet{});
             laid.pattern.pieces.push_back(makePatternPiece(*results[i]->piece, *results[i]->flat,
                                                            garment.seams, static_cast<int>(i)));
@@ -59,7 +59,7 @@ LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
     std::size_t placed = 0;
     for (const auto& result : results) {
         Placement placement;
-        if (result->flat) {
+        if (result && result->flat) {
             placement = ofFlat[placed].placement.value_or(placement);
             placement.offset = laid.sheet.offset[placed++];
         }

@@ -20,7 +20,7 @@ bool isLasting(const PieceResult& result) {
 
 }  // namespace
 
-std::vector<std::shared_ptr<const GarmentFlattener::Kept>> GarmentFlattener::snapshot() const {
+std::vector<GarmentFlattener::KeptPointer> GarmentFlattener::snapshot() const {
     const std::lock_guard lock(mutex_);
     return kept_;
 }
@@ -39,14 +39,22 @@ std::size_t GarmentFlattener::keptBytes() const {
 }
 
 PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOptions& options,
-                                       Progress& progress, int threads) {
-    using KeptPointer = std::shared_ptr<const Kept>;
+                                       Progress& progress, int threads, const PieceResults& known) {
     const std::vector<KeptPointer> before = snapshot();
     std::map<const Piece*, KeptPointer> byPiece;
     std::vector<std::shared_ptr<const Piece>> piecesBefore;
     for (const KeptPointer& kept : before) {
         byPiece.emplace(kept->result->piece.get(), kept);
         piecesBefore.push_back(kept->result->piece);
+    }
+    for (const auto& result : known) {
+        if (!result || !(result->options == options) || !isLasting(*result)) {
+            continue;
+        }
+        const auto kept = byPiece.find(result->piece.get());
+        if (kept == byPiece.end() || !(kept->second->result->options == options)) {
+            byPiece[result->piece.get()] = std::make_shared<const Kept>(Kept{result, {}});
+        }
     }
     const std::vector<int> ancestors = predecessors(piecesBefore, garment.pieces);
 
@@ -95,6 +103,46 @@ PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOpti
         }
     }
     std::erase(kept, nullptr);
+    const std::lock_guard lock(mutex_);
+    kept_ = std::move(kept);
+    return results;
+}
+
+PieceResults GarmentFlattener::settle(PieceResults results, Progress& progress, int threads) {
+    const auto warm = [](const auto& result) { return result && isWarm(*result); };
+    std::vector<KeptPointer> kept = snapshot();
+    for (auto first = std::ranges::find_if(results, warm);
+         first != results.end() && !progress.isCancelled();
+         first = std::ranges::find_if(results, warm)) {
+        const FlattenOptions options = (*first)->options;
+        std::vector<PieceTask> tasks;
+        std::vector<std::size_t> place;  // of each task
+        for (std::size_t p = 0; p < results.size(); ++p) {
+            if (warm(results[p]) && results[p]->options == options) {
+                tasks.push_back({results[p]->piece, PieceFlattener()});
+                place.push_back(p);
+            }
+        }
+        std::vector<DoneTask> done = workOn(std::move(tasks), options, progress, threads);
+        for (std::size_t t = 0; t < done.size(); ++t) {
+            if (!isLasting(*done[t].result)) {
+                continue;
+            }
+            auto& result = results[place[t]];
+            const auto known = std::ranges::find_if(
+                kept, [&](const KeptPointer& one) { return one->result->piece == result->piece; });
+            result = done[t].result;
+            if (known != kept.end()) {
+                const bool keeps = (*known)->flattener.keptBytes() > 0;
+                *known = std::make_shared<const Kept>(
+                    Kept{result, keeps ? *done[t].flattener : PieceFlattener()});
+            }
+        }
+        if (std::ranges::any_of(done,
+                                [](const DoneTask& one) { return !isLasting(*one.result); })) {
+            break;
+        }
+    }
     const std::lock_guard lock(mutex_);
     kept_ = std::move(kept);
     return results;

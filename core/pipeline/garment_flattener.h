@@ -21,8 +21,8 @@ namespace toile {
 /// what the result promises after an edit); two pieces that were one both go on from it. Another
 /// method begins anew.
 ///
-/// Undo: an older version comes back as one more edit. Who wants its very positions keeps its
-/// results, which are immutable, beside the garment that they belong to.
+/// What is found so fast is to be looked at (`FlatPiece::warm`); `settle` puts in its place what
+/// `flattenGarment` finds, which follows from the piece and the options alone.
 ///
 /// Thread-safe. Calls may overlap: each begins with what was kept when it began, and the one that
 /// ends last is kept. After a cancel the finished pieces are kept, and of the others what was
@@ -39,8 +39,12 @@ public:
 
     /// As `flattenGarment`, and the same bytes whatever the number of threads, given the same calls
     /// before.
+    /// @param known  of some of these pieces, by whomever: what is of these options is handed on
     PieceResults flatten(const Garment& garment, const FlattenOptions& options, Progress& progress,
-                         int threads = 0);
+                         int threads = 0, const PieceResults& known = {});
+    /// The results with those that are warm solved anew, by the same options, to the same bytes as
+    /// `flattenGarment`. Cancelled, it leaves the rest as it was.
+    PieceResults settle(PieceResults results, Progress& progress, int threads = 0);
 
     /// Begins anew.
     void forget();
@@ -54,11 +58,13 @@ private:
         PieceFlattener flattener;
     };
 
-    std::vector<std::shared_ptr<const Kept>> snapshot() const;
+    using KeptPointer = std::shared_ptr<const Kept>;
+
+    std::vector<KeptPointer> snapshot() const;
 
     const std::size_t mostBytes_;
     mutable std::mutex mutex_;
-    std::vector<std::shared_ptr<const Kept>> kept_;  ///< in the order of the last garment
+    std::vector<KeptPointer> kept_;  ///< in the order of the last garment
 };
 
 }  // namespace toile

@@ -17,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the time, about, up to the pieces as they are in the files; the rest is joins, cuts and
-/// seams.
-constexpr double kReadingShare = 0.7;
+/// Of the time, about, that reading takes; and of the rest that dividing takes before joins, cuts
+/// and seams.
+constexpr double kReadingShare = 0.35, kDividingShare = 0.55;
 
 Eigen::Vector3d extentsOf(const PolygonSoup& soup) {
     Eigen::AlignedBox3d box;
@@ -36,9 +36,9 @@ void chooseUnit(SourceFile& file, const std::optional<LengthUnit>& stated, doubl
         file.unit = *stated;
         return;
     }
-    if (file.soup.statedUnit) {
-        file.unit = file.soup.statedUnit->unit;
-        file.unitReason = file.soup.statedUnit->reason;
+    if (file.soup->statedUnit) {
+        file.unit = file.soup->statedUnit->unit;
+        file.unitReason = file.soup->statedUnit->reason;
         return;
     }
     const UnitGuess guess = guessUnit(largestExtent);
@@ -64,8 +64,8 @@ void chooseUpAxis(SourceFile& file, const std::optional<UpAxis>& stated,
 }
 
 void noteUnusedVertices(SourceFile& file) {
-    std::vector<char> used(file.soup.positions.size(), 0);
-    for (const int corner : file.soup.corners) {
+    std::vector<char> used(file.soup->positions.size(), 0);
+    for (const int corner : file.soup->corners) {
         used[corner] = 1;
     }
     const auto unused = std::count(used.begin(), used.end(), 0);
@@ -87,31 +87,27 @@ const Error* firstChange(const Problems& problems, const LoadOptions& options) {
 }
 
 /// Everything about one file up to its pieces.
-struct LoadedFile {
+struct TakenFile {
     std::shared_ptr<SourceFile> file;
     std::vector<std::shared_ptr<Piece>> pieces;
 };
 
-Result<LoadedFile> loadFile(const fs::path& path, int index, const std::string& prefix,
-                            const LoadOptions& options, Progress& progress) {
+Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& prefix,
+                           const LoadOptions& options) {
     const Stopwatch time;
-    auto soup = readSoup(path, progress);
-    if (!soup) {
-        return soup.error();
-    }
-    progress.advance(1);
     auto file = std::make_shared<SourceFile>();
-    file->path = path;
-    file->soup = std::move(*soup);
-    file->problems = file->soup.problems;
-    const Eigen::Vector3d extents = extentsOf(file->soup);
+    file->path = read.path;
+    file->soup = read.soup;
+    file->problems = read.soup->problems;
+    const Eigen::Vector3d extents = extentsOf(*read.soup);
     chooseUnit(*file, options.unit, extents.maxCoeff());
     chooseUpAxis(*file, options.up, extents);
     noteUnusedVertices(*file);
     const auto take = [&file](const Problems& problems) {
         file->problems.insert(file->problems.end(), problems.begin(), problems.end());
     };
-    take(weldSoup(file->soup, options.weld, millimetresPer(file->unit), path.filename().string()));
+    take(weldSoup(file->soup, options.weld, millimetresPer(file->unit),
+                  read.path.filename().string()));
     DividedFile divided = divide(*file, index, prefix, {options.split, !options.strict});
     file->split = std::move(divided.split);
     take(divided.problems);
@@ -120,52 +116,58 @@ Result<LoadedFile> loadFile(const fs::path& path, int index, const std::string& 
             return *change;
         }
     }
-    file->readSeconds = time.seconds();
-    progress.advance(1);
-    return LoadedFile{std::move(file), std::move(divided.pieces)};
+    file->readSeconds = read.seconds + time.seconds();
+    return TakenFile{std::move(file), std::move(divided.pieces)};
 }
 
 /// Stems of the files, made unique, for piece names of a garment of several files.
-std::vector<std::string> prefixes(const std::vector<fs::path>& paths) {
+std::vector<std::string> prefixes(const ReadFiles& files) {
     std::vector<std::string> stems;
     UniqueNames names;
-    stems.reserve(paths.size());
-    for (const fs::path& path : paths) {
-        stems.push_back(names.free(path.stem().string()));
+    stems.reserve(files.size());
+    for (const ReadFile& file : files) {
+        stems.push_back(names.free(file.path.stem().string()));
     }
     return stems;
 }
 
-}  // namespace
+/// True where the files are to be divided in another way; joins, cuts and ease come after that.
+bool isDividedAlike(const GarmentInputs& inputs, GarmentInputs before) {
+    before.loading.seams = inputs.loading.seams;
+    before.loading.seamSettings = inputs.loading.seamSettings;
+    before.loading.autoCut = inputs.loading.autoCut;
+    return inputs == before;
+}
 
-Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOptions& options,
-                            Progress& progress, const Garment* before) {
+/// The garment up to its wholes.
+Result<Garment> divideFiles(const GarmentInputs& inputs, const Progress& progress,
+                            const Garment* before) {
     Garment garment;
     std::vector<std::shared_ptr<SourceFile>> files;
     std::vector<std::shared_ptr<Piece>> wholes;
-    const std::vector<std::string> prefix = prefixes(paths);
-    progress.start(1);
-    Progress reading(progress, kReadingShare);
-    reading.start(2.0 * static_cast<double>(paths.size()));
-    for (std::size_t k = 0; k < paths.size(); ++k) {
-        auto loaded = loadFile(paths[k], static_cast<int>(k),
-                               paths.size() > 1 ? prefix[k] + "/" : "", options, reading);
-        if (!loaded) {
-            return loaded.error();
+    const std::vector<std::string> prefix = prefixes(inputs.files);
+    const auto count = static_cast<double>(inputs.files.size());
+    for (std::size_t k = 0; k < inputs.files.size(); ++k) {
+        auto taken = takeFile(inputs.files[k], static_cast<int>(k),
+                              inputs.files.size() > 1 ? prefix[k] + "/" : "", inputs.loading);
+        if (!taken) {
+            return taken.error();
         }
-        files.push_back(std::move(loaded->file));
-        wholes.insert(wholes.end(), loaded->pieces.begin(), loaded->pieces.end());
+        files.push_back(std::move(taken->file));
+        wholes.insert(wholes.end(), taken->pieces.begin(), taken->pieces.end());
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }
+        progress.report(static_cast<double>(k + 1) / count);
     }
     if (wholes.empty()) {
-        return Error{ErrorCode::NoGeometry,
-                     paths.empty() ? Subject{} : Subject::file(paths.front().string()),
-                     worded("no usable face is left")};
+        return Error{
+            ErrorCode::NoGeometry,
+            inputs.files.empty() ? Subject{} : Subject::file(inputs.files.front().path.string()),
+            worded("no usable face is left")};
     }
     garment.files.assign(files.begin(), files.end());
-    identify(wholes, garment.files, options.known);
+    identify(wholes, garment.files, inputs.loading.known);
     nameSubjects(files, wholes);
     garment.wholes.assign(wholes.begin(), wholes.end());
     if (before) {
@@ -173,7 +175,46 @@ Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOption
         garment.pieces = before->pieces;
         garment.cutWholes = before->cutWholes;
     }
-    return cutGarment(garment, options, Progress(progress, 1 - kReadingShare));
+    return garment;
+}
+
+}  // namespace
+
+Result<ReadFiles> readFiles(const std::vector<fs::path>& paths, Progress& progress) {
+    ReadFiles files;
+    progress.start(static_cast<double>(paths.size()));
+    for (const fs::path& path : paths) {
+        const Stopwatch time;
+        auto soup = readSoup(path, progress);
+        if (!soup) {
+            return soup.error();
+        }
+        files.push_back(
+            {path, std::make_shared<const PolygonSoup>(std::move(*soup)), time.seconds()});
+        progress.advance(1);
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
+    }
+    return files;
+}
+
+Result<Garment> makeGarment(const GarmentInputs& inputs, Progress& progress,
+                            const GarmentInputs& inputsBefore, const Garment* before) {
+    if (before && isDividedAlike(inputs, inputsBefore)) {
+        return cutGarment(*before, inputs.loading, progress);
+    }
+    const Result<Garment> divided = divideFiles(inputs, Progress(progress, kDividingShare), before);
+    return divided ? cutGarment(*divided, inputs.loading, Progress(progress, 1 - kDividingShare))
+                   : divided.error();
+}
+
+Result<Garment> loadGarment(const std::vector<fs::path>& paths, const LoadOptions& options,
+                            Progress& progress) {
+    progress.start(1);
+    Progress reading(progress, kReadingShare), making(progress, 1 - kReadingShare);
+    const Result<ReadFiles> files = readFiles(paths, reading);
+    return files ? makeGarment({*files, options}, making) : files.error();
 }
 
 }  // namespace toile

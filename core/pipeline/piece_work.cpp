@@ -16,6 +16,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/content_hash.h"
 #include "core/base/stopwatch.h"
 #include "core/flatten/flat_notes.h"
 #include "core/garment/piece.h"
@@ -30,6 +31,11 @@ constexpr double kFlatteningShare = 0.95;
 /// What the caller sees at most until all is done: the tally of the pieces' parts may round to 1
 /// before.
 constexpr double kNearlyDone = 0.999;
+
+std::uint64_t fingerprintOf(const Points2& Q) {
+    return contentHash({reinterpret_cast<const char*>(Q.data()),
+                        static_cast<std::size_t>(Q.size()) * sizeof(double)});
+}
 
 std::shared_ptr<PieceResult> emptyResult(const std::shared_ptr<const Piece>& piece,
                                          const FlattenOptions& options) {
@@ -65,6 +71,7 @@ DoneTask flattenOne(const PieceTask& task, const FlattenOptions& options,
         progress.report(kFlatteningShare);
         if (flat) {
             result->quality = measure(*piece, flat->Q);
+            result->fingerprint = fingerprintOf(flat->Q);
             result->flat = std::move(*flat);
         } else {
             result->error = flat.error();

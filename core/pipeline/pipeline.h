@@ -45,21 +45,44 @@ struct LoadOptions {
 /// cuts have ids.
 LoadOptions resolveNames(LoadOptions options, const Garment& garment);
 
-/// Reads files into one garment: soup, weld, unit, division, repair, joins, cuts, seams. With
-/// several files piece names are prefixed by the file's stem. A cut or a join that cannot be made,
-/// or an ease for a seam that is not there, is a problem of the garment. Errors: those of readSoup,
-/// for the first file that cannot be read; nothing is loaded then. With `strict` also the first
-/// note about something left out or mended.
-/// @param before  a garment of these files: what comes out as it was there is the same pointer
-Result<Garment> loadGarment(const std::vector<std::filesystem::path>& paths,
-                            const LoadOptions& options, Progress& progress,
+using ReadFiles = std::vector<ReadFile>;
+
+/// All that a garment follows from.
+struct GarmentInputs {
+    ReadFiles files{};
+    LoadOptions loading{};
+
+    bool operator==(const GarmentInputs&) const = default;
+};
+
+/// Reads the files. Errors: those of readSoup, for the first that cannot be read.
+Result<ReadFiles> readFiles(const std::vector<std::filesystem::path>& paths, Progress& progress);
+
+/// Makes one garment of files: weld, unit, division, repair, joins, cuts, seams. With several files
+/// piece names are prefixed by the file's stem. A cut or a join that cannot be made, or an ease for
+/// a seam that is not there, is a problem of the garment. The same inputs give the same garment,
+/// whatever there was before. Errors: NoGeometry, Cancelled; with `strict` also the first note
+/// about something left out or mended.
+/// @param before  a garment and its inputs: what comes out as it was there is the same pointer, and
+///                where nothing but joins, cuts and ease is another it is not divided anew
+Result<Garment> makeGarment(const GarmentInputs& inputs, Progress& progress,
+                            const GarmentInputs& inputsBefore = {},
                             const Garment* before = nullptr);
 
-/// The same garment joined, cut and sewn anew, for an edit of joins, cuts or ease: nothing is read,
-/// and pieces that come out as they were before are the same pointers as before.
+/// The two in one. Errors: of both.
+Result<Garment> loadGarment(const std::vector<std::filesystem::path>& paths,
+                            const LoadOptions& options, Progress& progress);
+
+/// The same garment joined, cut and sewn anew, for an edit of joins, cuts or ease: nothing is
+/// divided, and pieces that come out as they were before are the same pointers as before.
 /// Errors: Cancelled.
 Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
                            const Progress& progress);
+
+/// The garment with other ease: its pieces stay. None where seams have other names by that too.
+/// Cost: its seams. Pure.
+std::optional<Garment> easedGarment(const Garment& garment,
+                                    const std::vector<SeamSettings>& settings);
 
 /// Flattens and measures every piece, in parallel over pieces, and looks for the cut that helps
 /// where an outline crosses itself (nameCrossingCut); a piece that fails leaves the others alone.
@@ -91,7 +114,8 @@ struct LaidOutPattern {
     std::vector<Placement> placements;     ///< likewise, with the turns that the pattern has
 };
 
-/// @param places  one per piece of the garment, or none: all in rows (`placeOnSheet`)
+/// @param results  one per piece; null where there is none
+/// @param places   one per piece of the garment, or none: all in rows (`placeOnSheet`)
 LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
                       const std::vector<PieceOnSheet>& places = {});
 

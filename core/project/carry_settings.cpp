@@ -25,8 +25,10 @@ std::vector<Anchor> thinned(std::vector<Anchor> anchors) {
 
 /// Where vertices of the piece were when the one before it was flat.
 std::vector<Anchor> anchorsOf(const Piece& piece, const Piece& before, const PieceResult* result,
-                              const std::vector<Anchor>& anchorsBefore) {
-    const bool flat = result && result->flat && result->piece.get() == &before;
+                              const PieceSettings& settings) {
+    const std::vector<Anchor>& anchorsBefore = settings.anchors;
+    const bool flat = result && result->flat && result->piece.get() == &before &&
+                      (settings.flat == 0 || settings.flat == result->fingerprint);
     if (!flat && anchorsBefore.empty()) {
         return {};
     }
@@ -65,9 +67,9 @@ std::vector<CarriedFrom> carriedFrom(const Garment& before,
         if (from.piece >= 0 && !from.same) {
             const auto at = static_cast<std::size_t>(from.piece);
             const PieceResult* result = at < results.size() ? results[at].get() : nullptr;
-            static const std::vector<Anchor> kNone;
             from.anchors = anchorsOf(*piece, *before.pieces[at], result,
-                                     at < settings.size() ? settings[at].anchors : kNone);
+                                     at < settings.size() ? settings[at] : PieceSettings{});
+            from.flat = at < settings.size() ? settings[at].flat : 0;
         }
         if (from.piece >= 0) {
             ++heirs[static_cast<std::size_t>(from.piece)];
@@ -91,12 +93,24 @@ std::vector<PieceSettings> carriedSettings(const std::vector<CarriedFrom>& from,
         if (from[i].piece >= 0 && static_cast<std::size_t>(from[i].piece) < settings.size()) {
             carried[i] = settings[static_cast<std::size_t>(from[i].piece)];
             if (!from[i].same) {
+                carried[i].flat = 0;
                 carried[i].anchors = from[i].anchors;
                 carried[i].partOf = from[i].partOf;
             }
         }
     }
     return carried;
+}
+
+void carrySettings(SettingsById& settings, const std::vector<PieceSettings>& before,
+                   const std::vector<CarriedFrom>& from, const Garment& after) {
+    std::vector<PieceSettings> carried = carriedSettings(from, before);
+    for (std::size_t p = 0; p < after.pieces.size(); ++p) {
+        const auto [said, isNew] = settings.try_emplace(after.pieces[p]->id, std::move(carried[p]));
+        if (!isNew && !from[p].anchors.empty() && said->second.flat == from[p].flat) {
+            said->second.anchors = from[p].anchors;
+        }
+    }
 }
 
 }  // namespace toile

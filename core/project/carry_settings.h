@@ -14,6 +14,7 @@ struct CarriedFrom {
     int piece = -1;                 ///< index into the pieces before; -1: it is new
     bool same = false;              ///< the very same piece, with the same flat coordinates
     std::vector<Anchor> anchors{};  ///< where not the same
+    std::uint64_t flat = 0;         ///< which flat points these are of, as in PieceSettings
     PieceId partOf{};               ///< as in PieceSettings
 };
 
@@ -32,5 +33,10 @@ std::vector<CarriedFrom> carriedFrom(const Garment& before,
 /// @param settings  one per piece before  Cost: negligible. Pure.
 std::vector<PieceSettings> carriedSettings(const std::vector<CarriedFrom>& from,
                                            const std::vector<PieceSettings>& settings);
+
+/// The same for what is kept by id: a piece that is known keeps what was said about it.
+/// @param before  one per piece before
+void carrySettings(SettingsById& settings, const std::vector<PieceSettings>& before,
+                   const std::vector<CarriedFrom>& from, const Garment& after);
 
 }  // namespace toile

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +37,10 @@ struct PieceSettings {
     int quantity = 1;           ///< how many are cut, at most kMostCopies
     bool mirroredPair = false;  ///< each of them also mirrored: left and right
 
-    /// Placement and grain are about the flat coordinates of an earlier flattening as long as there
-    /// are anchors: those of the next are fitted to them, and then they go (`anchoredSettings`).
+    /// Which flat points placement and grain are about (PieceResult::fingerprint); 0: not known.
+    std::uint64_t flat = 0;
+    /// Where these lay, as long as the next are not there: they are fitted to the anchors, which
+    /// then go (`anchoredSettings`).
     std::vector<Anchor> anchors{};
     /// The piece that this one and others were cut from, as long as none of them has been laid out:
     /// all have its placement. None where no piece was divided.
@@ -44,6 +48,10 @@ struct PieceSettings {
 
     bool operator==(const PieceSettings&) const = default;
 };
+
+/// By piece; also of pieces that are not there at the time, since a cut that is taken back brings
+/// them back.
+using SettingsById = std::map<PieceId, PieceSettings>;
 
 /// What of it a drawing shows.
 inline PieceOnSheet onSheet(const PieceSettings& settings) {

@@ -42,6 +42,7 @@ public:
 
     std::vector<PieceSettings> run(const std::vector<std::optional<FlatMotion>>& motions,
                                    const std::vector<Eigen::Vector2d>& proposed) {
+        forgetWhatIsOver();
         followUnit();
         const std::vector<std::vector<std::size_t>> cut = partsOfOne();
         std::vector<char> isPart(settings_.size(), 0), changed(settings_.size(), 0);
@@ -62,6 +63,17 @@ public:
 
 private:
     bool isFlat(std::size_t i) const { return results_[i] && results_[i]->flat; }
+    /// Whether what has been said is about these very flat points.
+    bool isAboutThese(std::size_t i) const {
+        return isFlat(i) && settings_[i].flat != 0 && settings_[i].flat == results_[i]->fingerprint;
+    }
+    void forgetWhatIsOver() {
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            if (isAboutThese(i)) {
+                settings_[i].anchors.clear();
+            }
+        }
+    }
     bool isPlaced(std::size_t i) const { return isFlat(i) && settings_[i].placement; }
 
     Points2 outlineOf(std::size_t i) const {
@@ -125,6 +137,10 @@ private:
     bool fit(std::size_t i, const std::optional<FlatMotion>& motion, bool isPart) {
         PieceSettings& settings = settings_[i];
         settings.partOf = {};
+        if (isAboutThese(i)) {
+            return false;
+        }
+        const std::uint64_t before = std::exchange(settings.flat, results_[i]->fingerprint);
         if (!settings.anchors.empty()) {
             const Points2& Q = results_[i]->flat->Q;
             const auto misfit = anchorMisfit(settings.anchors, Q);
@@ -132,7 +148,7 @@ private:
                               : anchoredSettings(std::move(settings), Q);
             return !misfit || *misfit > kChanged;
         }
-        if (motion) {
+        if (motion && (before == 0 || before == motion->before)) {
             settings = uprightSettings(std::move(settings), motion->oldOfNew, motion->reach);
             return motion->misfit > kChanged;
         }
@@ -261,8 +277,9 @@ std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
         const PieceResult *old = before[i].get(), *now = after[i].get();
         if (old && now && old != now && old->piece == now->piece && old->flat && now->flat) {
             const RigidMotion motion = bestMotion(now->flat->Q, old->flat->Q);
-            motions[i] = FlatMotion{motion, now->flat->Q.rowwise().norm().maxCoeff(),
-                                    misfit(motion, now->flat->Q, old->flat->Q)};
+            motions[i] =
+                FlatMotion{motion, old->fingerprint, now->flat->Q.rowwise().norm().maxCoeff(),
+                           misfit(motion, now->flat->Q, old->flat->Q)};
         }
     }
     return motions;

@@ -12,8 +12,9 @@ namespace toile {
 /// How a piece's flat coordinates differ from those it had before.
 struct FlatMotion {
     RigidMotion oldOfNew{};
-    double reach = 0;   ///< mm: how far from the origin the new points go
-    double misfit = 0;  ///< mm: how far a point gets at most by the change of shape
+    std::uint64_t before = 0;  ///< the old points' fingerprint
+    double reach = 0;          ///< mm: how far from the origin the new points go
+    double misfit = 0;         ///< mm: how far a point gets at most by the change of shape
 };
 
 /// Compares two flattenings, piece by piece; none where the result is the same one, or one of the

@@ -102,7 +102,7 @@ Problems differencesTo(const Project& project, const Garment& garment) {
     const std::vector<FileId> fileId = fileIds(garment.files);
     for (std::size_t k = 0; k < project.files.size() && k < garment.files.size(); ++k) {
         const auto& wanted = project.files[k].hash;
-        const auto& found = garment.files[k]->soup.contentHash;
+        const auto& found = garment.files[k]->soup->contentHash;
         if (wanted && found && *wanted != *found) {
             changed.push_back(Subject::file(project.files[k].path.filename().string(), fileId[k]));
         }
@@ -129,7 +129,9 @@ std::vector<ProjectPiece> projectPieces(const Garment& garment, std::vector<Piec
     for (std::size_t i = 0; i < settings.size() && i < garment.pieces.size(); ++i) {
         const Piece& piece = *garment.pieces[i];
         const PieceResult* result = i < results.size() ? results[i].get() : nullptr;
-        if (result && result->flat && settings[i].anchors.empty()) {
+        const bool isAbout = result && result->flat &&
+                             (settings[i].flat == 0 || settings[i].flat == result->fingerprint);
+        if (isAbout && settings[i].anchors.empty()) {
             settings[i].anchors = outlineAnchors(result->piece->boundary, result->flat->Q);
         }
         for (Anchor& anchor : settings[i].anchors) {
@@ -148,7 +150,7 @@ std::vector<MeshReference> meshReferences(const Garment& garment) {
         std::error_code failed;
         const fs::path absolute = fs::absolute(file->path, failed);
         files.push_back(
-            {failed ? file->path : absolute.lexically_normal(), file->soup.contentHash, {}});
+            {failed ? file->path : absolute.lexically_normal(), file->soup->contentHash, {}});
     }
     return files;
 }

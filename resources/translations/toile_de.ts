@@ -73,13 +73,6 @@
     </message>
 </context>
 <context>
-    <name>CutJob</name>
-    <message>
-        <source>Cutting the pieces</source>
-        <translation>Schnittteile werden eingeschnitten</translation>
-    </message>
-</context>
-<context>
     <name>ExportJob</name>
     <message>
         <source>Writing %1</source>
@@ -155,13 +148,6 @@
     <message>
         <source>Save as…</source>
         <translation>Speichern unter…</translation>
-    </message>
-</context>
-<context>
-    <name>FlattenJob</name>
-    <message>
-        <source>Flattening the pieces</source>
-        <translation>Schnittteile werden abgewickelt</translation>
     </message>
 </context>
 <context>
@@ -347,6 +333,21 @@
     </message>
 </context>
 <context>
+    <name>RecomputeJob</name>
+    <message>
+        <source>Making the pieces</source>
+        <translation>Schnittteile werden gebildet</translation>
+    </message>
+    <message>
+        <source>Flattening the pieces</source>
+        <translation>Schnittteile werden abgewickelt</translation>
+    </message>
+    <message>
+        <source>Drawing the pieces</source>
+        <translation>Schnittteile werden gezeichnet</translation>
+    </message>
+</context>
+<context>
     <name>RotateGesture</name>
     <message>
         <source>Turn</source>
@@ -384,13 +385,6 @@
     <message>
         <source>Saving %1</source>
         <translation>%1 wird gespeichert</translation>
-    </message>
-</context>
-<context>
-    <name>SceneJob</name>
-    <message>
-        <source>Drawing the pieces</source>
-        <translation>Schnittteile werden gezeichnet</translation>
     </message>
 </context>
 <context>

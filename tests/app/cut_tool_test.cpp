@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
@@ -26,7 +27,7 @@ private slots:
     void aSheetIsCutAcross() {
         QFETCH(bool, inPattern);
         openSheets();
-        const DocumentState start = document().state();
+        const test::Moment start = test::momentOf(document());
         SceneView& view = inPattern ? patternView() : garmentView();
         tools().choose(ToolId::Cut);
         view.setFocus();
@@ -50,12 +51,12 @@ private slots:
         QVERIFY(std::abs(garment.cuts[0].length - kWidth) < 0.5);
         QCOMPARE(garment.pieces[0]->name, std::string("sheet 1"));
         QCOMPARE(garment.pieces[1]->name, std::string("sheet 2"));
-        QCOMPARE(garment.pieces[2], start.garment->pieces[1]);  // untouched
+        QCOMPARE(garment.pieces[2], start.derived.garment->pieces[1]);  // untouched
         QCOMPARE(document().history().undoText(), QString("Cut"));
         QVERIFY(said().isEmpty());
-        fixture_.workspace().undo();
-        QVERIFY(document().state() == start);
-        fixture_.workspace().redo();
+        document().history().undo();
+        QVERIFY(test::momentOf(document()) == start);
+        document().history().redo();
         QVERIFY(waitForPieces(3));
     }
 
@@ -75,7 +76,7 @@ private slots:
 
     void escapeThrowsTheCutAwayAndThenTheTool() {
         openSheets();
-        const DocumentState start = document().state();
+        const test::Moment start = test::momentOf(document());
         tools().choose(ToolId::Cut);
         click(patternView(), at(patternView(), 0, {20, 20, 0}));
         click(patternView(), at(patternView(), 0, {60, 20, 0}));
@@ -84,7 +85,7 @@ private slots:
         QCOMPARE(tools().current().id(), ToolId::Cut);
         QTest::keyClick(&patternView(), Qt::Key_Escape);
         QCOMPARE(tools().current().id(), ToolId::Select);
-        QVERIFY(document().state() == start);
+        QVERIFY(test::momentOf(document()) == start);
         QCOMPARE(document().history().count(), 0);
     }
 
@@ -146,7 +147,7 @@ private slots:
 
     void aCutThatOpensNothingIsRefused() {
         openSheets();
-        const DocumentState start = document().state();
+        const test::Moment start = test::momentOf(document());
         tools().choose(ToolId::Cut);
         SceneView& view = garmentView();
         click(view, at(view, 0, {31, 0, 0}));
@@ -154,10 +155,10 @@ private slots:
         QTest::keyClick(&view, Qt::Key_Return);
         QVERIFY(QTest::qWaitFor([this] { return !said().isEmpty(); }, test::kPatience));
         QVERIFY(said().contains("cut 1"));
-        QVERIFY(document().state() == start);
+        QVERIFY(test::momentOf(document()) == start);
         QCOMPARE(document().history().count(), 0);
         QVERIFY(fixture_.workspace().loading().seams.cuts.empty());
-        QVERIFY(!fixture_.workspace().canUndo());
+        QVERIFY(!fixture_.document().history().canUndo());
         // The next one has the name that was not used up.
         click(view, at(view, 0, {0, 77, 0}));
         doubleClick(view, at(view, 0, {kWidth, 77, 0}));

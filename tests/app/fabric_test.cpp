@@ -280,7 +280,8 @@ private slots:
         type("fabricBiasMost", "17.25");
         const Fabric typed = document().fabric();
         const auto file = fixture_.path("typed.toile");
-        QVERIFY(writeProject(file.toStdString(), projectOf(document().state(), document().view())));
+        QVERIFY(writeProject(file.toStdString(), projectOf(document().state(), document().derived(),
+                                                           document().view())));
         fixture_.close();
         fixture_.open();
         QVERIFY(fixture_.openAndWait(file));

@@ -9,6 +9,7 @@
 #include "app/render/scene.h"
 #include "app/widgets/garment_card.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
@@ -163,10 +164,15 @@ private slots:
         QFile::copy(fixture_.path("sure.obj"), fixture_.path("gone.obj"));
         QVERIFY(fixture_.openAndWait(fixture_.path("gone.obj")));
         QVERIFY(QFile::remove(fixture_.path("gone.obj")));
-        fixture_.action(ActionId::UnitMetre).trigger();
+        fixture_.action(ActionId::UnitMetre).trigger();  // of what was read
         QTRY_VERIFY_WITH_TIMEOUT(!fixture_.workspace().jobs().isBusy(), test::kPatience);
-        QVERIFY(fixture_.action(ActionId::UnitAuto).isChecked());
-        QVERIFY(!fixture_.workspace().loading().unit);
+        QVERIFY(fixture_.action(ActionId::UnitMetre).isChecked());
+        QCOMPARE(document().garment()->files[0]->unit, LengthUnit::Metre);
+        const test::Moment before = test::momentOf(document());
+        fixture_.workspace().reload();
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture_.workspace().jobs().isBusy(), test::kPatience);
+        QVERIFY(test::momentOf(document()) == before);
+        QVERIFY(fixture_.action(ActionId::UnitMetre).isChecked());
     }
 
     void aCutIsListedTakenBackAndWritten() {

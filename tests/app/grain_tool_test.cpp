@@ -8,6 +8,7 @@
 #include "core/export/drawing.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/sheet_bench.h"
 
@@ -157,11 +158,7 @@ private slots:
         auto garment = std::make_shared<Garment>(*document().garment());
         garment->pieces.resize(1);
         garment->seams = {};
-        DocumentState next = document().state();
-        next.garment = garment;
-        next.results.resize(1);
-        next.scene.reset();
-        document().edit("Cut", next);
+        test::editGarment(document(), "Cut", garment);
         const auto settings = document().settings();
         move(tip + QPointF(80, 60));
         QTest::keyClick(&view(), Qt::Key_Escape);
@@ -179,13 +176,9 @@ private slots:
         move(tip + QPointF(60, 30));
         QCOMPARE(steps(), 2);
         // A cut is done meanwhile: piece 1 is another one now.
-        DocumentState cut = document().state();
-        cut.garment = test::makeGarment({{"a", test::makeSheet(50, 40, 5, 4)},
-                                         {"b", test::makeSheet(60, 40, 5, 4, {100, 0, 0})}});
-        cut.results = {};
-        cut.scene = nullptr;
-        cut.settings = {};
-        document().edit("Cut", cut);
+        test::editGarment(document(), "Cut",
+                          test::makeGarment({{"a", test::makeSheet(50, 40, 5, 4)},
+                                             {"b", test::makeSheet(60, 40, 5, 4, {100, 0, 0})}}));
         move(tip + QPointF(70, 30));
         release(tip + QPointF(70, 30));
         QVERIFY(!document().settings()[1].grain);

@@ -17,7 +17,9 @@
 #include "app/document/document.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/panels/work_display.h"
+#include "core/pipeline/garment_flattener.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
@@ -198,8 +200,8 @@ private slots:
             QSignalSpy idle(&runner, &JobRunner::idle);
             runner.start(std::move(job));
             if (stale) {
-                document.setGarment(test::makeGarment({{"a", test::makeSheet(1, 1, 1, 1)}}),
-                                    nullptr);
+                test::setGarment(document, test::makeGarment({{"a", test::makeSheet(1, 1, 1, 1)}}),
+                                 nullptr);
             }
             go = true;
             QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 1, test::kPatience);
@@ -411,8 +413,10 @@ private slots:
 
     void flatteningIsAtItsEndWhenTheSceneIsMade() {
         Document document;
-        document.setGarment(test::makeSewnCap(), nullptr);
-        const std::unique_ptr<Job> job = flattenJob(document);
+        test::setGarment(document, test::makeSewnCap(), nullptr);
+        const std::unique_ptr<Job> job =
+            recomputeJob(document, {.flatten = true}, std::make_shared<GarmentFlattener>(), {},
+                         [](const Derivation&) {});
         Progress progress;
         QVERIFY(job->process(progress));
         QVERIFY(std::abs(progress.fraction() - 1) < 1e-12);

@@ -6,6 +6,7 @@
 #include <QTreeWidget>
 
 #include "tests/app/support/garments.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
@@ -41,7 +42,7 @@ private slots:
         QVERIFY(document().loading().seams.cuts.empty());
         QCOMPARE(document().history().undoText(), QString("Removal of a cut"));
         while (document().history().canUndo()) {
-            fixture_.workspace().undo();
+            document().history().undo();
         }
         QCOMPARE(document().garment(), start);
     }
@@ -55,7 +56,7 @@ private slots:
     void aClickMakesTwoPiecesOne() {
         QFETCH(bool, inPattern);
         openCap();
-        const DocumentState start = document().state();
+        const test::Moment start = test::momentOf(document());
         QCOMPARE(document().pieceCount(), 2);
         tools().choose(ToolId::Join);
         SceneView& view = inPattern ? patternView() : garmentView();
@@ -70,10 +71,10 @@ private slots:
         list.setCurrentItem(list.topLevelItem(0));
         QTest::keyClick(&list, Qt::Key_Delete);
         QVERIFY(waitForPieces(2));
-        QCOMPARE(document().garment()->pieces, start.garment->pieces);
-        fixture_.workspace().undo();
-        fixture_.workspace().undo();
-        QVERIFY(document().state() == start);
+        QCOMPARE(document().garment()->pieces, start.derived.garment->pieces);
+        document().history().undo();
+        document().history().undo();
+        QVERIFY(test::momentOf(document()) == start);
     }
 
     void theSeamThatIsSeenIsMeant_data() {
@@ -116,10 +117,10 @@ private slots:
         fixture_.workspace().setAutoCut(true);
         QVERIFY(fixture_.openAndWait(file));
         QVERIFY(sewn());
-        const DocumentState start = document().state();
+        const test::Moment start = test::momentOf(document());
         fixture_.workspace().joinSeam(*sewn());
         QVERIFY(said().contains("tetrahedron"));
-        QVERIFY(document().state() == start);
+        QVERIFY(test::momentOf(document()) == start);
     }
 };
 

@@ -168,12 +168,10 @@ private slots:
         fixture_.workspace().setMethod(Method::Lscm);
         place(document(), "Test", {{0, Placement{{5, 5}}}});
         QVERIFY(fixture_.waitForResults());
-        QVERIFY(isFlattened(document().state()));
+        QVERIFY(document().isFlattened());
         action(ActionId::Undo).trigger();
         QVERIFY(QTest::qWaitFor(
-            [this] {
-                return !fixture_.workspace().jobs().isBusy() && isFlattened(document().state());
-            },
+            [this] { return !fixture_.workspace().jobs().isBusy() && document().isFlattened(); },
             test::kPatience));
     }
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/settings/length_display.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
@@ -22,7 +23,7 @@ class MeasureToolTest : public test::ToolBench {
 private slots:
     void measuresOnTheClothAndInThePattern() {
         openSheets();
-        const DocumentState start = document().state();
+        const test::Moment start = test::momentOf(document());
         tools().choose(ToolId::Measure);
         const auto& tool = dynamic_cast<const MeasureTool&>(tools().current());
         SceneView& view = garmentView();
@@ -47,7 +48,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(copied(), tool.lines().join('\n'), test::kPatience);
         QVERIFY(tool.lines().join('\n').contains("250"));
         // Nothing of it goes to the document; a place on another piece begins anew.
-        QVERIFY(document().state() == start);
+        QVERIFY(test::momentOf(document()) == start);
         click(patternView(), at(patternView(), 1, {325, 25, 0}));
         QVERIFY(!tool.way());
         QTest::keyClick(&view, Qt::Key_Escape);

@@ -15,6 +15,7 @@
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
 #include "app/views/tools/tool_box.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/same_state.h"
 #include "tests/app/support/warnings.h"
 #include "tests/app/support/window_fixture.h"
@@ -70,12 +71,12 @@ class MonkeyTest : public QObject {
 
     /// What every state of the document promises; empty where it does.
     QString brokenPromise() {
-        const DocumentState& state = document().state();
+        const Derived& state = document().derived();
         if (!state.garment) {
             return "the garment is gone";
         }
         const auto pieces = state.garment->pieces.size();
-        if (state.settings.size() != pieces) {
+        if (document().settings().size() != pieces) {
             return "settings do not fit the pieces";
         }
         if (!state.results.empty() && state.results.size() != pieces) {
@@ -93,7 +94,7 @@ class MonkeyTest : public QObject {
                 return "a result does not fit its piece";
             }
         }
-        for (const PieceSettings& settings : state.settings) {
+        for (const PieceSettings& settings : document().settings()) {
             if (settings.placement && (!settings.placement->offset.allFinite() ||
                                        !std::isfinite(settings.placement->turn))) {
                 return "a piece lies nowhere";
@@ -108,8 +109,7 @@ class MonkeyTest : public QObject {
             return "the selected seam is outside of the garment";
         }
         const QUndoStack& history = document().history();
-        if (history.index() < 0 || history.index() > history.count() ||
-            (history.canUndo() && !workspace().canUndo())) {
+        if (history.index() < 0 || history.index() > history.count()) {
             return "the history does not know where it is";
         }
         return {};
@@ -127,16 +127,20 @@ class MonkeyTest : public QObject {
 
     void undoEverything() {
         window().tools().current().cancel();
-        if (workspace().canUndo()) {  // who cancels at the start itself gets nothing flat there
+        if (document()
+                .history()
+                .canUndo()) {  // who cancels at the start itself gets nothing flat there
             workspace().jobs().cancel();
         }
         QVERIFY(settle());
-        while (workspace().canUndo()) {
-            workspace().undo();
+        while (document().history().canUndo()) {
+            document().history().undo();
         }
-        if (workspace().canRedo()) {  // the monkey may have cancelled here: who comes back has it
-            workspace().redo();
-            workspace().undo();
+        if (document()
+                .history()
+                .canRedo()) {  // the monkey may have cancelled here: who comes back has it
+            document().history().redo();
+            document().history().undo();
         }
         QVERIFY(settle());
     }
@@ -174,7 +178,7 @@ class MonkeyTest : public QObject {
     }
 
     void playOneRound(test::Monkey& monkey, const test::Warnings& warnings, int actions) {
-        const DocumentState start = document().state();
+        const test::Moment start = test::momentOf(document());
         const int last = monkey.actionsDone() + actions;
         while (monkey.actionsDone() < last && document().history().count() < kMostSteps) {
             monkey.act();
@@ -185,7 +189,7 @@ class MonkeyTest : public QObject {
             QVERIFY2(warnings.texts().isEmpty(), qPrintable(warnings.texts().join('\n')));
         }
         undoEverything();
-        const QString other = test::difference(document().state(), start);
+        const QString other = test::difference(test::momentOf(document()), start);
         QVERIFY2(other.isEmpty(), qPrintable("after undo another: " + other));
         QVERIFY2(brokenPromise().isEmpty(), qPrintable(brokenPromise()));
     }
@@ -226,7 +230,7 @@ private slots:
         QFETCH(int, seed);
         QFETCH(int, megabytes);
         openSample(file);
-        workspace().historyBudget().setMostBytes(static_cast<std::size_t>(megabytes) << 20U);
+        document().cache().setMaxBytes(static_cast<std::size_t>(megabytes) << 20U);
         play(static_cast<std::uint64_t>(theSeed + 1000 * seed),
              numberFrom("TOILE_MONKEY_ACTIONS", 3 * kActionsPerGarment) / 3);
     }
@@ -247,7 +251,7 @@ private slots:
             }
             window().tools().current().cancel();
             QVERIFY(settle());
-            const DocumentState before = document().state();
+            const test::Moment before = test::momentOf(document());
             FileDialogs& dialogs = window().garmentActions().fileDialogs();
             dialogs.saveProject = [&](QWidget*, const QString&) { return project; };
             dialogs.askToSave = [](QWidget*, const QString&) { return SaveAnswer::Discard; };
@@ -257,10 +261,10 @@ private slots:
             window().openFiles({project});
             QVERIFY(settle());
             QVERIFY(!document().history().canUndo());
-            QVERIFY(document().options() == before.options);
-            QVERIFY(document().fabric() == before.fabric);
-            QVERIFY(document().loading() == before.loading);
-            QCOMPARE(document().settings().size(), before.settings.size());
+            QVERIFY(document().options() == before.state.options);
+            QVERIFY(document().fabric() == before.state.fabric);
+            QVERIFY(test::typed(document().loading()) == test::typed(before.state.inputs.loading));
+            QCOMPARE(document().settings().size(), before.derived.garment->pieces.size());
             QVERIFY2(brokenPromise().isEmpty(), qPrintable(brokenPromise()));
         }
     }

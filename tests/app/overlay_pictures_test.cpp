@@ -14,6 +14,7 @@
 #include "app/render/scene_renderer.h"
 #include "app/views/colour_bar.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
@@ -54,14 +55,15 @@ private:
         result->quality = measure(*result->piece, result->flat->Q);
         result->options = document().options();
         DocumentState state;
-        state.garment = garment;
         state.options = document().options();
         state.fabric = *fabricPreset("neoprene");  // -4 to +20 % in all directions
-        state.results = {result};
+        Derived derived;
+        derived.garment = garment;
+        derived.results = {result};
         Progress progress;
-        state.scene = buildScene(*garment, state.results, progress);
-        state.settings = {PieceSettings{.placement = Placement{}, .grain = kUpwards}};
-        document().open(std::move(state));
+        derived.scene = buildScene(*garment, derived.results, progress);
+        state.settings[result->piece->id] = {.placement = Placement{}, .grain = kUpwards};
+        document().open(std::move(state), std::move(derived));
         // A solver would lay the sheet flat without strain.
         fixture_.workspace().jobs().cancel();
         document().setView(&ViewState::worstSpots, false);
@@ -76,7 +78,7 @@ private:
 
     void setGrain(double radians) {
         DocumentState next = document().state();
-        next.settings[0].grain = radians;
+        test::said(next, document(), 0).grain = radians;
         document().edit("Grain", std::move(next));
     }
 

@@ -38,12 +38,12 @@ void openLargeSheet(Document& document) {
     result->piece = garment->pieces[0];
     result->flat = FlatPiece{};
     result->flat->Q = garment->pieces[0]->mesh.V.leftCols<2>();
-    DocumentState state;
-    state.garment = garment;
-    state.results = {result};
+    Derived derived;
+    derived.garment = garment;
+    derived.results = {result};
     Progress progress;
-    state.scene = buildScene(*garment, state.results, progress);
-    document.open(std::move(state));
+    derived.scene = buildScene(*garment, derived.results, progress);
+    document.open({}, std::move(derived));
 }
 
 struct BuiltScene {

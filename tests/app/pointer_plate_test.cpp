@@ -10,6 +10,7 @@
 #include "app/views/ruler.h"
 #include "app/views/sewn_run.h"
 #include "core/seam/seam_measure.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/pointer_bench.h"
 #include "tests/app/support/run_test.h"
 
@@ -179,7 +180,7 @@ private slots:
         LengthDisplay::instance().choose(LengthUnit::Millimetre);
         QVERIFY2(inches.contains(" in"), qPrintable(inches));
         QVERIFY(!plate(patternView()).text().contains("on the garment"));
-        document().setResults(PieceResults(2), document().scene());
+        test::setResults(document(), PieceResults(2), document().scene());
         QVERIFY(plate(patternView()).text().contains("on the garment"));  // nothing is flat
     }
 

@@ -15,6 +15,7 @@
 #include "app/render/scene_builder.h"
 #include "app/widgets/banner.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
@@ -103,7 +104,7 @@ private:
         results[piece] = spoilt;
         Progress progress;
         auto scene = buildScene(*document().garment(), results, progress);
-        document().setResults(std::move(results), std::move(scene));
+        test::setResults(document(), std::move(results), std::move(scene));
         QVERIFY(waitForAnswer());
     }
 
@@ -396,16 +397,16 @@ private slots:
         QVERIFY(open("sheets.obj"));
         document().setSelection({0});
         UserCut cut{"front", UserCut::Kind::Path, {{9e5, 0, 0}, {9e5, 9, 0}}};
-        DocumentState next = document().state();
-        auto garment = std::make_shared<Garment>(*next.garment);
+        Derived derived = document().derived();
+        auto garment = std::make_shared<Garment>(*derived.garment);
         garment->problems = {cutError(subjectOf(cut), "far away"),
                              {ErrorCode::HolesKept, subjectOf(*garment->pieces[0])}};
         // Two files of one name, both in doubt.
         auto file = std::make_shared<SourceFile>(*garment->files[0]);
         file->unitInDoubt = true;
         garment->files = {file, file};
-        next.garment = garment;
-        document().edit("Cut", next);
+        derived.garment = garment;
+        document().show(derived, document().state().settings);
         QVERIFY(waitForAnswer());
         const auto clickOn = [this](ErrorCode code) {
             const QModelIndex first = rowOf(FindingKind::Message);

@@ -7,6 +7,7 @@
 #include "app/widgets/banner.h"
 #include "core/base/file.h"
 #include "core/project/project_file.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/project_bench.h"
 #include "tests/app/support/run_test.h"
 
@@ -24,13 +25,13 @@ class ProjectOpenTest : public test::ProjectBench {
 private slots:
     void everythingDoneIsThereAgain() {
         doThings();
-        const DocumentState before = document().state();
+        const test::Moment before = test::momentOf(document());
         saveAs("dress.toile");
         QVERIFY(!session().isModified());
         reopenWindow();
         QVERIFY(fixture_->openAndWait(path("dress.toile")));
         QVERIFY(waitUntilFlat());
-        QVERIFY(test::isSame(document().state(), before));
+        QVERIFY(test::isSame(test::momentOf(document()), before));
         QCOMPARE(document().view().overlay, Overlay::Strain);
         QVERIFY(!session().isModified());
         QVERIFY(window().windowTitle().startsWith("dress.toile"));
@@ -77,11 +78,11 @@ private slots:
     void openingAnotherAsksFirst() {
         writeMesh("other.obj");
         edit();
-        const DocumentState before = document().state();
+        const test::Moment before = test::momentOf(document());
         window().openFiles({path("other.obj")});
         QCOMPARE(asked_, 1);
         QVERIFY(!workspace().jobs().isBusy());
-        QVERIFY(document().state() == before);
+        QVERIFY(test::momentOf(document()) == before);
         answer_ = SaveAnswer::Discard;
         QVERIFY(fixture_->openAndWait(path("other.obj")));
         QCOMPARE(document().title(), QString("other.obj"));
@@ -110,14 +111,14 @@ private slots:
     void aMeshThatChangedIsNamedAndNothingIsLost() {
         doThings();
         saveAs("dress.toile");
-        const DocumentState before = document().state();
+        const test::Moment before = test::momentOf(document());
         writeMesh("dress.obj", 295);
         reopenWindow();
         QVERIFY(fixture_->openAndWait(path("dress.toile")));
         QVERIFY(waitUntilFlat());
         QVERIFY(!window().banner().isHidden());
         QVERIFY(window().banner().sentence().contains("dress.obj"));
-        QVERIFY(document().loading() == before.loading);
+        QVERIFY(test::typed(document().loading()) == test::typed(before.state.inputs.loading));
         QCOMPARE(document().settings()[1].quantity, 5);
         QVERIFY(!document().garment()->cuts.empty());
     }
@@ -125,7 +126,7 @@ private slots:
     void aMeshThatIsGoneIsAskedFor() {
         doThings();
         saveAs("dress.toile");
-        const DocumentState before = document().state();
+        const test::Moment before = test::momentOf(document());
         QVERIFY(QDir(path("")).mkdir("elsewhere"));
         QVERIFY(QFile::rename(path("dress.obj"), path("elsewhere/frock.obj")));
         reopenWindow();
@@ -136,18 +137,18 @@ private slots:
         foundMesh_ = path("elsewhere/frock.obj");
         QVERIFY(fixture_->openAndWait(path("dress.toile")));
         QVERIFY(waitUntilFlat());
-        QVERIFY(test::isSame(document().state(), before));
+        QVERIFY(test::isSame(test::momentOf(document()), before));
         QVERIFY(session().isModified());  // where the mesh is, is not saved yet
     }
 
     void aDamagedProjectLeavesWhatIsOpen() {
-        const DocumentState before = document().state();
+        const test::Moment before = test::momentOf(document());
         QVERIFY(writeFile(file("bad.toile"), "{\"format\": 3}"));
         window().openFiles({path("bad.toile")});
         QVERIFY(waitForBanner());
         QVERIFY(window().banner().sentence().contains("bad.toile"));
-        QVERIFY(document().state() == before);
-        QVERIFY(workspace().loading() == before.loading);
+        QVERIFY(test::momentOf(document()) == before);
+        QVERIFY(test::typed(workspace().loading()) == test::typed(before.state.inputs.loading));
     }
 
     void aProjectAmongMeshesIsRefused() {
@@ -159,13 +160,13 @@ private slots:
 
     void reloadKeepsWhatWasDone() {
         doThings();
-        const DocumentState before = document().state();
+        const test::Moment before = test::momentOf(document());
         QTest::keyClick(&window(), Qt::Key_F5);
-        QTRY_VERIFY_WITH_TIMEOUT(document().garment() != before.garment, test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(document().garment() != before.derived.garment, test::kPatience);
         QVERIFY(waitUntilFlat());
-        QVERIFY(document().loading() == before.loading);
+        QVERIFY(test::typed(document().loading()) == test::typed(before.state.inputs.loading));
         QCOMPARE(document().settings()[1].quantity, 5);
-        QVERIFY(test::isSame(document().state(), before));
+        QVERIFY(test::isSame(test::momentOf(document()), before));
     }
 
     void methodsLeavePiecesWhereTheyAre() {

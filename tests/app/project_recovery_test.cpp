@@ -10,6 +10,7 @@
 #include "app/widgets/banner.h"
 #include "core/base/file.h"
 #include "core/project/project_file.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/project_bench.h"
 #include "tests/app/support/run_test.h"
 
@@ -52,7 +53,7 @@ private slots:
         doThings();
         QTRY_VERIFY_WITH_TIMEOUT(written.count() > 0, test::kPatience);
         waitUntilKept(recovery.autosave());
-        const DocumentState before = document().state();
+        const test::Moment before = test::momentOf(document());
         // The process dies: its file stays, its lock does not count any more.
         const QString left = recovery.autosave().file();
         QVERIFY(QFile::copy(left, path("left")));
@@ -67,7 +68,7 @@ private slots:
         QVERIFY(fixture_->waitForResults());
         QVERIFY(waitUntilFlat());
         QVERIFY(card.isHidden());
-        QVERIFY(test::isSame(document().state(), before));
+        QVERIFY(test::isSame(test::momentOf(document()), before));
         QVERIFY(session().isModified());
         QCOMPARE(session().title(), QString("dress.toile"));
         QCOMPARE(next.autosave().file(), left);  // safe until it is saved
@@ -112,7 +113,7 @@ private slots:
         edit();
         QTRY_COMPARE_WITH_TIMEOUT(written.count(), 1, test::kPatience);
         QVERIFY(QFile::exists(recovery.autosave().file()));
-        workspace().undo();
+        document().history().undo();
         QVERIFY(recovery.autosave().file().isEmpty());
         QVERIFY(QDir(path("recovery")).entryList({"*.toile"}).isEmpty());
     }
@@ -173,12 +174,12 @@ private slots:
         leaveBehind("other.obj");
         window().keepRecoveryFiles(path("recovery"));
         edit();
-        const DocumentState before = document().state();
+        const test::Moment before = test::momentOf(document());
         auto& restore = fixture_->find<QPushButton>("restoreRecovery");
         QTest::mouseClick(&restore, Qt::LeftButton);
         QCOMPARE(asked_, 1);
         QVERIFY(!workspace().jobs().isBusy());
-        QVERIFY(document().state() == before);
+        QVERIFY(test::momentOf(document()) == before);
         QVERIFY(fixture_->find<RecoveryCard>("recoveryCard").isVisible());
         answer_ = SaveAnswer::Discard;
         QTest::mouseClick(&restore, Qt::LeftButton);

@@ -10,6 +10,7 @@
 #include "app/widgets/banner.h"
 #include "core/base/file.h"
 #include "core/project/project_file.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/project_bench.h"
 #include "tests/app/support/run_test.h"
 
@@ -23,13 +24,13 @@ private slots:
         QVERIFY(!window().isWindowModified());
         edit();
         QVERIFY(window().isWindowModified());
-        workspace().undo();
+        document().history().undo();
         QVERIFY(!window().isWindowModified());
-        workspace().redo();
+        document().history().redo();
         saveAs("dress");  // without an ending
         QVERIFY(QFile::exists(path("dress.toile")));
         QVERIFY(!window().isWindowModified());
-        workspace().undo();
+        document().history().undo();
         QVERIFY(window().isWindowModified());
     }
 
@@ -62,13 +63,13 @@ private slots:
         edit();
         QSignalSpy saved(&session(), &ProjectSession::saved);
         session().save(file("first.toile"));
-        document().open(document().state());  // before the writing is heard of
+        test::open(document(), test::momentOf(document()));  // before the writing is heard of
         QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, test::kPatience);
         QVERIFY(session().path().empty());
         QSignalSpy failed(&session(), &ProjectSession::failed);
         edit();
         session().save(file("no/such/folder.toile"));
-        document().open(document().state());
+        test::open(document(), test::momentOf(document()));
         QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
         QVERIFY(!session().isModified());
     }
@@ -94,7 +95,7 @@ private slots:
             seams.cuts.push_back(
                 {"waist", UserCut::Kind::Path, {{0, 210, 0}, {300, 210, 0}}, false});
         });
-        QVERIFY(document().history().isClean());  // the cut is no step yet
+        QVERIFY(!document().isCurrent());  // nobody knows yet what becomes of it
         QVERIFY(session().isModified() && window().isWindowModified());
         QVERIFY(!window().close());
         QCOMPARE(asked_, 1);

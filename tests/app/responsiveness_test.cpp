@@ -190,7 +190,7 @@ private slots:
         application().forget();
         asEvent([this] { fixture_.window().openFiles({fixture_.path("million.obj")}); });
         fidgetUntilDone(10);
-        QVERIFY(isFlattened(document().state()));
+        QVERIFY(document().isFlattened());
         demand("Opening and flattening");
         fidgetUntilDone(40);
         demand("Looking at it");
@@ -212,7 +212,7 @@ private slots:
 
         asEvent([this] { fixture_.action(ActionId::MethodNatural).trigger(); });
         fidgetUntilDone(20);
-        QVERIFY(isFlattened(document().state()));
+        QVERIFY(document().isFlattened());
         QTest::keyClick(&patternView(), Qt::Key_Z, Qt::ControlModifier);
         QTest::keyClick(&patternView(), Qt::Key_Y, Qt::ControlModifier);
         fidgetUntilDone(10);

@@ -14,6 +14,7 @@
 #include "app/render/sheet_places.h"
 #include "app/widgets/banner.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/pixels.h"
 #include "tests/app/support/run_test.h"
@@ -36,11 +37,8 @@ private:
 
     /// With no seam, so that no row stays.
     void showAnotherGarment() {
-        DocumentState next = document().state();
-        next.garment = test::makeGarment({{"alone", test::makeSheet(50, 40, 5, 4)}});
-        next.results = {};
-        next.scene = nullptr;
-        document().edit("Another", next);
+        test::editGarment(document(), "Another",
+                          test::makeGarment({{"alone", test::makeSheet(50, 40, 5, 4)}}));
     }
 
     /// Opens the editor of the first seam's ease and types there.

@@ -13,6 +13,7 @@
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
@@ -25,7 +26,7 @@ void flattenInto(Document& document, Method method) {
     Progress progress;
     PieceResults results = flattenGarment(*document.garment(), options, progress);
     auto scene = buildScene(*document.garment(), results, progress);
-    document.setResults(std::move(results), std::move(scene));
+    test::setResults(document, std::move(results), std::move(scene));
 }
 
 float length(const std::vector<GarmentLineVertex>& vertices, VertexRun run) {
@@ -66,7 +67,7 @@ private slots:
     void init() {
         document_ = std::make_unique<Document>();
         model_ = std::make_unique<SeamsModel>(*document_);
-        document_->setGarment(test::makeSewnCap(), nullptr);
+        test::setGarment(*document_, test::makeSewnCap(), nullptr);
     }
 
     void cleanup() {

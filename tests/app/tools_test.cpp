@@ -5,6 +5,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
@@ -93,14 +94,14 @@ private slots:
         tools().choose(ToolId::Select);
         auto& cut = dynamic_cast<PathTool&>(tools().tool(ToolId::Cut));
         const std::weak_ptr<const Piece> piece = document().garment()->pieces[0];
-        document().open({});
+        document().open({}, {});
         QVERIFY(cut.draft().isEmpty());
         QVERIFY(QTest::qWaitFor([&] { return piece.expired(); }, test::kPatience));
     }
 
     void everythingIsTakenBackStepByStep() {
         openCap();
-        const DocumentState start = document().state();
+        const test::Moment start = test::momentOf(document());
         tools().choose(ToolId::Join);
         click(garmentView(), onSeam(garmentView(), *sewn()));
         QVERIFY2(waitForPieces(1), qPrintable(said()));
@@ -113,11 +114,11 @@ private slots:
         doubleClick(view, at(view, 0, {high.x(), middle, low.z()}));
         QVERIFY2(waitForPieces(2), qPrintable(said()));
         QCOMPARE(document().history().count(), 2);
-        fixture_.workspace().undo();
-        fixture_.workspace().undo();
-        QVERIFY(document().state() == start);
-        fixture_.workspace().redo();
-        fixture_.workspace().redo();
+        document().history().undo();
+        document().history().undo();
+        QVERIFY(test::momentOf(document()) == start);
+        document().history().redo();
+        document().history().redo();
         QVERIFY(waitForPieces(2));
         QCOMPARE(document().garment()->cuts.size(), std::size_t{1});
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/workspace_fixture.h"
 
@@ -17,10 +18,10 @@ private slots:
     void cleanup() { close(); }
 
     void whatIsFlatWhenItIsOpenedIsNotFlattenedAgain() {
-        const DocumentState flat = document().state();
+        const test::Moment flat = test::momentOf(document());
         QSignalSpy started(&workspace().jobs(), &JobRunner::started);
-        document().open(flat);
-        QVERIFY(document().state() == flat);
+        test::open(document(), flat);
+        QVERIFY(test::momentOf(document()) == flat);
         QVERIFY(!workspace().jobs().isBusy());
         QCOMPARE(started.count(), 0);
     }
@@ -29,7 +30,7 @@ private slots:
         workspace().setMethod(Method::Natural);
         QVERIFY(waitUntilDone());
         workspace().open({file("other.obj")});
-        workspace().undo();  // to what is flat already
+        document().history().undo();  // to what is flat already
         QVERIFY(waitUntilDone());
         QCOMPARE(document().title(), QString("other.obj"));
     }
@@ -59,23 +60,24 @@ private slots:
     }
 
     void whatIsCutWhileAProjectIsReadIsNotCutInThat() {
-        DocumentState coming = document().state();
-        coming.loading.seams.cuts = {
+        test::Moment coming = test::momentOf(document());
+        coming.state.inputs.loading.seams.cuts = {
             {"cut 1", UserCut::Kind::Path, {{0, 110, 0}, {300, 110, 0}}, false, {1}}};
+        coming.derived.inputs = coming.state.inputs;
         workspace().openBy(std::make_unique<test::ReadingJob>(
-            [&] { workspace().arrived([&] { document().open(coming); }); }));
+            [&] { workspace().arrived([&] { test::open(document(), coming); }); }));
         workspace().addCut({"", UserCut::Kind::Path, {{0, 210, 0}, {300, 210, 0}}, false});
         workspace().joinSeam(0);
         workspace().removeCut({1});
         QVERIFY(waitUntilDone());
-        QVERIFY(workspace().loading().seams == coming.loading.seams);
-        QVERIFY(!workspace().canUndo());
+        QVERIFY(workspace().loading().seams == coming.state.inputs.loading.seams);
+        QVERIFY(!document().history().canUndo());
     }
 
     void readingOptionsWaitForTheProjectThatIsRead() {
-        const DocumentState coming = document().state();
+        const test::Moment coming = test::momentOf(document());
         workspace().openBy(std::make_unique<test::ReadingJob>(
-            [&] { workspace().arrived([&] { document().open(coming); }); }));
+            [&] { workspace().arrived([&] { test::open(document(), coming); }); }));
         workspace().setUnit(LengthUnit::Inch);
         QVERIFY(waitUntilDone());
         QCOMPARE(document().garment()->files[0]->unit, LengthUnit::Inch);
@@ -129,11 +131,11 @@ private slots:
     }
 
     void whatTheOpenGarmentHasMayBeWishedForTheNext() {
-        const DocumentState coming = document().state();
+        const test::Moment coming = test::momentOf(document());
         workspace().setUnit(LengthUnit::Inch);
         QVERIFY(waitUntilDone());
         workspace().openBy(std::make_unique<test::ReadingJob>(
-            [&] { workspace().arrived([&] { document().open(coming); }); }));
+            [&] { workspace().arrived([&] { test::open(document(), coming); }); }));
         workspace().setUnit(LengthUnit::Inch);
         QVERIFY(waitUntilDone());
         QCOMPARE(document().loading().unit, std::optional(LengthUnit::Inch));
@@ -143,19 +145,19 @@ private slots:
     void aCutOnItsWayGoesWithTheGarmentItWasMeantFor() {
         std::function<void()> leave;
         workspace().askBeforeLeaving([&](std::function<void()> next) { leave = std::move(next); });
-        DocumentState coming = document().state();
+        test::Moment coming = test::momentOf(document());
         workspace().openBy(std::make_unique<test::ReadingJob>(
-            [&] { workspace().arrived([&] { document().open(coming); }); }));
+            [&] { workspace().arrived([&] { test::open(document(), coming); }); }));
         changeFabric("jersey");
         QVERIFY(QTest::qWaitFor([&] { return bool(leave); }, kPatience));
         QVERIFY(waitUntilIdle());
         cutAcross("waist", 210);  // while the question is open
-        QVERIFY(workspace().hasWishes());
+        QVERIFY(!document().isCurrent());
         leave();  // what comes is flat: no job takes the place of the cut's
-        QVERIFY(!workspace().hasWishes());
+        QVERIFY(document().isCurrent());
         QVERIFY(waitUntilIdle());
-        QVERIFY(document().state() == coming);
-        QVERIFY(!workspace().canUndo());
+        QVERIFY(test::momentOf(document()) == coming);
+        QVERIFY(!document().history().canUndo());
     }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/garment_jobs.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/workspace_fixture.h"
 
@@ -47,27 +48,28 @@ private slots:
         workspace().reload();
         QVERIFY(waitUntilDone());
         QVERIFY(selectedIds() == back);
-        workspace().undo();
-        workspace().undo();
+        document().history().undo();
+        document().history().undo();
         QVERIFY(selectedIds() == back);
         document().setSelection({0});
-        workspace().redo();
+        document().history().redo();
         QCOMPARE(document().selection(), (Document::Selection{0, 1}));  // both halves
-        workspace().undo();
+        document().history().undo();
         QCOMPARE(document().selection(), Document::Selection{0});
     }
 
-    void wishesFollowOneAnother() {
+    void editsFollowOneAnother() {
         cutAcross("waist", 210);
         cutAcross("hip", 110);
         QCOMPARE(workspace().loading().seams.cuts.size(), std::size_t(2));
-        QCOMPARE(document().loading().seams.cuts.size(), std::size_t(0));
+        QCOMPARE(document().pieceCount(), 2);
         QVERIFY(waitUntilDone());
         QCOMPARE(document().pieceCount(), 4);
         QCOMPARE(document().history().count(), 2);
-        workspace().undo();
+        document().history().undo();
+        QVERIFY(waitUntilDone());  // nobody has worked this one out
         QCOMPARE(document().pieceCount(), 3);
-        workspace().undo();
+        document().history().undo();
         QCOMPARE(document().pieceCount(), 2);
     }
 
@@ -78,10 +80,10 @@ private slots:
         QCOMPARE(document().pieceCount(), 3);
         QCOMPARE(document().results()[0]->options.method, Method::Curvature);
         QCOMPARE(document().history().count(), 2);
-        workspace().undo();
-        workspace().undo();
+        document().history().undo();
+        document().history().undo();
         QCOMPARE(document().options().method, Method::Isometric);
-        QVERIFY(isFlattened(document().state()));
+        QVERIFY(document().isFlattened());
     }
 
     void withoutFlatteningByItselfOnlyUnchangedPiecesStayFlat() {
@@ -89,7 +91,7 @@ private slots:
         cutAcross("waist", 210);
         QVERIFY(waitUntilIdle());
         QCOMPARE(document().pieceCount(), 3);
-        QVERIFY(!isFlattened(document().state()));
+        QVERIFY(!document().isFlattened());
         QVERIFY(!workspace().canExport());
         int flat = 0;
         for (int i = 0; i < 3; ++i) {
@@ -102,65 +104,68 @@ private slots:
     }
 
     void unitIsReadAgainAsAStep() {
-        const auto start = document().state();
+        const test::Moment start = test::momentOf(document());
         workspace().setUnit(LengthUnit::Inch);
         QCOMPARE(workspace().loading().unit, std::optional(LengthUnit::Inch));
         QVERIFY(waitUntilDone());
         QCOMPARE(document().garment()->files[0]->unit, LengthUnit::Inch);
-        workspace().undo();
-        QVERIFY(document().state() == start);
+        document().history().undo();
+        QVERIFY(test::momentOf(document()) == start);
         QCOMPARE(workspace().loading().unit, std::nullopt);
     }
 
     void flatteningAgainLeavesWhatIsFlatToTheLastBit() {
-        const DocumentState start = document().state();
+        const test::Moment start = test::momentOf(document());
         cutAcross("waist", 210);
         QVERIFY(waitUntilDone());
-        workspace().undo();
+        document().history().undo();
         workspace().flattenAgain();  // the flattener comes from the garment with the cut
         QVERIFY(waitUntilDone());
-        QVERIFY(document().results() == start.results);
-        QVERIFY(document().settings() == start.settings);
+        QVERIFY(document().results() == start.derived.results);
+        QVERIFY(document().state().settings == start.state.settings);
     }
 
     void whatAJobKeptFromBeingFlattenedFollows() {
         workspace().setMethod(Method::Natural);  // on its way
         workspace().jobs().cancel();
         QVERIFY(waitUntilIdle());
-        QVERIFY(!isFlattened(document().state()));
+        QVERIFY(!document().isFlattened());
         workspace().flattenAgain();
         DocumentState moved = document().state();
-        moved.settings[0].quantity = 3;
+        test::said(moved, document(), 0).quantity = 3;
         document().edit("Quantity", moved);
         QVERIFY(waitUntilDone());
-        workspace().undo();  // to before the results came, while something else runs
+        document().history().undo();  // to before the results came, while something else runs
         workspace().exportTo(path("out.json").toStdU16String());
         QVERIFY(waitUntilDone());
     }
 
-    void aWishThatFailsIsForgottenAndTheRestIsFlattened() {
+    void aReadingThatFailsIsForgottenAndTheRestIsFlattened() {
         QVERIFY(QFile::copy(path("pair.obj"), path("gone.obj")));
         workspace().open({path("gone.obj").toStdU16String()});
         QVERIFY(waitUntilDone());
         QVERIFY(QFile::remove(path("gone.obj")));
         QSignalSpy failed(&workspace().jobs(), &JobRunner::failed);
         workspace().setMethod(Method::Curvature);
-        workspace().setUnit(LengthUnit::Metre);  // takes the place of the flattening
+        workspace().reload();  // takes the place of the flattening
         QVERIFY(waitUntilDone());
         QCOMPARE(failed.count(), 1);
-        QVERIFY(!workspace().loading().unit);
         QCOMPARE(document().options().method, Method::Curvature);
+        workspace().setUnit(LengthUnit::Metre);  // of what was read once
+        QVERIFY(waitUntilDone());
+        QCOMPARE(document().garment()->files[0]->unit, LengthUnit::Metre);
+        QCOMPARE(failed.count(), 1);
     }
 
-    void aWishThatChangesNothingIsNoStep() {
+    void anEditThatChangesNothingIsNoStep() {
         cutAcross("waist", 210);
         QVERIFY(waitUntilDone());
-        workspace().removeCut(document().garment()->cuts.at(0).id);
-        workspace().removeCut(
-            document().garment()->cuts.at(0).id);  // a second click, while the first is on its way
+        const CutId cut = document().garment()->cuts.at(0).id;
+        workspace().removeCut(cut);
+        workspace().removeCut(cut);  // a second click
         QVERIFY(waitUntilDone());
         QCOMPARE(document().history().count(), 2);
-        QVERIFY(!workspace().canRedo());
+        QVERIFY(!document().history().canRedo());
         QCOMPARE(document().pieceCount(), 2);
     }
 
@@ -244,17 +249,17 @@ private slots:
         QVERIFY(!workspace().jobs().isBusy());
     }
 
-    void aWishThatIsCancelledGivesWayToWhatItHadReplaced() {
+    void anEditThatIsCancelledGivesWayToWhatItHadReplaced() {
         workspace().setMethod(Method::Natural);
         cutAcross("waist", 210);
         workspace().cancel();
-        QVERIFY(!workspace().hasWishes() && !workspace().canRedo());
+        QVERIFY(document().isCurrent() && !document().history().canRedo());
         QVERIFY(waitUntilDone());
         QCOMPARE(document().pieceCount(), 2);
         QCOMPARE(document().results()[0]->options.method, Method::Natural);
     }
 
-    void whatIsWishedForAfterCancellingIsNotCancelledWithIt() {
+    void whatIsAskedForAfterCancellingIsNotCancelledWithIt() {
         cutAcross("waist", 210);
         workspace().cancel();
         cutAcross("hip", 110);
@@ -270,23 +275,22 @@ private slots:
         workspace().setEase(0, 0.01);
         QVERIFY(waitUntilIdle());
         QVERIFY(!workspace().jobs().isBusy());
-        QVERIFY(!isFlattened(document().state()));
+        QVERIFY(!document().isFlattened());
         workspace().setMethod(Method::Curvature);
         QVERIFY(waitUntilDone());
     }
 
-    void aWishThatAStepHasDoneIsDroppedWithItsJob() {
-        const DocumentState start = document().state();
+    void aRemovalThatIsTakenBackBringsTheCutAtOnce() {
+        const test::Moment start = test::momentOf(document());
         cutAcross("waist", 210);
         QVERIFY(waitUntilDone());
-        QSignalSpy cancelled(&workspace().jobs(), &JobRunner::cancelled);
+        const test::Moment cut = test::momentOf(document());
         workspace().removeCut(document().garment()->cuts.at(0).id);
-        document().history().undo();  // in the list of steps
-        QVERIFY(!workspace().hasWishes());
-        QVERIFY(waitUntilIdle());
-        QVERIFY(document().state() == start);
-        QCOMPARE(cancelled.count(), 1);
-        QVERIFY(cancelled[0][1].toBool());  // nobody needs to hear of it
+        QCOMPARE(document().garment(), start.derived.garment);  // known from before
+        QVERIFY(!workspace().jobs().isBusy());
+        document().history().undo();
+        QVERIFY(!workspace().jobs().isBusy());
+        QVERIFY(test::momentOf(document()) == cut);
     }
 };
 

@@ -57,10 +57,10 @@ Garment smallGarment() {
     auto file = std::make_shared<SourceFile>();
     file->path = "fuzz.off";
     file->unit = LengthUnit::Centimetre;
-    file->soup = *readOff(
+    file->soup = std::make_shared<const PolygonSoup>(*readOff(
         std::make_shared<const std::string>("OFF\n" + std::to_string(count) + " " +
                                             std::to_string(quads) + " 0\n" + vertices + faces),
-        kName, progress);
+        kName, progress));
     Garment garment;
     auto wholes = divide(*file, 0, "", {}).pieces;
     garment.files.push_back(std::move(file));

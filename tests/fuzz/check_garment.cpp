@@ -99,7 +99,7 @@ std::string whatBreaksOnTheWay(std::string bytes) {
         return "";
     }
     SourceFile file;
-    file.soup = std::move(*soup);
+    file.soup = std::make_shared<const PolygonSoup>(std::move(*soup));
     const Garment garment = cutAndSewn(std::move(file));
     if (std::string broken = whatBreaksIn(garment); !broken.empty()) {
         return broken;

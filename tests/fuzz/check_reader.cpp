@@ -57,7 +57,7 @@ std::string brokenByPiece(const Piece& piece, const PolygonSoup& soup) {
 std::string brokenByDivision(const SourceFile& file, const DivideOptions& options) {
     const DividedFile divided = divide(file, 0, "", options);
     for (const auto& piece : divided.pieces) {
-        std::string broken = brokenByPiece(*piece, file.soup);
+        std::string broken = brokenByPiece(*piece, *file.soup);
         if (!broken.empty()) {
             return broken;
         }
@@ -88,12 +88,12 @@ std::string whatBreaks(ReadFunction reader, std::string bytes) {
     }
     SourceFile file;
     file.path = "fuzz";
-    file.soup = std::move(*soup);
+    file.soup = std::make_shared<const PolygonSoup>(std::move(*soup));
     std::vector<DivideOptions> ways = {{}, {SplitMode::Components, false}};
-    if (!file.soup.uvs.empty()) {
+    if (!file.soup->uvs.empty()) {
         ways.push_back({SplitMode::Uv, true});
     }
-    if (!file.soup.materials.empty()) {
+    if (!file.soup->materials.empty()) {
         ways.push_back({SplitMode::Materials, true});
     }
     for (const DivideOptions& way : ways) {

@@ -192,8 +192,8 @@ FlatPiece figuresOf(const FlatPiece& flat) {
 
 /// The cold way: from the conformal result, or the circle.
 Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions& options,
-                                       const CarriedStart* carried, const Stopwatch& time,
-                                       const Progress& progress, FlatteningMemory* memory) {
+                                       const Stopwatch& time, const Progress& progress,
+                                       FlatteningMemory* memory) {
     DescentOptions descent = descentOptions(options.quality);
     descent.sharesModel = memory != nullptr;
     FlattenOptions conformal = options;
@@ -222,7 +222,7 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
         return lowest.error();
     }
     return finish(piece, std::move(*lowest), flat ? std::move(*flat) : FlatPiece{}, descent,
-                  carried, time, progress, memory);
+                  nullptr, time, progress, memory);
 }
 
 }  // namespace
@@ -230,22 +230,24 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
 Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& options,
                                    const Progress& progress, FlatteningMemory* memory) {
     const Stopwatch time;
-    std::optional<CarriedStart> carried;
     if (memory != nullptr && memory->Q) {
-        carried.emplace(piece, *memory);
+        const CarriedStart carried(piece, *memory);
         DescentOptions descent = descentOptions(options.quality);
         descent.sharesModel = true;
-        auto again = descendFromCarried(piece, descent, *carried, progress);
+        auto again = descendFromCarried(piece, descent, carried, progress);
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }
         if (again) {
-            return finish(piece, std::move(*again), memory->start, descent, &*carried, time,
-                          progress, memory);
+            auto flat = finish(piece, std::move(*again), memory->start, descent, &carried, time,
+                               progress, memory);
+            if (flat) {
+                flat->warm = true;
+            }
+            return flat;
         }
     }
-    return descendFromConformal(piece, options, carried ? &*carried : nullptr, time, progress,
-                                memory);
+    return descendFromConformal(piece, options, time, progress, memory);
 }
 
 }  // namespace toile

@@ -120,17 +120,17 @@ protected:
     void open(std::shared_ptr<const Garment> garment, PieceResults results) {
         document_ = std::make_unique<Document>();
         DocumentState state;
-        state.garment = garment;
         state.fabric = *fabricPreset("neoprene");  // -4 to +20 % in all directions
-        state.results = std::move(results);
+        Derived derived;
+        derived.garment = garment;
+        derived.results = std::move(results);
         Progress progress;
-        state.scene = buildScene(*garment, state.results, progress);
-        state.settings.resize(garment->pieces.size());
-        const auto offsets = layOut(*garment, state.results).offsets;
+        derived.scene = buildScene(*garment, derived.results, progress);
+        const auto offsets = layOut(*garment, derived.results).offsets;
         for (std::size_t i = 0; i < offsets.size(); ++i) {
-            state.settings[i].placement = Placement{offsets[i]};
+            state.settings[garment->pieces[i]->id].placement = Placement{offsets[i]};
         }
-        document_->open(std::move(state));
+        document_->open(std::move(state), std::move(derived));
         document_->setView(&ViewState::worstSpots, false);
         document_->setView(&ViewState::shaded, false);  // colours as they are in the map
         document_->setView(&ViewState::rulers, false);
@@ -152,7 +152,7 @@ protected:
 
     void setGrain(double radians) {
         DocumentState next = document().state();
-        next.settings[0].grain = radians;
+        said(next, document(), 0).grain = radians;
         document().edit("Grain", std::move(next));
     }
 

@@ -2,6 +2,7 @@
 #include "tests/app/support/project_bench.h"
 
 #include <QSignalSpy>
+#include <algorithm>
 #include <cmath>
 
 #include "app/widgets/banner.h"
@@ -13,24 +14,31 @@ namespace {
 
 /// What a person has done, without what follows from it, and without what depends on the pieces'
 /// own coordinates, which an edit may find otherwise than a new beginning.
-DocumentState done(DocumentState state) {
-    state.garment.reset();
-    state.results.clear();
-    state.scene.reset();
-    for (PieceSettings& piece : state.settings) {
+DocumentState done(const Moment& moment) {
+    DocumentState state = moment.state;
+    std::erase_if(state.settings, [&moment](const auto& entry) {
+        return std::ranges::none_of(moment.derived.garment->pieces, [&entry](const auto& piece) {
+            return piece->id == entry.first;
+        });
+    });
+    state.inputs.files.clear();          // read anew
+    state.inputs.loading.known.clear();  // follows from what was read before
+    for (auto& [id, piece] : state.settings) {
         piece.placement.reset();
         piece.grain.reset();
+        piece.flat = 0;
     }
     return state;
 }
 
 /// Where each vertex lies on the sheet, and below the direction of the grain there.
-std::vector<Points2> sheetOf(const DocumentState& state) {
+std::vector<Points2> sheetOf(const Moment& moment) {
     std::vector<Points2> sheet;
-    for (std::size_t i = 0; i < state.results.size(); ++i) {
-        const Points2& Q = state.results[i]->flat->Q;
-        const Placement& place = *state.settings[i].placement;
-        const double grain = grainOf(state.settings[i]);
+    for (const auto& result : moment.derived.results) {
+        const Points2& Q = result->flat->Q;
+        const PieceSettings& said = moment.state.settings.at(result->piece->id);
+        const Placement& place = *said.placement;
+        const double grain = grainOf(said);
         Points2 points(Q.rows() + 1, 2);
         points.topRows(Q.rows()) = Q * place.linear().transpose();
         points.topRows(Q.rows()).rowwise() += place.offset.transpose();
@@ -43,7 +51,7 @@ std::vector<Points2> sheetOf(const DocumentState& state) {
 
 }  // namespace
 
-bool isSame(const DocumentState& a, const DocumentState& b) {
+bool isSame(const Moment& a, const Moment& b) {
     const auto one = sheetOf(a), other = sheetOf(b);
     if (!(done(a) == done(b)) || one.size() != other.size()) {
         return false;
@@ -116,10 +124,11 @@ void ProjectBench::doThings() {
     });
     QVERIFY(waitUntilFlat());
     DocumentState next = document().state();
-    next.settings[0].placement = Placement{{1.0 / 3, -700}, 0.7, true};
-    next.settings[0].grain = 0.1;
-    next.settings[1].quantity = 5;
-    next.settings[2].mirroredPair = true;
+    PieceSettings& front = said(next, document(), 0);
+    front.grain = 0.1;
+    front.placement = Placement{{1.0 / 3, -700}, 0.7, true};
+    said(next, document(), 1).quantity = 5;
+    said(next, document(), 2).mirroredPair = true;
     next.fabric = *fabricPreset("jersey");
     document().edit("Things", std::move(next));
     workspace().setQuality(Quality::Fine);
@@ -129,14 +138,13 @@ void ProjectBench::doThings() {
 
 void ProjectBench::edit() {
     DocumentState next = document().state();
-    ++next.settings[0].quantity;
+    ++said(next, document(), 0).quantity;
     document().edit("Quantity", std::move(next));
 }
 
 bool ProjectBench::waitUntilFlat() {
     return QTest::qWaitFor(
-        [this] { return !workspace().jobs().isBusy() && isFlattened(document().state()); },
-        kPatience);
+        [this] { return !workspace().jobs().isBusy() && document().isFlattened(); }, kPatience);
 }
 
 bool ProjectBench::waitForBanner() {

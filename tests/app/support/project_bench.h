@@ -6,16 +6,17 @@
 #include <filesystem>
 
 #include "app/actions/project_actions.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/window_fixture.h"
 
 namespace toile::test {
 
-/// To this the isometric method finds the same shape on any way, mm.
-inline constexpr double kSameShape = 0.5;
+/// To this a place is the same: it is found by anchors of which not every digit is written, mm.
+inline constexpr double kSameShape = 1e-6;
 
 /// What a person has done is the same, and every vertex lies at the same place of the sheet to
 /// within kSameShape, the grain in the same direction. Both flattened.
-bool isSame(const DocumentState& a, const DocumentState& b);
+bool isSame(const Moment& a, const Moment& b);
 
 /// A window with a garment of three pieces, "front", "back" and "cap", and a person who answers
 /// what is asked about files as the test says.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/support/same_state.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "app/render/scene.h"
@@ -15,21 +16,33 @@ bool sameBytes(const std::vector<Value>& one, const std::vector<Value>& other) {
            (one.empty() || std::memcmp(one.data(), other.data(), one.size() * sizeof(Value)) == 0);
 }
 
-bool sameResult(const PieceResult* one, const PieceResult* other) {
+bool samePiece(const Piece& one, const Piece& other) {
+    return one.id == other.id && one.name == other.name &&
+           one.mesh.V.rows() == other.mesh.V.rows() && one.mesh.V == other.mesh.V &&
+           one.mesh.F.rows() == other.mesh.F.rows() && one.mesh.F == other.mesh.F;
+}
+
+/// Empty where they are the same.
+QString resultDifference(const PieceResult* one, const PieceResult* other) {
     if (!one || !other) {
-        return one == other;
+        return one == other ? "" : "not there";
     }
-    if (one->piece != other->piece || !(one->options == other->options) ||
-        one->flat.has_value() != other->flat.has_value() ||
-        one->error.has_value() != other->error.has_value()) {
-        return false;
+    if (!samePiece(*one->piece, *other->piece)) {
+        return "piece";
     }
-    if (one->error && one->error->code != other->error->code) {
-        return false;
+    if (!(one->options == other->options)) {
+        return "options";
     }
-    return !one->flat || (one->flat->Q.rows() == other->flat->Q.rows() &&
-                          std::memcmp(one->flat->Q.data(), other->flat->Q.data(),
-                                      sizeof(double) * std::size_t(one->flat->Q.size())) == 0);
+    if (one->flat.has_value() != other->flat.has_value()) {
+        return "flat";
+    }
+    if (one->error.has_value() != other->error.has_value() ||
+        (one->error && one->error->code != other->error->code)) {
+        return "error";
+    }
+    const bool same = !one->flat || (one->flat->Q.rows() == other->flat->Q.rows() &&
+                                     one->flat->Q == other->flat->Q);
+    return same ? "" : one->flat->warm || other->flat->warm ? "points, warm" : "points";
 }
 
 bool sameScene(const Scene& one, const Scene& other) {
@@ -44,34 +57,51 @@ bool sameScene(const Scene& one, const Scene& other) {
 
 }  // namespace
 
-QString difference(const DocumentState& one, const DocumentState& other) {
-    if (one.garment != other.garment) {
-        return "garment";
+QString difference(const Moment& one, const Moment& other) {
+    if (!(one.state.inputs == other.state.inputs)) {
+        return "inputs";
     }
-    if (!(one.loading == other.loading)) {
-        return "loading";
-    }
-    if (!(one.options == other.options)) {
+    if (!(one.state.options == other.state.options)) {
         return "options";
     }
-    if (!(one.fabric == other.fabric)) {
+    if (!(one.state.fabric == other.state.fabric)) {
         return "fabric";
     }
-    if (one.results.size() != other.results.size()) {
-        return "number of results";
-    }
-    for (std::size_t i = 0; i < one.results.size(); ++i) {
-        if (!sameResult(one.results[i].get(), other.results[i].get())) {
-            return QString("result %1").arg(i);
+    for (const auto& [id, said] : one.state.settings) {
+        const auto found = other.state.settings.find(id);
+        if (found == other.state.settings.end()) {
+            return "settings: not there";
+        }
+        if (const PieceSettings& now = found->second; !(now == said)) {
+            return now.placement != said.placement ? "settings: placement"
+                   : now.flat != said.flat         ? "settings: flat"
+                   : now.anchors != said.anchors   ? "settings: anchors"
+                                                   : "settings";
         }
     }
-    if (one.settings != other.settings) {
-        return "settings";
+    if (one.state.settings.size() != other.state.settings.size()) {
+        return "number of settings";
     }
-    if ((one.scene == nullptr) != (other.scene == nullptr)) {
+    const Derived &first = one.derived, &second = other.derived;
+    const auto& pieces = first.garment->pieces;
+    if (!std::ranges::equal(pieces, second.garment->pieces,
+                            [](const auto& a, const auto& b) { return samePiece(*a, *b); })) {
+        return "pieces";
+    }
+    if (first.results.size() != second.results.size()) {
+        return "number of results";
+    }
+    for (std::size_t i = 0; i < first.results.size(); ++i) {
+        const QString what = resultDifference(first.results[i].get(), second.results[i].get());
+        if (!what.isEmpty()) {
+            return QString("result %1: %2").arg(i).arg(what);
+        }
+    }
+    if ((first.scene == nullptr) != (second.scene == nullptr)) {
         return "no scene";
     }
-    return one.scene == other.scene || sameScene(*one.scene, *other.scene) ? QString() : "scene";
+    return first.scene == second.scene || sameScene(*first.scene, *second.scene) ? QString()
+                                                                                 : "scene";
 }
 
 }  // namespace toile::test

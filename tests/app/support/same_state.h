@@ -3,13 +3,12 @@
 
 #include <QString>
 
-#include "app/document/document_state.h"
+#include "tests/app/support/moment.h"
 
 namespace toile::test {
 
-/// What of two states is not the same to the last bit, a word or two; empty where all is. Garment,
-/// what is said of it and its pieces by value or pointer; results by their positions and errors;
-/// scenes by their buffers.
-QString difference(const DocumentState& one, const DocumentState& other);
+/// What of two moments is not the same to the last bit, a word or two; empty where all is: what was
+/// decided, pieces and results by their positions and errors, scenes by their buffers.
+QString difference(const Moment& one, const Moment& other);
 
 }  // namespace toile::test

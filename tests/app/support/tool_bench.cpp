@@ -44,7 +44,7 @@ bool ToolBench::waitForPieces(int count) {
     return QTest::qWaitFor(
                [this, count] {
                    return document().pieceCount() == count &&
-                          !fixture_.workspace().jobs().isBusy() && isFlattened(document().state());
+                          !fixture_.workspace().jobs().isBusy() && document().isFlattened();
                },
                kPatience) &&
            fixture_.waitForResults();

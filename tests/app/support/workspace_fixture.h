@@ -89,8 +89,7 @@ public:
     }
     bool waitUntilDone() {
         return QTest::qWaitFor(
-            [this] { return !workspace_->jobs().isBusy() && isFlattened(document().state()); },
-            kPatience);
+            [this] { return !workspace_->jobs().isBusy() && document().isFlattened(); }, kPatience);
     }
     bool waitUntilWritten() {
         return QTest::qWaitFor([this] { return !workspace_->writing().isBusy(); }, kPatience);

@@ -29,7 +29,7 @@ std::shared_ptr<Piece> makePiece(const std::string& name, const SourceFile& file
     for (std::size_t i = 0; i < sourceVertex.size(); ++i) {
         if (sourceVertex[i] >= 0) {
             piece->mesh.V.row(static_cast<Eigen::Index>(i)) =
-                millimetresPer(file.unit) * file.soup.positions[sourceVertex[i]].transpose();
+                millimetresPer(file.unit) * file.soup->positions[sourceVertex[i]].transpose();
         }
     }
     piece->sourceVertex = std::move(sourceVertex);
@@ -77,6 +77,8 @@ std::shared_ptr<SourceFile> textFile() {
     file->unit = LengthUnit::Centimetre;
     file->unitReason = "largest extent 10: read as centimetres";
     file->readSeconds = 0.5;
+    const auto soup = std::make_shared<PolygonSoup>();
+    file->soup = soup;
     const std::vector<std::pair<std::string, Eigen::Vector3d>> lines{
         {"0 0 0", {0, 0, 0}},
         {"1.50 0 -0", {1.5, 0, 0}},
@@ -92,23 +94,24 @@ std::shared_ptr<SourceFile> textFile() {
     std::string text;
     for (const auto& [line, position] : lines) {
         text += "v  ";
-        file->soup.positionText.push_back({text.size(), static_cast<std::uint32_t>(line.size())});
+        soup->positionText.push_back({text.size(), static_cast<std::uint32_t>(line.size())});
         text += line + "\n";
-        file->soup.positions.push_back(position);
+        soup->positions.push_back(position);
     }
-    file->soup.text = std::make_shared<const std::string>(std::move(text));
-    addFace(file->soup, {0, 1, 2, 3});  // front
-    addFace(file->soup, {7, 8, 9});     // ring
-    addFace(file->soup, {3, 2, 6});     // front
-    addFace(file->soup, {1, 4, 5, 2});  // back
-    addFace(file->soup, {0, 0, 1});     // in no piece
-    file->soup.problems.push_back(
+    soup->text = std::make_shared<const std::string>(std::move(text));
+    addFace(*soup, {0, 1, 2, 3});  // front
+    addFace(*soup, {7, 8, 9});     // ring
+    addFace(*soup, {3, 2, 6});     // front
+    addFace(*soup, {1, 4, 5, 2});  // back
+    addFace(*soup, {0, 0, 1});     // in no piece
+    soup->problems.push_back(
         {ErrorCode::OutputDiffers, Subject::file("by hand.obj"), "2 lines left out"});
+    file->problems = soup->problems;
     file->problems.push_back(
         {ErrorCode::UnitGuessed, Subject::file("by hand.obj"), "read as centimetres"});
     file->problems.push_back(
         {ErrorCode::DegenerateFaceRecord, Subject::file("by hand.obj"), "1 face"});
-    file->problems.push_back(file->soup.problems.front());  // said once more
+    file->problems.push_back(soup->problems.front());  // said once more
     return file;
 }
 
@@ -195,8 +198,10 @@ void addBinaryFile(GarmentAndResults& all) {
     file->path = "patch.ply";
     file->unit = LengthUnit::Inch;
     const double bad = std::numeric_limits<double>::quiet_NaN();
-    file->soup.positions = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 1, 0}, {bad, 2, 3}, {0, 1, 0}};
-    addFace(file->soup, {0, 1, 2, 4});
+    const auto soup = std::make_shared<PolygonSoup>();
+    file->soup = soup;
+    soup->positions = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 1, 0}, {bad, 2, 3}, {0, 1, 0}};
+    addFace(*soup, {0, 1, 2, 4});
     const int index = static_cast<int>(all.garment.files.size());
     all.garment.files.push_back(file);
 

@@ -115,13 +115,15 @@ TEST(WriteObj, GivesTheSameBytesTwiceAndInAnyLocale) {
 /// A square grid of one piece without text, two triangles per cell.
 test::GarmentAndResults gridGarment(int cells) {
     auto file = std::make_shared<SourceFile>();
+    const auto soup = std::make_shared<PolygonSoup>();
+    file->soup = soup;
     auto piece = std::make_shared<Piece>();
     const int side = cells + 1;
     piece->mesh.V.resize(side * side, 3);
     piece->mesh.F.resize(2 * cells * cells, 3);
     for (int i = 0; i < side * side; ++i) {
         piece->mesh.V.row(i) << i % side / 3.0, i / side / 7.0, 0;
-        file->soup.positions.emplace_back(piece->mesh.V.row(i));
+        soup->positions.emplace_back(piece->mesh.V.row(i));
         piece->sourceVertex.push_back(i);
     }
     for (int t = 0; t < 2 * cells * cells; ++t) {
@@ -129,9 +131,9 @@ test::GarmentAndResults gridGarment(int cells) {
         piece->mesh.F.row(t) << a, (t % 2 == 0 ? a + 1 : a + side + 1),
             (t % 2 == 0 ? a + side + 1 : a + side);
         for (int k = 0; k < 3; ++k) {
-            file->soup.corners.push_back(piece->mesh.F(t, k));
+            soup->corners.push_back(piece->mesh.F(t, k));
         }
-        file->soup.faceStart.push_back(3 * (t + 1));
+        soup->faceStart.push_back(3 * (t + 1));
         piece->sourceFace.push_back(t);
     }
     auto result = std::make_shared<PieceResult>();

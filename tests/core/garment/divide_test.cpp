@@ -15,7 +15,7 @@ SourceFile fileOf(const std::string& obj, LengthUnit unit = LengthUnit::Millimet
     SourceFile file;
     file.path = "test.obj";
     file.unit = unit;
-    file.soup = std::move(*soup);
+    file.soup = std::make_shared<const PolygonSoup>(std::move(*soup));
     return file;
 }
 

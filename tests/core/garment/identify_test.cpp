@@ -94,7 +94,7 @@ TEST(Identify, NamesStayUniqueWhereTheFileHasChanged) {
     folder.write("a.obj",
                  square + "o x\nf 1 2 3 4\nv 50 0 0\nv 60 0 0\nv 60 9 0\n" + "o x 1\nf 5 6 7\n");
     options.known = knownPieces(*before);
-    const auto after = loadGarment({path}, options, progress, &*before);
+    const auto after = makeGarment({*readFiles({path}, progress), options}, progress, {}, &*before);
     ASSERT_TRUE(after);
     std::set<std::string> names;
     for (const auto& piece : after->pieces) {

@@ -31,6 +31,13 @@ PolygonSoup looseStrip(int squares, bool inTwoObjects = false) {
     return soup;
 }
 
+Problems weld(PolygonSoup& soup, bool wanted, double millimetres) {
+    auto shared = std::make_shared<const PolygonSoup>(soup);
+    Problems notes = weldSoup(shared, wanted, millimetres, "a.obj");
+    soup = *shared;
+    return notes;
+}
+
 std::size_t verticesUsed(const PolygonSoup& soup) {
     std::vector<int> corners = soup.corners;
     std::sort(corners.begin(), corners.end());
@@ -39,7 +46,7 @@ std::size_t verticesUsed(const PolygonSoup& soup) {
 
 TEST(WeldSoup, JoinsAFileOfLooseTrianglesWithoutBeingAsked) {
     PolygonSoup soup = looseStrip(10);
-    const Problems notes = weldSoup(soup, false, 10, "a.obj");
+    const Problems notes = weld(soup, false, 10);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].code, ErrorCode::VerticesWelded);
     EXPECT_EQ(verticesUsed(soup), 22U);
@@ -48,7 +55,7 @@ TEST(WeldSoup, JoinsAFileOfLooseTrianglesWithoutBeingAsked) {
 
 TEST(WeldSoup, StaysWithinAnObject) {
     PolygonSoup soup = looseStrip(10, true);
-    weldSoup(soup, true, 1, "a.obj");
+    weld(soup, true, 1);
     EXPECT_EQ(verticesUsed(soup), 24U);
 }
 
@@ -57,7 +64,7 @@ TEST(WeldSoup, TakesObjectsThatShareVerticesAndFacesOfNone) {
     soup.objects = {"a", "b"};
     soup.faceObject = {-1, -1, 0, 0, 1, 1, 0, 0};
     soup.corners[12] = soup.corners[9];  // b uses a vertex that a joins to another
-    weldSoup(soup, true, 1, "a.obj");
+    weld(soup, true, 1);
     const std::vector<int>& corners = soup.corners;
     EXPECT_EQ(corners[3], corners[0]);  // of no object: its two triangles are joined
     EXPECT_EQ(corners[9], corners[6]);  // of a
@@ -72,9 +79,9 @@ TEST(WeldSoup, LeavesAFileWithPiecesApartAloneUnlessAsked) {
     soup.corners = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
     soup.faceStart = {0, 3, 6, 9, 12};
     const std::vector<int> before = soup.corners;
-    EXPECT_TRUE(weldSoup(soup, false, 1, "a.obj").empty());
+    EXPECT_TRUE(weld(soup, false, 1).empty());
     EXPECT_EQ(soup.corners, before);
-    EXPECT_EQ(weldSoup(soup, true, 1, "a.obj").size(), 1U);  // 1e-5: digits written
+    EXPECT_EQ(weld(soup, true, 1).size(), 1U);  // 1e-5: digits written
     EXPECT_EQ(verticesUsed(soup), 6U);
 }
 
@@ -85,7 +92,7 @@ TEST(WeldSoup, AQuadWhoseCornersMeetBecomesATriangle) {
     soup.faceStart = {0, 4, 7};
     soup.cornerUvs = {0, 1, 2, 3, 0, 3, 4};
     soup.uvs.resize(5, Eigen::Vector2d::Zero());
-    weldSoup(soup, true, 1, "a.obj");
+    weld(soup, true, 1);
     EXPECT_EQ(soup.faceStart, (std::vector<int>{0, 3, 6}));
     EXPECT_EQ(soup.corners, (std::vector<int>{0, 1, 2, 0, 2, 4}));
     EXPECT_EQ(soup.cornerUvs.size(), soup.corners.size());

@@ -129,7 +129,7 @@ TEST(GarmentFlattener, KnowsAPieceThatIsReadAgain) {
     options.seams.cuts = {{"across", UserCut::Kind::Path, {{0, 0.5, 0}, {1, 0.5, 0}}}};
     const auto first = loadGarment({path}, options, progress);
     ASSERT_TRUE(first);
-    const auto again = loadGarment({path}, options, progress, &*first);
+    const auto again = makeGarment({*readFiles({path}, progress), options}, progress, {}, &*first);
     ASSERT_TRUE(again);
     EXPECT_EQ(again->pieces, first->pieces);  // pointers
     EXPECT_EQ(again->pieces.size(), 3U);

@@ -60,7 +60,6 @@ Problems everythingSaid(const Garment& garment) {
         all.insert(all.end(), more.begin(), more.end());
     };
     for (const auto& file : garment.files) {
-        take(file->soup.problems);
         take(file->problems);
     }
     for (const auto& piece : garment.wholes) {

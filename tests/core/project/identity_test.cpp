@@ -293,7 +293,8 @@ private:
         LoadOptions loading = state_.loading;
         loading.known = knownPieces(state_.garment);
         Progress progress;
-        auto garment = loadGarment({path_}, loading, progress, &state_.garment);
+        auto garment =
+            makeGarment({*readFiles({path_}, progress), loading}, progress, {}, &state_.garment);
         ASSERT_TRUE(garment);
         become(std::move(*garment), loading);
         past_.clear();  // the file is not what it was

@@ -43,8 +43,12 @@ std::vector<PieceSettings> placed(const Garment& garment, const PieceResults& re
                                   std::vector<PieceSettings> settings,
                                   const PieceResults& before = {}) {
     settings.resize(garment.pieces.size());
-    return placedSettings(std::move(settings), results, flatMotions(before, results),
-                          layOut(garment, results).offsets);
+    settings = placedSettings(std::move(settings), results, flatMotions(before, results),
+                              layOut(garment, results).offsets);
+    for (PieceSettings& piece : settings) {
+        piece.flat = 0;  // tests of their own ask for it
+    }
+    return settings;
 }
 
 Points2 onSheet(const PieceResult& result, const PieceSettings& settings) {
@@ -116,6 +120,29 @@ TEST(PlacePieces, NothingChangesWhereTheResultsAreTheSame) {
     EXPECT_EQ(placed(garment, results, settings, results), settings);
     // Flattened again to the same coordinates by another result.
     EXPECT_EQ(placed(garment, flat(garment), settings, results), settings);
+}
+
+TEST(PlacePieces, WhatWasSaidOfTheseVeryFlatPointsStays) {
+    const Garment garment = panels({test::planeGrid(4, 4, 50)});
+    const PieceResults isometric = flat(garment), natural = flat(garment, Method::Natural);
+    ASSERT_NE(isometric[0]->fingerprint, 0U);
+    auto turned = std::make_shared<PieceResult>(*natural[0]);
+    const Eigen::Rotation2Dd turn(0.5);
+    turned->flat->Q = (natural[0]->flat->Q * turn.toRotationMatrix().transpose()).eval();
+    turned->fingerprint = 1;
+    PieceSettings said{.placement = Placement{{30, 40}, 0.3}, .grain = 0.2};
+    said.flat = isometric[0]->fingerprint;
+    said.anchors = {{0, {1, 2}}, {4, {3, 4}}};  // of who knows what
+    auto now = placedSettings({said}, isometric, flatMotions({turned}, isometric), {{0, 0}});
+    said.anchors.clear();
+    EXPECT_EQ(now[0], said);
+    // About other points than those that were shown before: nobody can tell how they lay.
+    now = placedSettings({said}, {turned}, flatMotions(natural, {turned}), {{0, 0}});
+    EXPECT_EQ(now[0].placement, said.placement);
+    EXPECT_EQ(now[0].flat, 1U);
+    // About those: it goes along.
+    now = placedSettings({said}, {turned}, flatMotions(isometric, {turned}), {{0, 0}});
+    EXPECT_NEAR(now[0].placement->turn, 0.3 - 0.5, 1e-6);
 }
 
 TEST(PlacePieces, NewPiecesLieBesideAllOthers) {

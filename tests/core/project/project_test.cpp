@@ -16,7 +16,9 @@ Garment garmentOfFile(std::optional<std::uint64_t> hash) {
     Garment garment;
     auto file = std::make_shared<SourceFile>();
     file->path = "/garments/dress.obj";
-    file->soup.contentHash = hash;
+    const auto soup = std::make_shared<PolygonSoup>();
+    soup->contentHash = hash;
+    file->soup = soup;
     garment.files = {file};
     garment.pieces = {test::asPiece(test::planeGrid(2, 2, 10), "front"),
                       test::asPiece(test::planeGrid(2, 2, 10), "back")};

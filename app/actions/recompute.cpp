@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/recompute.h"
+
+#include <utility>
+
+#include "app/document/disposal.h"
+#include "app/document/document.h"
+#include "core/pipeline/garment_flattener.h"
+
+namespace toile {
+namespace {
+
+std::shared_ptr<GarmentFlattener> newFlattener() {
+    return sharedForDisposal(std::make_unique<GarmentFlattener>());
+}
+
+}  // namespace
+
+Recompute::Recompute(Document& document, JobRunner& jobs)
+    : document_(document), jobs_(jobs), flattener_(newFlattener()) {}
+
+Recompute::~Recompute() = default;
+
+void Recompute::setAutomatic(bool on) {
+    automatic_ = on;
+    if (on && flattening_ == Flattening::Declined) {
+        flattening_ = Flattening::AsUsual;
+    } else if (!on && flattening_ == Flattening::AsUsual && order_.extent.flatten &&
+               jobs_.isUnderWay(ticket_)) {
+        flattening_ = Flattening::Wanted;  // what has begun goes on
+    }
+}
+
+void Recompute::retry() {
+    if (flattening_ == Flattening::Declined) {
+        flattening_ = Flattening::AsUsual;
+    }
+}
+
+void Recompute::note(DocumentChanges what) {
+    if (what & (DocumentChange::Garment | DocumentChange::Seams | DocumentChange::Results)) {
+        noScene_ = false;
+    }
+    if (what.testFlag(DocumentChange::Opened)) {
+        // What was open before must leave no trace in another garment's results.
+        flattener_ = newFlattener();
+        flattening_ = document_.isFlattened() ? Flattening::AsUsual : Flattening::Wanted;
+        return;
+    }
+    const bool isOverruled = automatic_ && flattening_ == Flattening::Declined &&
+                             document_.revision() != order_.revision;
+    if (document_.isFlattened() || isOverruled) {
+        flattening_ = Flattening::AsUsual;  // it has come, or a step has brought it back
+    }
+}
+
+Recompute::Order Recompute::due() const {
+    Order order{document_.revision()};
+    if (document_.garment()) {
+        const bool usual = !document_.isFlattened() &&
+                           (automatic_ || document_.results().empty() || document_.wasFlattened());
+        order.extent.flatten =
+            flattening_ == Flattening::Wanted || (flattening_ == Flattening::AsUsual && usual);
+        order.extent.settle = !order.extent.flatten && document_.isCurrent() &&
+                              isWarm(document_.derived()) && notSettled_ != order.revision;
+        order.draw = !document_.scene() && !noScene_;
+    }
+    return order;
+}
+
+bool Recompute::isDue(const Order& order) const {
+    return document_.garment() &&
+           (!document_.isCurrent() || order.extent.flatten || order.extent.settle || order.draw);
+}
+
+void Recompute::catchUp() {
+    const Order wanted = due();
+    if (jobs_.isUnderWay(ticket_)) {
+        if (wanted == order_) {
+            return;
+        }
+        jobs_.drop(ticket_);
+    }
+    order_ = wanted;
+    ticket_ = 0;
+    if (!isDue(order_)) {
+        return;
+    }
+    // A job that has been given up may still have one thing to say.
+    const auto isWanted = std::make_shared<JobRunner::Ticket>(0);
+    const auto onGarment = [this, isWanted](Derivation made) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, isWanted, made = std::move(made)] {
+                if (*isWanted == ticket_ && jobs_.isUnderWay(ticket_)) {
+                    take(made);
+                }
+            },
+            Qt::QueuedConnection);
+    };
+    auto job = recomputeJob(document_, order_.extent, flattener_, onGarment,
+                            [this](Derivation made) { take(std::move(made)); });
+    const bool isUrgent = !document_.isCurrent() || order_.extent.flatten;
+    ticket_ = isUrgent ? jobs_.replace(std::move(job)) : jobs_.start(std::move(job));
+    *isWanted = ticket_;
+}
+
+void Recompute::take(Derivation made) {
+    if (made.hasOtherGarment && objection_) {
+        DocumentState rest = document_.state();
+        if (const auto error = objection_(*made.derived.garment, rest)) {
+            jobs_.drop(std::exchange(ticket_, 0));
+            document_.takeBack(std::move(rest));
+            emit refused(*error);
+            return;
+        }
+    }
+    if (!made.hasOtherGarment) {  // its seams may have got another ease meanwhile
+        made.derived.inputs = document_.derived().inputs;
+        made.derived.garment = document_.garment();
+    }
+    if (order_.extent.flatten && !made.proposed.empty()) {
+        // More than has come there will not be.
+        flattening_ = toile::isFlattened(made.derived, document_.options()) ? Flattening::AsUsual
+                                                                            : Flattening::Declined;
+    }
+    SettingsById settings = settingsAfter(made, document_.state().settings, document_.settings());
+    document_.show(std::move(made.derived), std::move(settings));
+}
+
+void Recompute::onStopped(bool failed) {
+    if (ticket_ == 0 || jobs_.isUnderWay(ticket_)) {
+        return;
+    }
+    ticket_ = 0;
+    if (!document_.isCurrent()) {
+        DocumentState rest = document_.state();
+        rest.inputs = document_.derived().inputs;
+        document_.takeBack(std::move(rest));
+    } else if (order_.extent.flatten) {
+        flattening_ = Flattening::Declined;
+    } else if (order_.extent.settle) {
+        notSettled_ = document_.revision();
+    } else {
+        noScene_ = failed;  // else it comes again: nobody wants to see nothing
+    }
+    catchUp();
+}
+
+}  // namespace toile

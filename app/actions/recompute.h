@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/document/document_change.h"
+#include "app/document/document_state.h"
+#include "app/jobs/garment_jobs.h"
+#include "app/jobs/job_runner.h"
+
+namespace toile {
+
+class Document;
+class GarmentFlattener;
+
+/// Works out what follows from the document's state, one job for all of it, whenever something of
+/// it is not there. The garment always; whether it is flattened is a matter of what was said last:
+///
+///     as usual   flattened where that happens by itself, or where nothing is flat yet
+///     wanted     opened or asked for: flattened whatever is edited meanwhile, until it is flat
+///     declined   cancelled or failed: not flattened until something else is asked for
+///
+/// Warm results are shown at once, and cold ones take their place when nothing else is to be done.
+/// A garment that cannot be worked out takes the steps back that asked for it. GUI thread only.
+class Recompute : public QObject {
+    Q_OBJECT
+
+public:
+    /// What is wrong with the garment that came of the state, so that it is not to be; the state is
+    /// then brought to what is to be in its place.
+    using Objection = std::function<std::optional<Error>(const Garment&, DocumentState&)>;
+
+    /// Both must outlive this, and the jobs be over before it goes.
+    Recompute(Document& document, JobRunner& jobs);
+    ~Recompute() override;
+
+    void setObjection(Objection objection) { objection_ = std::move(objection); }
+    bool isAutomatic() const { return automatic_; }
+    /// Whether what was edited is flattened by itself; at first it is.
+    void setAutomatic(bool on);
+    /// Flattening is wanted, of what is flat already too.
+    void want() { flattening_ = Flattening::Wanted; }
+    /// What was declined is as usual again: a step has led back.
+    void retry();
+    /// To be called with every change of the document.
+    void note(DocumentChanges what);
+    /// Has begun what is due, and nothing else, unless it is on its way. Not while other jobs are
+    /// to change the state: it takes their place.
+    void catchUp();
+    /// Other jobs take the place of what is on its way.
+    void giveWay() { ticket_ = 0; }
+    /// To be called when a job was cancelled by the person, or has failed.
+    void onStopped(bool failed);
+
+signals:
+    /// What was asked for cannot be done, and why; it has been taken back.
+    void refused(const toile::Error& why);
+
+private:
+    enum class Flattening { AsUsual, Wanted, Declined };
+
+    /// What a job is of: where that is another, so is the job.
+    struct Order {
+        std::uint64_t revision = 0;
+        RecomputeOrder extent{};
+        bool draw = false;
+
+        bool operator==(const Order&) const = default;
+    };
+
+    bool isDue(const Order& order) const;
+    Order due() const;
+    void take(Derivation made);
+
+    Document& document_;
+    JobRunner& jobs_;
+    std::shared_ptr<GarmentFlattener> flattener_;
+    Objection objection_;
+    bool automatic_ = true;
+    Flattening flattening_ = Flattening::AsUsual;
+    bool noScene_ = false;                     ///< making one has failed, and would again
+    std::optional<std::uint64_t> notSettled_;  ///< revision that is not to be settled
+    JobRunner::Ticket ticket_ = 0;
+    Order order_;
+};
+
+}  // namespace toile

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "app/document/document_state.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/project/carry_settings.h"
+#include "core/project/place_pieces.h"
+
+namespace toile {
+
+class GarmentFlattener;
+
+/// What was worked out of a state, and how what has been said of its pieces goes along. Nothing
+/// here touches the document: any thread may work on a derivation of its own.
+struct Derivation {
+    Derived derived;
+    bool hasOtherGarment = false;
+    std::vector<CarriedFrom> carried{};                ///< of another garment
+    std::vector<std::optional<FlatMotion>> motions{};  ///< of other results
+    std::vector<Eigen::Vector2d> proposed{};           ///< likewise: where pieces may lie
+};
+
+/// The garment of the state, without a scene; flat is what was so before. Errors: of `makeGarment`.
+/// @param before    what was derived last, and what had been said of its pieces
+Result<Derivation> deriveGarment(const DocumentState& state, const Derived& before,
+                                 const std::vector<PieceSettings>& settingsBefore,
+                                 Progress& progress);
+/// Reads files and makes their garment, with its scene. Errors: of `readFiles` and `makeGarment`.
+Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
+                            const LoadOptions& loading, Progress& progress);
+/// Makes all of it flat.
+void flatten(Derivation& made, const FlattenOptions& options, GarmentFlattener& flattener,
+             Progress& progress);
+/// Puts cold results in the place of warm ones.
+void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress);
+/// Makes its scene.
+void draw(Derived& derived, Progress& progress);
+
+/// What has been said of the pieces, after that: pieces stay where they are on the sheet, and those
+/// without a place get one. Idempotent.
+/// @param settings  as said, now  @param before  the same of the pieces before, in their order
+SettingsById settingsAfter(const Derivation& made, SettingsById settings,
+                           const std::vector<PieceSettings>& before);
+
+}  // namespace toile
