@@ -275,7 +275,7 @@ void MainWindow::onChanged(DocumentChanges what) {
         banner_->hide();  // what it says was about what is no more
     }
     if (what.testFlag(DocumentChange::Results) && summary_->text().isEmpty()) {
-        updateSummary();  // a scene that had been let go is here again
+        updateSummary();  // a scene is here again
         askAboutGarment();
     }
     if (!what.testFlag(DocumentChange::Garment)) {

@@ -28,6 +28,7 @@ std::vector<Eigen::AlignedBox2d> boxesOf(const Document& document, const std::ve
 template <class Value>
 std::vector<int> piecesOf(const std::map<int, Value>& byPiece) {
     std::vector<int> pieces;
+    pieces.reserve(byPiece.size());
     for (const auto& entry : byPiece) {
         pieces.push_back(entry.first);
     }

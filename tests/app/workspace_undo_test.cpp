@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <random>
+
+#include "app/actions/project_session.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/workspace_fixture.h"
@@ -241,6 +244,99 @@ private slots:
         QVERIFY(cancelled[0][1].toBool() && cancelled[1][1].toBool());
         workspace().setMethod(Method::Natural);  // and so nothing has been declined
         QVERIFY(waitUntilDone());
+    }
+
+    /// Whatever was done, and however fast, the flat positions are those of the inputs alone; also
+    /// when the project is opened again.
+    void flatPositionsFollowFromTheInputs_data() {
+        QTest::addColumn<int>("seed");
+        QTest::newRow("one") << 1;
+        QTest::newRow("another") << 2;
+    }
+
+    void flatPositionsFollowFromTheInputs() {
+        QFETCH(int, seed);
+        constexpr int kEdits = 200, kLooks = 5;
+        std::mt19937 random(static_cast<unsigned>(seed));
+        renew();
+        document().cache().setMaxBytes(seed == 1 ? DerivedCache::kMaxBytes : 200000);
+        workspace().open({file("cap.obj")});
+        QVERIFY(waitUntilDone());
+        for (int edit = 1; edit <= kEdits; ++edit) {
+            doSomething(random);
+            if (random() % 3 == 0) {
+                QTest::qWait(static_cast<int>(random() % 20));
+            }
+            if (edit % (kEdits / kLooks) == 0) {
+                QVERIFY(waitUntilDone());
+                QCOMPARE(differenceToAnew(), QString());
+            }
+        }
+        workspace().setMethod(Method::Isometric);
+        QVERIFY(waitUntilDone());
+        const test::Moment before = test::momentOf(document());
+        ProjectSession session(workspace());
+        session.save(file("random.toile"));
+        QTRY_VERIFY_WITH_TIMEOUT(!session.isSaving(), kPatience);
+        renew();
+        ProjectSession another(workspace());
+        another.open(file("random.toile"));
+        QVERIFY(QTest::qWaitFor([this] { return document().garment() != nullptr; }, kPatience));
+        QVERIFY(waitUntilDone());
+        QCOMPARE(test::pointsDifference(document().results(), before.derived.results), QString());
+        QCOMPARE(differenceToAnew(), QString());
+    }
+
+private:
+    /// What is not as it comes of the document's inputs in a program that has done nothing else.
+    QString differenceToAnew() {
+        Progress progress;
+        const DocumentState& state = document().state();
+        const auto garment = makeGarment(state.inputs, progress);
+        return garment ? test::pointsDifference(document().results(),
+                                                flattenGarment(*garment, state.options, progress))
+                       : QString("no garment");
+    }
+
+    void doSomething(std::mt19937& random) {
+        const auto any = [&random](std::size_t count) { return random() % count; };
+        switch (any(9)) {
+            case 0:
+            case 1:
+            case 2: {
+                const Piece& piece =
+                    *document().garment()->pieces[any(document().garment()->pieces.size())];
+                if (piece.boundary.empty() || document().loading().seams.cuts.size() > 4) {
+                    break;
+                }
+                UserCut cut;
+                for (int end = 0; end < 2; ++end) {
+                    const int vertex = piece.boundary[any(piece.boundary.size())];
+                    cut.points.emplace_back(piece.mesh.V.row(vertex));
+                }
+                workspace().addCut(cut);
+                break;
+            }
+            case 3:
+                if (const auto& cuts = document().loading().seams.cuts; !cuts.empty()) {
+                    workspace().removeCut(cuts[any(cuts.size())].id);
+                }
+                break;
+            case 4:
+                workspace().setMethod(any(3) == 0 ? Method::Curvature : Method::Isometric);
+                break;
+            case 5:
+                if (document().seamCount() > 0) {
+                    workspace().joinSeam(
+                        static_cast<int>(any(std::size_t(document().seamCount()))));
+                }
+                break;
+            case 6:
+                workspace().setUnit(any(2) == 0 ? LengthUnit::Millimetre : LengthUnit::Inch);
+                break;
+            default:
+                any(3) == 0 ? document().history().redo() : document().history().undo();
+        }
     }
 };
 

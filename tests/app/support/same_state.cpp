@@ -57,6 +57,19 @@ bool sameScene(const Scene& one, const Scene& other) {
 
 }  // namespace
 
+QString pointsDifference(const PieceResults& one, const PieceResults& other) {
+    if (one.size() != other.size()) {
+        return "number of results";
+    }
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        const QString what = resultDifference(one[i].get(), other[i].get());
+        if (!what.isEmpty()) {
+            return QString("result %1: %2").arg(i).arg(what);
+        }
+    }
+    return {};
+}
+
 QString difference(const Moment& one, const Moment& other) {
     if (!(one.state.inputs == other.state.inputs)) {
         return "inputs";
@@ -88,14 +101,8 @@ QString difference(const Moment& one, const Moment& other) {
                             [](const auto& a, const auto& b) { return samePiece(*a, *b); })) {
         return "pieces";
     }
-    if (first.results.size() != second.results.size()) {
-        return "number of results";
-    }
-    for (std::size_t i = 0; i < first.results.size(); ++i) {
-        const QString what = resultDifference(first.results[i].get(), second.results[i].get());
-        if (!what.isEmpty()) {
-            return QString("result %1: %2").arg(i).arg(what);
-        }
+    if (const QString what = pointsDifference(first.results, second.results); !what.isEmpty()) {
+        return what;
     }
     if ((first.scene == nullptr) != (second.scene == nullptr)) {
         return "no scene";

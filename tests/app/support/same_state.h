@@ -11,4 +11,7 @@ namespace toile::test {
 /// decided, pieces and results by their positions and errors, scenes by their buffers.
 QString difference(const Moment& one, const Moment& other);
 
+/// What of two garments' results is not the same to the last bit: pieces, points, errors.
+QString pointsDifference(const PieceResults& one, const PieceResults& other);
+
 }  // namespace toile::test
