@@ -152,6 +152,9 @@ void Workspace::follow() {
 
 void Workspace::onChanged(DocumentChanges what) {
     recompute_.note(what);
+    if (document_.isCurrent()) {
+        onTrial_.clear();
+    }
     if (what.testFlag(DocumentChange::Loading)) {
         emit loadingChanged();
     }

@@ -98,18 +98,24 @@ Result<ReadMeshes> readMeshes(const std::filesystem::path& path, const FoundMesh
 std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path path,
                                std::function<void(const std::filesystem::path&)> done) {
     const QString name = textOf(path.filename());
-    auto work = [derived = document.derived(), state = document.state(), path = std::move(path),
+    SettingsById said = document.state().settings;
+    for (std::size_t i = 0; i < document.settings().size(); ++i) {
+        // Of a piece that the state to come does not have any more, too.
+        said.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
+    }
+    auto work = [derived = document.derived(), labels = document.state().labels,
+                 said = std::move(said), path = std::move(path),
                  words = drawingWords()](Progress& progress) -> Result<std::filesystem::path> {
         Derivation made{derived};
         progress.setShare(0, kSettlingShare);
         GarmentFlattener flattener;
         settle(made, flattener, progress);
         progress.setShare(kSettlingShare, 1);
-        SettingsById settings = settingsAfter(made, state.settings, {});
+        SettingsById settings = settingsAfter(made, said, {});
         std::vector<PieceOnSheet> places;
         for (const auto& piece : derived.garment->pieces) {
             places.push_back(onSheet(settings[piece->id]));
-            places.back().name = nameOf(state.labels, *piece);
+            places.back().name = nameOf(labels, *piece);
         }
         const auto written =
             exportFile(path, *derived.garment, made.derived.results, places, progress, words);
