@@ -109,6 +109,7 @@ void Document::edit(const QString& text, DocumentState next, int gesture) {
 
 void Document::takeBack(DocumentState rest) {
     const QString text = history_.undoText();
+    const bool wentBack = history_.index() < currentAt_;
     takesBack_ = true;
     while (history_.index() > currentAt_ && !isCurrent()) {
         history_.undo();  // it goes by that: StateStep::undo
@@ -117,7 +118,9 @@ void Document::takeBack(DocumentState rest) {
         history_.redo();
     }
     takesBack_ = false;
-    edit(text, std::move(rest));
+    if (!wentBack || !isCurrent()) {  // a step back that came to nothing was never made
+        edit(text, std::move(rest));
+    }
     tell({});
 }
 

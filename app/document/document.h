@@ -95,7 +95,7 @@ public:
     int newGesture() { return ++gestures_; }
 
     /// Takes the steps back, for good, that were made since the garment shown was that of the
-    /// state, and makes one step of what is to stay of them.
+    /// state, and makes one step of what is to stay of them. Steps back are done again.
     void takeBack(DocumentState rest);
 
     /// Shows what was worked out for the present state; no step of the history.

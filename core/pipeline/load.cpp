@@ -131,7 +131,8 @@ std::vector<std::string> prefixes(const ReadFiles& files) {
     return stems;
 }
 
-/// True where the files are to be divided in another way; joins, cuts and ease come after that.
+/// True where the same files are to be divided in the same way; joins, cuts and ease come after
+/// that.
 bool isDividedAlike(const GarmentInputs& inputs, GarmentInputs before) {
     before.loading.seams = inputs.loading.seams;
     before.loading.seamSettings = inputs.loading.seamSettings;

@@ -283,6 +283,30 @@ private slots:
         QCOMPARE(document.history().count(), 0);
     }
 
+    void aStepBackThatCameToNothingIsDoneAgain() {
+        Document document;
+        test::setGarment(document, twoPieces());
+        DocumentState next = document.state();
+        next.fabric = *fabricPreset("jersey");
+        document.edit("Fabric", next);
+        test::editGarment(document, "Cut", test::makeGarment({{"a", test::makeSheet(9, 9, 1, 1)}}));
+        const test::Moment cut = test::momentOf(document);
+        next = document.state();
+        test::said(next, document, 0).quantity = 4;
+        document.edit("Quantity", next);
+        document.cache().clear();
+        for (int step = 0; step < 3; ++step) {
+            document.history().undo();
+        }
+        QVERIFY(!document.isCurrent());  // nobody knows any more what followed from that
+        DocumentState rest = document.state();
+        rest.inputs = document.derived().inputs;
+        document.takeBack(rest);
+        QVERIFY(test::momentOf(document) == cut);  // back to what can be shown, no farther
+        QCOMPARE(document.history().index(), 2);
+        QCOMPARE(document.history().count(), 3);
+    }
+
     void anotherGarmentHasNoHistory() {
         Document document;
         test::setGarment(document, twoPieces(), nullptr);
