@@ -232,6 +232,10 @@ bool waitForACore(const Progress& progress) {
 
 }  // namespace
 
+int workersLeftBehind() {
+    return LeftBehind::workers().count();
+}
+
 std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions& options,
                              Progress& progress, int threads) {
     progress.start(1);

@@ -29,4 +29,7 @@ struct DoneTask {
 std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions& options,
                              Progress& progress, int threads);
 
+/// How many workers are busy that a cancel has left behind: never more than the machine has cores.
+int workersLeftBehind();
+
 }  // namespace toile
