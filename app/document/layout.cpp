@@ -9,8 +9,8 @@
 #include "app/base/translate.h"
 #include "app/document/document.h"
 #include "app/document/piece_edits.h"
-#include "core/sheet/placement.h"
-#include "core/sheet/sheet.h"
+#include "core/layout/placement.h"
+#include "core/layout/sheet.h"
 
 namespace toile {
 

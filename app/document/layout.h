@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/layout/arrange.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/project/piece_settings.h"
-#include "core/sheet/arrange.h"
 
 namespace toile {
 

@@ -10,9 +10,9 @@
 #include "core/base/file.h"
 #include "core/check/piece_check.h"
 #include "core/garment/identify.h"
+#include "core/layout/arrange.h"
+#include "core/layout/sheet_overlaps.h"
 #include "core/seam/seam_fit.h"
-#include "core/sheet/arrange.h"
-#include "core/sheet/sheet_overlaps.h"
 
 namespace toile {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/layout/sheet.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/piece_marks.h"
-#include "core/sheet/sheet.h"
 
 namespace toile {
 

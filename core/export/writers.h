@@ -7,7 +7,7 @@
 #include "core/export/drawing.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
-#include "core/sheet/placement.h"
+#include "core/layout/placement.h"
 
 namespace toile {
 

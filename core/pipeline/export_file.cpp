@@ -5,8 +5,8 @@
 #include "core/base/text.h"
 #include "core/export/drawing.h"
 #include "core/export/writers.h"
+#include "core/layout/place_pattern.h"
 #include "core/pipeline/pipeline.h"
-#include "core/sheet/place_pattern.h"
 
 namespace toile {
 namespace {

@@ -14,9 +14,9 @@
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/garment/identify.h"
+#include "core/layout/placement.h"
+#include "core/layout/sheet.h"
 #include "core/pattern/piece_marks.h"
-#include "core/sheet/placement.h"
-#include "core/sheet/sheet.h"
 
 namespace toile {
 

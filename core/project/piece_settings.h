@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/id.h"
-#include "core/sheet/placement.h"
+#include "core/layout/placement.h"
 
 namespace toile {
 

@@ -9,10 +9,10 @@
 
 #include <Eigen/Geometry>
 
-#include "core/sheet/arrange.h"
-#include "core/sheet/free_place.h"
-#include "core/sheet/sheet.h"
-#include "core/sheet/sheet_overlaps.h"
+#include "core/layout/arrange.h"
+#include "core/layout/free_place.h"
+#include "core/layout/sheet.h"
+#include "core/layout/sheet_overlaps.h"
 
 namespace toile {
 namespace {

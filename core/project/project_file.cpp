@@ -10,8 +10,8 @@
 #include "core/base/text.h"
 #include "core/cut/seams_fields.h"
 #include "core/flatten/option_words.h"
+#include "core/layout/placement.h"
 #include "core/project/project_upgrades.h"
-#include "core/sheet/placement.h"
 
 namespace toile {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/render/pattern_renderer.h"
 #include "app/views/tools/selection_frame.h"
-#include "core/sheet/snapping.h"
+#include "core/layout/snapping.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/sheet_bench.h"
 

@@ -14,7 +14,7 @@
 #include "app/views/tools/tool_paint.h"
 #include "core/base/angle.h"
 #include "core/geometry/segment.h"
-#include "core/sheet/snapping.h"
+#include "core/layout/snapping.h"
 
 namespace toile {
 

@@ -6,7 +6,7 @@
 #include "app/document/document.h"
 #include "app/document/layout.h"
 #include "app/views/tools/tool.h"
-#include "core/sheet/snapping.h"
+#include "core/layout/snapping.h"
 
 namespace toile {
 

@@ -8,8 +8,8 @@
 #include "core/export/drawing.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
-#include "core/sheet/placement.h"
-#include "core/sheet/sheet.h"
+#include "core/layout/placement.h"
+#include "core/layout/sheet.h"
 
 namespace toile::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sheet/sheet_overlaps.h"
+#include "core/layout/sheet_overlaps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sheet/free_place.h"
+#include "core/layout/free_place.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "core/sheet/sheet_overlaps.h"
+#include "core/layout/sheet_overlaps.h"
 
 namespace toile {
 namespace {

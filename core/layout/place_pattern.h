@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "core/layout/placement.h"
+#include "core/layout/sheet.h"
 #include "core/pattern/pattern.h"
-#include "core/sheet/placement.h"
-#include "core/sheet/sheet.h"
 
 namespace toile {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sheet/place_pattern.h"
+#include "core/layout/place_pattern.h"
 
 #include <numbers>
 

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "core/layout/placement.h"
 #include "core/mesh/mesh_arrays.h"
-#include "core/sheet/placement.h"
 
 namespace toile {
 

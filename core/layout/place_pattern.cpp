@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sheet/place_pattern.h"
+#include "core/layout/place_pattern.h"
 
 #include <algorithm>
 #include <functional>
 #include <utility>
 
-#include "core/sheet/arrange.h"
+#include "core/layout/arrange.h"
 
 namespace toile {
 namespace {

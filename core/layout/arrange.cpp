@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sheet/arrange.h"
+#include "core/layout/arrange.h"
 
 #include <algorithm>
 #include <cmath>

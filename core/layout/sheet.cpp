@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sheet/sheet.h"
+#include "core/layout/sheet.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sheet/arrange.h"
+#include "core/layout/arrange.h"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/base/angle.h"
-#include "core/sheet/sheet.h"
+#include "core/layout/sheet.h"
 
 namespace toile {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sheet/snapping.h"
+#include "core/layout/snapping.h"
 
 #include <algorithm>
 #include <array>

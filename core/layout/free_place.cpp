@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/sheet/free_place.h"
+#include "core/layout/free_place.h"
 
 #include <algorithm>
 #include <cmath>
