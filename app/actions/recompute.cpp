@@ -119,7 +119,7 @@ void Recompute::take(Derivation made) {
         made.derived.inputs = document_.derived().inputs;
         made.derived.garment = document_.garment();
     }
-    if (order_.extent.flatten && !made.proposed.empty()) {
+    if (order_.extent.flatten && !made.motions.empty()) {
         // More than has come there will not be.
         flattening_ = toile::isFlattened(made.derived, document_.options()) ? Flattening::AsUsual
                                                                             : Flattening::Declined;

@@ -136,9 +136,9 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
         });
         status = lacksMemory ? kExitUnreadable : kExitSomeFailed;
     }
-    const auto places = placesOnSheet(arguments, *garment, results);
+    const LaidOutPattern laid = laidOut(arguments, *garment, results);
     for (const auto& output : arguments.outputs) {
-        const auto written = exportFile(output, *garment, results, places);
+        const auto written = exportFile(output, *garment, results, laid);
         if (written) {
             out << "wrote " << output.string() << '\n';
         } else {

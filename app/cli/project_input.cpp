@@ -89,21 +89,15 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
     return arguments;
 }
 
-std::vector<PieceOnSheet> placesOnSheet(const Arguments& arguments, const Garment& garment,
-                                        const PieceResults& results) {
+LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
+                       const PieceResults& results) {
     if (!arguments.project) {
-        return {};
+        return inRows(garment, results);
     }
-    std::vector<PieceOnSheet> places;
-    for (const PieceSettings& piece :
-         placedSettings(settingsFor(*arguments.project, garment), results,
-                        std::vector<std::optional<FlatMotion>>(results.size()),
-                        layOut(garment, results).offsets)) {
-        const Piece& shape = *garment.pieces[places.size()];
-        places.push_back(onSheet(piece));
-        places.back().name = nameOf(arguments.project->labels, shape);
-    }
-    return places;
+    const std::vector<PieceSettings> settings =
+        placedSettings(settingsFor(*arguments.project, garment), results,
+                       std::vector<std::optional<FlatMotion>>(results.size()));
+    return layOut(garment, results, settings, arguments.project->labels);
 }
 
 void printDifferences(const Arguments& arguments, const Garment& garment, std::ostream& err) {

@@ -14,10 +14,9 @@ namespace toile {
 /// back as it is. What cannot be done comes back as a Message; notes are printed.
 Arguments withProject(Arguments arguments, std::ostream& err);
 
-/// Where the project says that the pieces lie, how their grain runs and how often they are cut, one
-/// per piece; none without a project.
-std::vector<PieceOnSheet> placesOnSheet(const Arguments& arguments, const Garment& garment,
-                                        const PieceResults& results);
+/// The pattern laid out, cut and called as the project says; in rows without a project.
+LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
+                       const PieceResults& results);
 
 /// Why a project among the inputs cannot be taken as it was typed, for the commands and the window:
 /// a Message; none where it can, or where there is no project.

@@ -8,6 +8,7 @@
 #include "app/base/path_text.h"
 #include "app/document/history.h"
 #include "core/garment/lineage.h"
+#include "core/pattern/pattern.h"
 #include "core/seam/seam_settings.h"
 
 namespace toile {
@@ -38,6 +39,14 @@ Document::~Document() {
 const PieceResult* Document::result(int piece) const {
     const auto at = static_cast<std::size_t>(piece);
     return at < results().size() ? results()[at].get() : nullptr;
+}
+
+const PatternPiece* Document::patternPiece(int piece) const {
+    const auto at = static_cast<std::size_t>(piece);
+    const Pattern* pattern = derived_.pattern.get();
+    return pattern && at < pattern->pieces.size() && pattern->pieces[at].outline.rows() > 0
+               ? &pattern->pieces[at]
+               : nullptr;
 }
 
 int Document::pieceCount() const {

@@ -17,6 +17,8 @@
 
 namespace toile {
 
+struct PatternPiece;
+
 /// The open garment: the one place that holds what a person has decided (`state`), and what is
 /// shown of all that follows from it (`derived`): of this state where it is there (`isCurrent`),
 /// else of an earlier one until somebody has worked it out (`show`). Everything it hands out is a
@@ -72,6 +74,8 @@ public:
     const PieceResult* result(int piece) const;
     /// What has been found out about the present state's labels and grain lines.
     MarkPlaces& marks() const { return marks_; }
+    /// Null where the piece is not flat.
+    const PatternPiece* patternPiece(int piece) const;
     int pieceCount() const;
     Selection everyPiece() const;
     int seamCount() const;

@@ -12,6 +12,7 @@
 
 namespace toile {
 
+struct Pattern;
 struct Scene;
 
 /// What a person has decided: what one step of the history changes and undo brings back. Nothing
@@ -33,8 +34,10 @@ struct Derived {
     /// One per piece, null where not flattened yet; or empty. May be of older options, or warm,
     /// until others come.
     PieceResults results{};
-    std::shared_ptr<const Scene> scene{};  ///< what the views draw; may be null
-    std::size_t bytes = 0;                 ///< about what results and scene take
+    /// What is flat, as pieces of cloth, and what the views draw: of all this; or null, both.
+    std::shared_ptr<const Pattern> pattern{};
+    std::shared_ptr<const Scene> scene{};
+    std::size_t bytes = 0;  ///< about what results and scene take
 
     bool operator==(const Derived&) const = default;
 };

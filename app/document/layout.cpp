@@ -9,8 +9,7 @@
 #include "app/base/translate.h"
 #include "app/document/document.h"
 #include "app/document/piece_edits.h"
-#include "core/layout/placement.h"
-#include "core/layout/sheet.h"
+#include "core/layout/marker.h"
 
 namespace toile {
 
@@ -79,10 +78,10 @@ std::vector<int> allFlat(const Document& document) {
     return pieces;
 }
 
-Points2 flatOutline(const Document& document, int piece) {
-    const PieceResult* result = document.result(piece);
-    return result && result->flat ? Points2(result->flat->Q(result->piece->boundary, Eigen::all))
-                                  : Points2(0, 2);
+const Points2& flatOutline(const Document& document, int piece) {
+    static const Points2 kNone(0, 2);
+    const PatternPiece* flat = document.patternPiece(piece);
+    return flat ? flat->outline : kNone;
 }
 
 Placement placementOf(const Document& document, int piece) {
@@ -180,7 +179,7 @@ void layOutAgain(Document& document, const std::vector<int>& pieces) {
         return;
     }
     const std::vector<Eigen::AlignedBox2d> boxes = boxesOf(document, pieces);
-    const Sheet rows = layOutInRows(boxes);
+    const Rows rows = layOutInRows(boxes);
     const std::set<int> moving(pieces.begin(), pieces.end());
     std::vector<int> staying = allFlat(document);
     std::erase_if(staying, [&](int piece) { return moving.contains(piece); });

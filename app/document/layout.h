@@ -27,7 +27,7 @@ std::vector<int> selectedFlat(const Document& document);
 std::vector<int> allFlat(const Document& document);
 
 /// Net outline in the piece's own coordinates; empty where it is not flat.
-Points2 flatOutline(const Document& document, int piece);
+const Points2& flatOutline(const Document& document, int piece);
 Placement placementOf(const Document& document, int piece);
 /// Around the piece as it lies; empty where it is not flat.
 Eigen::AlignedBox2d boxOnSheet(const Document& document, int piece);

@@ -11,29 +11,23 @@ namespace toile {
 
 const PieceMarks& MarkPlaces::of(const Document& document, int piece, const DrawingWords& words) {
     static const PieceMarks kNone;
-    const auto at = static_cast<std::size_t>(piece);
-    if (const PieceResult* result = document.result(piece); !result || !result->flat) {
+    const PatternPiece* flat = document.patternPiece(piece);
+    if (!flat) {
         return kNone;
     }
+    const auto at = static_cast<std::size_t>(piece);
     const PieceSettings& settings = document.settings()[at];
     const Placement placement = placementOf(document, piece);
-    PatternPiece drawn;
-    drawn.name = document.garment()->pieces[at]->name;
-    drawn.quantity = settings.quantity;
-    drawn.mirroredPair = settings.mirroredPair;
-    drawn.mirrored = placement.mirrored;
-    std::vector<std::string> lines = labelLines(drawn, words);
-    const double grain = directionOnSheet(placement, grainOf(settings));
+    std::vector<std::string> lines =
+        labelLines(nameOf(document.state().labels, *document.garment()->pieces[at]), settings,
+                   placement.mirrored, words);
+    const double grain = grainOf(settings);
     const auto& result = document.results()[at];
     entries_.resize(static_cast<std::size_t>(document.pieceCount()));
     Entry& entry = entries_[at];
     if (entry.result.lock() != result || entry.turn != placement.turn || entry.grain != grain ||
         entry.mirrored != placement.mirrored || entry.lines != lines) {
-        std::vector<Points2> loops = flatLoops(*result->piece, result->flat->Q);
-        for (Points2& loop : loops) {
-            loop = (loop * placement.linear().transpose()).eval();
-        }
-        entry.marks = placeMarks(loops, lines, grain);
+        entry.marks = placeMarks(*flat, placement, lines, grain);
         entry.result = result;
         entry.turn = placement.turn;
         entry.grain = grain;

@@ -33,7 +33,6 @@ PieceResults carriedResults(const PieceResults& results, const Garment& after) {
 /// Takes other results in.
 void become(Derivation& made, PieceResults results) {
     made.motions = flatMotions(made.derived.results, results);
-    made.proposed = layOut(*made.derived.garment, results).offsets;
     made.derived.results = std::move(results);
 }
 
@@ -92,6 +91,8 @@ void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress) {
 }
 
 void draw(Derived& derived, Progress& progress) {
+    derived.pattern =
+        std::make_shared<const Pattern>(makePattern(*derived.garment, derived.results));
     derived.scene = buildScene(*derived.garment, derived.results, progress);
     derived.bytes = bytesOf(*derived.scene);
     for (const auto& result : derived.results) {
@@ -107,14 +108,14 @@ SettingsById settingsAfter(const Derivation& made, SettingsById settings,
     if (made.hasOtherGarment && !made.carried.empty()) {
         carrySettings(settings, before, made.carried, garment);
     }
-    if (made.proposed.empty()) {
+    if (made.motions.empty()) {
         return settings;
     }
     std::vector<PieceSettings> placed;
     for (const auto& piece : garment.pieces) {
         placed.push_back(settings[piece->id]);
     }
-    placed = placedSettings(std::move(placed), made.derived.results, made.motions, made.proposed);
+    placed = placedSettings(std::move(placed), made.derived.results, made.motions);
     for (std::size_t i = 0; i < placed.size(); ++i) {
         settings[garment.pieces[i]->id] = std::move(placed[i]);
     }

@@ -22,7 +22,6 @@ struct Derivation {
     bool hasOtherGarment = false;
     std::vector<CarriedFrom> carried{};                ///< of another garment
     std::vector<std::optional<FlatMotion>> motions{};  ///< of other results
-    std::vector<Eigen::Vector2d> proposed{};           ///< likewise: where pieces may lie
 };
 
 /// The garment of the state, without a scene; flat is what was so before. Errors: of `makeGarment`.
@@ -38,7 +37,7 @@ void flatten(Derivation& made, const FlattenOptions& options, GarmentFlattener& 
              Progress& progress);
 /// Puts cold results in the place of warm ones.
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress);
-/// Makes its scene.
+/// Makes its pattern and its scene.
 void draw(Derived& derived, Progress& progress);
 
 /// What has been said of the pieces, after that: pieces stay where they are on the sheet, and those

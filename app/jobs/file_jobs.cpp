@@ -112,13 +112,14 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
         settle(made, flattener, progress);
         progress.setShare(kSettlingShare, 1);
         SettingsById settings = settingsAfter(made, said, {});
-        std::vector<PieceOnSheet> places;
+        std::vector<PieceSettings> ofPieces;
         for (const auto& piece : derived.garment->pieces) {
-            places.push_back(onSheet(settings[piece->id]));
-            places.back().name = nameOf(labels, *piece);
+            ofPieces.push_back(settings[piece->id]);
         }
-        const auto written =
-            exportFile(path, *derived.garment, made.derived.results, places, progress, words);
+        const Garment& garment = *derived.garment;
+        const PieceResults& results = made.derived.results;
+        const auto written = exportFile(
+            path, garment, results, layOut(garment, results, ofPieces, labels), progress, words);
         return written ? Result(path) : written.error();
     };
     return makeJob(QCoreApplication::translate("ExportJob", "Writing %1").arg(name),

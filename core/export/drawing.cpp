@@ -13,32 +13,66 @@ constexpr double kCheckGap = 20;    // mm, between the pieces and the check squa
 constexpr double kCheckSide = 100;  // mm
 constexpr double kCheckTextHeight = 3.5;
 
-void addPiece(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d& offset,
+void keepOnPage(LabelPlace& label, const std::vector<std::string>& lines, const Drawing& page) {
+    const auto keep = [](double value, double least, double most) {
+        return least > most ? 0.5 * (least + most) : std::clamp(value, least, most);
+    };
+    const Eigen::Vector2d size = textExtent(lines, label.height);
+    const double below = size.y() - 0.5 * label.height;  // of the first line's middle
+    label.position.x() = keep(label.position.x(), 0.5 * size.x(), page.width - 0.5 * size.x());
+    label.position.y() = keep(label.position.y(), below, page.height - 0.5 * label.height);
+}
+
+/// A line of two points, moved.
+Points2 movedChord(const Chord& chord, const Eigen::Vector2d& offset) {
+    Points2 line(2, 2);
+    line << (chord.from + offset).transpose(), (chord.to + offset).transpose();
+    return line;
+}
+
+void addSeams(Drawing& drawing, const PatternPiece& piece, const Placement& placement) {
+    for (SeamMark& seam : seamMarks(piece, placement)) {
+        const std::string id = "piece-" + piece.slug + "--seam-" + std::to_string(seam.number) +
+                               (seam.second ? "b" : "");
+        for (std::size_t k = 0; k < seam.ticks.size(); ++k) {
+            if (seam.ticks[k]) {
+                drawing.paths.push_back({id + "-tick-" + std::to_string(k + 1), LayerKind::Marks,
+                                         movedChord(*seam.ticks[k], placement.offset), false});
+            }
+        }
+        if (!seam.text.empty()) {
+            drawing.texts.push_back({id + "-name",
+                                     LayerKind::Marks,
+                                     seam.place.position + placement.offset,
+                                     seam.place.height,
+                                     {std::move(seam.text)},
+                                     seam.angle});
+        }
+    }
+}
+
+void addPiece(Drawing& drawing, const PatternPiece& piece, const Placement& placement,
               const DrawingWords& words) {
-    if (piece.outline.rows() == 0) {
-        return;
+    const std::string id = "piece-" + piece.slug + "-";
+    const auto placed = [&placement](const Points2& line) -> Points2 {
+        return turnedLine(line, placement).rowwise() + placement.offset.transpose();
+    };
+    std::vector<std::string> lines = labelLines(piece.name, piece, placement.mirrored, words);
+    auto [label, grain] = placeMarks(piece, placement, lines, grainOf(piece));
+    label.position += placement.offset;
+    keepOnPage(label, lines, drawing);
+    drawing.paths.push_back({id + "cut", LayerKind::Cut, placed(piece.outline)});
+    if (piece.grain && grain) {
+        const Chord line{grain->from + placement.offset, grain->to + placement.offset};
+        drawing.paths.push_back({id + "-grain", LayerKind::Grain, arrowPath(line), false});
     }
-    std::vector<Points2> loops{piece.outline};
-    loops.insert(loops.end(), piece.holes.begin(), piece.holes.end());
-    for (Points2& loop : loops) {
-        loop.rowwise() += offset.transpose();
-    }
-    std::vector<std::string> lines = labelLines(piece, words);
-    const auto [label, grain] =
-        placeMarks(loops, lines, piece.grain,
-                   {Eigen::Vector2d::Zero(), Eigen::Vector2d(drawing.width, drawing.height)});
-    drawing.paths.push_back({"piece-" + piece.id + "-cut", LayerKind::Cut, loops.front()});
-    if (grain) {
+    drawing.texts.push_back(
+        {id + "name", LayerKind::Text, label.position, label.height, std::move(lines)});
+    for (std::size_t k = 0; k < piece.holes.size(); ++k) {
         drawing.paths.push_back(
-            {"piece-" + piece.id + "--grain", LayerKind::Grain, arrowPath(*grain), false});
+            {id + "-hole-" + std::to_string(k + 1), LayerKind::Cut, placed(piece.holes[k])});
     }
-    drawing.texts.push_back({"piece-" + piece.id + "-name", LayerKind::Text, label.position,
-                             label.height, std::move(lines)});
-    for (std::size_t k = 1; k < loops.size(); ++k) {
-        drawing.paths.push_back(
-            {"piece-" + piece.id + "--hole-" + std::to_string(k), LayerKind::Cut, loops[k]});
-    }
-    addSeamMarks(drawing, piece, offset);
+    addSeams(drawing, piece, placement);
 }
 
 void addCheckSquare(Drawing& drawing, const Eigen::Vector2d& corner, const std::string& words) {
@@ -59,17 +93,17 @@ bool hasLayer(const Drawing& drawing, LayerKind kind) {
            });
 }
 
-Drawing draw(const Pattern& pattern, const Sheet& sheet, const DrawingWords& words) {
+Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& words) {
     // The check square stands to the right on whole millimetres, so that its sides come out as
     // exactly 100 in any number of decimals.
-    const double left = sheet.width > 0 ? std::ceil(kMargin + sheet.width + kCheckGap) : kMargin;
+    const double left = marker.width > 0 ? std::ceil(kMargin + marker.width + kCheckGap) : kMargin;
     Drawing drawing;
     drawing.title = pattern.name.empty() ? "pattern" : pattern.name;
     drawing.width = left + kCheckSide + kMargin;
-    drawing.height = std::ceil(std::max(sheet.height, kCheckSide)) + 2 * kMargin;
-    for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
-        addPiece(drawing, pattern.pieces[i], sheet.offset[i] + Eigen::Vector2d::Constant(kMargin),
-                 words);
+    drawing.height = std::ceil(std::max(marker.height, kCheckSide)) + 2 * kMargin;
+    for (const auto& [piece, placement] : marker.copies) {
+        addPiece(drawing, pattern.pieces[static_cast<std::size_t>(piece)],
+                 movedBy(placement, Eigen::Vector2d::Constant(kMargin)), words);
     }
     addCheckSquare(drawing, {left, kMargin}, words.checkSquare);
     return drawing;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/layout/sheet.h"
+#include "core/layout/marker.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/piece_marks.h"
 
@@ -47,20 +47,14 @@ struct Drawing {
 /// True where the drawing has the layer: see kLayerKinds.
 bool hasLayer(const Drawing& drawing, LayerKind kind);
 
-/// Draws every piece's net outline and holes, its label (`labelLines`), its grain line where the
-/// grain is stated (`placeMarks`), the names and ticks of its seams (seam_marks.h), and a 100 mm
-/// check square to the right of the pieces, with a margin of 10 mm around all. Width and height are
-/// whole millimetres. Ids: `piece-<id>-cut`, `piece-<id>--hole-<k>`, `piece-<id>-name`,
-/// `piece-<id>--grain`, `check-square`, `check-square-text`. Cost: that of placeLabel (label.h) per
-/// piece.
-Drawing draw(const Pattern& pattern, const Sheet& sheet, const DrawingWords& words = {});
-
-/// Draws what a sewer needs to find a seam's other side: a tick at both ends of every seam, from
-/// the outline into the cloth, and the seam's number and name at its middle, along the edge. Where
-/// the name is longer than the edge the number stands alone. Both sides carry the same number and
-/// name. Ids: `piece-<id>--seam-<number>-tick-<k>`, `piece-<id>--seam-<number>-name`; a piece sewn
-/// to itself has "b" after the number of the second side.
-/// @param offset  of the piece on the page, mm. Linear.
-void addSeamMarks(Drawing& drawing, const PatternPiece& piece, const Eigen::Vector2d& offset);
+/// Draws every copy's seam line and holes, its label (`labelLines`), its grain line where the grain
+/// is stated (`placeMarks`), the ticks and names of its seams (`seamMarks`), and a 100 mm check
+/// square to the right of the pieces, with a margin of 10 mm around all; labels of pieces narrower
+/// than their names stay on the page. Width and height are whole millimetres.
+/// Ids: `piece-<slug>-cut`, `piece-<slug>--hole-<k>`, `piece-<slug>-name`, `piece-<slug>--grain`,
+/// `piece-<slug>--seam-<number>-tick-<k>`, `piece-<slug>--seam-<number>-name` ("b" after the number
+/// of a seam's second side on the same piece), `check-square`, `check-square-text`.
+/// Cost: that of placeLabel (label.h) per piece. Pure.
+Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& words = {});
 
 }  // namespace toile

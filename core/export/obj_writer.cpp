@@ -149,8 +149,11 @@ void appendFileHead(std::string& out, const SourceFile& file, const FileNotes& n
 
 }  // namespace
 
-std::string writeObj(const Garment& garment, const PieceResults& results,
-                     const std::vector<Placement>& placements) {
+std::string writeObj(const Garment& garment, const PieceResults& results, const Marker& marker) {
+    std::vector<Placement> placements(garment.pieces.size());
+    for (const PlacedCopy& copy : marker.copies) {
+        placements[static_cast<std::size_t>(copy.piece)] = copy.placement;
+    }
     ObjIndices indices{groupNames(garment), {}, {}, {}};
     indices.addedVertex.resize(garment.pieces.size());
     std::vector<FileNotes> notes(garment.files.size());

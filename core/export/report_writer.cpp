@@ -90,7 +90,7 @@ Json secondsJson(const PieceResult& result, double readSeconds) {
 }
 
 Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& result,
-               const PieceOnSheet& place) {
+               const Cutting& cutting) {
     const SourceFile& file = *garment.files[piece.file];
     const bool solves = traits(result.options.method).solvesBoundary;
     Json json{{"name", piece.name},
@@ -116,8 +116,8 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
     json["notes"] = notesJson(result);
     json["holes"] = holesJson(piece, result);
     json["reference"] = referenceJson(result);
-    json["quantity"] = place.quantity;
-    json["mirrored_pair"] = place.mirroredPair;
+    json["quantity"] = cutting.quantity;
+    json["mirrored_pair"] = cutting.mirroredPair;
     json["seconds"] = secondsJson(result, file.readSeconds);
     return json;
 }
@@ -125,13 +125,16 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
 }  // namespace
 
 std::string writeReport(const Garment& garment, const PieceResults& results,
-                        const std::vector<PieceOnSheet>& places) {
+                        const Pattern& pattern) {
     Json report{{"version", kReportVersion}, {"toile", text(version())}};
     report["files"] = filesJson(garment, results);
     report["pieces"] = Json::array();
     for (std::size_t i = 0; i < results.size(); ++i) {
-        report["pieces"].push_back(pieceJson(garment, *garment.pieces[i], *results[i],
-                                             i < places.size() ? places[i] : PieceOnSheet{}));
+        Cutting cutting;
+        if (i < pattern.pieces.size()) {
+            cutting = pattern.pieces[i];
+        }
+        report["pieces"].push_back(pieceJson(garment, *garment.pieces[i], *results[i], cutting));
     }
     report["cuts"] = cutsJson(garment);
     report["seams"] = seamsJson(garment, results);

@@ -7,7 +7,7 @@
 #include "core/export/drawing.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
-#include "core/layout/placement.h"
+#include "core/layout/marker.h"
 
 namespace toile {
 
@@ -31,15 +31,14 @@ std::string writeDxf(const Drawing& drawing);
 /// read back exactly), faces of failed pieces without `vt`, `g` naming the piece. With several
 /// files, their vertices follow each other. Comments at the head list what differs from the input.
 /// @param results     one per piece of the garment, in its order
-/// @param placements  per piece: what places its flat points on the sheet; mirrored pieces have
-///                    their triangles clockwise in the UV map, and a comment says so
+/// @param marker      where the flat points go; of mirrored ones the
+///                    triangles are clockwise in the UV map, and a comment says so
 /// Cost: linear; about a third of a second per million triangles.
-std::string writeObj(const Garment& garment, const PieceResults& results,
-                     const std::vector<Placement>& placements);
+std::string writeObj(const Garment& garment, const PieceResults& results, const Marker& marker);
 /// The JSON report of docs/report.md. Never NaN or Infinity: null.
-/// @param places  one per piece of the garment, or none: each is cut once
+/// @param pattern  says how often each piece is cut; without pieces: once
 std::string writeReport(const Garment& garment, const PieceResults& results,
-                        const std::vector<PieceOnSheet>& places = {});
+                        const Pattern& pattern = {});
 
 /// What a garment holds before it is flat: files, pieces, cuts, seams and problems, as JSON.
 std::string writeInfo(const Garment& garment);

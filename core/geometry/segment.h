@@ -14,6 +14,11 @@ double cross(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
+/// A quarter turn anti-clockwise.
+inline Eigen::Vector2d leftOf(const Eigen::Vector2d& direction) {
+    return {-direction.y(), direction.x()};
+}
+
 /// The angle from one vector of the plane to another, anti-clockwise, in [-pi, pi]. By atan2, as
 /// all angles: exact digits for thin triangles, where acos loses half.
 template <class A, class B>

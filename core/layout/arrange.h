@@ -7,44 +7,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "core/layout/placement.h"
-#include "core/mesh/mesh_arrays.h"
-
 namespace toile {
 
-/// Moving, turning, mirroring and lining up what lies on the sheet. Pure functions; millimetres,
-/// radians anti-clockwise, y up.
-
-/// The same direction in (-pi, pi]; 0 where the number is none.
-double wrappedAngle(double angle);
-
-/// Which way one point of the sheet lies from another; 0 where both are one place.
-double directionTo(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-
-Placement movedBy(Placement placement, const Eigen::Vector2d& way);
-/// Turned about a point of the sheet.
-Placement turnedAbout(Placement placement, const Eigen::Vector2d& centre, double angle);
-
-enum class Mirroring {
-    LeftRight,   ///< across an upright line
-    UpsideDown,  ///< across a level line
-};
-
-/// Reflected across a line of the sheet through `centre`: the other side of the fabric faces the
-/// reader then.
-Placement mirroredAt(Placement placement, const Eigen::Vector2d& centre, Mirroring mirroring);
-
-/// A direction of the piece as it lies on the sheet, and back.
-double directionOnSheet(const Placement& placement, double direction);
-double directionOnPiece(const Placement& placement, double direction);
-
-/// The outline of a piece where it lies on the sheet. @param Q  #V x 2, its flat coordinates
-Points2 placedOutline(const Points2& Q, const std::vector<int>& boundary,
-                      const Placement& placement);
-
-/// The smallest upright box around an outline at its place; empty where there is no point.
-/// @param outline  mm, in the piece's own coordinates
-Eigen::AlignedBox2d outlineBox(const Points2& outline, const Placement& placement);
+/// Lining up what lies on the sheet. Pure functions; mm, y up.
 
 enum class Alignment { Left, Right, Top, Bottom, Centre, Middle };
 

@@ -18,10 +18,6 @@ constexpr double kHeadShare = 0.15;  // of the line, at most
 constexpr double kHeadAngle = 0.35;  // radians to either side
 constexpr double kClear = 1.5;       // mm between the line and what it keeps off
 
-Eigen::Vector2d leftOf(const Eigen::Vector2d& direction) {
-    return {-direction.y(), direction.x()};
-}
-
 /// Where the line enters and leaves the cloth, as distances from the point, in pairs.
 std::vector<double> crossings(const std::vector<Points2>& loops, const Eigen::Vector2d& point,
                               const Eigen::Vector2d& direction) {

@@ -6,7 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/base/unique_names.h"
-#include "core/flatten/flatten.h"
+#include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/seam/seam_measure.h"
 
@@ -14,43 +14,61 @@ namespace toile {
 
 namespace {
 
-void addMark(PatternPiece& made, const Piece& piece, const FlatPiece& flat, const Seam& seam,
-             int number, const SeamSide& side) {
-    Points2 line = flatLine(side, piece, flat.Q);
+void addSide(PatternPiece& made, const Piece& piece, const Points2& Q, const Seam& seam, int number,
+             const SeamSide& side) {
+    Points2 line = flatLine(side, piece, Q);
     if (side.reversed) {
         line = line.colwise().reverse().eval();
     }
-    made.seams.push_back({number, seam.name, std::move(line), seam.closed});
+    made.seams.push_back({number, seam.name, std::move(line), seam.closed, seam.kind,
+                          &side == &seam.right, seam.id});
+}
+
+void addSeams(PatternPiece& made, const Piece& piece, const Points2& Q, const SeamGraph& graph,
+              int index) {
+    std::set<int> touched;
+    if (index < static_cast<int>(graph.seamsOfEdge.size())) {
+        for (const std::vector<int>& ofEdge : graph.seamsOfEdge[index]) {
+            touched.insert(ofEdge.begin(), ofEdge.end());
+        }
+    }
+    if (index < static_cast<int>(graph.seamsOfHoles.size())) {
+        touched.insert(graph.seamsOfHoles[index].begin(), graph.seamsOfHoles[index].end());
+    }
+    for (const int k : touched) {
+        const Seam& seam = graph.seams[k];
+        for (const SeamSide* side : {&seam.left, &seam.right}) {
+            if (side->piece == index) {
+                addSide(made, piece, Q, seam, k + 1, *side);
+            }
+        }
+    }
 }
 
 }  // namespace
 
-PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat, const SeamGraph& seams,
-                              int index) {
-    PatternPiece made;
-    made.name = piece.name;
-    made.id = slug(piece.name);
-    made.holes = flatLoops(piece, flat.Q);
-    made.outline = std::move(made.holes.front());
-    made.holes.erase(made.holes.begin());
-    std::set<int> touched;
-    if (index < static_cast<int>(seams.seamsOfEdge.size())) {
-        for (const std::vector<int>& ofEdge : seams.seamsOfEdge[index]) {
-            touched.insert(ofEdge.begin(), ofEdge.end());
+Pattern makePattern(const Garment& garment, const PieceResults& results) {
+    Pattern pattern;
+    pattern.name =
+        garment.files.empty() ? std::string() : garment.files.front()->path.stem().string();
+    pattern.pieces.resize(garment.pieces.size());
+    UniqueNames slugs;
+    for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
+        PatternPiece& made = pattern.pieces[i];
+        made.name = garment.pieces[i]->name;
+        made.id = garment.pieces[i]->id;
+        if (i >= results.size() || !results[i] || !results[i]->flat) {
+            continue;
         }
+        const Piece& piece = *results[i]->piece;
+        const Points2& Q = results[i]->flat->Q;
+        made.slug = slugs.free(slug(made.name), "-");
+        made.holes = flatLoops(piece, Q);
+        made.outline = std::move(made.holes.front());
+        made.holes.erase(made.holes.begin());
+        addSeams(made, piece, Q, garment.seams, static_cast<int>(i));
     }
-    if (index < static_cast<int>(seams.seamsOfHoles.size())) {
-        touched.insert(seams.seamsOfHoles[index].begin(), seams.seamsOfHoles[index].end());
-    }
-    for (const int k : touched) {
-        const Seam& seam = seams.seams[k];
-        for (const SeamSide& side : {seam.left, seam.right}) {
-            if (seam.kind != SeamKind::Free && side.piece == index) {
-                addMark(made, piece, flat, seam, k + 1, side);
-            }
-        }
-    }
-    return made;
+    return pattern;
 }
 
 std::vector<Points2> flatLoops(const Piece& piece, const Points2& Q) {
@@ -59,13 +77,6 @@ std::vector<Points2> flatLoops(const Piece& piece, const Points2& Q) {
         loops.emplace_back(Q(hole, Eigen::all));
     }
     return loops;
-}
-
-void makeIdsUnique(Pattern& pattern) {
-    UniqueNames names;
-    for (PatternPiece& piece : pattern.pieces) {
-        piece.id = names.free(piece.id, "-");
-    }
 }
 
 }  // namespace toile

@@ -1,56 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/id.h"
+#include "core/garment/seam.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 
+struct Garment;
 struct Piece;
-struct FlatPiece;
-struct SeamGraph;
+struct PieceResult;
+using PieceResults = std::vector<std::shared_ptr<const PieceResult>>;
 
-/// Where a seam runs along a piece's outline, so that it can be found again on the other piece.
-struct SeamMark {
+/// Where the warp runs as long as nobody has said so: up the piece's own y axis, radians.
+inline constexpr double kGrainUpwards = 1.5707963267948966;
+
+/// How a piece is to be cut, as a person has said it.
+struct Cutting {
+    /// Direction of the warp, radians anti-clockwise from the x axis of the piece's own
+    /// coordinates; none where nobody has said so (kGrainUpwards).
+    std::optional<double> grain{};
+    int quantity = 1;           ///< how many are cut
+    bool mirroredPair = false;  ///< each of them also mirrored: left and right
+
+    bool operator==(const Cutting&) const = default;
+};
+
+inline double grainOf(const Cutting& cutting) {
+    return cutting.grain.value_or(kGrainUpwards);
+}
+
+/// One side of a seam, or a free edge, along a piece's outline or the rim of a hole in it.
+struct SeamLine {
     int number = 0;    ///< of the seam in the garment, from 1: the same on both sides
     std::string name;  ///< "front / sleeve left"
     Points2 line;      ///< #n x 2, along the outline, from end to end
     bool closed = false;
+    SeamKind kind = SeamKind::Seam;
+    bool isRight = false;  ///< of the two sides of the seam
+    SeamId seam{};
 };
 
-/// One flat piece as a pattern maker knows it. Millimetres, y up, the fabric's right side facing
-/// the reader unless it says otherwise.
-struct PatternPiece {
-    std::string name;  ///< as in the garment
-    std::string id;    ///< unique slug, stable for the same garment
-    Points2 outline;   ///< net outline (seam line), anti-clockwise, first vertex not repeated
-    std::vector<Points2> holes{};   ///< closed lines inside it, clockwise
-    std::vector<SeamMark> seams{};  ///< by number; free edges have none
-    /// Direction of the warp where somebody has stated it: radians anti-clockwise from the x axis.
-    std::optional<double> grain{};
-    bool mirrored = false;      ///< the fabric's wrong side faces the reader
-    int quantity = 1;           ///< how many are cut
-    bool mirroredPair = false;  ///< each of them also mirrored: left and right
+/// One flat piece as a pattern maker knows it, in its own coordinates wherever copies of it lie:
+/// millimetres, y up, the fabric's right side facing the reader.
+struct PatternPiece : Cutting {
+    std::string name;  ///< as it is called
+    std::string slug;  ///< unique in the pattern, stable for the same garment
+    Points2 outline;   ///< seam line, anti-clockwise, first vertex not repeated; empty: not flat
+    std::vector<Points2> holes{};  ///< closed lines inside it, clockwise
+    /// By number. They cover outline and rims, but for what is too short to be a free edge and
+    /// for rims that nothing is sewn to.
+    std::vector<SeamLine> seams{};
+    PieceId id{};
 };
 
 struct Pattern {
-    std::string name;  ///< of the garment
-    std::vector<PatternPiece> pieces;
+    std::string name;                  ///< of the garment
+    std::vector<PatternPiece> pieces;  ///< one per piece of the garment, in its order
 };
 
-/// The net outline and holes of a flattened piece, in boundary order, and the marks of its seams.
-/// @param index  of the piece in the garment that the seams belong to
-PatternPiece makePatternPiece(const Piece& piece, const FlatPiece& flat, const SeamGraph& seams,
-                              int index);
+/// Everything of a garment that is flat, in its own coordinates. Pieces whose names give the same
+/// slug get "-2", "-3" in order.
+/// @param results  one per piece; null where there is none  Cost: linear in the outlines. Pure.
+Pattern makePattern(const Garment& garment, const PieceResults& results);
 
 /// The outline, then the rims of the holes; closed, first point not repeated.
 /// @param Q  #V x 2, the piece's flat coordinates
 std::vector<Points2> flatLoops(const Piece& piece, const Points2& Q);
-
-/// Pieces whose names give the same slug get "-2", "-3" in pattern order.
-void makeIdsUnique(Pattern& pattern);
 
 }  // namespace toile

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/pattern/grain_line.h"
 #include "core/pattern/label.h"
 #include "core/pattern/pattern.h"
+#include "core/pattern/placement.h"
 
 namespace toile {
 
@@ -21,25 +23,40 @@ struct DrawingWords {
 
 /// What stands on a piece that is not cut once: "cut 3", or "cut 2 pairs" where each of them is cut
 /// mirrored too. Empty for a single piece.
-std::string cuttingNote(int quantity, bool mirroredPair, const DrawingWords& words = {});
+std::string cuttingNote(const Cutting& cutting, const DrawingWords& words = {});
 
 /// The label of a piece, line by line: its name, how often it is cut, what kind of outline it is
-/// and, where it is mirrored, that the wrong side is up. Its outline is not looked at.
-std::vector<std::string> labelLines(const PatternPiece& piece, const DrawingWords& words);
+/// and, where it is mirrored, that the wrong side is up.
+std::vector<std::string> labelLines(const std::string& name, const Cutting& cutting, bool mirrored,
+                                    const DrawingWords& words);
 
-/// What is drawn on a piece as it lies, in files and on screen alike.
+/// What is drawn on a piece as it lies, in files and on screen alike: in sheet directions, about
+/// the placement's offset.
 struct PieceMarks {
     LabelPlace label{};
-    std::optional<Chord> grain{};  ///< none where no grain is asked for, or no line has room
+    std::optional<Chord> grain{};  ///< none where no line has room
 };
 
-/// Places the label (`placeLabel`) and a grain line beside it, or through it where there is no room
-/// beside it.
-/// @param loops  mm, not empty: the outline, then holes; closed, first point not repeated
-/// @param grain  direction of the warp, radians, as the loops lie
-/// @param page   that the label is to stay on, where a tiny piece is narrower than its own name;
-///               empty: endless  Cost: that of `placeLabel` and `grainLine`.
-PieceMarks placeMarks(const std::vector<Points2>& loops, const std::vector<std::string>& lines,
-                      std::optional<double> grain, const Eigen::AlignedBox2d& page = {});
+/// Places the label (`placeLabel`) and the grain line beside it, or through it where there is no
+/// room beside it.
+/// @param piece  that is flat  @param grain  direction of the warp, radians, on the piece
+/// Cost: that of `placeLabel` and `grainLine`. Pure.
+PieceMarks placeMarks(const PatternPiece& piece, const Placement& placement,
+                      const std::vector<std::string>& lines, double grain);
+
+/// What a sewer needs to find a seam's other side: a tick at both ends, from the outline into the
+/// cloth, and the seam's number and name at its middle, along the edge; the number alone where the
+/// name is longer than the edge, nothing where it could not be read. Both sides carry the same.
+struct SeamMark {
+    int number = 0;
+    bool second = false;                        ///< a piece sewn to itself has two with one number
+    std::array<std::optional<Chord>, 2> ticks;  ///< none where the seam before ends, straight on
+    std::string text;                           ///< empty: none
+    LabelPlace place{};                         ///< the text's middle
+    double angle = 0;                           ///< of the text, radians, never upside down
+};
+
+/// The marks of a piece's seams, by number; free edges have none. Linear. Pure.
+std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& placement);
 
 }  // namespace toile

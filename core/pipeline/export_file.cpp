@@ -5,7 +5,6 @@
 #include "core/base/text.h"
 #include "core/export/drawing.h"
 #include "core/export/writers.h"
-#include "core/layout/place_pattern.h"
 #include "core/pipeline/pipeline.h"
 
 namespace toile {
@@ -17,56 +16,28 @@ std::string lowerCaseEnding(const std::filesystem::path& path) {
     return ending;
 }
 
-/// Of the time that an export takes, about; the rest is laying out before and writing after.
-constexpr double kLaidOutShare = 0.2, kMakingShare = 0.8;
+/// Of the time that an export takes, about; the rest is writing.
+constexpr double kMakingShare = 0.8;
 
 /// @param ending  one that `canExport`
 std::string bytesOf(const std::string& ending, const Garment& garment, const PieceResults& results,
-                    const std::vector<PieceOnSheet>& places, const Progress& progress,
-                    const DrawingWords& words) {
+                    const LaidOutPattern& laid, const DrawingWords& words) {
     if (ending == ".json") {
-        return writeReport(garment, results, places);
-    }
-    const LaidOutPattern laid = layOut(garment, results, places);
-    progress.report(kLaidOutShare);
-    if (progress.isCancelled()) {
-        return {};
+        return writeReport(garment, results, laid.pattern);
     }
     if (ending == ".obj") {
-        return writeObj(garment, results, laid.placements);
+        return writeObj(garment, results, laid.marker);
     }
-    const Drawing drawing = draw(laid.pattern, laid.sheet, words);
+    const Drawing drawing = draw(laid.pattern, laid.marker, words);
     return ending == ".svg" ? writeSvg(drawing) : writeDxf(drawing);
 }
 
 }  // namespace
 
-LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
-                      const std::vector<PieceOnSheet>& places) {
-    LaidOutPattern laid;
-    laid.pattern.name =
-        garment.files.empty() ? std::string() : garment.files.front()->path.stem().string();
-    std::vector<PieceOnSheet> ofFlat;
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        if (results[i] && results[i]->flat) {
-            ofFlat.push_back(i < places.size() ? places[i] : PieceOnSheet{});
-            laid.pattern.pieces.push_back(makePatternPiece(*results[i]->piece, *results[i]->flat,
-                                                           garment.seams, static_cast<int>(i)));
-        }
-    }
-    makeIdsUnique(laid.pattern);
-    laid.sheet = placeOnSheet(laid.pattern, ofFlat);
-    std::size_t placed = 0;
-    for (const auto& result : results) {
-        Placement placement;
-        if (result && result->flat) {
-            placement = ofFlat[placed].placement.value_or(placement);
-            placement.offset = laid.sheet.offset[placed++];
-        }
-        laid.offsets.push_back(placement.offset);
-        laid.placements.push_back(placement);
-    }
-    return laid;
+LaidOutPattern inRows(const Garment& garment, const PieceResults& results) {
+    Pattern pattern = makePattern(garment, results);
+    Marker marker = layOut(pattern);
+    return {std::move(pattern), std::move(marker)};
 }
 
 bool canExport(const std::filesystem::path& path) {
@@ -75,14 +46,13 @@ bool canExport(const std::filesystem::path& path) {
 }
 
 Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
-                        const PieceResults& results, const std::vector<PieceOnSheet>& places,
+                        const PieceResults& results, const LaidOutPattern& laid,
                         const Progress& progress, const DrawingWords& words) {
     if (!canExport(path)) {
         return Error{ErrorCode::UnknownFormat, Subject::file(path.string()),
                      "ending \"" + lowerCaseEnding(path) + "\""};
     }
-    const std::string bytes =
-        bytesOf(lowerCaseEnding(path), garment, results, places, progress, words);
+    const std::string bytes = bytesOf(lowerCaseEnding(path), garment, results, laid, words);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }

@@ -14,8 +14,7 @@
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/garment/identify.h"
-#include "core/layout/placement.h"
-#include "core/layout/sheet.h"
+#include "core/layout/marker.h"
 #include "core/pattern/piece_marks.h"
 
 namespace toile {
@@ -106,29 +105,19 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
 /// where there are threads to be had.
 inline constexpr double kCancelSeconds = 0.05;
 
-/// The pattern of the pieces that are flat, in garment order, and where each comes from.
-struct LaidOutPattern {
-    Pattern pattern;
-    Sheet sheet;
-    std::vector<Eigen::Vector2d> offsets;  ///< per piece of the garment; zero where not flat
-    std::vector<Placement> placements;     ///< likewise, with the turns that the pattern has
-};
-
-/// @param results  one per piece; null where there is none
-/// @param places   one per piece of the garment, or none: all in rows (`placeOnSheet`)
-LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
-                      const std::vector<PieceOnSheet>& places = {});
+/// The pattern of a garment in rows. @param results  one per piece; null where there is none
+LaidOutPattern inRows(const Garment& garment, const PieceResults& results);
 
 /// True where `exportFile` knows the path's ending.
 bool canExport(const std::filesystem::path& path);
 
 /// Writes one file in the format of its ending (.svg, .dxf, .obj, .json).
-/// @param places    as for `layOut`
+/// @param laid      the pattern of the garment
 /// @param progress  cancelled before the file is written, nothing is
 /// @param words     what drawings say
 /// Errors: UnknownFormat, FileUnwritable, Cancelled.
 Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
-                        const PieceResults& results, const std::vector<PieceOnSheet>& places = {},
+                        const PieceResults& results, const LaidOutPattern& laid,
                         const Progress& progress = {}, const DrawingWords& words = {});
 
 /// Flattens and measures every piece by every method, one method after the other, pieces side by

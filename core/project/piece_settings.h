@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "core/base/id.h"
-#include "core/layout/placement.h"
+#include "core/pattern/pattern.h"
+#include "core/pattern/placement.h"
 
 namespace toile {
 
@@ -25,18 +26,12 @@ struct Anchor {
 
 inline constexpr int kMostCopies = 1000000;  ///< of a piece that can be asked for
 
-/// What a person has said about one piece, beyond its shape.
-struct PieceSettings {
+/// What a person has said about one piece, beyond its shape; of a quantity, at most kMostCopies.
+struct PieceSettings : Cutting {
     /// Where the flat piece lies; none until it has been laid out.
     std::optional<Placement> placement{};
     /// A person has put it there: it moves for no other piece.
     bool placedByHand = false;
-    /// Direction of the warp, radians anti-clockwise from the x axis of the flat piece's own
-    /// coordinates; none where nobody has said so, and then it runs upwards (kGrainUpwards).
-    std::optional<double> grain{};
-    int quantity = 1;           ///< how many are cut, at most kMostCopies
-    bool mirroredPair = false;  ///< each of them also mirrored: left and right
-
     /// Which flat points placement and grain are about (PieceResult::fingerprint); 0: not known.
     std::uint64_t flat = 0;
     /// Where these lay, as long as the next are not there: they are fitted to the anchors, which
@@ -52,16 +47,5 @@ struct PieceSettings {
 /// By piece; also of pieces that are not there at the time, since a cut that is taken back brings
 /// them back.
 using SettingsById = std::map<PieceId, PieceSettings>;
-
-/// What of it a drawing shows.
-inline PieceOnSheet onSheet(const PieceSettings& settings) {
-    return {settings.placement, settings.grain, settings.quantity, settings.mirroredPair};
-}
-
-inline constexpr double kGrainUpwards = 1.5707963267948966;
-
-inline double grainOf(const PieceSettings& settings) {
-    return settings.grain.value_or(kGrainUpwards);
-}
 
 }  // namespace toile

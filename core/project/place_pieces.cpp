@@ -11,7 +11,7 @@
 
 #include "core/layout/arrange.h"
 #include "core/layout/free_place.h"
-#include "core/layout/sheet.h"
+#include "core/layout/marker.h"
 #include "core/layout/sheet_overlaps.h"
 
 namespace toile {
@@ -40,8 +40,7 @@ public:
     Placing(std::vector<PieceSettings> settings, const PieceResults& results)
         : settings_(std::move(settings)), results_(results) {}
 
-    std::vector<PieceSettings> run(const std::vector<std::optional<FlatMotion>>& motions,
-                                   const std::vector<Eigen::Vector2d>& proposed) {
+    std::vector<PieceSettings> run(const std::vector<std::optional<FlatMotion>>& motions) {
         forgetWhatIsOver();
         followUnit();
         const std::vector<std::vector<std::size_t>> cut = partsOfOne();
@@ -57,7 +56,7 @@ public:
             }
         }
         makeRoom(cut, changed);
-        placeNew(proposed);
+        placeNew();
         return std::move(settings_);
     }
 
@@ -228,27 +227,39 @@ private:
         outlines_[i].rowwise() += move.transpose();
     }
 
-    void placeNew(const std::vector<Eigen::Vector2d>& proposed) {
+    /// Where no piece has a place yet: all in rows.
+    void placeInRows() {
+        std::vector<Eigen::AlignedBox2d> boxes(settings_.size());
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            if (isFlat(i)) {
+                boxes[i] = boxOf(outlineOf(i));
+            }
+        }
+        const Rows rows = layOutInRows(boxes);
+        for (std::size_t i = 0; i < settings_.size(); ++i) {
+            if (isFlat(i)) {
+                settings_[i].placement = Placement{rows.offset[i]};
+            }
+        }
+    }
+
+    void placeNew() {
         Eigen::AlignedBox2d taken;
         for (std::size_t i = 0; i < settings_.size(); ++i) {
             if (isPlaced(i)) {
                 taken.extend(boxOf(outlineOf(i)));
             }
         }
+        if (taken.isEmpty()) {
+            placeInRows();
+            return;
+        }
         const double between = gap();
         // Downwards in a column to the right of everything, then in another.
-        Eigen::Vector2d corner = Eigen::Vector2d::Zero();
-        double columnRight = 0;
-        if (!taken.isEmpty()) {
-            corner = {taken.max().x() + between, taken.max().y()};
-            columnRight = corner.x();
-        }
+        Eigen::Vector2d corner(taken.max().x() + between, taken.max().y());
+        double columnRight = corner.x();
         for (std::size_t i = 0; i < settings_.size(); ++i) {
             if (!isFlat(i) || settings_[i].placement) {
-                continue;
-            }
-            if (taken.isEmpty()) {
-                settings_[i].placement = Placement{proposed[i]};
                 continue;
             }
             const Eigen::AlignedBox2d box = boxOf(outlineOf(i));
@@ -287,9 +298,22 @@ std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
 
 std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
                                           const PieceResults& results,
-                                          const std::vector<std::optional<FlatMotion>>& motions,
-                                          const std::vector<Eigen::Vector2d>& proposed) {
-    return Placing(std::move(settings), results).run(motions, proposed);
+                                          const std::vector<std::optional<FlatMotion>>& motions) {
+    return Placing(std::move(settings), results).run(motions);
+}
+
+LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
+                      const std::vector<PieceSettings>& settings, const PieceLabels& labels) {
+    LaidOutPattern laid{makePattern(garment, results), {}};
+    std::vector<std::optional<Placement>> placements;
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        PatternPiece& piece = laid.pattern.pieces[i];
+        static_cast<Cutting&>(piece) = settings[i];
+        piece.name = nameOf(labels, *garment.pieces[i]);
+        placements.push_back(settings[i].placement);
+    }
+    laid.marker = layOut(laid.pattern, placements);
+    return laid;
 }
 
 }  // namespace toile

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/flatten/piece_result.h"
+#include "core/layout/marker.h"
+#include "core/project/piece_labels.h"
 #include "core/project/rigid_motion.h"
 
 namespace toile {
@@ -30,15 +32,18 @@ std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
 /// hole of the rest lies on the rest.
 /// Where a piece has another shape and lies on another one now, that one makes room, or the piece
 /// itself does, if nobody has placed it by hand; where both were, both stay.
-/// Pieces without a place get one: to the right of all others; or, where no piece has one yet, the
-/// place proposed.
+/// Pieces without a place get one: to the right of all others; or, where no piece has one yet,
+/// all in rows.
 /// @param settings  one per result
 /// @param motions   of `flatMotions`
-/// @param proposed  one offset per result: a layout of all pieces
 /// Cost: linear in the outlines, some milliseconds more for each piece that has to move. Pure.
 std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
                                           const PieceResults& results,
-                                          const std::vector<std::optional<FlatMotion>>& motions,
-                                          const std::vector<Eigen::Vector2d>& proposed);
+                                          const std::vector<std::optional<FlatMotion>>& motions);
+
+/// The pattern as a person has it: called, cut and laid out as has been said.
+/// @param settings  one per piece, or none  Cost: linear in the outlines. Pure.
+LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
+                      const std::vector<PieceSettings>& settings, const PieceLabels& labels);
 
 }  // namespace toile

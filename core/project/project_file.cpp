@@ -10,7 +10,6 @@
 #include "core/base/text.h"
 #include "core/cut/seams_fields.h"
 #include "core/flatten/option_words.h"
-#include "core/layout/placement.h"
 #include "core/project/project_upgrades.h"
 
 namespace toile {

@@ -116,18 +116,16 @@ private slots:
         setGrain(document(), "Grain", {{0, 0.3}, {1, 2.0}, {2, kRightAngle}});
         turnTogether(document(), "Turn", {0}, 0.5);
         mirrorTogether(document(), "Mirror", {1}, Mirroring::LeftRight);
-        std::vector<PieceOnSheet> places;
-        for (const PieceSettings& piece : document().settings()) {
-            places.push_back(onSheet(piece));
-        }
-        const LaidOutPattern laid = layOut(*document().garment(), document().results(), places);
-        const Drawing drawing = draw(laid.pattern, laid.sheet);
+        const LaidOutPattern laid =
+            layOut(*document().garment(), document().results(), document().settings(), {});
+        const Drawing drawing = draw(laid.pattern, laid.marker);
         int lines = 0;
         for (int i = 0; i < document().pieceCount(); ++i) {
             const auto at = static_cast<std::size_t>(i);
-            const Eigen::Vector2d shift =
-                placement(i).offset - laid.offsets[at] - Eigen::Vector2d(10, 10);  // the margin
-            const std::string id = "piece-" + laid.pattern.pieces[at].id;
+            const Eigen::Vector2d shift = placement(i).offset -
+                                          laid.marker.copies[at].placement.offset -
+                                          Eigen::Vector2d(10, 10);  // the margin
+            const std::string id = "piece-" + laid.pattern.pieces[at].slug;
             for (const DrawnText& text : drawing.texts) {
                 const auto& label = document().marks().of(document(), i, {}).label;
                 QVERIFY(text.id != id + "-name" ||

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/document/document.h"
+#include "app/jobs/derivation.h"
 #include "app/render/colour_map.h"
 #include "app/render/overlay_values.h"
 #include "app/render/scene_builder.h"
@@ -61,8 +62,10 @@ private:
         derived.garment = garment;
         derived.results = {result};
         Progress progress;
-        derived.scene = buildScene(*garment, derived.results, progress);
-        state.settings[result->piece->id] = {.placement = Placement{}, .grain = kUpwards};
+        toile::draw(derived, progress);
+        PieceSettings& settings = state.settings[result->piece->id];
+        settings.placement = Placement{};
+        settings.grain = kUpwards;
         document().open(std::move(state), std::move(derived));
         // A solver would lay the sheet flat without strain.
         fixture_.workspace().jobs().cancel();

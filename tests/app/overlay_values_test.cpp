@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "app/document/document.h"
+#include "app/jobs/derivation.h"
 #include "app/render/fabric_fit.h"
 #include "app/render/face_table.h"
 #include "app/render/histogram.h"
@@ -42,7 +43,7 @@ void openLargeSheet(Document& document) {
     derived.garment = garment;
     derived.results = {result};
     Progress progress;
-    derived.scene = buildScene(*garment, derived.results, progress);
+    draw(derived, progress);
     document.open({}, std::move(derived));
 }
 

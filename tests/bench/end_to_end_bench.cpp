@@ -58,7 +58,7 @@ Walk walk(const fs::path& file, const FlattenOptions& options) {
     done.write = secondsOf([&] {
         for (const char* ending : {"svg", "dxf", "obj", "json"}) {
             const fs::path path = temporaryFolder() / (std::string("end_to_end.") + ending);
-            if (!exportFile(path, done.garment, done.results)) {
+            if (!exportFile(path, done.garment, done.results, inRows(done.garment, done.results))) {
                 throw std::runtime_error("cannot write " + path.string());
             }
         }

@@ -20,7 +20,7 @@ const Garment* dress() {
 }
 
 std::string bytesOf(const Garment& garment, const PieceResults& results) {
-    return writeObj(garment, results, layOut(garment, results).placements);
+    return writeObj(garment, results, inRows(garment, results).marker);
 }
 
 void measureGarment(benchmark::State& state, int threads) {

@@ -150,7 +150,8 @@ void flattenBy(const Piece& piece, Method method) {
 }
 
 void exportAs(const Strips& strips, const std::string& format) {
-    orFail(exportFile(temporaryFolder() / ("strips." + format), *strips.garment, strips.results));
+    orFail(exportFile(temporaryFolder() / ("strips." + format), *strips.garment, strips.results,
+                      inRows(*strips.garment, strips.results)));
 }
 
 /// What the stages are, by their names in kOutlineStages.
@@ -195,7 +196,7 @@ const std::map<std::string, std::function<void(const Strips&)>> kStages = {
          benchmark::DoNotOptimize(outlineCrossings(s.Q(), s.piece().boundary));
      }},
     {"measure", [](const Strips& s) { benchmark::DoNotOptimize(measure(s.piece(), s.Q())); }},
-    {"sheet", [](const Strips& s) { benchmark::DoNotOptimize(layOut(*s.garment, s.results)); }},
+    {"sheet", [](const Strips& s) { benchmark::DoNotOptimize(inRows(*s.garment, s.results)); }},
     {"check",
      [](const Strips& s) {
          CutPlan plan;

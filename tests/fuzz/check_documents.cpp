@@ -143,15 +143,11 @@ std::string whatBreaksInProject(std::string bytes) {
     }
     Progress progress;
     const PieceResults results = flattenGarment(*garment, project.options, progress);
-    std::vector<PieceOnSheet> places;
-    for (const PieceSettings& piece :
-         placedSettings(settingsFor(project, *garment), results,
-                        std::vector<std::optional<FlatMotion>>(results.size()),
-                        layOut(*garment, results).offsets)) {
-        places.push_back(onSheet(piece));
-    }
+    const std::vector<PieceSettings> settings =
+        placedSettings(settingsFor(project, *garment), results,
+                       std::vector<std::optional<FlatMotion>>(results.size()));
     differencesTo(project, *garment);
-    return whatBreaksIn(*garment, results, places);
+    return whatBreaksIn(*garment, results, layOut(*garment, results, settings, project.labels));
 }
 
 }  // namespace toile::fuzz

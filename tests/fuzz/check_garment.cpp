@@ -68,7 +68,7 @@ std::string whatBreaksIn(const Garment& garment) {
 }
 
 std::string whatBreaksIn(const Garment& garment, const PieceResults& results,
-                         const std::vector<PieceOnSheet>& places) {
+                         const LaidOutPattern& laid) {
     for (const auto& result : results) {
         if (result->flat.has_value() == result->error.has_value()) {
             return "a piece is neither flat nor failed";
@@ -78,15 +78,14 @@ std::string whatBreaksIn(const Garment& garment, const PieceResults& results,
             return "flat points are not finite";
         }
     }
-    const LaidOutPattern laid = layOut(garment, results, places);
-    const Drawing drawing = draw(laid.pattern, laid.sheet);
+    const Drawing drawing = draw(laid.pattern, laid.marker);
     for (const std::string& file :
-         {writeSvg(drawing), writeDxf(drawing), writeObj(garment, results, laid.placements)}) {
+         {writeSvg(drawing), writeDxf(drawing), writeObj(garment, results, laid.marker)}) {
         if (file.find("nan") != std::string::npos || file.find("inf") != std::string::npos) {
             return "a file holds what is no number";
         }
     }
-    return writeReport(garment, results).empty() ? "no report" : "";
+    return writeReport(garment, results, laid.pattern).empty() ? "no report" : "";
 }
 
 std::string whatBreaksOnTheWay(std::string bytes) {
@@ -108,7 +107,8 @@ std::string whatBreaksOnTheWay(std::string bytes) {
         FlattenOptions options;
         options.method = traits.method;
         const PieceResults results = flattenGarment(garment, options, progress);
-        if (std::string broken = whatBreaksIn(garment, results); !broken.empty()) {
+        if (std::string broken = whatBreaksIn(garment, results, inRows(garment, results));
+            !broken.empty()) {
             return broken;
         }
     }

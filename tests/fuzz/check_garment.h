@@ -18,8 +18,7 @@ std::string whatBreaksOnTheWay(std::string bytes);
 /// finite lengths. Empty where all are kept. Linear.
 std::string whatBreaksIn(const Garment& garment);
 /// Promises of what comes of it: flat points and all that is written are finite. Linear.
-/// @param places  as for `layOut`
 std::string whatBreaksIn(const Garment& garment, const PieceResults& results,
-                         const std::vector<PieceOnSheet>& places = {});
+                         const LaidOutPattern& laid);
 
 }  // namespace toile::fuzz

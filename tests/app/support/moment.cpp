@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/pattern/pattern.h"
+
 namespace toile::test {
 
 void setGarment(Document& document, std::shared_ptr<const Garment> garment,
@@ -20,6 +22,8 @@ void setGarment(Document& document, std::shared_ptr<const Garment> garment,
 void setResults(Document& document, PieceResults results, std::shared_ptr<const Scene> scene) {
     Derived derived = document.derived();
     derived.results = std::move(results);
+    derived.pattern =
+        std::make_shared<const Pattern>(makePattern(*derived.garment, derived.results));
     derived.scene = std::move(scene);
     document.show(std::move(derived), document.state().settings);
 }

@@ -10,6 +10,7 @@
 
 #include "app/document/document.h"
 #include "app/document/layout.h"
+#include "app/jobs/derivation.h"
 #include "app/render/colour_map.h"
 #include "app/render/offscreen_context.h"
 #include "app/render/overlay_values.h"
@@ -125,10 +126,10 @@ protected:
         derived.garment = garment;
         derived.results = std::move(results);
         Progress progress;
-        derived.scene = buildScene(*garment, derived.results, progress);
-        const auto offsets = layOut(*garment, derived.results).offsets;
-        for (std::size_t i = 0; i < offsets.size(); ++i) {
-            state.settings[garment->pieces[i]->id].placement = Placement{offsets[i]};
+        toile::draw(derived, progress);
+        for (const auto& [piece, placement] : inRows(*garment, derived.results).marker.copies) {
+            state.settings[garment->pieces[static_cast<std::size_t>(piece)]->id].placement =
+                placement;
         }
         document_->open(std::move(state), std::move(derived));
         document_->setView(&ViewState::worstSpots, false);

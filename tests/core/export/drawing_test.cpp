@@ -50,7 +50,7 @@ TEST(Draw, KeepsOutlinesApartAndWithinTheMargin) {
 
 TEST(Draw, KeepsEveryEdgeLength) {
     const Pattern pattern = test::sewingPattern();
-    const Drawing drawing = draw(pattern, layOutInRows(pattern));
+    const Drawing drawing = draw(pattern, layOut(pattern));
     ASSERT_GE(pattern.pieces.size(), 2U);
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
         const Eigen::VectorXd is = test::edgeLengths(drawing.paths[i].points);
@@ -79,8 +79,9 @@ TEST(Draw, NamesPiecesAndSaysThatThereIsNoAllowance) {
 TEST(Draw, SpeaksTheWordsOfItsCaller) {
     Pattern pattern = test::sewingPattern();
     pattern.pieces[0].quantity = 3;
-    pattern.pieces[1].mirrored = pattern.pieces[1].mirroredPair = true;
-    const Drawing drawing = draw(pattern, layOutInRows(pattern),
+    pattern.pieces[1].mirroredPair = true;
+    const std::vector<std::optional<Placement>> placements{{}, Placement{{0, 0}, 0, true}};
+    const Drawing drawing = draw(pattern, layOut(pattern, placements),
                                  {.noAllowance = "ohne Zugabe",
                                   .mirrored = "gespiegelt",
                                   .cut = "%1 x",
@@ -101,7 +102,7 @@ TEST(Draw, SaysHowOftenAPieceIsCut) {
     pattern.pieces[1].mirroredPair = true;
     pattern.pieces[2].mirroredPair = true;
     pattern.pieces[2].quantity = 2;
-    const Drawing drawing = draw(pattern, layOutInRows(pattern));
+    const Drawing drawing = draw(pattern, layOut(pattern));
     const auto second = [&](std::size_t i) { return drawing.texts[i].lines[1]; };
     EXPECT_EQ(second(0), "cut 3");
     EXPECT_EQ(second(1), "cut 1 pair");
@@ -119,7 +120,7 @@ TEST(Draw, SaysHowOftenAPieceIsCut) {
 }
 
 TEST(Draw, HasACheckSquareOfAHundredMillimetresWithItsTextInside) {
-    for (const Drawing& drawing : {test::sewingDrawing(), draw(Pattern{}, Sheet{})}) {
+    for (const Drawing& drawing : {test::sewingDrawing(), draw(Pattern{}, Marker{})}) {
         const DrawnPath& square = drawing.paths.back();
         EXPECT_EQ(square.id, "check-square");
         EXPECT_EQ(square.layer, LayerKind::Check);
@@ -133,7 +134,7 @@ TEST(Draw, HasACheckSquareOfAHundredMillimetresWithItsTextInside) {
 }
 
 TEST(Draw, TakesAPatternWithoutPieces) {
-    const Drawing drawing = draw(Pattern{}, layOutInRows(Pattern{}));
+    const Drawing drawing = draw(Pattern{}, layOut(Pattern{}));
     EXPECT_EQ(drawing.width, 120);
     EXPECT_EQ(drawing.height, 120);
     EXPECT_EQ(drawing.paths.size(), 1u);
@@ -146,7 +147,7 @@ TEST(Draw, KeepsTextsOnThePageAtAnyScale) {
         for (PatternPiece& piece : pattern.pieces) {
             piece.outline *= scale;
         }
-        const Drawing drawing = draw(pattern, layOutInRows(pattern));
+        const Drawing drawing = draw(pattern, layOut(pattern));
         EXPECT_GE(drawing.texts.size(), pattern.pieces.size());
         for (const DrawnText& text : drawing.texts) {
             expectOnPage(boxOf(text), drawing, 0);

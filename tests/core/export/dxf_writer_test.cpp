@@ -13,7 +13,7 @@ constexpr double kDxfWritten = 2e-4;  // what 4 decimals can change in a length,
 
 TEST(WriteDxf, KeepsEveryEdgeLengthToTheWrittenPrecision) {
     const Pattern pattern = test::sewingPattern();
-    const test::DxfFile file(writeDxf(draw(pattern, layOutInRows(pattern))));
+    const test::DxfFile file(writeDxf(draw(pattern, layOut(pattern))));
     EXPECT_TRUE(file.faults.empty()) << file.faults.front();
     ASSERT_EQ(file.polylines.size(), pattern.pieces.size() + 1);
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
@@ -78,7 +78,7 @@ TEST(WriteDxf, GivesTheSameBytesTwiceAndInAnyLocale) {
 }
 
 TEST(WriteDxf, DrawsOnlyTheCheckSquareOfAnEmptyPattern) {
-    const test::DxfFile file(writeDxf(draw(Pattern{}, Sheet{})));
+    const test::DxfFile file(writeDxf(draw(Pattern{}, Marker{})));
     EXPECT_TRUE(file.faults.empty());
     EXPECT_EQ(file.polylines.size(), 1u);
 }

@@ -68,7 +68,7 @@ void add(GarmentAndResults& all, const std::shared_ptr<const PieceResult>& resul
          const Eigen::Vector2d& offset) {
     all.garment.pieces.push_back(result->piece);
     all.results.push_back(result);
-    all.placements.push_back({offset});
+    all.marker.copies.push_back({static_cast<int>(all.results.size()) - 1, {offset}});
 }
 
 std::shared_ptr<SourceFile> textFile() {
@@ -143,16 +143,16 @@ Points2 curvedPanel(int count, double radius) {
 
 Pattern sewingPattern() {
     Pattern pattern{"Größe <38> & \"Probe\"", {}};
-    pattern.pieces.push_back({"Ärmel <links> & \"rechts\"", "aermel", curvedPanel(300, 180)});
-    pattern.pieces.push_back({"前身頃", "piece", horseshoe(-1000, 4000, 300, 60)});
-    pattern.pieces.push_back({"neckband", "neckband", rectangle(12.34567, -55.5, 420.1, 22)});
-    pattern.pieces.push_back({"cuff 2", "cuff-2", curvedPanel(37, 61.234567)});
+    pattern.pieces.push_back({{}, "Ärmel <links> & \"rechts\"", "aermel", curvedPanel(300, 180)});
+    pattern.pieces.push_back({{}, "前身頃", "piece", horseshoe(-1000, 4000, 300, 60)});
+    pattern.pieces.push_back({{}, "neckband", "neckband", rectangle(12.34567, -55.5, 420.1, 22)});
+    pattern.pieces.push_back({{}, "cuff 2", "cuff-2", curvedPanel(37, 61.234567)});
     return pattern;
 }
 
 Drawing sewingDrawing() {
     const Pattern pattern = sewingPattern();
-    return draw(pattern, layOutInRows(pattern));
+    return draw(pattern, layOut(pattern));
 }
 
 Eigen::VectorXd edgeLengths(const Points2& outline) {

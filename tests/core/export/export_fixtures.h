@@ -8,8 +8,7 @@
 #include "core/export/drawing.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
-#include "core/layout/placement.h"
-#include "core/layout/sheet.h"
+#include "core/layout/marker.h"
 
 namespace toile::test {
 
@@ -22,7 +21,7 @@ Points2 curvedPanel(int count, double radius);
 
 /// Pieces of all these kinds, away from the origin, with names in several scripts.
 Pattern sewingPattern();
-/// `sewingPattern` on its sheet.
+/// `sewingPattern` laid out.
 Drawing sewingDrawing();
 
 /// Length of each edge of a closed outline.
@@ -31,7 +30,7 @@ Eigen::VectorXd edgeLengths(const Points2& outline);
 struct GarmentAndResults {
     Garment garment;
     PieceResults results;
-    std::vector<Placement> placements;
+    Marker marker;
 };
 
 /// One text file in cm: pieces "front 1" and "back" share two positions; "ring" has failed; one

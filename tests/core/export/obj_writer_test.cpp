@@ -31,7 +31,7 @@ struct ObjLines {
 };
 
 ObjLines write(const test::GarmentAndResults& all) {
-    return ObjLines(writeObj(all.garment, all.results, all.placements));
+    return ObjLines(writeObj(all.garment, all.results, all.marker));
 }
 
 TEST(WriteObj, RepeatsTheDigitsOfTheFile) {
@@ -106,10 +106,10 @@ TEST(WriteObj, KeepsGroupNamesApartAndInOneWord) {
 
 TEST(WriteObj, GivesTheSameBytesTwiceAndInAnyLocale) {
     const test::GarmentAndResults all = test::handmadeGarment();
-    const std::string bytes = writeObj(all.garment, all.results, all.placements);
-    EXPECT_EQ(bytes, writeObj(all.garment, all.results, all.placements));
+    const std::string bytes = writeObj(all.garment, all.results, all.marker);
+    EXPECT_EQ(bytes, writeObj(all.garment, all.results, all.marker));
     const test::CommaLocale comma;
-    EXPECT_EQ(bytes, writeObj(all.garment, all.results, all.placements));
+    EXPECT_EQ(bytes, writeObj(all.garment, all.results, all.marker));
 }
 
 /// A square grid of one piece without text, two triangles per cell.
@@ -139,18 +139,18 @@ test::GarmentAndResults gridGarment(int cells) {
     auto result = std::make_shared<PieceResult>();
     result->piece = piece;
     result->flat.emplace().Q = piece->mesh.V.leftCols(2);
-    return {{{file}, {piece}}, {result}, {Placement{{1, 2}}}};
+    return {{{file}, {piece}}, {result}, {{{0, {{1, 2}}}}, 0, 0}};
 }
 
 TEST(WriteObj, WritesEveryFaceOfALargePiece) {
     const test::GarmentAndResults all = gridGarment(100);
-    const std::string bytes = writeObj(all.garment, all.results, all.placements);
+    const std::string bytes = writeObj(all.garment, all.results, all.marker);
     EXPECT_EQ(ObjLines(bytes).faces.size(), 20001u);  // with one g
 }
 
 TEST(WriteObjClock, IsLinearInTheFaces) {
     const auto writing = [](const test::GarmentAndResults& all) {
-        return [&all] { writeObj(all.garment, all.results, all.placements); };
+        return [&all] { writeObj(all.garment, all.results, all.marker); };
     };
     const test::GarmentAndResults some = gridGarment(150), more = gridGarment(300);
     EXPECT_LT(test::growth(writing(some), writing(more)), 8);

@@ -76,16 +76,16 @@ TEST(WriteReport, WritesNullForWhatIsNotThereOrNotFinite) {
 
 TEST(WriteReport, SaysHowOftenAPieceIsCut) {
     const auto all = test::handmadeGarment();
-    std::vector<PieceOnSheet> places(all.results.size());
-    places[1].quantity = 4;
-    places[1].mirroredPair = true;
-    const Json pieces = Json::parse(writeReport(all.garment, all.results, places))["pieces"];
+    Pattern pattern = makePattern(all.garment, all.results);
+    pattern.pieces[1].quantity = 4;
+    pattern.pieces[1].mirroredPair = true;
+    const Json pieces = Json::parse(writeReport(all.garment, all.results, pattern))["pieces"];
     EXPECT_EQ(pieces[0]["quantity"], 1);
     EXPECT_EQ(pieces[0]["mirrored_pair"], false);
     EXPECT_EQ(pieces[1]["quantity"], 4);
     EXPECT_EQ(pieces[1]["mirrored_pair"], true);
     EXPECT_EQ(writeReport(all.garment, all.results),
-              writeReport(all.garment, all.results, std::vector<PieceOnSheet>(3)));
+              writeReport(all.garment, all.results, makePattern(all.garment, all.results)));
 }
 
 TEST(WriteReport, SaysWhatTheInteriorTookAndWhatIsNoted) {

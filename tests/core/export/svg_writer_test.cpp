@@ -65,13 +65,13 @@ struct SvgFile {
 
 TEST(WriteSvg, KeepsEveryEdgeLengthToTheWrittenPrecision) {
     const Pattern pattern = test::sewingPattern();
-    const SvgFile file(draw(pattern, layOutInRows(pattern)));
+    const SvgFile file(draw(pattern, layOut(pattern)));
     ASSERT_EQ(file.paths.size(), pattern.pieces.size() + 1);
     for (const PatternPiece& piece : pattern.pieces) {
-        const Points2& written = file.paths.at("piece-" + piece.id + "-cut");
+        const Points2& written = file.paths.at("piece-" + piece.slug + "-cut");
         ASSERT_EQ(written.rows(), piece.outline.rows());
         const Eigen::VectorXd error = test::edgeLengths(written) - test::edgeLengths(piece.outline);
-        EXPECT_LT(error.cwiseAbs().maxCoeff(), kSvgWritten) << piece.id;
+        EXPECT_LT(error.cwiseAbs().maxCoeff(), kSvgWritten) << piece.slug;
     }
     EXPECT_EQ(test::edgeLengths(file.paths.at("check-square")), Eigen::VectorXd::Constant(4, 100));
 }
@@ -151,7 +151,7 @@ TEST(WriteSvg, KeepsNamesOfAnyScript) {
 }
 
 TEST(WriteSvg, StaysWellFormedWithNamesThatAreNoText) {
-    Drawing drawing = draw(Pattern{}, Sheet{});
+    Drawing drawing = draw(Pattern{}, Marker{});
     drawing.title = "a\x01\xFF]]>";
     drawing.texts[0].lines = {"\x1B\xC3", "--><tspan>"};
     const SvgFile file(drawing);
@@ -168,7 +168,7 @@ TEST(WriteSvg, GivesTheSameBytesTwiceAndInAnyLocale) {
 }
 
 TEST(WriteSvg, DrawsOnlyTheCheckSquareOfAnEmptyPattern) {
-    const SvgFile file(draw(Pattern{}, Sheet{}));
+    const SvgFile file(draw(Pattern{}, Marker{}));
     EXPECT_EQ(file.paths.size(), 1u);
     EXPECT_EQ(file.attribute("viewBox"), "0 0 120 120");
 }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/angle.h"
-#include "core/layout/sheet.h"
+#include "core/layout/marker.h"
 
 namespace toile {
 namespace {
@@ -102,7 +102,7 @@ TEST(Arrange, RowsOfBoxesAreThoseOfThePattern) {
         Points2 outline(4, 2);
         outline << box.min().x(), box.min().y(), box.max().x(), box.min().y(), box.max().x(),
             box.max().y(), box.min().x(), box.max().y();
-        pattern.pieces.push_back({"p", "p", outline});
+        pattern.pieces.push_back({{}, "p", "p", outline});
     }
     EXPECT_EQ(layOutInRows(kBoxes).offset, layOutInRows(pattern).offset);
 }

@@ -391,10 +391,9 @@ void expectPatchIsSewn(const std::filesystem::path& path, std::size_t which) {
     EXPECT_NEAR(measure.length2dRight, seam->length3d[0], kEqual);
     // Both pieces bear the seam's number on the paper.
     for (const SeamSide& side : {seam->left, seam->right}) {
-        const PieceResult& result = *flat.results[static_cast<std::size_t>(side.piece)];
         const PatternPiece drawn =
-            makePatternPiece(*result.piece, *result.flat, flat.garment.seams, side.piece);
-        EXPECT_EQ(std::ranges::count(drawn.seams, std::string("loop"), &SeamMark::name), 1);
+            makePattern(flat.garment, flat.results).pieces[static_cast<std::size_t>(side.piece)];
+        EXPECT_EQ(std::ranges::count(drawn.seams, std::string("loop"), &SeamLine::name), 1);
     }
     EXPECT_EQ(seam->cuts, std::vector{flat.garment.cuts.front().id});
 }
@@ -427,7 +426,8 @@ TEST(GarmentSeams, CutsFollowTheUnitAndTheAxesOfTheFile) {
     ASSERT_EQ(flat.garment.cuts.size(), 1U);
     EXPECT_NEAR(flat.garment.cuts[0].length, 8, 0.2);
     EXPECT_EQ(flat.garment.pieces[0]->mesh.V.col(1).maxCoeff(), 10);
-    ASSERT_TRUE(exportFile(folder / "out.obj", flat.garment, flat.results));
+    ASSERT_TRUE(exportFile(folder / "out.obj", flat.garment, flat.results,
+                           inRows(flat.garment, flat.results)));
     const auto again = flattenFile(folder / "out.obj", {LengthUnit::Centimetre, UpAxis::Z});
     double area = 0;
     for (const auto& result : again.results) {

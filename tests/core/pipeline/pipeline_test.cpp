@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/project/place_pieces.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
@@ -143,15 +144,18 @@ TEST(Pipeline, ABadPieceFailsAloneAndIsExportedAround) {
     EXPECT_EQ(results[1]->error->code, ErrorCode::ClosedSurface);
     for (const char* out : {"out.svg", "out.dxf", "out.obj", "out.json", "OUT2.SVG"}) {
         EXPECT_TRUE(canExport(folder / out));
-        const auto written = exportFile(folder / out, garment, results);
+        const auto written = exportFile(folder / out, garment, results, inRows(garment, results));
         EXPECT_TRUE(written) << sentence(written.error());
         EXPECT_FALSE(folder.read(out).empty());
         EXPECT_EQ(folder.read(out).find("nan"), std::string::npos);
     }
     EXPECT_FALSE(canExport("out.pdf"));
-    EXPECT_EQ(exportFile(folder / "out.pdf", garment, results).error().code,
-              ErrorCode::UnknownFormat);
-    EXPECT_EQ(exportFile(folder / "none" / "out.svg", garment, results).error().code,
+    EXPECT_EQ(
+        exportFile(folder / "out.pdf", garment, results, inRows(garment, results)).error().code,
+        ErrorCode::UnknownFormat);
+    EXPECT_EQ(exportFile(folder / "none" / "out.svg", garment, results, inRows(garment, results))
+                  .error()
+                  .code,
               ErrorCode::FileUnwritable);
 }
 
@@ -165,7 +169,7 @@ TEST(Pipeline, WritesTurnedFacesTurned) {
     EXPECT_EQ(garment.files[0]->problems[0].code, ErrorCode::WindingsTurned);
     Progress progress;
     const PieceResults results = flattenGarment(garment, {}, progress);
-    ASSERT_TRUE(exportFile(folder / "out.obj", garment, results));
+    ASSERT_TRUE(exportFile(folder / "out.obj", garment, results, inRows(garment, results)));
     EXPECT_NE(folder.read("out.obj").find("1 face turned over"), std::string::npos);
     const Garment again = load({folder / "out.obj"});
     EXPECT_TRUE(again.files[0]->problems.empty());
@@ -190,20 +194,21 @@ TEST(Pipeline, FilesShowPiecesAsTheyWereLaid) {
     Progress progress;
     const PieceResults results = flattenGarment(garment, {}, progress);
     // As in rows: the same bytes as without a word about places.
-    const LaidOutPattern rows = layOut(garment, results);
-    std::vector<PieceOnSheet> places;
-    for (const Eigen::Vector2d& offset : rows.offsets) {
-        places.push_back({Placement{offset}, {}});
+    const LaidOutPattern rows = inRows(garment, results);
+    std::vector<PieceSettings> said(garment.pieces.size());
+    for (const PlacedCopy& copy : rows.marker.copies) {
+        said[static_cast<std::size_t>(copy.piece)].placement = copy.placement;
     }
     for (const char* name : {"a.svg", "a.dxf", "a.obj"}) {
-        ASSERT_TRUE(exportFile(folder / name, garment, results));
+        ASSERT_TRUE(exportFile(folder / name, garment, results, inRows(garment, results)));
         const std::string before = folder.read(name);
-        ASSERT_TRUE(exportFile(folder / name, garment, results, places));
+        ASSERT_TRUE(
+            exportFile(folder / name, garment, results, layOut(garment, results, said, {})));
         EXPECT_EQ(folder.read(name), before) << name;
     }
     // Turned, mirrored and elsewhere: re-measured from the UV map.
-    places[0].placement = Placement{{900, -400}, 0.7, true};
-    ASSERT_TRUE(exportFile(folder / "b.obj", garment, results, places));
+    said[0].placement = Placement{{900, -400}, 0.7, true};
+    ASSERT_TRUE(exportFile(folder / "b.obj", garment, results, layOut(garment, results, said, {})));
     const std::string bytes = folder.read("b.obj");
     EXPECT_NE(bytes.find("mirrored, wrong side of the fabric up"), std::string::npos);
     std::vector<Eigen::Vector2d> uvs;
@@ -218,13 +223,13 @@ TEST(Pipeline, FilesShowPiecesAsTheyWereLaid) {
     }
     const Points2 &first = results[0]->flat->Q, &second = results[1]->flat->Q;
     ASSERT_GE(static_cast<Eigen::Index>(uvs.size()), first.rows() + second.rows());
-    const Eigen::Vector2d shift = uvs[0] - places[0].placement->applied(first.row(0).transpose());
+    const Eigen::Vector2d shift = uvs[0] - said[0].placement->applied(first.row(0).transpose());
     for (Eigen::Index v = 0; v < first.rows(); ++v) {
-        const Eigen::Vector2d should = places[0].placement->applied(first.row(v).transpose());
+        const Eigen::Vector2d should = said[0].placement->applied(first.row(v).transpose());
         EXPECT_LT((uvs[static_cast<std::size_t>(v)] - should - shift).norm(), 1e-9);
     }
     for (Eigen::Index v = 0; v < second.rows(); ++v) {
-        const Eigen::Vector2d should = places[1].placement->applied(second.row(v).transpose());
+        const Eigen::Vector2d should = said[1].placement->applied(second.row(v).transpose());
         EXPECT_LT((uvs[static_cast<std::size_t>(first.rows() + v)] - should - shift).norm(), 1e-9);
     }
 }
@@ -236,7 +241,8 @@ TEST(Pipeline, GivesTheSameFilesAgain) {
         Progress progress;
         const PieceResults results = flattenGarment(garment, {}, progress);
         for (const char* ending : {".svg", ".dxf", ".obj"}) {
-            ASSERT_TRUE(exportFile(folder / (std::string(run) + ending), garment, results));
+            ASSERT_TRUE(exportFile(folder / (std::string(run) + ending), garment, results,
+                                   inRows(garment, results)));
         }
     }
     for (const char* ending : {".svg", ".dxf", ".obj"}) {

@@ -43,8 +43,7 @@ std::vector<PieceSettings> placed(const Garment& garment, const PieceResults& re
                                   std::vector<PieceSettings> settings,
                                   const PieceResults& before = {}) {
     settings.resize(garment.pieces.size());
-    settings = placedSettings(std::move(settings), results, flatMotions(before, results),
-                              layOut(garment, results).offsets);
+    settings = placedSettings(std::move(settings), results, flatMotions(before, results));
     for (PieceSettings& piece : settings) {
         piece.flat = 0;  // tests of their own ask for it
     }
@@ -79,13 +78,13 @@ std::shared_ptr<const PieceResult> turned(const PieceResult& result, double turn
     return other;
 }
 
-TEST(PlacePieces, TheFirstTimeAllLieAsProposed) {
+TEST(PlacePieces, TheFirstTimeAllLieInRows) {
     const Garment garment = panels({test::planeGrid(4, 4, 50), test::planeGrid(2, 6, 30)});
     const PieceResults results = flat(garment);
     const auto settings = placed(garment, results, {});
-    const auto proposed = layOut(garment, results).offsets;
+    const Marker rows = inRows(garment, results).marker;
     for (std::size_t i = 0; i < 2; ++i) {
-        EXPECT_EQ(settings[i].placement, Placement{proposed[i]});
+        EXPECT_EQ(settings[i].placement, rows.copies[i].placement);
     }
 }
 
@@ -130,18 +129,20 @@ TEST(PlacePieces, WhatWasSaidOfTheseVeryFlatPointsStays) {
     const Eigen::Rotation2Dd turn(0.5);
     turned->flat->Q = (natural[0]->flat->Q * turn.toRotationMatrix().transpose()).eval();
     turned->fingerprint = 1;
-    PieceSettings said{.placement = Placement{{30, 40}, 0.3}, .grain = 0.2};
+    PieceSettings said;
+    said.placement = Placement{{30, 40}, 0.3};
+    said.grain = 0.2;
     said.flat = isometric[0]->fingerprint;
     said.anchors = {{0, {1, 2}}, {4, {3, 4}}};  // of who knows what
-    auto now = placedSettings({said}, isometric, flatMotions({turned}, isometric), {{0, 0}});
+    auto now = placedSettings({said}, isometric, flatMotions({turned}, isometric));
     said.anchors.clear();
     EXPECT_EQ(now[0], said);
     // About other points than those that were shown before: nobody can tell how they lay.
-    now = placedSettings({said}, {turned}, flatMotions(natural, {turned}), {{0, 0}});
+    now = placedSettings({said}, {turned}, flatMotions(natural, {turned}));
     EXPECT_EQ(now[0].placement, said.placement);
     EXPECT_EQ(now[0].flat, 1U);
     // About those: it goes along.
-    now = placedSettings({said}, {turned}, flatMotions(isometric, {turned}), {{0, 0}});
+    now = placedSettings({said}, {turned}, flatMotions(isometric, {turned}));
     EXPECT_NEAR(now[0].placement->turn, 0.3 - 0.5, 1e-6);
 }
 
@@ -415,7 +416,7 @@ TEST(PlacePieces, APieceThatCouldNotBeFlattenedKeepsWhatIsKnownOfIt) {
     auto failed = std::make_shared<PieceResult>();
     failed->piece = garment.pieces[0];
     failed->error = Error{ErrorCode::NotFinite};
-    EXPECT_EQ(placedSettings(settings, {failed}, {std::nullopt}, {{0, 0}}), settings);
+    EXPECT_EQ(placedSettings(settings, {failed}, {std::nullopt}), settings);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/layout/sheet.h"
-
 #include <gtest/gtest.h>
+
+#include "core/layout/marker.h"
 
 namespace toile {
 namespace {
@@ -18,7 +18,7 @@ Pattern mixedPattern(int count, double scale) {
     for (int i = 0; i < count; ++i) {
         const double width = 100 + 37 * (i * 7 % 11), height = 60 + 53 * (i * 5 % 13);
         pattern.pieces.push_back(
-            {"p", "p", scale * boxPoints(-40.0 * i, 25.0 * i - 90, width, height)});
+            {{}, "p", "p", scale * boxPoints(-40.0 * i, 25.0 * i - 90, width, height)});
     }
     return pattern;
 }
@@ -27,22 +27,22 @@ struct Placed {
     Eigen::Vector2d low, high;
 };
 
-Placed place(const Pattern& pattern, const Sheet& sheet, std::size_t i) {
+Placed place(const Pattern& pattern, const Rows& rows, std::size_t i) {
     const Points2& outline = pattern.pieces[i].outline;
-    return {outline.colwise().minCoeff().transpose() + sheet.offset[i],
-            outline.colwise().maxCoeff().transpose() + sheet.offset[i]};
+    return {outline.colwise().minCoeff().transpose() + rows.offset[i],
+            outline.colwise().maxCoeff().transpose() + rows.offset[i]};
 }
 
-void expectGood(const Pattern& pattern, const Sheet& sheet, double gap) {
-    ASSERT_EQ(sheet.offset.size(), pattern.pieces.size());
-    const double tolerance = 1e-12 * (sheet.width + sheet.height);
+void expectGood(const Pattern& pattern, const Rows& rows, double gap) {
+    ASSERT_EQ(rows.offset.size(), pattern.pieces.size());
+    const double tolerance = 1e-12 * (rows.width + rows.height);
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
-        const Placed a = place(pattern, sheet, i);
+        const Placed a = place(pattern, rows, i);
         EXPECT_GE(a.low.minCoeff(), -tolerance);
-        EXPECT_LE(a.high.x(), sheet.width + tolerance);
-        EXPECT_LE(a.high.y(), sheet.height + tolerance);
+        EXPECT_LE(a.high.x(), rows.width + tolerance);
+        EXPECT_LE(a.high.y(), rows.height + tolerance);
         for (std::size_t j = 0; j < i; ++j) {
-            const Placed b = place(pattern, sheet, j);
+            const Placed b = place(pattern, rows, j);
             const Eigen::Vector2d apart =
                 (a.low - b.high).cwiseMax(b.low - a.high);  // per axis, negative where they overlap
             EXPECT_GE(apart.maxCoeff(), gap - tolerance) << i << " and " << j;
@@ -61,47 +61,47 @@ TEST(LayOutInRows, KeepsPiecesApartAtAnyScale) {
 
 TEST(LayOutInRows, IsBetweenASquareAndThreeToTwoForManyPieces) {
     for (const int count : {8, 23, 60, 200}) {
-        const Sheet sheet = layOutInRows(mixedPattern(count, 1));
-        EXPECT_GE(sheet.width / sheet.height, 0.95) << count;
-        EXPECT_LE(sheet.width / sheet.height, 1.55) << count;
+        const Rows rows = layOutInRows(mixedPattern(count, 1));
+        EXPECT_GE(rows.width / rows.height, 0.95) << count;
+        EXPECT_LE(rows.width / rows.height, 1.55) << count;
     }
 }
 
 TEST(LayOutInRows, StacksLongPiecesInsteadOfQueueingThem) {
     Pattern pattern;
     for (int i = 0; i < 6; ++i) {
-        pattern.pieces.push_back({"band", "band", boxPoints(0, 0, 900, 40)});
+        pattern.pieces.push_back({{}, "band", "band", boxPoints(0, 0, 900, 40)});
     }
-    const Sheet sheet = layOutInRows(pattern);
-    EXPECT_DOUBLE_EQ(sheet.width, 900);
-    EXPECT_DOUBLE_EQ(sheet.height, 6 * 40 + 5 * 20);
-    EXPECT_GT(sheet.offset[0].y(), sheet.offset[1].y());  // the first piece comes first
+    const Rows rows = layOutInRows(pattern);
+    EXPECT_DOUBLE_EQ(rows.width, 900);
+    EXPECT_DOUBLE_EQ(rows.height, 6 * 40 + 5 * 20);
+    EXPECT_GT(rows.offset[0].y(), rows.offset[1].y());  // the first piece comes first
 }
 
 TEST(LayOutInRows, FitsOnePieceExactly) {
     Pattern pattern;
-    pattern.pieces.push_back({"one", "one", boxPoints(-300, 1000, 420, 650)});
-    const Sheet sheet = layOutInRows(pattern);
-    EXPECT_DOUBLE_EQ(sheet.width, 420);
-    EXPECT_DOUBLE_EQ(sheet.height, 650);
-    EXPECT_EQ(sheet.offset[0], Eigen::Vector2d(300, -1000));
+    pattern.pieces.push_back({{}, "one", "one", boxPoints(-300, 1000, 420, 650)});
+    const Rows rows = layOutInRows(pattern);
+    EXPECT_DOUBLE_EQ(rows.width, 420);
+    EXPECT_DOUBLE_EQ(rows.height, 650);
+    EXPECT_EQ(rows.offset[0], Eigen::Vector2d(300, -1000));
 }
 
 TEST(LayOutInRows, TakesNothingAndPiecesOfNoSize) {
-    const Sheet empty = layOutInRows(Pattern{});
+    const Rows empty = layOutInRows(Pattern{});
     EXPECT_EQ(empty.width, 0);
     EXPECT_EQ(empty.height, 0);
     EXPECT_TRUE(empty.offset.empty());
 
     Pattern points;
-    points.pieces.push_back({"none", "none", Points2(0, 2)});
-    points.pieces.push_back({"dot", "dot", boxPoints(5, 5, 0, 0)});
-    const Sheet sheet = layOutInRows(points);
-    EXPECT_EQ(sheet.offset.size(), 2u);
-    EXPECT_TRUE(sheet.offset[0].allFinite() && sheet.offset[1].allFinite());
+    points.pieces.push_back({{}, "none", "none", Points2(0, 2)});
+    points.pieces.push_back({{}, "dot", "dot", boxPoints(5, 5, 0, 0)});
+    const Rows rows = layOutInRows(points);
+    EXPECT_EQ(rows.offset.size(), 2u);
+    EXPECT_TRUE(rows.offset[0].allFinite() && rows.offset[1].allFinite());
 }
 
-TEST(LayOutInRows, GivesTheSameSheetTwice) {
+TEST(LayOutInRows, GivesTheSameRowsTwice) {
     const Pattern pattern = mixedPattern(40, 1.7);
     EXPECT_EQ(layOutInRows(pattern).offset, layOutInRows(pattern).offset);
 }

@@ -14,18 +14,19 @@ namespace {
 /// A rectangle of 200 x 100 mm, sewn along its lower edge and, over a corner, along the other
 /// three.
 PatternPiece sewnRectangle() {
-    PatternPiece piece{"front", "front", test::rectangle(0, 0, 200, 100), {}, {}};
-    SeamMark lower{1, "front / back", Points2(3, 2), false};
+    PatternPiece piece{{}, "front", "front", test::rectangle(0, 0, 200, 100)};
+    SeamLine lower{1, "front / back", Points2(3, 2), false};
     lower.line << 0, 0, 90, 0, 200, 0;
-    SeamMark rest{12, "front / a sleeve with a very long name", Points2(4, 2), false};
+    SeamLine rest{12, "front / a sleeve with a very long name", Points2(4, 2), false};
     rest.line << 200, 0, 200, 100, 0, 100, 0, 0;
     piece.seams = {lower, rest};
     return piece;
 }
 
 Drawing marked(const PatternPiece& piece) {
-    Drawing drawing;
-    addSeamMarks(drawing, piece, {1000, 0});
+    Drawing drawing = draw({"", {piece}}, {{{0, {{990, -10}}}}, 0, 0});  // but for the margin
+    std::erase_if(drawing.paths, [](const auto& path) { return path.layer != LayerKind::Marks; });
+    std::erase_if(drawing.texts, [](const auto& text) { return text.layer != LayerKind::Marks; });
     return drawing;
 }
 
@@ -75,7 +76,7 @@ TEST(SeamMarks, AreNoCutLinesAndTellTwoSidesOfOnePieceApart) {
     PatternPiece piece = sewnRectangle();
     piece.seams[1].number = 1;
     Pattern pattern{"sleeve", {piece}};
-    const Drawing drawing = draw(pattern, layOutInRows(pattern));
+    const Drawing drawing = draw(pattern, layOut(pattern));
     EXPECT_EQ(drawing.paths.size(), 6U);
     EXPECT_EQ(drawing.paths[3].id, "piece-front--seam-1b-tick-1");
     const std::string svg = writeSvg(drawing);

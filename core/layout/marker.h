@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/pattern/pattern.h"
+#include "core/pattern/placement.h"
+
+namespace toile {
+
+/// A copy of a pattern piece, as it lies.
+struct PlacedCopy {
+    int piece = 0;  ///< index into Pattern::pieces
+    Placement placement{};
+};
+
+/// A pattern laid out: in [0, width] x [0, height], mm, y up.
+struct Marker {
+    std::vector<PlacedCopy> copies;  ///< one of each piece that is flat, in the pattern's order
+    double width = 0, height = 0;
+};
+
+struct LaidOutPattern {
+    Pattern pattern;
+    Marker marker;
+};
+
+/// The pieces where they are to lie, the lower left corner of all at (0, 0); those without a place
+/// in rows to the right of the others, or alone (`layOutInRows`).
+/// @param placements  one per piece of the pattern, or none  Cost: linear. Pure.
+Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements = {});
+
+/// 20 mm, or a tenth of the largest side of any piece where that is smaller, so that garments of
+/// any scale keep their digits.
+double gapBetweenPieces(double largestSide);
+
+/// What moves boxes to their places in rows, which fill [0, width] x [0, height].
+struct Rows {
+    std::vector<Eigen::Vector2d> offset;  ///< one per box; zero of one that is empty
+    double width = 0, height = 0;
+};
+
+/// Lays what fills these boxes in rows, in their order, with a gap between them
+/// (`gapBetweenPieces`); no two boxes overlap, and empty ones take no room.
+Rows layOutInRows(std::span<const Eigen::AlignedBox2d> boxes);
+
+/// The same of the pieces of a pattern.
+Rows layOutInRows(const Pattern& pattern);
+
+}  // namespace toile
