@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <climits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/base/field_archive.h"
+#include "core/cut/seams_fields.h"
+#include "core/flatten/option_words.h"
+#include "core/project/project.h"
+
+namespace toile {
+
+/// What a project file says of each thing; included in one file.
+
+inline constexpr double kMostStrain = 10;
+inline constexpr int kMostColour = 1000000;
+inline constexpr double kMostTurns = 2;   ///< round a line that is closed
+inline constexpr double kMostTurn = 1e6;  ///< radians: beyond, the sine of a double is no direction
+
+inline constexpr auto kReading = [](auto& at, auto& loading) {
+    at.field("unit", loading.unit);
+    at.word("up", loading.up, R"("y" or "z")", parseUpAxis);
+    at.word("split", loading.split,
+            R"("auto", "components", "objects", "groups", "materials", "uv" or "seams")",
+            parseSplitMode);
+    at.field("weld", loading.weld);
+    at.field("strict", loading.strict);
+    at.field("autoCut", loading.autoCut);
+};
+
+inline constexpr auto kKnownPiece = [](auto& at, auto& piece) {
+    at.need("id");
+    at.id("id", piece.id);
+    at.field("file", piece.file, 0, INT_MAX);
+    at.field("name", piece.name);
+    at.point("centre", piece.centre);
+    at.field("area", piece.area, 0);
+};
+
+inline constexpr auto kStretch = [](auto& at, auto& stretch) {
+    at.need("line");
+    at.id("line", stretch.line);
+    at.field("from", stretch.from, -kMostTurns, kMostTurns);
+    at.field("to", stretch.to, -kMostTurns, kMostTurns);
+};
+
+inline constexpr auto kSeamSettings = [](auto& at, auto& said) {
+    at.need("left");
+    at.object("left", said.place.left, kStretch);
+    if (at.kReads || said.place.right.line) {
+        at.object("right", said.place.right, kStretch);
+    }
+    at.field("ease", said.ease, -1, kMostEase);
+    if (said.ease && *said.ease <= -1) {
+        at.fail("ease", "must be more than -1");
+    }
+    at.text("name", said.name);
+};
+
+inline constexpr auto kFlattening = [](auto& at, auto& options) {
+    at.word("method", options.method, "the name of a method", parseMethod);
+    at.word("quality", options.quality, kQualityWords);
+    at.word("boundarySolver", options.boundarySolver, R"("newton" or "slcp")", parseBoundarySolver);
+    at.word("freeBoundary", options.freeBoundary, kFreeBoundaryWords);
+    at.word("stretchOutline", options.stretchOutline, kStretchOutlineWords);
+    at.field("authalic", options.authalic, 0, 1);
+};
+
+template <class Fields, class Limits>
+void strainLimits(Fields& at, const char* key, Limits& limits) {
+    Eigen::Vector2d numbers(limits.least, limits.most);
+    at.point(key, numbers);
+    if constexpr (Fields::kReads) {
+        limits = {numbers[0], numbers[1]};
+        if (limits.least > 0 || limits.most < 0 || limits.least <= -1 ||
+            limits.most > kMostStrain) {
+            at.fail(key, "must be a number from -1 to 0 and one from 0 to 10");
+        }
+    }
+}
+
+inline constexpr auto kFabric = [](auto& at, auto& fabric) {
+    at.field("id", fabric.id);
+    strainLimits(at, "warp", fabric.warp);
+    strainLimits(at, "weft", fabric.weft);
+    strainLimits(at, "bias", fabric.bias);
+};
+
+inline constexpr auto kAnchor = [](auto& at, auto& anchor) {
+    at.need("vertex");
+    at.need("at");
+    at.field("vertex", anchor.vertex, 0, INT_MAX);
+    at.point("at", anchor.flat, kFarthestOnSheet);
+    at.point("point", anchor.point);
+};
+
+inline constexpr auto kPiece = [](auto& at, auto& piece) {
+    auto& settings = piece.settings;
+    at.id("id", piece.id);
+    at.need("name");
+    at.field("name", piece.name);
+    at.object("placement", settings.placement, [&settings](auto& in, auto& placement) {
+        in.need("offset");
+        in.point("offset", placement.offset, kFarthestOnSheet);
+        in.field("turn", placement.turn, -kMostTurn, kMostTurn);
+        in.field("mirrored", placement.mirrored);
+        if constexpr (std::decay_t<decltype(in)>::kReads) {
+            settings.placedByHand = true;  // older files do not say
+        }
+        in.field("byHand", settings.placedByHand);
+    });
+    at.field("grain", settings.grain, -kMostTurn, kMostTurn);
+    at.field("quantity", settings.quantity, 0, kMostCopies);
+    at.field("mirroredPair", settings.mirroredPair);
+    at.id("partOf", settings.partOf);
+    if (at.kReads || !settings.anchors.empty()) {
+        at.list("anchors", settings.anchors, kAnchor);
+    }
+};
+
+/// A piece, and how a person tells it from others.
+using LabelOfPiece = std::pair<PieceId, PieceLabel>;
+
+inline constexpr auto kLabel = [](auto& at, auto& label) {
+    at.need("id");
+    at.id("id", label.first);
+    at.text("name", label.second.name);
+    if (at.kReads || label.second.colour >= 0) {
+        at.field("colour", label.second.colour, 0, kMostColour);
+    }
+};
+
+inline constexpr auto kView = [](auto& at, auto& view) {
+    at.text("overlay", view.overlay);
+    at.field("wireframe", view.wireframe);
+    at.field("designerOutline", view.designerOutline);
+};
+
+/// Cuts, joins and ease as a seams file has them, and what has been said of seams.
+inline constexpr auto kSeams = [](auto& at, auto& loading) {
+    if constexpr (std::decay_t<decltype(at)>::kReads) {
+        readSeams(at.fields(), loading.seams, 1, true);
+    } else {
+        at.field("unit", loading.seams.unit);
+        at.json()["cuts"] = cutsJson(loading.seams, true);
+        at.json()["joins"] = joinsJson(loading.seams);
+        if (!loading.seams.ease.empty()) {  // by names that no garment has been held to yet
+            at.json()["ease"] = easeJson(loading.seams, 1);
+        }
+    }
+    if (at.kReads || !loading.seamSettings.empty()) {
+        at.list("settings", loading.seamSettings, kSeamSettings);
+    }
+};
+
+/// All but the files, which depend on where the project lies.
+template <class Fields, class SomeProject>
+void describe(Fields& at, SomeProject& project, std::vector<LabelOfPiece>& labels) {
+    at.object("reading", project.loading, kReading);
+    at.list("division", project.loading.known, kKnownPiece);
+    at.object("seams", project.loading, kSeams);
+    at.object("flattening", project.options, kFlattening);
+    at.object("fabric", project.fabric, kFabric);
+    at.list("pieces", project.pieces, kPiece);
+    at.list("labels", labels, kLabel);
+    at.object("view", project.view, kView);
+}
+
+}  // namespace toile
