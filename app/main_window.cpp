@@ -2,46 +2,36 @@
 #include "app/main_window.h"
 
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QLabel>
 #include <QMimeData>
 #include <QScreen>
-#include <QStackedWidget>
 #include <QStatusBar>
-#include <QTreeView>
-#include <QUndoView>
 #include <QUrl>
-#include <QVBoxLayout>
 
 #include "app/actions/file_dialogs.h"
 #include "app/actions/garment_actions.h"
 #include "app/actions/project_actions.h"
 #include "app/actions/recovery.h"
-#include "app/compare/compare_window.h"
-#include "app/panels/garment_summary.h"
-#include "app/panels/pieces_panel.h"
-#include "app/panels/problems_panel.h"
-#include "app/panels/seams_panel.h"
-#include "app/panels/welcome_page.h"
-#include "app/panels/work_display.h"
+#include "app/render/render_style.h"
+#include "app/settings/length_display.h"
 #include "app/settings/preferences.h"
-#include "app/views/garment_view.h"
-#include "app/views/morph_bar.h"
+#include "app/settings/theme.h"
 #include "app/views/tools/tool_box.h"
 #include "app/views/view_area.h"
 #include "app/widgets/banner.h"
-#include "app/widgets/column_chooser.h"
 #include "app/widgets/garment_card.h"
-#include "app/widgets/hint_label.h"
+#include "app/window_dialogs.h"
+#include "app/window_menus.h"
+#include "app/window_status.h"
 
 namespace toile {
 
 namespace {
 
-constexpr int kMessageMilliseconds = 6000;
 constexpr double kPartOfTheScreen = 0.92;
+/// Of the docks and their arrangement: what another version has kept is left alone.
+constexpr int kLayoutVersion = 1;
 
 QStringList openableFiles(const QMimeData& data) {
     QStringList files;
@@ -58,26 +48,22 @@ QStringList openableFiles(const QMimeData& data) {
 MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
     : QMainWindow(parent),
       preferences_(preferences),
-      workspace_(this),
-      actions_(this),
-      garmentActions_(new GarmentActions(actions_, workspace_, preferences, *this)),
-      tools_(new ToolBox(workspace_, this)) {
-    garmentActions_->setParent(this);
+      garmentActions_(std::make_unique<GarmentActions>(actions_, workspace_, preferences, *this)),
+      tools_(std::make_unique<ToolBox>(workspace_)),
+      centre_(std::make_unique<WindowCentre>(workspace_, actions_, *tools_, preferences, this)),
+      docks_(std::make_unique<WindowDocks>(*this, workspace_, actions_, views(), preferences)),
+      status_(std::make_unique<WindowStatus>(*statusBar(), workspace_, actions_,
+                                             garmentActions_->project().session(), checker())),
+      dialogs_(std::make_unique<WindowDialogs>(*this, workspace_, actions_, views(), preferences)) {
     setObjectName("mainWindow");
     setAcceptDrops(true);
     setUnifiedTitleAndToolBarOnMac(true);
-    makeCentre();
-    makeDocks();
-    makeMenus();
-    makeToolBar();
-    makeStatusBar();
-    connectJobs();
-    connectShell();
-    connectChecks();
-    connect(&workspace_.document(), &Document::changed, this, &MainWindow::onChanged);
-    for (QAction* action : actions_.all()) {
-        addAction(action);  // shortcuts work whichever menu is hidden
-    }
+    setCentralWidget(centre_.get());
+    fillMenuBar(*this, actions_, docks_->all(), garmentActions_->project().recent());
+    toile::addToolBar(*this, actions_);
+    connectParts();
+    connectPreferences();
+    addActions(actions_.all());  // shortcuts work whichever menu is hidden
     // The window's own frame takes its part of the screen.
     resize(QSize(1600, 1000).boundedTo(screen()->availableSize() * kPartOfTheScreen));
     restoreGeometry(preferences_.windowGeometry());
@@ -86,197 +72,59 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-    // The panels and views look at the document until they are gone; it is a member, so they have
-    // to go before it.
+    // Each of the parts looks at those that go after it, and at the document, to its end.
     workspace_.shutdown();
-    delete compare_;
-    delete recovery_;        // a clean exit: nothing is left to recover
-    delete garmentActions_;  // it saves the document to its end
-    for (QWidget* part :
-         std::initializer_list<QWidget*>{piecesDock_, seamsDock_, problemsDock_, historyDock_,
-                                         positionDock_, fabricDock_, centralWidget()}) {
-        delete part;
-    }
-    delete tools_;  // after the views, which work with them, and before the workspace
+    dialogs_.reset();
+    recovery_.reset();  // a clean exit: nothing is left to recover
+    garmentActions_.reset();
+    docks_.reset();
+    centre_.reset();
+    tools_.reset();
 }
 
-void MainWindow::makeCentre() {
-    auto* centre = new QWidget(this);
-    auto* layout = new QVBoxLayout(centre);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    banner_ = new Banner(centre);
-    connect(garmentActions_, &GarmentActions::failed, banner_, &Banner::showSentence);
-    recoveryCard_ = new RecoveryCard(centre);
-    connect(&workspace_, &Workspace::refused, banner_, &Banner::showSentence);
-    card_ = new GarmentCard(centre);
-    connect(card_, &GarmentCard::unitChosen, &workspace_, &Workspace::setUnit);
-    connect(card_, &GarmentCard::upAxisChosen, &workspace_, &Workspace::setUpAxis);
-    connect(card_, &GarmentCard::kept, this, [this] { keptGuesses_ = workspace_.openPaths(); });
-    pages_ = new QStackedWidget(centre);
-    auto* welcome = new WelcomePage(preferences_, pages_);
-    connect(welcome, &WelcomePage::openWanted, &actions_[ActionId::Open], &QAction::trigger);
-    connect(welcome, &WelcomePage::filesWanted, this, &MainWindow::openFiles);
-    views_ = new ViewArea(workspace_.document(), *tools_, pages_);
-    connect(views_, &ViewArea::failed, banner_, &Banner::showSentence);
-    actions_.on(ActionId::Frame, views_, &ViewArea::frameSelection);
-    pages_->addWidget(welcome);
-    auto* work = new QWidget(pages_);
-    auto* row = new QHBoxLayout(work);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
-    row->addWidget(makeToolPalette());
-    row->addWidget(views_, 1);
-    pages_->addWidget(work);
-    connectTools();
-    layout->addWidget(banner_);
-    layout->addWidget(recoveryCard_);
-    layout->addWidget(card_);
-    layout->addWidget(pages_, 1);
-    setCentralWidget(centre);
+void MainWindow::connectParts() {
+    const ProjectSession& session = garmentActions_->project().session();
+    connect(garmentActions_.get(), &GarmentActions::failed, &banner(), &Banner::showSentence);
+    connect(&session, &ProjectSession::noticed, &banner(), &Banner::showSentence);
+    connect(&session, &ProjectSession::changed, this, &MainWindow::updateTitle);
+    connect(centre_.get(), &WindowCentre::filesWanted, this, &MainWindow::openFiles);
+    connect(centre_.get(), &WindowCentre::hintChanged, this, &MainWindow::updateHint);
+    connect(&card(), &GarmentCard::kept, this, [this] { checker().setGuessesKept(true); });
+    connect(&workspace_.document(), &Document::changed, this, &MainWindow::onChanged);
+    actions_.on(ActionId::Quit, this, &QWidget::close);
 }
 
-void MainWindow::makeDocks() {
-    pieces_ = new PiecesPanel(workspace_.document());
-    seams_ = new SeamsPanel(workspace_.document());
-    piecesDock_ = makeDock(tr("Pieces"), "piecesDock", pieces_);
-    seamsDock_ = makeDock(tr("Seams"), "seamsDock", seams_);
-    makeProblems();
-    history_ = new QUndoView(&workspace_.document().history());
-    history_->setObjectName("historyList");
-    history_->setEmptyLabel(tr("As opened"));
-    historyDock_ = makeDock(tr("History"), "historyDock", history_);
-    makePropertyDocks();
-    arrangeDocks();
-    connectPanels();
-}
-
-QDockWidget* MainWindow::makeDock(const QString& title, const char* name, QWidget* panel) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setWidget(panel);
-    addDockWidget(Qt::BottomDockWidgetArea, dock);
-    return dock;
-}
-
-void MainWindow::connectLooks() {
-    GarmentView* view = views_->garmentView();
-    if (!view) {
-        return;
-    }
-    constexpr std::pair<ActionId, ViewKey> kLooks[] = {
-        {ActionId::LookFront, ViewKey::Front},
-        {ActionId::LookBack, ViewKey::Back},
-        {ActionId::LookRight, ViewKey::Right},
-        {ActionId::LookLeft, ViewKey::Left},
-        {ActionId::LookTop, ViewKey::Top},
-        {ActionId::LookBottom, ViewKey::Bottom},
-        {ActionId::Orthographic, ViewKey::Orthographic},
-    };
-    for (const auto& [id, key] : kLooks) {
-        actions_.on(id, view, [view, key = key] { view->look(key); });
-    }
-    connect(view, &GarmentView::orthographicChanged, &actions_[ActionId::Orthographic],
-            &QAction::setChecked);
-    actions_.on(ActionId::PlayMorph, views_->morphBar(), &MorphBar::play);
-}
-
-void MainWindow::connectPanels() {
-    constexpr auto kPieces = "pieces";
-    pieces_->columns().setHidden(preferences_.hiddenColumns(kPieces, PiecesPanel::hiddenAtFirst()));
-    connect(&pieces_->columns(), &ColumnChooser::chosen, this,
-            [this](const QStringList& hidden) { preferences_.setHiddenColumns(kPieces, hidden); });
-    connectLooks();
-    connect(pieces_, &PiecesPanel::activated, views_, &ViewArea::frameSelection);
-    connect(seams_, &SeamsPanel::activated, views_, &ViewArea::frameSeam);
-    connect(seams_, &SeamsPanel::easeWanted, &workspace_, &Workspace::setEase);
-    connect(seams_, &SeamsPanel::cutRemovalWanted, &workspace_, &Workspace::removeCut);
-    connect(seams_, &SeamsPanel::joinRemovalWanted, &workspace_, &Workspace::removeJoin);
-    actions_.on(ActionId::GoToPieces, this, [this] { goTo(Panel::Pieces); });
-    actions_.on(ActionId::GoToSeams, this, [this] { goTo(Panel::Seams); });
-    actions_.on(ActionId::GoToHistory, this, [this] { goTo(Panel::History); });
-    actions_.on(ActionId::StateEase, this, [this] {
-        goTo(Panel::Seams);
-        seams_->editEase();
+void MainWindow::connectPreferences() {
+    connect(&preferences_, &Preferences::lengthUnitChanged, this, &MainWindow::followLengthUnit);
+    connect(&preferences_, &Preferences::themeChanged, this,
+            [this] { applyTheme(preferences_.theme()); });
+    connect(&preferences_, &Preferences::coloursChanged, this, &MainWindow::followColours);
+    connect(&preferences_, &Preferences::navigationChanged, this, [this] {
+        views().setNavigation(preferences_.navigation());
+        updateHint();
     });
+    connect(&preferences_, &Preferences::autoFlattenTrianglesChanged, this,
+            &MainWindow::adaptToWeight);
+    views().setNavigation(preferences_.navigation());
+    followLengthUnit();
+    followColours();
 }
 
 void MainWindow::goTo(Panel panel) {
-    const auto [dock, list] = [this, panel]() -> std::pair<QDockWidget*, QWidget*> {
-        switch (panel) {
-            case Panel::Pieces:
-                return {piecesDock_, &pieces_->table()};
-            case Panel::Seams:
-                return {seamsDock_, &seams_->table()};
-            case Panel::ProblemList:
-                return {problemsDock_, &problems_->table()};
-            case Panel::History:
-                break;
-        }
-        return {historyDock_, history_};
-    }();
-    dock->show();
-    dock->raise();
-    list->setFocus();
-}
-
-void MainWindow::makeStatusBar() {
-    hints_ = new HintLabel;
-    hints_->setObjectName("toolHint");
-    hints_->setContentsMargins(8, 0, 8, 0);
-    hints_->setMinimumWidth(60);
-    statusBar()->addWidget(hints_, 1);
-    connect(tools_, &ToolBox::changed, this, &MainWindow::updateHint);
-    connect(views_, &ViewArea::entered, this, [this](ViewKind view) {
-        viewInUse_ = view;
-        updateHint();
-    });
-    updateHint();
-
-    summary_ = new QLabel;
-    summary_->setObjectName("garmentSummary");
-    summary_->setContentsMargins(8, 0, 8, 0);
-    statusBar()->addPermanentWidget(summary_);
-    statusBar()->addPermanentWidget(
-        new WorkDisplay({&workspace_.jobs(), &workspace_.writing()}, actions_[ActionId::Cancel]));
+    docks_->goTo(panel);
 }
 
 void MainWindow::updateHint() {
-    if (!workspace_.document().garment()) {
-        hints_->setHint({});
-        return;
-    }
-    hints_->setHint(QString("%1 · %2").arg(
-        tools_->current().hint(viewInUse_),
-        cameraHint(preferences_.navigation(), viewInUse_ == ViewKind::Pattern)));
-}
-
-void MainWindow::connectJobs() {
-    for (JobRunner* jobs : {&workspace_.jobs(), &workspace_.writing()}) {
-        connect(jobs, &JobRunner::failed, this, [this](const QString&, const QString& sentence) {
-            banner_->showSentence(sentence);
-        });
-        connect(jobs, &JobRunner::cancelled, this, [this](const QString& title, bool replaced) {
-            if (!replaced) {
-                statusBar()->showMessage(tr("%1: cancelled").arg(title), kMessageMilliseconds);
-            }
-        });
-    }
-    ProjectSession& session = garmentActions_->project().session();
-    connect(&session, &ProjectSession::changed, this, &MainWindow::updateTitle);
-    connect(&session, &ProjectSession::noticed, banner_, &Banner::showSentence);
-    connect(&session, &ProjectSession::saved, this, [this](const QString& path) {
-        statusBar()->showMessage(tr("Saved: %1").arg(path), kMessageMilliseconds);
-    });
+    status_->setHint(workspace_.document().garment() ? centre_->hint() : QString());
 }
 
 void MainWindow::onChanged(DocumentChanges what) {
     if (what & (DocumentChange::Garment | DocumentChange::Seams)) {
-        banner_->hide();  // what it says was about what is no more
+        banner().hide();  // what it says was about what is no more
     }
-    if (what.testFlag(DocumentChange::Results) && summary_->text().isEmpty()) {
-        updateSummary();  // a scene is here again
-        askAboutGarment();
+    if (what.testFlag(DocumentChange::Results) && !status_->hasSummary()) {
+        status_->updateSummary();  // a scene is here again
+        centre_->ask();
     }
     if (!what.testFlag(DocumentChange::Garment)) {
         return;
@@ -286,8 +134,9 @@ void MainWindow::onChanged(DocumentChanges what) {
     }
     showGarmentParts(workspace_.document().garment() != nullptr);
     updateTitle();
-    updateSummary();
-    askAboutGarment();
+    status_->updateSummary();
+    centre_->ask();
+    checker().setGuessesKept(centre_->areGuessesKept());
 }
 
 void MainWindow::adaptToWeight() {
@@ -302,36 +151,27 @@ void MainWindow::adaptToWeight() {
     workspace_.setAutoFlatten(light);
     actions_[ActionId::AutoFlatten].setChecked(light);
     if (!light) {
-        statusBar()->showMessage(tr("A heavy garment: edits are flattened when you ask for it, %1")
-                                     .arg(actions_[ActionId::FlattenAgain].shortcut().toString(
-                                         QKeySequence::NativeText)),
-                                 kMessageMilliseconds);
+        status_->say(tr("A heavy garment: edits are flattened when you ask for it, %1")
+                         .arg(actions_[ActionId::FlattenAgain].shortcut().toString(
+                             QKeySequence::NativeText)));
     }
 }
 
-void MainWindow::updateSummary() {
-    summary_->setText(garmentSummary(workspace_.document()));
-    summary_->setToolTip(garmentReasons(workspace_.document()));
+void MainWindow::followLengthUnit() {
+    const Choices& choices = preferences_.choices();
+    LengthDisplay::instance().choose(
+        choices.lengthUnit, choices.lengthUnit == LengthUnit::Inch ? choices.inchDenominator : 0);
 }
 
-void MainWindow::askAboutGarment() {
-    const bool kept = keptGuesses_ == workspace_.openPaths();
-    card_->ask(kept ? GarmentQuestions{} : garmentQuestions(workspace_.document()));
+void MainWindow::followColours() {
+    setMarkColours(preferences_.choices().selectionColour, preferences_.choices().seamColour);
+    views().repaintViews();
 }
 
 void MainWindow::showGarmentParts(bool shown) {
-    pages_->setCurrentIndex(shown ? 1 : 0);
+    centre_->showViews(shown);
     updateHint();
-    // Only the first garment brings the docks in; one that the person has closed stays closed.
-    const bool first = shown && !piecesDock_->toggleViewAction()->isEnabled();
-    for (QDockWidget* dock : docks()) {
-        dock->toggleViewAction()->setEnabled(shown);
-        if (!shown) {
-            dock->hide();
-        }
-    }
-    if (first) {
-        showDocks();
+    if (docks_->setAvailable(shown)) {
         // As the person left them, where known.
         restoreState(preferences_.windowState(), kLayoutVersion);
     }
@@ -352,18 +192,13 @@ Recovery& MainWindow::keepRecoveryFiles(const QString& folder) {
     return recovery;
 }
 
-Recovery& MainWindow::keepRecoveryFiles(const QString& folder, const AutosaveTimes& times) {
-    return startRecovery(folder, times);
-}
-
 Recovery& MainWindow::startRecovery(const QString& folder,
                                     const std::optional<AutosaveTimes>& times) {
-    delete recovery_;
-    recovery_ =
-        new Recovery(workspace_, garmentActions_->project(), *recoveryCard_, folder, times, this);
+    recovery_.reset();
+    recovery_ = std::make_unique<Recovery>(workspace_, garmentActions_->project(),
+                                           centre_->recoveryCard(), folder, times);
     connect(&recovery_->autosave(), &Autosave::failed, this, [this](const QString& sentence) {
-        statusBar()->showMessage(tr("Unsaved changes are not kept: %1").arg(sentence),
-                                 kMessageMilliseconds);
+        status_->say(tr("Unsaved changes are not kept: %1").arg(sentence));
     });
     return *recovery_;
 }

@@ -2,40 +2,24 @@
 #pragma once
 
 #include <QMainWindow>
-#include <array>
+#include <memory>
 #include <optional>
 
 #include "app/actions/action_registry.h"
 #include "app/actions/autosave.h"
 #include "app/actions/workspace.h"
-#include "app/views/tools/tool_view.h"
-
-class QDockWidget;
-class QLabel;
-class QStackedWidget;
-class QUndoView;
+#include "app/window_centre.h"
+#include "app/window_docks.h"
 
 namespace toile {
 
-class Banner;
-class CommandPalette;
-class CompareWindow;
-class FabricPanel;
 class GarmentActions;
-class GarmentCard;
-class HintLabel;
-class PiecesPanel;
-class PositionPanel;
-class Preferences;
-class ProblemsPanel;
-class ReadyChecker;
 class Recovery;
-class RecoveryCard;
-class SeamsPanel;
-class ToolBox;
-class ViewArea;
+class WindowDialogs;
+class WindowStatus;
 
-/// Puts the parts together: menus, toolbar, views, panels, status bar. Holds no garment state.
+/// Puts the parts together, each of which owns what it does: the centre with the views, the docks,
+/// the status bar, the dialogs; menus and toolbar. Holds no garment state.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -48,17 +32,19 @@ public:
     ActionRegistry& actions() { return actions_; }
     ToolBox& tools() { return *tools_; }
     GarmentActions& garmentActions() { return *garmentActions_; }
-    ViewArea& views() { return *views_; }
-    Banner& banner() { return *banner_; }
-    GarmentCard& card() { return *card_; }
-    ReadyChecker& checker() { return *checker_; }
+    ViewArea& views() { return centre_->views(); }
+    Banner& banner() { return centre_->banner(); }
+    GarmentCard& card() { return centre_->card(); }
+    ReadyChecker& checker() { return docks_->checker(); }
 
     void openFiles(const QStringList& files);
     /// Keeps recovery files of unsaved changes, and offers those that a crash has left there.
     /// As often as the person prefers, now and later.
     Recovery& keepRecoveryFiles(const QString& folder);
     /// The same at other times.
-    Recovery& keepRecoveryFiles(const QString& folder, const AutosaveTimes& times);
+    Recovery& keepRecoveryFiles(const QString& folder, const AutosaveTimes& times) {
+        return startRecovery(folder, times);
+    }
     /// Brings a list to the front and moves the keyboard there.
     void goTo(Panel panel);
 
@@ -68,45 +54,16 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    /// Of the docks and their arrangement: what another version has kept is left alone.
-    static constexpr int kLayoutVersion = 1;
-
-    void makeCentre();
-    void makeDocks();
-    void makeProblems();
-    QDockWidget* makeDock(const QString& title, const char* name, QWidget* panel);
-    void makePropertyDocks();
-    void arrangeDocks();
-    void showDocks();
-    std::array<QDockWidget*, 6> docks() const;
-    void makeMenus();
-    void makeToolBar();
-    void connectTools();
-    QWidget* makeToolPalette();
-    void makeStatusBar();
-    void connectJobs();
-    void connectLooks();
-    void connectPanels();
-    void connectShell();
-    void connectChecks();
+    void connectParts();
+    void connectPreferences();
     void onChanged(DocumentChanges what);
-    /// Selects and frames what these findings of the checker are about.
-    void showFindings(const QList<int>& indices);
     void showGarmentParts(bool shown);
     void updateTitle();
-    void updateSummary();
-    void askAboutGarment();
     void updateHint();
     /// Heavy garments begin without flattening after every edit.
     void adaptToWeight();
-    void showCommands();
-    void compareMethods();
-    void editPreferences();
-    void showHelp();
-    void resetLayout();
     void followLengthUnit();
     void followColours();
-    void showAbout();
     /// Asks where changes would be lost, and waits for files that are being written.
     bool mayClose();
     Recovery& startRecovery(const QString& folder, const std::optional<AutosaveTimes>& times);
@@ -114,30 +71,14 @@ private:
     Preferences& preferences_;
     Workspace workspace_;
     ActionRegistry actions_;
-    GarmentActions* garmentActions_;
-    ToolBox* tools_;
-    QStackedWidget* pages_ = nullptr;
-    ViewArea* views_ = nullptr;
-    Banner* banner_ = nullptr;
-    GarmentCard* card_ = nullptr;
-    CommandPalette* palette_ = nullptr;
-    CompareWindow* compare_ = nullptr;
-    RecoveryCard* recoveryCard_ = nullptr;
-    Recovery* recovery_ = nullptr;
-    PiecesPanel* pieces_ = nullptr;
-    SeamsPanel* seams_ = nullptr;
-    ReadyChecker* checker_ = nullptr;
-    ProblemsPanel* problems_ = nullptr;
-    PositionPanel* position_ = nullptr;
-    FabricPanel* fabric_ = nullptr;
-    QUndoView* history_ = nullptr;
-    QDockWidget *piecesDock_ = nullptr, *seamsDock_ = nullptr, *problemsDock_ = nullptr,
-                *historyDock_ = nullptr, *positionDock_ = nullptr, *fabricDock_ = nullptr;
-    HintLabel* hints_ = nullptr;
-    QLabel* summary_ = nullptr;  ///< height, unit and division of the garment
-    ViewKind viewInUse_ = ViewKind::Garment;
-    bool closingAnyway_ = false;    ///< nothing is to be asked any more
-    Workspace::Paths keptGuesses_;  ///< files whose guesses the person has found right
+    std::unique_ptr<GarmentActions> garmentActions_;
+    std::unique_ptr<ToolBox> tools_;
+    std::unique_ptr<WindowCentre> centre_;
+    std::unique_ptr<WindowDocks> docks_;
+    std::unique_ptr<WindowStatus> status_;
+    std::unique_ptr<WindowDialogs> dialogs_;
+    std::unique_ptr<Recovery> recovery_;
+    bool closingAnyway_ = false;  ///< nothing is to be asked any more
 };
 
 }  // namespace toile

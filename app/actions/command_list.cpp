@@ -51,9 +51,9 @@ std::vector<Command> commandList(const ActionRegistry& actions, const Document& 
             }
         }
     }
-    for (const ActionId id : actions.ids()) {
-        if (placed.insert(id).second) {
-            commands.push_back(commandOf(actions[id], {}));
+    for (const ActionSpec& spec : actionTable()) {
+        if (placed.insert(spec.id).second) {
+            commands.push_back(commandOf(actions[spec.id], {}));
         }
     }
     const auto add = [&](const QString& text, const QString& place, const QString& tip,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/file_dialogs.h"
 
-#include <QCoreApplication>
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
@@ -34,9 +33,9 @@ SaveAnswer askInABox(QWidget* parent, const QString& name) {
     QMessageBox box(parent);
     box.setObjectName("askToSave");
     box.setIcon(QMessageBox::Question);
-    box.setText(QCoreApplication::translate("FileDialogs", "Save the changes to %1?").arg(name));
-    box.setInformativeText(QCoreApplication::translate(
-        "FileDialogs", "Without saving, what you have done since the last time is lost."));
+    box.setText(FileDialogs::tr("Save the changes to %1?").arg(name));
+    box.setInformativeText(
+        FileDialogs::tr("Without saving, what you have done since the last time is lost."));
     box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {
@@ -54,15 +53,13 @@ OverwriteAnswer askAboutOthers(QWidget* parent, const QString& name) {
     box.setObjectName("askToOverwrite");
     box.setIcon(QMessageBox::Warning);
     box.setText(
-        QCoreApplication::translate(
-            "FileDialogs", "%1 was changed by another program since it was opened. Save anyway?")
+        FileDialogs::tr("%1 was changed by another program since it was opened. Save anyway?")
             .arg(name));
-    box.setInformativeText(QCoreApplication::translate(
-        "FileDialogs", "Saving anyway loses what the other program has put there."));
-    const QPushButton* anyway = box.addButton(
-        QCoreApplication::translate("FileDialogs", "Save anyway"), QMessageBox::DestructiveRole);
-    QPushButton* as = box.addButton(QCoreApplication::translate("FileDialogs", "Save as…"),
-                                    QMessageBox::AcceptRole);
+    box.setInformativeText(
+        FileDialogs::tr("Saving anyway loses what the other program has put there."));
+    const QPushButton* anyway =
+        box.addButton(FileDialogs::tr("Save anyway"), QMessageBox::DestructiveRole);
+    QPushButton* as = box.addButton(FileDialogs::tr("Save as…"), QMessageBox::AcceptRole);
     box.addButton(QMessageBox::Cancel);
     box.setDefaultButton(as);
     box.exec();
@@ -72,10 +69,9 @@ OverwriteAnswer askAboutOthers(QWidget* parent, const QString& name) {
 }
 
 bool mayReplace(QWidget* parent, const QString& path) {
-    return QMessageBox::question(
-               parent, QCoreApplication::translate("FileDialogs", "Replace the file?"),
-               QCoreApplication::translate("FileDialogs", "There is a file %1 already. Replace it?")
-                   .arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
+    return QMessageBox::question(parent, FileDialogs::tr("Replace the file?"),
+                                 FileDialogs::tr("There is a file %1 already. Replace it?")
+                                     .arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
 }
 
 /// The name of a file to write, with the ending of the suggestion. Whoever gets a name may write
@@ -108,30 +104,25 @@ FileDialogs FileDialogs::native() {
     FileDialogs dialogs;
     dialogs.open = [](QWidget* parent, const QString& folder) {
         return QFileDialog::getOpenFileNames(
-            parent, QCoreApplication::translate("FileDialogs", "Open a garment"), folder,
-            QCoreApplication::translate("FileDialogs", "Garments and projects (%1);;All files (*)")
+            parent, FileDialogs::tr("Open a garment"), folder,
+            FileDialogs::tr("Garments and projects (%1);;All files (*)")
                 .arg(patternsOf(openableSuffixes())));
     };
     dialogs.openSeams = [](QWidget* parent, const QString& folder) {
-        return QFileDialog::getOpenFileName(
-            parent, QCoreApplication::translate("FileDialogs", "Read cuts and ease"), folder,
-            QCoreApplication::translate("FileDialogs", "Seams files (*.json);;All files (*)"));
+        return QFileDialog::getOpenFileName(parent, FileDialogs::tr("Read cuts and ease"), folder,
+                                            FileDialogs::tr("Seams files (*.json);;All files (*)"));
     };
     dialogs.save = [](QWidget* parent, const QString& suggestion, const QString& filter) {
-        return askForTarget(parent,
-                            QCoreApplication::translate("FileDialogs", "Export the pattern"),
-                            suggestion, filter);
+        return askForTarget(parent, FileDialogs::tr("Export the pattern"), suggestion, filter);
     };
     dialogs.saveProject = [](QWidget* parent, const QString& suggestion) {
-        return askForTarget(parent, QCoreApplication::translate("FileDialogs", "Save the project"),
-                            suggestion,
-                            QCoreApplication::translate("FileDialogs", "Toile projects (*.toile)"));
+        return askForTarget(parent, FileDialogs::tr("Save the project"), suggestion,
+                            FileDialogs::tr("Toile projects (*.toile)"));
     };
     dialogs.findMesh = [](QWidget* parent, const QString& folder, const QString& name) {
         return QFileDialog::getOpenFileName(
-            parent, QCoreApplication::translate("FileDialogs", "Where is %1?").arg(name), folder,
-            QCoreApplication::translate("FileDialogs", "3D garments (%1);;All files (*)")
-                .arg(patternsOf(meshSuffixes())));
+            parent, FileDialogs::tr("Where is %1?").arg(name), folder,
+            FileDialogs::tr("3D garments (%1);;All files (*)").arg(patternsOf(meshSuffixes())));
     };
     dialogs.askToSave = askInABox;
     dialogs.askToOverwrite = askAboutOthers;

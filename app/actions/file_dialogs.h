@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QCoreApplication>
 #include <QStringList>
 #include <functional>
 
@@ -16,6 +17,9 @@ enum class OverwriteAnswer { SaveAnyway, SaveAs, Cancel };
 
 /// Asking for files. Replaceable, so that tests answer without a dialog on the screen.
 struct FileDialogs {
+    Q_DECLARE_TR_FUNCTIONS(FileDialogs)
+
+public:
     /// Files to open as one garment; empty where the person thought better of it.
     std::function<QStringList(QWidget* parent, const QString& folder)> open;
     /// A seams file to read; empty where the person thought better of it.

@@ -6,6 +6,7 @@
 #include "app/actions/action_registry.h"
 #include "app/actions/file_dialogs.h"
 #include "app/document/document_change.h"
+#include "app/jobs/job_runner.h"
 
 namespace toile {
 
@@ -13,8 +14,8 @@ class Preferences;
 class ProjectActions;
 class Workspace;
 
-/// What the actions do to the garment: asks where it must, hands the wish to the workspace, and
-/// keeps the actions' state (on, off, chosen) as the document is.
+/// What the actions of the table work with: the workspace, and what has to ask or to wait before it
+/// hands a wish to it. Keeps the actions' state (can be done, on, chosen) as the document is.
 class GarmentActions : public QObject {
     Q_OBJECT
 
@@ -25,31 +26,35 @@ public:
 
     void setFileDialogs(FileDialogs dialogs) { dialogs_ = std::move(dialogs); }
     FileDialogs& fileDialogs() { return dialogs_; }
+    Workspace& workspace() { return workspace_; }
     /// Saving and projects.
     ProjectActions& project() { return *project_; }
     /// Opens what the person has chosen or dropped, a project or meshes, and remembers the folder.
     /// Asks first where changes would be lost.
     void openFiles(const QStringList& files);
+    void askAndOpen();
+    /// @param filter  of the dialog, for this ending
+    void askAndExport(const QString& suffix, const QString& filter);
+    void askAndReadSeams();
+    void askAndWriteSeams();
+    void selectAll();
+    void selectNone();
+    /// The ease of the selected seam is that of the garment again.
+    void forgetEase();
+    /// For the selected pieces that are flat, or for all.
+    void lookForBestGrain();
+    void forgetGrain();
 
 signals:
     /// A wish could not be granted, and why.
     void failed(const QString& sentence);
 
 private:
-    void connectFiles();
-    void connectHistory();
+    void connectState();
     void updateHistory();
-    void connectSelection();
-    void connectView();
-    void connectFlattening();
-    void connectSeams();
-    void askAndOpen();
-    void openNow(const QStringList& files);
-    void askAndReadSeams();
-    void askAndWriteSeams();
-    void askAndExport(const QString& suffix, const QString& filter);
     void onChanged(DocumentChanges what);
-    void updateEnabled();
+    void openNow(const QStringList& files);
+    void sayOutdated();
 
     ActionRegistry& actions_;
     Workspace& workspace_;
@@ -57,6 +62,7 @@ private:
     QWidget& window_;
     FileDialogs dialogs_ = FileDialogs::native();
     ProjectActions* project_;
+    JobRunner::Ticket grain_ = 0;  ///< looks for the best grain
 };
 
 }  // namespace toile

@@ -2,7 +2,6 @@
 #include "app/actions/help_table.h"
 
 #include <QAction>
-#include <QTextStream>
 
 #include "app/actions/action_registry.h"
 #include "app/actions/menu_table.h"
@@ -12,15 +11,102 @@ namespace toile {
 
 namespace {
 
+/// What the mouse does, for the help page; keys are in the table of actions.
+struct Gesture {
+    const char* group;  ///< to be translated, as the others
+    const char* keys;
+    const char* does;
+};
+
+// lupdate is told of this name, and takes the namespace for the context.
+#define TR(text) text
+
+/// Those of one group follow each other.
+const std::vector<Gesture>& gestures() {
+    static constexpr auto kGarment = TR("In the garment view"),
+                          kHabits = TR("In the garment view, as Preferences choose"),
+                          kPattern = TR("In the pattern view"), kBoth = TR("In both views"),
+                          kSelect = TR("With the Select tool"), kCut = TR("With the Cut tool"),
+                          kLoop = TR("With the Closed loop tool"), kDart = TR("With the Dart tool"),
+                          kJoin = TR("With the Join tool"), kMeasure = TR("With the Measure tool"),
+                          kGrain = TR("With the Grain tool"), kLists = TR("In the lists");
+    static const std::vector<Gesture> table = {
+        {kGarment, TR("Drag"), TR("Turn the garment, where the tool does not take the drag")},
+        {kGarment, TR("Shift+drag"), TR("Move the garment")},
+        {kGarment, TR("Number pad 1, 3, 7"),
+         TR("Show the front, the right side, the top; with Ctrl the side opposite to it")},
+        {kGarment, TR("Number pad 9"), TR("Show the opposite side")},
+        {kGarment, TR("Number pad 2, 4, 6, 8"), TR("Turn the garment by 15°")},
+        {kGarment, TR("Number pad 5"), TR("Show it with perspective or without")},
+        {kGarment, TR("Click on the axis cross"), TR("Show the garment from that side")},
+        {kHabits, TR("Toile"), TR("Middle or right drag: turn; with Shift: move; with Ctrl: zoom")},
+        {kHabits, TR("Blender"),
+         TR("Middle drag or Alt+drag: turn; with Shift: move; with Ctrl: "
+            "zoom")},
+        {kHabits, TR("CLO"), TR("Right drag: turn; middle drag: move")},
+        {kHabits, TR("Rhino"), TR("Right drag: turn; with Shift: move; with Ctrl: zoom")},
+        {kPattern, TR("Space+drag, middle drag"), TR("Move the sheet")},
+        {kBoth, TR("Wheel"), TR("Zoom towards the pointer")},
+        {kSelect, TR("Click"),
+         TR("Select the piece, the seam or, from near by, the vertex; beside all: select nothing")},
+        {kSelect, TR("Ctrl+click, Shift+click"),
+         TR("Add the piece to the selection, or take it out")},
+        {kSelect, TR("Double click"),
+         TR("Frame the piece; on an edge: select it from corner to corner; beside all pieces: "
+            "frame everything")},
+        {kSelect, TR("Drag a piece in the pattern view"), TR("Move the selected pieces")},
+        {kSelect, TR("Drag the sheet"),
+         TR("Select what a box touches; with Ctrl or Shift: besides what is selected")},
+        {kSelect, TR("Drag the handle above the selection"),
+         TR("Turn the selected pieces; with Shift: in steps of 15°")},
+        {kSelect, TR("Alt while dragging"),
+         TR("Snap where snapping is off, and the other way round")},
+        {kSelect, TR("Arrow keys"), TR("Move the selected pieces by 1 mm, with Shift by 10 mm")},
+        {kSelect, TR("Esc while dragging"), TR("Take the drag back")},
+        {kSelect, TR("Esc"), TR("Select nothing; while something runs: stop it")},
+        {kCut, TR("Click"), TR("Set the next point; begin on an edge to open the piece there")},
+        {kCut, TR("Ctrl+click"), TR("Go there along the edges of the mesh")},
+        {kCut, TR("Double click, Enter"), TR("Cut")},
+        {kCut, TR("Backspace"), TR("Take the last point back")},
+        {kCut, TR("Esc"), TR("Throw the cut away; without one: back to selecting")},
+        {kLoop, TR("Click"), TR("Set the next point, of three or more")},
+        {kLoop, TR("Ctrl+click"), TR("Go there along the edges of the mesh")},
+        {kLoop, TR("Click on the first point, double click, Enter"), TR("Cut the part out")},
+        {kLoop, TR("Backspace"), TR("Take the last point back")},
+        {kLoop, TR("Esc"), TR("Throw the cut away; without one: back to selecting")},
+        {kDart, TR("Drag from an edge"), TR("Cut a dart to where the drag ends")},
+        {kDart, TR("Click an edge, then the tip"), TR("The same, by two clicks")},
+        {kDart, TR("Ctrl+click"), TR("Cut along the edges of the mesh")},
+        {kDart, TR("Backspace, Esc"),
+         TR("Throw the dart away; Esc without one: back to selecting")},
+        {kJoin, TR("Click a seam"),
+         TR("Join the cloth on both sides of it, so that it becomes one")},
+        {kJoin, TR("Esc"), TR("Back to selecting")},
+        {kMeasure, TR("Click"), TR("Measure from here, and on to the next place")},
+        {kMeasure, TR("Double click, Enter"), TR("End here")},
+        {kMeasure, TR("Backspace"), TR("Take the last place back")},
+        {kMeasure, TR("Ctrl+C"), TR("Copy what is measured")},
+        {kMeasure, TR("Esc"), TR("Forget the measure; without one: back to selecting")},
+        {kGrain, TR("Drag on a piece in the pattern view"), TR("Turn its grain")},
+        {kGrain, TR("Alt while dragging"),
+         TR("Snap where snapping is off, and the other way round")},
+        {kGrain, TR("Click"), TR("Select the piece")},
+        {kGrain, TR("Esc"), TR("Take the drag back; without one: back to selecting")},
+        {kLists, TR("Click"), TR("Select the piece or the seam in both views")},
+        {kLists, TR("Double click"), TR("Frame the piece or the seam in both views")},
+        {kLists, TR("Right click on the headings"), TR("Choose the columns of the list of pieces")},
+        {kLists, TR("Click on a heading"), TR("Sort by that column")},
+    };
+    return table;
+}
+
+#undef TR
+
 void add(std::vector<HelpGroup>& groups, const QString& title, HelpRow row) {
     if (groups.empty() || groups.back().title != title) {
         groups.push_back({title, {}});
     }
     groups.back().rows.push_back(std::move(row));
-}
-
-QString cell(QString text) {
-    return text.replace('|', "\\|");
 }
 
 }  // namespace
@@ -43,23 +129,6 @@ std::vector<HelpGroup> helpGroups(const ActionRegistry& actions,
         add(groups, tr(gesture.group), {tr(gesture.keys), tr(gesture.does), {}});
     }
     return groups;
-}
-
-QString helpMarkdown(const std::vector<HelpGroup>& groups) {
-    QString text;
-    QTextStream out(&text);
-    out << "# " << tr("Keyboard and mouse") << "\n\n"
-        << tr("Every command is also found by typing a few letters of it: Ctrl+K.") << '\n';
-    for (const HelpGroup& group : groups) {
-        out << "\n## " << group.title << "\n\n| " << tr("Keys") << " | " << tr("What") << " | |\n"
-            << "|---|---|---|\n";
-        for (const HelpRow& row : group.rows) {
-            out << "| " << cell(row.keys) << " | " << cell(row.title) << " | " << cell(row.tip)
-                << " |\n";
-        }
-    }
-    out.flush();
-    return text;
 }
 
 }  // namespace toile

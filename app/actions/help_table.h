@@ -25,17 +25,5 @@ struct HelpGroup {
 /// Actions that have a key, by menu and in its order, then what the mouse does.
 std::vector<HelpGroup> helpGroups(const ActionRegistry& actions,
                                   QKeySequence::SequenceFormat format);
-/// As a page of the manual.
-QString helpMarkdown(const std::vector<HelpGroup>& groups);
-
-/// What the mouse does, for the help page; keys are in the table of actions.
-struct Gesture {
-    const char* group;  ///< to be translated, as the others
-    const char* keys;
-    const char* does;
-};
-
-/// Those of one group follow each other.
-const std::vector<Gesture>& gestures();
 
 }  // namespace toile

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/pipeline/pipeline.h"
@@ -30,10 +31,21 @@ public:
     };
 
     /// Something is read in place of whatever was before; what, only the job knows.
-    void begin();
-    void begin(Files files);
+    void begin() {
+        files_.reset();
+        active_ = true;
+        edited_ = false;
+        ++number_;
+    }
+    void begin(Files files) {
+        begin();
+        files_ = std::move(files);
+    }
     /// Nothing comes.
-    void stop();
+    void stop() {
+        files_.reset();
+        active_ = false;
+    }
     bool isActive() const { return active_; }
     /// None where something else is read, or nothing.
     std::optional<Files>& files() { return files_; }
@@ -43,7 +55,19 @@ public:
     void setAsk(Ask ask) { ask_ = std::move(ask); }
     /// It is there. What is returned has to be called once nothing is on its way any more: it calls
     /// `open`, at once or when the person has agreed, unless something else was begun meanwhile.
-    Next arrive(Next open);
+    Next arrive(Next open) {
+        stop();
+        Next once = [this, open = std::move(open), number = number_] {
+            if (number == number_) {
+                ++number_;  // an answer is good for one opening
+                open();
+            }
+        };
+        if (!std::exchange(edited_, false) || !ask_) {
+            return once;
+        }
+        return [this, once = std::move(once)] { ask_(once); };
+    }
 
 private:
     std::optional<Files> files_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/project_actions.h"
 
-#include <QAction>
 #include <QFileInfo>
 #include <QWidget>
 #include <utility>
@@ -14,19 +13,15 @@
 
 namespace toile {
 
-ProjectActions::ProjectActions(ActionRegistry& actions, Workspace& workspace,
-                               Preferences& preferences, const FileDialogs& dialogs,
-                               QWidget& window, QObject* parent)
+ProjectActions::ProjectActions(Workspace& workspace, Preferences& preferences,
+                               const FileDialogs& dialogs, QWidget& window, QObject* parent)
     : QObject(parent),
-      actions_(actions),
       workspace_(workspace),
       preferences_(preferences),
       dialogs_(dialogs),
       window_(window),
       session_(workspace),
       recent_(preferences) {
-    actions_.on(ActionId::Save, this, [this] { save({}); });
-    actions_.on(ActionId::SaveAs, this, [this] { saveAs({}); });
     workspace_.askBeforeLeaving([this](std::function<void()> next) { leaveThen(std::move(next)); });
     connect(&session_, &ProjectSession::failed, this, &ProjectActions::failed);
     connect(&session_, &ProjectSession::meshesMissing, this, &ProjectActions::askForMeshes);
@@ -37,15 +32,7 @@ ProjectActions::ProjectActions(ActionRegistry& actions, Workspace& workspace,
         if (what.testFlag(DocumentChange::Opened)) {
             onOpened();
         }
-        updateEnabled();
     });
-    updateEnabled();
-}
-
-void ProjectActions::updateEnabled() {
-    const bool open = workspace_.document().garment() != nullptr;
-    actions_[ActionId::Save].setEnabled(open);
-    actions_[ActionId::SaveAs].setEnabled(open);
 }
 
 void ProjectActions::onOpened() {

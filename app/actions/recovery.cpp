@@ -13,9 +13,8 @@
 namespace toile {
 
 Recovery::Recovery(Workspace& workspace, ProjectActions& project, RecoveryCard& card,
-                   const QString& folder, std::optional<AutosaveTimes> times, QObject* parent)
-    : QObject(parent),
-      project_(project),
+                   const QString& folder, std::optional<AutosaveTimes> times)
+    : project_(project),
       card_(card),
       autosave_(
           workspace.document(),

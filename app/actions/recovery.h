@@ -21,7 +21,7 @@ public:
     /// All must outlive this. @param folder  of the recovery files
     /// @param times   none: no new ones are written
     Recovery(Workspace& workspace, ProjectActions& project, RecoveryCard& card,
-             const QString& folder, std::optional<AutosaveTimes> times, QObject* parent);
+             const QString& folder, std::optional<AutosaveTimes> times);
 
     Autosave& autosave() { return autosave_; }
 

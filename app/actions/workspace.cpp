@@ -215,7 +215,7 @@ void Workspace::setAutoFlatten(bool on) {
     follow();
 }
 
-LoadOptions Workspace::loading() const {
+const LoadOptions& Workspace::loading() const {
     return opening_.files() ? opening_.files()->loading : document_.loading();
 }
 

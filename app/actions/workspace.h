@@ -42,7 +42,7 @@ public:
     /// Cancels, writes to the end and waits: nothing is heard of the jobs any more.
     void shutdown();
     /// How files are read, divided and cut; of those that are being read, if any are.
-    LoadOptions loading() const;
+    const LoadOptions& loading() const;
     /// The files of the document's garment.
     Paths openPaths() const;
 

@@ -78,6 +78,11 @@ std::vector<int> allFlat(const Document& document) {
     return pieces;
 }
 
+std::vector<int> selectedOrAllFlat(const Document& document) {
+    std::vector<int> pieces = selectedFlat(document);
+    return pieces.empty() ? allFlat(document) : pieces;
+}
+
 const Points2& flatOutline(const Document& document, int piece) {
     static const Points2 kNone(0, 2);
     const PatternPiece* flat = document.patternPiece(piece);

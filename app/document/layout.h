@@ -25,6 +25,8 @@ using PieceGrains = std::map<int, std::optional<double>>;
 std::vector<int> selectedFlat(const Document& document);
 /// All that are flat.
 std::vector<int> allFlat(const Document& document);
+/// The former; the latter where none is selected.
+std::vector<int> selectedOrAllFlat(const Document& document);
 
 /// Net outline in the piece's own coordinates; empty where it is not flat.
 const Points2& flatOutline(const Document& document, int piece);

@@ -14,7 +14,6 @@
 
 #include "app/document/document.h"
 #include "app/panels/fabric_watcher.h"
-#include "app/widgets/field_manners.h"
 #include "app/widgets/number_edits.h"
 
 namespace toile {

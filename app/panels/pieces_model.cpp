@@ -8,7 +8,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPalette>
-#include <QPixmap>
 #include <algorithm>
 
 #include "app/document/document.h"
@@ -16,23 +15,18 @@
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
+#include "app/text/seam_fit.h"
 
 namespace toile {
 
 namespace {
 
 QIcon swatch(Rgb colour) {
-    QPixmap pixmap(32, 32);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(QColor(0, 0, 0, 90), 1.5));
-    painter.setBrush(QColor(colour.r, colour.g, colour.b));
-    painter.drawRoundedRect(QRectF(4, 4, 24, 24), 6, 6);
-    QIcon icon(pixmap);
-    // Not tinted in a selected row: it is the piece's colour.
-    icon.addPixmap(pixmap, QIcon::Selected);
-    return icon;
+    return paintedMark([colour](QPainter& painter) {
+        painter.setPen(QPen(QColor(0, 0, 0, 90), 1.5));
+        painter.setBrush(QColor(colour.r, colour.g, colour.b));
+        painter.drawRoundedRect(QRectF(4, 4, 24, 24), 6, 6);
+    });
 }
 
 /// Legible on light and dark alike.
@@ -41,7 +35,8 @@ const QColor kTrouble(214, 72, 40);
 }  // namespace
 
 PiecesModel::PiecesModel(const Document& document, QObject* parent)
-    : QAbstractTableModel(parent), document_(document), rows_(document.pieceCount()) {
+    : ColumnsModel(ColumnCount, parent), document_(document) {
+    setRows(document.pieceCount());
     connect(&document_, &Document::changed, this, &PiecesModel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &PiecesModel::showAgain);
 }
@@ -49,7 +44,7 @@ PiecesModel::PiecesModel(const Document& document, QObject* parent)
 void PiecesModel::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Garment)) {
         beginResetModel();
-        rows_ = document_.pieceCount();
+        setRows(document_.pieceCount());
         endResetModel();
         return;
     }
@@ -65,25 +60,6 @@ void PiecesModel::onChanged(DocumentChanges what) {
     }
 }
 
-void PiecesModel::showAgain() {
-    emit headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
-    showColumns(0, ColumnCount - 1);
-}
-
-void PiecesModel::showColumns(int first, int last) {
-    if (rowCount() > 0) {
-        emit dataChanged(index(0, first), index(rowCount() - 1, last));
-    }
-}
-
-int PiecesModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : rows_;
-}
-
-int PiecesModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
 QVariant PiecesModel::data(const QModelIndex& index, int role) const {
     // Between a change and the reset that follows there may be more rows than pieces.
     if (!index.isValid() || index.row() >= std::min(rowCount(), document_.pieceCount())) {
@@ -91,8 +67,6 @@ QVariant PiecesModel::data(const QModelIndex& index, int role) const {
     }
     const int row = index.row(), column = index.column();
     switch (role) {
-        case Qt::DisplayRole:
-            return text(row, column);
         case Qt::EditRole:
             return column == Quantity ? QVariant(settings(row).quantity) : QVariant();
         case Qt::CheckStateRole:
@@ -103,15 +77,10 @@ QVariant PiecesModel::data(const QModelIndex& index, int role) const {
             return toolTip(row, column);
         case Qt::DecorationRole:
             return column == Name ? decoration(row) : QVariant();
-        case Qt::TextAlignmentRole:
-            return isWords(column) ? int(Qt::AlignLeft | Qt::AlignVCenter)
-                                   : int(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::ForegroundRole:
             return foreground(row, column);
-        case SortRole:
-            return sortValue(row, column);
         default:
-            return {};
+            return ColumnsModel::data(index, role);
     }
 }
 
@@ -120,7 +89,7 @@ const PieceSettings& PiecesModel::settings(int row) const {
 }
 
 Qt::ItemFlags PiecesModel::flags(const QModelIndex& index) const {
-    const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
+    const Qt::ItemFlags usual = ColumnsModel::flags(index);
     if (!index.isValid()) {
         return usual;
     }
@@ -185,7 +154,7 @@ QString PiecesModel::text(int row, int column) const {
                    : statusOf(*known) == "flat" ? tr("Flat")
                                                 : tr("Partly turned over");
         default:
-            return known && known->quality ? measuredText(*known, column) : QString(QChar(0x2013));
+            return figure(row, column).text;
     }
 }
 
@@ -232,73 +201,59 @@ bool PiecesModel::isStale(int row) const {
                      !(known->options == document_.options()));
 }
 
-QString PiecesModel::measuredText(const PieceResult& known, int column) const {
-    const PieceQuality& quality = *known.quality;
+PiecesModel::Figure PiecesModel::figure(int row, int column) const {
+    const QString unknown(QChar(0x2013));
+    const PieceResult* known = document_.result(row);
+    if (!known || !known->quality) {
+        return {{}, unknown};
+    }
+    const PieceQuality& quality = *known->quality;
     switch (column) {
         case Area:
-            return areaNumber(quality.area2d);
+            return {quality.area2d, areaNumber(quality.area2d)};
         case Outline:
-            return lengthNumber(quality.perimeter2d);
+            return {quality.perimeter2d, lengthNumber(quality.perimeter2d)};
         case OutlineError:
-            return boundaryError(quality.maxBoundaryLengthError);
+            return {quality.maxBoundaryLengthError, boundaryError(quality.maxBoundaryLengthError)};
         case StrainMean:
-            return quality.strainMeanAbs ? percent(*quality.strainMeanAbs) : QString(QChar(0x2013));
+            return {quality.strainMeanAbs,
+                    quality.strainMeanAbs ? percent(*quality.strainMeanAbs) : unknown};
         case StrainRange:
-            return strainRange(quality);
+            return {quality.strainMax.value_or(-1.0) - quality.strainMin.value_or(0.0),
+                    strainRange(quality)};
         case Flips:
-            return QLocale().toString(quality.flippedTriangles);
+            return {quality.flippedTriangles, QLocale().toString(quality.flippedTriangles)};
         case Crossings:
-            return QLocale().toString(quality.outlineCrossings);
+            return {quality.outlineCrossings, QLocale().toString(quality.outlineCrossings)};
         case DesignerRms:
-        case DesignerMax:
-            return quality.reference ? fineLength(column == DesignerRms ? quality.reference->rms
-                                                                        : quality.reference->max)
-                                     : QString(QChar(0x2013));
+        case DesignerMax: {
+            if (!quality.reference) {
+                return {{}, unknown};
+            }
+            const double value =
+                column == DesignerRms ? quality.reference->rms : quality.reference->max;
+            return {value, fineLength(value)};
+        }
         default:
             return {};
     }
 }
 
 QVariant PiecesModel::sortValue(int row, int column) const {
-    const Piece& piece = *document_.garment()->pieces[static_cast<std::size_t>(row)];
-    const PieceResult* known = document_.result(row);
-    if (column == Quantity) {
-        return settings(row).quantity;
-    }
-    if (column == Pair) {
-        return settings(row).mirroredPair ? 1 : 0;
-    }
-    if (isWords(column)) {
-        return text(row, column);
-    }
-    if (column == Triangles) {
-        return static_cast<qlonglong>(piece.mesh.F.rows());
-    }
-    if (!known || !known->quality) {
-        return -1.0;
-    }
-    const PieceQuality& quality = *known->quality;
     switch (column) {
-        case Area:
-            return quality.area2d;
-        case Outline:
-            return quality.perimeter2d;
-        case OutlineError:
-            return quality.maxBoundaryLengthError;
-        case StrainMean:
-            return quality.strainMeanAbs.value_or(-1.0);
-        case StrainRange:
-            return quality.strainMax.value_or(-1.0) - quality.strainMin.value_or(0.0);
-        case Flips:
-            return quality.flippedTriangles;
-        case Crossings:
-            return quality.outlineCrossings;
-        case DesignerRms:
-            return quality.reference ? quality.reference->rms : -1.0;
-        case DesignerMax:
-            return quality.reference ? quality.reference->max : -1.0;
+        case Quantity:
+            return settings(row).quantity;
+        case Pair:
+            return settings(row).mirroredPair ? 1 : 0;
+        case Triangles:
+            return static_cast<qlonglong>(
+                document_.garment()->pieces[static_cast<std::size_t>(row)]->mesh.F.rows());
+        case Name:
+        case Status:
+        case Method:
+            return text(row, column);
         default:
-            return {};
+            return figure(row, column).value.value_or(-1.0);
     }
 }
 
@@ -317,14 +272,8 @@ bool PiecesModel::isTrouble(int row, int column) const {
            (column == Crossings && known->quality->outlineCrossings > 0);
 }
 
-QVariant PiecesModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal) {
-        return {};
-    }
-    struct Header {
-        QString title, tip;
-    };
-    const Header headers[ColumnCount] = {
+std::vector<PiecesModel::Heading> PiecesModel::headings() const {
+    return {
         {tr("Piece"), tr("Name of the piece and its colour in the views")},
         {tr("Status"), tr("Flat, or why not")},
         {tr("Quantity"), tr("How many of the piece are cut")},
@@ -345,17 +294,6 @@ QVariant PiecesModel::headerData(int section, Qt::Orientation orientation, int r
         {tr("To designer max %1").arg(lengthUnit()),
          tr("Distance from the designer's own panel: the largest")},
     };
-    if (role == Qt::DisplayRole) {
-        return headers[section].title;
-    }
-    if (role == Qt::ToolTipRole) {
-        return headers[section].tip;
-    }
-    if (role == Qt::TextAlignmentRole) {
-        return isWords(section) ? int(Qt::AlignLeft | Qt::AlignVCenter)
-                                : int(Qt::AlignRight | Qt::AlignVCenter);
-    }
-    return {};
 }
 
 }  // namespace toile

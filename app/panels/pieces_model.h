@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
+#include <optional>
 
 #include "app/document/document_change.h"
+#include "app/widgets/columns_model.h"
 
 namespace toile {
 
 class Document;
-struct PieceResult;
 struct PieceSettings;
 
-/// The document's pieces as a table: row i is piece i. Sorts by `SortRole`.
-class PiecesModel : public QAbstractTableModel {
+/// The document's pieces as a table: row i is piece i.
+class PiecesModel : public ColumnsModel {
     Q_OBJECT
 
 public:
@@ -34,10 +34,6 @@ public:
         DesignerMax,
         ColumnCount
     };
-    static constexpr int SortRole = Qt::UserRole;
-    static constexpr bool isWords(int column) {
-        return column == Name || column == Status || column == Pair || column == Method;
-    }
     /// True for columns about the designer's own panels.
     static constexpr bool isAboutDesigner(int column) {
         return column == DesignerRms || column == DesignerMax;
@@ -45,13 +41,10 @@ public:
 
     explicit PiecesModel(const Document& document, QObject* parent = nullptr);
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     /// Changes nothing itself: see the signals.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     /// True where a flat piece carries the designer's own panel.
     bool hasDesigner() const;
 
@@ -60,14 +53,24 @@ signals:
     void quantityWanted(int piece, int quantity);
     void pairWanted(int piece, bool isPair);
 
+protected:
+    std::vector<Heading> headings() const override;
+    bool isWords(int column) const override {
+        return column == Name || column == Status || column == Pair || column == Method;
+    }
+    QString text(int row, int column) const override;
+    QVariant sortValue(int row, int column) const override;
+
 private:
+    /// A figure of a flat piece, for people and to sort by; none where it is not known.
+    struct Figure {
+        std::optional<double> value;
+        QString text;
+    };
+
     void onChanged(DocumentChanges what);
-    void showAgain();
-    void showColumns(int first, int last);
     const PieceSettings& settings(int row) const;
-    QString text(int row, int column) const;
-    QString measuredText(const PieceResult& result, int column) const;
-    QVariant sortValue(int row, int column) const;
+    Figure figure(int row, int column) const;
     QVariant decoration(int row) const;
     QString toolTip(int row, int column) const;
     QVariant foreground(int row, int column) const;
@@ -77,7 +80,6 @@ private:
     bool isStale(int row) const;
 
     const Document& document_;
-    int rows_ = 0;
 };
 
 }  // namespace toile

@@ -15,7 +15,6 @@
 #include "app/actions/action_registry.h"
 #include "app/document/document.h"
 #include "app/document/layout.h"
-#include "app/widgets/field_manners.h"
 #include "app/widgets/number_edits.h"
 #include "core/base/angle.h"
 

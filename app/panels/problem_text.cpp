@@ -3,7 +3,6 @@
 
 #include <QLocale>
 #include <QPainter>
-#include <QPixmap>
 #include <cmath>
 
 #include "app/base/translate.h"
@@ -15,8 +14,6 @@
 namespace toile {
 
 namespace {
-
-constexpr int kMarkPixels = 32;
 
 QString withCapital(QString text) {
     if (!text.isEmpty()) {
@@ -42,21 +39,13 @@ QString figureText(const Figure& figure) {
     return {};
 }
 
-QIcon noteMark() {
-    QPixmap pixmap(kMarkPixels, kMarkPixels);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
+void paintNote(QPainter& painter) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(62, 120, 190));
     painter.drawEllipse(QRectF(3, 3, 26, 26));
     painter.setPen(QPen(Qt::white, 3.4, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(QPointF(16, 15), QPointF(16, 22.5));
     painter.drawLine(QPointF(16, 9.4), QPointF(16, 9.9));
-    painter.end();
-    QIcon icon(pixmap);
-    icon.addPixmap(pixmap, QIcon::Selected);  // not tinted in a selected row
-    return icon;
 }
 
 }  // namespace
@@ -127,7 +116,7 @@ QIcon severityMark(Severity severity) {
         case Severity::Doubt:
             return fitMark(SeamFit::Nearly);
         case Severity::Note:
-            return noteMark();
+            return paintedMark(paintNote);
     }
     return {};
 }

@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "app/document/document.h"
-#include "app/panels/seam_summary.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
@@ -21,11 +20,6 @@ namespace {
 constexpr QChar kDash(0x2013);
 /// Tint behind an error: strong enough to be seen, weak enough to be read on.
 constexpr float kTint = 0.30F;
-
-constexpr bool isNumber(int column) {
-    return column == SeamsModel::Number ||
-           (column >= SeamsModel::Length3d && column <= SeamsModel::Error);
-}
 
 QString kindWord(SeamKind kind) {
     switch (kind) {
@@ -44,7 +38,7 @@ QString kindWord(SeamKind kind) {
 }  // namespace
 
 SeamsModel::SeamsModel(const Document& document, QObject* parent)
-    : QAbstractTableModel(parent), document_(document) {
+    : ColumnsModel(ColumnCount, parent), document_(document) {
     connect(&document_, &Document::changed, this, &SeamsModel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &SeamsModel::showAgain);
 }
@@ -60,14 +54,7 @@ void SeamsModel::onChanged(DocumentChanges what) {
                 (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Seams)) &&
                rowCount() > 0) {
         measureAll();
-        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
-    }
-}
-
-void SeamsModel::showAgain() {
-    emit headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
-    if (rowCount() > 0) {
-        emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        showColumns(0, ColumnCount - 1);
     }
 }
 
@@ -77,6 +64,7 @@ void SeamsModel::measureAll() {
     for (int i = 0; i < document_.seamCount(); ++i) {
         measures_.push_back(measured(*garment_, document_.results(), i));
     }
+    setRows(static_cast<int>(measures_.size()));
 }
 
 bool SeamsModel::hasTheSameRows() const {
@@ -87,20 +75,12 @@ bool SeamsModel::hasTheSameRows() const {
                               &Seam::name, &Seam::name);
 }
 
-int SeamsModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(measures_.size());
-}
-
-int SeamsModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
-}
-
 const Seam& SeamsModel::seam(int row) const {
     return garment_->seams.seams[static_cast<std::size_t>(row)];
 }
 
 Qt::ItemFlags SeamsModel::flags(const QModelIndex& index) const {
-    const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
+    const Qt::ItemFlags usual = ColumnsModel::flags(index);
     const bool eased =
         index.isValid() && index.column() == Ease && seam(index.row()).kind != SeamKind::Free;
     return eased ? usual | Qt::ItemIsEditable : usual;
@@ -126,8 +106,6 @@ QVariant SeamsModel::data(const QModelIndex& index, int role) const {
     const int row = index.row(), column = index.column();
     const bool stated = column == Ease && seam(row).ease.has_value();
     switch (role) {
-        case Qt::DisplayRole:
-            return text(row, column);
         case Qt::EditRole:
             return stated ? text(row, column) : QString();
         case Qt::ToolTipRole:
@@ -136,8 +114,6 @@ QVariant SeamsModel::data(const QModelIndex& index, int role) const {
             return column == Fit
                        ? QVariant(fitMark(seamFit(seam(row), measures_[std::size_t(row)])))
                        : QVariant();
-        case Qt::TextAlignmentRole:
-            return int((isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         case Qt::BackgroundRole:
             return background(row, column);
         case Qt::FontRole: {
@@ -149,12 +125,10 @@ QVariant SeamsModel::data(const QModelIndex& index, int role) const {
             return column == Ease && !stated
                        ? QVariant(QApplication::palette().brush(QPalette::PlaceholderText))
                        : QVariant();
-        case SortRole:
-            return sortValue(row, column);
         case FreeRole:
             return seam(row).kind == SeamKind::Free;
         default:
-            return {};
+            return ColumnsModel::data(index, role);
     }
 }
 
@@ -257,14 +231,8 @@ QString SeamsModel::summary() const {
     return measures_.empty() ? QString() : seamSummary(garment_->seams, measures_);
 }
 
-QVariant SeamsModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal) {
-        return {};
-    }
-    struct Header {
-        QString title, tip;
-    };
-    const Header headers[ColumnCount] = {
+std::vector<SeamsModel::Heading> SeamsModel::headings() const {
+    return {
         {tr("No."), tr("Number of the seam in the garment")},
         {tr("Seam"), tr("The pieces sewn together; the left one is named first")},
         {tr("Kind"), tr("Seam, dart, pleat, or a free edge that is sewn to nothing")},
@@ -285,16 +253,6 @@ QVariant SeamsModel::headerData(int section, Qt::Orientation orientation, int ro
                         .arg(fineLength(kMatchesMm) + ' ' + lengthUnit(),
                              fineLength(kNearlyMm) + ' ' + lengthUnit())},
     };
-    switch (role) {
-        case Qt::DisplayRole:
-            return headers[section].title;
-        case Qt::ToolTipRole:
-            return headers[section].tip;
-        case Qt::TextAlignmentRole:
-            return int((isNumber(section) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-        default:
-            return {};
-    }
 }
 
 }  // namespace toile

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractTableModel>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "app/document/document_change.h"
+#include "app/widgets/columns_model.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {
@@ -17,7 +17,7 @@ struct Seam;
 
 /// The document's seams and free edges as a table: row i is seam i, measured on the flat pieces.
 /// The ease of a seam can be edited, in percent; the model asks for it and shows what comes of it.
-class SeamsModel : public QAbstractTableModel {
+class SeamsModel : public ColumnsModel {
     Q_OBJECT
 
 public:
@@ -34,17 +34,13 @@ public:
         Fit,
         ColumnCount
     };
-    static constexpr int SortRole = Qt::UserRole;
-    static constexpr int FreeRole = Qt::UserRole + 1;  ///< bool: a free edge
+    static constexpr int FreeRole = SortRole + 1;  ///< bool: a free edge
 
     explicit SeamsModel(const Document& document, QObject* parent = nullptr);
 
-    int rowCount(const QModelIndex& parent = {}) const override;
-    int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
-    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
     /// One line about all seams: "26 seams · worst 0.00 mm". Empty where there is none.
     QString summary() const;
@@ -53,17 +49,22 @@ signals:
     /// @param ease a part of the right side's length; none: as the 3D lengths have it
     void easeWanted(int seam, std::optional<double> ease);
 
+protected:
+    std::vector<Heading> headings() const override;
+    bool isWords(int column) const override {
+        return column == Name || column == Kind || column == Fit;
+    }
+    QString text(int row, int column) const override;
+    QVariant sortValue(int row, int column) const override;
+
 private:
     void onChanged(DocumentChanges what);
-    void showAgain();
     void measureAll();
     /// Whether the rows are still of the same seams, in the same order.
     bool hasTheSameRows() const;
     const Seam& seam(int row) const;
-    QString text(int row, int column) const;
     QString measuredText(int row, int column) const;
     QString tip(int row, int column) const;
-    QVariant sortValue(int row, int column) const;
     QVariant background(int row, int column) const;
 
     const Document& document_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLocale>
 #include <QObject>
 
 #include "core/base/length_text.h"
@@ -14,12 +15,23 @@ class LengthDisplay : public QObject {
     Q_OBJECT
 
 public:
-    static LengthDisplay& instance();
+    static LengthDisplay& instance() {
+        static LengthDisplay only;
+        return only;
+    }
 
     /// With the decimal mark of the default locale at this time.
-    LengthFormat format() const;
+    LengthFormat format() const {
+        return {unit_, inchDenominator_, QLocale().decimalPoint().toStdString()};
+    }
     /// @param inchDenominator  inches in fractions of this; 0: in decimals
-    void choose(LengthUnit unit, int inchDenominator = 0);
+    void choose(LengthUnit unit, int inchDenominator = 0) {
+        if (unit != unit_ || inchDenominator != inchDenominator_) {
+            unit_ = unit;
+            inchDenominator_ = inchDenominator;
+            emit changed();
+        }
+    }
 
 signals:
     void changed();

@@ -20,6 +20,9 @@ class CommandPalette : public QFrame {
     Q_OBJECT
 
 public:
+    /// Of a row: where else it is found, its keys, and the places of the letters that were matched.
+    enum Role { PlaceRole = Qt::UserRole, KeysRole, LettersRole };
+
     /// @param parent the window to lie over
     explicit CommandPalette(QWidget* parent);
 

@@ -3,12 +3,38 @@
 
 #include <QStringList>
 #include <algorithm>
-
-#include "app/widgets/fuzzy_match.h"
+#include <limits>
 
 namespace toile {
 
 namespace {
+
+constexpr int kNone = std::numeric_limits<int>::min() / 2;
+constexpr int kLetter = 1, kFollows = 5, kWordBegins = 8, kTextBegins = 3, kSkipped = 4;
+
+/// One letter for each of the text: small, without accent.
+QString folded(const QString& text) {
+    QString plain = text;
+    for (QChar& letter : plain) {
+        const QString parts = QString(letter).normalized(QString::NormalizationForm_KD);
+        letter = (parts.isEmpty() ? letter : parts.front()).toCaseFolded();
+    }
+    return plain;
+}
+
+bool beginsWordAt(const QString& text, qsizetype at) {
+    return text[at].isLetterOrNumber() && (at == 0 || !text[at - 1].isLetterOrNumber());
+}
+
+/// True where fewer than half of the places begin a word or follow another.
+bool isScattered(const std::vector<int>& places, const QString& text) {
+    std::size_t telling = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const bool follows = i > 0 && places[i] == places[i - 1] + 1;
+        telling += follows || beginsWordAt(text, places[i]) ? 1 : 0;
+    }
+    return 2 * telling < places.size();
+}
 
 /// A place or a tip is worth less than the least match of a text of three letters.
 constexpr int kPlaceScore = 2, kTipScore = 1;
@@ -41,6 +67,62 @@ bool score(const Command& command, const QStringList& words, Candidate& candidat
 }
 
 }  // namespace
+
+std::optional<FuzzyMatch> fuzzyMatch(const QString& letters, const QString& text) {
+    const QString wanted = folded(letters), given = folded(text);
+    const auto rows = static_cast<std::size_t>(wanted.size());
+    const auto columns = static_cast<std::size_t>(given.size());
+    if (rows == 0) {
+        return FuzzyMatch{};
+    }
+    // best[i][j]: of letters 0..i with letter i on place j; from[i][j]: where letter i - 1 was
+    // then.
+    std::vector<std::vector<int>> best(rows, std::vector<int>(columns, kNone)), from = best;
+    for (std::size_t i = 0; i < rows; ++i) {
+        int before = i == 0 ? 0 : kNone, beforeAt = -1;  // best of letter i - 1 left of place j - 1
+        for (std::size_t j = 0; j < columns; ++j) {
+            if (i > 0 && j > 1 && best[i - 1][j - 2] > before) {
+                before = best[i - 1][j - 2];
+                beforeAt = static_cast<int>(j) - 2;
+            }
+            if (wanted[qsizetype(i)] != given[qsizetype(j)]) {
+                continue;
+            }
+            const int own = kLetter + (beginsWordAt(given, qsizetype(j)) ? kWordBegins : 0) +
+                            (j == 0 ? kTextBegins : 0);
+            int score = before == kNone ? kNone : before + own - (i > 0 ? kSkipped : 0);
+            int at = beforeAt;
+            if (i > 0 && j > 0 && best[i - 1][j - 1] != kNone &&
+                best[i - 1][j - 1] + kFollows + own >= score) {
+                score = best[i - 1][j - 1] + kFollows + own;
+                at = static_cast<int>(j) - 1;
+            }
+            best[i][j] = score;
+            from[i][j] = at;
+        }
+    }
+    const auto last = std::max_element(best.back().begin(), best.back().end());
+    if (last == best.back().end() || *last == kNone) {
+        return std::nullopt;
+    }
+    FuzzyMatch match{*last, std::vector<int>(rows)};
+    auto place = static_cast<int>(last - best.back().begin());
+    for (std::size_t i = rows; i-- > 0;) {
+        match.letters[i] = place;
+        place = from[i][static_cast<std::size_t>(place)];
+    }
+    return isScattered(match.letters, given) ? std::nullopt : std::optional(match);
+}
+
+bool beginsWord(const QString& letters, const QString& text) {
+    const QString wanted = folded(letters), given = folded(text);
+    for (auto at = given.indexOf(wanted); at >= 0; at = given.indexOf(wanted, at + 1)) {
+        if (at < given.size() && beginsWordAt(given, at)) {
+            return true;
+        }
+    }
+    return wanted.isEmpty();
+}
 
 std::vector<FoundCommand> searchCommands(const std::vector<Command>& commands,
                                          const QString& typed) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/widgets/number_edits.h"
 
+#include <QKeyEvent>
 #include <QLocale>
 #include <cmath>
 
@@ -24,6 +25,11 @@ double stepOf(const LengthFormat& format) {
         return unit / (format.denominator > 0 ? format.denominator : 10);
     }
     return 1;  // a millimetre, in centimetres too
+}
+
+/// True where nothing has been typed that is still to be taken.
+bool isSettled(const QDoubleSpinBox& field) {
+    return field.text() == field.prefix() + field.textFromValue(field.value()) + field.suffix();
 }
 
 }  // namespace
@@ -100,6 +106,27 @@ std::optional<double> PercentEdit::parsed(const QString& text) const {
     bool ok = false;
     const double value = QLocale::c().toDouble(number.simplified().remove(' '), &ok);
     return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+void FieldManners::teach(QWidget& field) {
+    field.installEventFilter(this);
+}
+
+bool FieldManners::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const auto* field = qobject_cast<QDoubleSpinBox*>(watched);
+        if (field && isSettled(*field) &&
+            (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 }  // namespace toile

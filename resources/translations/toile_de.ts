@@ -151,6 +151,25 @@
     </message>
 </context>
 <context>
+    <name>GarmentActions</name>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>DXF drawing (*.dxf)</source>
+        <translation>DXF-Zeichnung (*.dxf)</translation>
+    </message>
+    <message>
+        <source>OBJ mesh (*.obj)</source>
+        <translation>OBJ-Netz (*.obj)</translation>
+    </message>
+    <message>
+        <source>JSON report (*.json)</source>
+        <translation>JSON-Bericht (*.json)</translation>
+    </message>
+</context>
+<context>
     <name>GarmentView</name>
     <message>
         <source>seam %1: %2</source>
@@ -445,6 +464,29 @@
     <message>
         <source>Trousers</source>
         <translation>Hose</translation>
+    </message>
+</context>
+<context>
+    <name>WindowMenus</name>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the pattern to a file</source>
+        <translation>Das Schnittmuster in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>More overlays</source>
+        <translation>Weitere Überlagerungen</translation>
     </message>
 </context>
 <context>
@@ -1088,22 +1130,6 @@
     <message>
         <source>Sort by that column</source>
         <translation>Nach dieser Spalte ordnen</translation>
-    </message>
-    <message>
-        <source>Keyboard and mouse</source>
-        <translation>Tastatur und Maus</translation>
-    </message>
-    <message>
-        <source>Every command is also found by typing a few letters of it: Ctrl+K.</source>
-        <translation>Jeder Befehl ist auch zu finden, indem Sie einige seiner Buchstaben tippen: Strg+K.</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation>Was</translation>
     </message>
     <message>
         <source>Seam lines keep their length</source>
@@ -3774,22 +3800,6 @@
 <context>
     <name>toile::GarmentActions</name>
     <message>
-        <source>SVG drawing (*.svg)</source>
-        <translation>SVG-Zeichnung (*.svg)</translation>
-    </message>
-    <message>
-        <source>DXF drawing (*.dxf)</source>
-        <translation>DXF-Zeichnung (*.dxf)</translation>
-    </message>
-    <message>
-        <source>OBJ mesh (*.obj)</source>
-        <translation>OBJ-Netz (*.obj)</translation>
-    </message>
-    <message>
-        <source>JSON report (*.json)</source>
-        <translation>JSON-Bericht (*.json)</translation>
-    </message>
-    <message>
         <source>&amp;Undo: %1</source>
         <translation>&amp;Rückgängig: %1</translation>
     </message>
@@ -3816,6 +3826,30 @@
     <message>
         <source>A project is opened by itself: choose one project, or the meshes of one garment.</source>
         <translation>Ein Projekt wird für sich geöffnet: wählen Sie ein Projekt oder die Netze eines Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Mirroring</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>No grain is better than another here: the cloth is strained alike in all directions, or not at all. Say yourself how the grain runs.</source>
+        <translation>Hier ist kein Fadenlauf besser als ein anderer: Der Stoff ist in allen Richtungen gleich gedehnt oder gar nicht. Legen Sie den Fadenlauf selbst fest.</translation>
+    </message>
+    <message>
+        <source>Best grain</source>
+        <translation>Bester Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Pieces were flattened anew, or the fabric was changed, while their best grain was looked for. Ask for it once more.</source>
+        <translation>Während der beste Fadenlauf gesucht wurde, sind Schnittteile neu abgewickelt worden oder das Material hat sich geändert. Fragen Sie noch einmal danach.</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Fadenlauf</translation>
     </message>
 </context>
 <context>
@@ -3875,33 +3909,6 @@
     </message>
 </context>
 <context>
-    <name>toile::LayoutActions</name>
-    <message>
-        <source>Turn</source>
-        <translation>Drehen</translation>
-    </message>
-    <message>
-        <source>Mirroring</source>
-        <translation>Spiegeln</translation>
-    </message>
-    <message>
-        <source>Grain</source>
-        <translation>Fadenlauf</translation>
-    </message>
-    <message>
-        <source>No grain is better than another here: the cloth is strained alike in all directions, or not at all. Say yourself how the grain runs.</source>
-        <translation>Hier ist kein Fadenlauf besser als ein anderer: Der Stoff ist in allen Richtungen gleich gedehnt oder gar nicht. Legen Sie den Fadenlauf selbst fest.</translation>
-    </message>
-    <message>
-        <source>Best grain</source>
-        <translation>Bester Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Pieces were flattened anew, or the fabric was changed, while their best grain was looked for. Ask for it once more.</source>
-        <translation>Während der beste Fadenlauf gesucht wurde, sind Schnittteile neu abgewickelt worden oder das Material hat sich geändert. Fragen Sie noch einmal danach.</translation>
-    </message>
-</context>
-<context>
     <name>toile::LoopTool</name>
     <message>
         <source>Click: go on · Click the first point, double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
@@ -3919,54 +3926,6 @@
 <context>
     <name>toile::MainWindow</name>
     <message>
-        <source>Tools</source>
-        <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Write the pattern to a file</source>
-        <translation>Das Schnittmuster in eine Datei schreiben</translation>
-    </message>
-    <message>
-        <source>About Toile</source>
-        <translation>Über Toile</translation>
-    </message>
-    <message>
-        <source>Sewing patterns from 3D garments, every seam line at its true length: the length-preserved natural boundary of Wang (2005).
-
-Free software under the GNU General Public License, version 3 or later.</source>
-        <translation>Schnittmuster aus 3D-Kleidungsstücken, jede Nahtlinie in ihrer wahren Länge: der längentreue natürliche Rand nach Wang (2005).
-
-Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
-    </message>
-    <message>
-        <source>Pieces</source>
-        <translation>Schnittteile</translation>
-    </message>
-    <message>
-        <source>Seams</source>
-        <translation>Nähte</translation>
-    </message>
-    <message>
-        <source>As opened</source>
-        <translation>Wie geöffnet</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>%1: cancelled</source>
-        <translation>%1: abgebrochen</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
-    </message>
-    <message>
         <source>A heavy garment: edits are flattened when you ask for it, %1</source>
         <translation>Ein schweres Kleidungsstück: Änderungen werden erst abgewickelt, wenn Sie es verlangen, %1</translation>
     </message>
@@ -3975,40 +3934,8 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Toile</translation>
     </message>
     <message>
-        <source>More</source>
-        <translation>Mehr</translation>
-    </message>
-    <message>
-        <source>More overlays</source>
-        <translation>Weitere Überlagerungen</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Lage</translation>
-    </message>
-    <message>
-        <source>Saved: %1</source>
-        <translation>Gespeichert: %1</translation>
-    </message>
-    <message>
         <source>%1[*] – Toile</source>
         <translation>%1[*] – Toile</translation>
-    </message>
-    <message>
-        <source>Problems</source>
-        <translation>Probleme</translation>
-    </message>
-    <message>
-        <source>Problems (%1)</source>
-        <translation>Probleme (%1)</translation>
-    </message>
-    <message>
-        <source>Written: %1 (%2 left, see Problems)</source>
-        <translation>Geschrieben: %1 (noch %2, siehe Probleme)</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Material</translation>
     </message>
     <message>
         <source>Unsaved changes are not kept: %1</source>
@@ -4887,6 +4814,82 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>or drop OBJ, PLY, OFF, STL or .toile files here; several meshes are taken as one garment</source>
         <translation>oder OBJ-, PLY-, OFF-, STL- oder .toile-Dateien hier ablegen; mehrere Netze gelten als ein Kleidungsstück</translation>
+    </message>
+</context>
+<context>
+    <name>toile::WindowCentre</name>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>toile::WindowDialogs</name>
+    <message>
+        <source>About Toile</source>
+        <translation>Über Toile</translation>
+    </message>
+    <message>
+        <source>Sewing patterns from 3D garments, every seam line at its true length: the length-preserved natural boundary of Wang (2005).
+
+Free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Schnittmuster aus 3D-Kleidungsstücken, jede Nahtlinie in ihrer wahren Länge: der längentreue natürliche Rand nach Wang (2005).
+
+Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::WindowDocks</name>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Problems (%1)</source>
+        <translation>Probleme (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>toile::WindowStatus</name>
+    <message>
+        <source>%1: cancelled</source>
+        <translation>%1: abgebrochen</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1 (%2 left, see Problems)</source>
+        <translation>Geschrieben: %1 (noch %2, siehe Probleme)</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QTabBar>
 #include <QTextBrowser>
+#include <QTextStream>
 #include <QTreeView>
 #include <algorithm>
 #include <set>
@@ -28,15 +29,39 @@
 #include "app/views/pattern_view.h"
 #include "app/views/tools/tool_box.h"
 #include "app/views/view_area.h"
-#include "app/widgets/command_delegate.h"
+#include "app/widgets/command_palette.h"
 #include "app/widgets/command_search.h"
-#include "app/widgets/fuzzy_match.h"
 #include "app/widgets/hint_label.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
+
+namespace {
+
+QString markdownCell(QString text) {
+    return text.replace('|', "\\|");
+}
+
+/// As a page of the manual.
+QString helpMarkdown(const std::vector<HelpGroup>& groups) {
+    QString text;
+    QTextStream out(&text);
+    out << "# Keyboard and mouse\n\n"
+           "Every command is also found by typing a few letters of it: Ctrl+K.\n";
+    for (const HelpGroup& group : groups) {
+        out << "\n## " << group.title << "\n\n| Keys | What | |\n|---|---|---|\n";
+        for (const HelpRow& row : group.rows) {
+            out << "| " << markdownCell(row.keys) << " | " << markdownCell(row.title) << " | "
+                << markdownCell(row.tip) << " |\n";
+        }
+    }
+    out.flush();
+    return text;
+}
+
+}  // namespace
 
 /// What surrounds the views: the tables of actions and menus, command palette, help, preferences,
 /// welcome page.
@@ -83,7 +108,8 @@ private slots:
                      qPrintable(window().actions().title(placed.id)));
             QVERIFY(!placed.menus.isEmpty());
         }
-        for (const ActionId id : window().actions().ids()) {
+        for (const ActionSpec& spec : actionTable()) {
+            const ActionId id = spec.id;
             const QAction& action = window().actions()[id];
             QVERIFY2(seen.count(id) == 1, qPrintable(action.objectName()));
             QVERIFY2(!action.statusTip().isEmpty(), qPrintable(action.objectName()));
@@ -153,8 +179,8 @@ private slots:
         QVERIFY(fixture_.openAndWait(fixture_.path("pair.obj")));
         ask("edge str");
         QCOMPARE(list().currentItem()->text(), QString("Edge strain"));
-        QCOMPARE(list().currentItem()->data(CommandDelegate::KeysRole).toString(), QString("5"));
-        QCOMPARE(list().currentItem()->data(CommandDelegate::PlaceRole).toString(),
+        QCOMPARE(list().currentItem()->data(CommandPalette::KeysRole).toString(), QString("5"));
+        QCOMPARE(list().currentItem()->data(CommandPalette::PlaceRole).toString(),
                  QString("View \u25B8 Overlay"));
         QTest::keyClick(&line(), Qt::Key_Return);
         QVERIFY(!palette().isVisible());

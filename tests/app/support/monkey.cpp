@@ -47,9 +47,9 @@ Monkey::Monkey(MainWindow& window, Generator& random, QString folder)
         {2, &Monkey::touchFrame},     {3, &Monkey::cancel},
         {12, &Monkey::pause},         {2, &Monkey::settle},
     };
-    for (const ActionId id : window_.actions().ids()) {
-        if (!kLeftAlone.contains(id)) {
-            ids_.push_back(id);
+    for (const ActionSpec& spec : actionTable()) {
+        if (!kLeftAlone.contains(spec.id)) {
+            ids_.push_back(spec.id);
         }
     }
     window_.actions()[ActionId::Quit].setEnabled(false);  // shortcuts and the palette reach it too

@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window's menus and its toolbar, from the tables of actions and menus.
+#include "app/window_menus.h"
+
+#include <QCoreApplication>
 #include <QDockWidget>
+#include <QMainWindow>
 #include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
 #include <algorithm>
 #include <map>
 
-#include "app/actions/garment_actions.h"
 #include "app/actions/menu_table.h"
-#include "app/actions/project_actions.h"
-#include "app/main_window.h"
+#include "app/actions/recent_files.h"
 #include "app/widgets/icon.h"
 
 namespace toile {
 
 namespace {
+
+/// The context of the translations.
+class WindowMenus {
+    Q_DECLARE_TR_FUNCTIONS(WindowMenus)
+};
 
 /// A heading at the very top would touch the menu's frame.
 constexpr int kAirOverHeading = 4;
@@ -108,57 +114,56 @@ QToolButton* makeChoiceButton(const ActionRegistry& actions, std::initializer_li
 
 }  // namespace
 
-void MainWindow::makeMenus() {
-    MenuMaker maker{
-        actions_,
-        {piecesDock_, seamsDock_, problemsDock_, historyDock_, positionDock_, fabricDock_},
-        garmentActions_->project().recent()};
+void fillMenuBar(QMainWindow& window, const ActionRegistry& actions,
+                 const QList<QDockWidget*>& lists, RecentFiles& recent) {
+    MenuMaker maker{actions, lists, recent};
     for (const MenuSpec& spec : menuTable()) {
         maker.table.emplace(spec.name, &spec);
     }
     for (const MenuSpec& spec : menuTable()) {
         if (spec.inMenuBar) {
-            maker.fill(*menuBar()->addMenu(menuText(spec.title)), spec);
+            maker.fill(*window.menuBar()->addMenu(menuText(spec.title)), spec);
         }
     }
 }
 
-void MainWindow::makeToolBar() {
-    QToolBar& bar = *addToolBar(tr("Tools"));
+void addToolBar(QMainWindow& window, const ActionRegistry& actions) {
+    QToolBar& bar = *window.addToolBar(WindowMenus::tr("Tools"));
     bar.setObjectName("toolBar");
     bar.setMovable(false);
     bar.setIconSize({20, 20});
     bar.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    bar.addAction(&actions_[ActionId::Open]);
-    bar.addAction(&actions_[ActionId::Save]);
+    bar.addAction(&actions[ActionId::Open]);
+    bar.addAction(&actions[ActionId::Save]);
     auto* exports = new QToolButton(&bar);
-    exports->setText(tr("Export"));
+    exports->setText(WindowMenus::tr("Export"));
     exports->setIcon(themedIcon("export"));
-    exports->setToolTip(tr("Write the pattern to a file"));
+    exports->setToolTip(WindowMenus::tr("Write the pattern to a file"));
     exports->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     exports->setPopupMode(QToolButton::InstantPopup);
-    exports->setMenu(menuBar()->findChild<QMenu*>("exportMenu"));
-    const QAction& exportAction = actions_[ActionId::ExportSvg];
-    connect(&exportAction, &QAction::enabledChanged, exports, &QWidget::setEnabled);
+    exports->setMenu(window.menuBar()->findChild<QMenu*>("exportMenu"));
+    const QAction& exportAction = actions[ActionId::ExportSvg];
+    QObject::connect(&exportAction, &QAction::enabledChanged, exports, &QWidget::setEnabled);
     exports->setEnabled(exportAction.isEnabled());
     bar.addWidget(exports);
     bar.addSeparator();
-    bar.addAction(&actions_[ActionId::Undo]);
-    bar.addAction(&actions_[ActionId::Redo]);
+    bar.addAction(&actions[ActionId::Undo]);
+    bar.addAction(&actions[ActionId::Redo]);
     bar.addSeparator();
-    bar.addAction(&actions_[ActionId::FlattenAgain]);
-    bar.addAction(&actions_[ActionId::Frame]);
+    bar.addAction(&actions[ActionId::FlattenAgain]);
+    bar.addAction(&actions[ActionId::Frame]);
     bar.addSeparator();
     for (const ActionId id : {ActionId::OverlayNone, ActionId::OverlayChecker,
                               ActionId::OverlayStrain, ActionId::OverlayWarp, ActionId::OverlayWeft,
                               ActionId::OverlayBias, ActionId::OverlayPrincipal}) {
-        bar.addAction(&actions_[id]);
+        bar.addAction(&actions[id]);
     }
-    auto* more = makeChoiceButton(actions_, kRarerOverlays, tr("More"), tr("More overlays"), &bar);
+    auto* more = makeChoiceButton(actions, kRarerOverlays, WindowMenus::tr("More"),
+                                  WindowMenus::tr("More overlays"), &bar);
     more->setObjectName("moreOverlays");
     bar.addWidget(more);
     bar.addSeparator();
-    bar.addAction(&actions_[ActionId::Wireframe]);
+    bar.addAction(&actions[ActionId::Wireframe]);
     // Qt's own is black on any ground.
     if (auto* rest = bar.findChild<QToolButton*>("qt_toolbar_ext_button")) {
         rest->setIcon(themedIcon("more"));

@@ -1,0 +1,568 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/action_table.h"
+
+#include <QUndoStack>
+#include <algorithm>
+#include <numbers>
+
+#include "app/actions/garment_actions.h"
+#include "app/actions/project_actions.h"
+#include "app/actions/workspace.h"
+#include "app/document/layout.h"
+#include "app/render/scene.h"
+#include "app/text/method_text.h"
+
+namespace toile {
+
+namespace {
+
+using When = std::function<bool(Workspace&)>;
+using Pieces = std::vector<int>;
+
+constexpr double kRightAngle = std::numbers::pi / 2;
+
+bool isOpen(Workspace& on) {
+    return on.document().garment() != nullptr;
+}
+
+bool isBusy(Workspace& on) {
+    return on.jobs().isBusy() || on.writing().isBusy();
+}
+
+bool showsFigures(Workspace& on) {
+    return isOpen(on) && isMeasured(on.document().view().overlay);
+}
+
+bool hasDesigner(Workspace& on) {
+    const auto& scene = on.document().scene();
+    return scene && !scene->patternLines.runs.designer.empty();
+}
+
+bool hasCuts(Workspace& on) {
+    return !on.loading().seams.cuts.empty();
+}
+
+bool saysOfSeams(Workspace& on) {
+    return isOpen(on) && !on.loading().seams.empty();
+}
+
+const Seam* selectedSeam(Workspace& on) {
+    const std::optional<int> seam = on.document().seam();
+    return seam ? &on.document().garment()->seams.seams[static_cast<std::size_t>(*seam)] : nullptr;
+}
+
+bool isSewnSeam(Workspace& on) {
+    const Seam* seam = selectedSeam(on);
+    return seam && seam->kind != SeamKind::Free;
+}
+
+bool isEasedSeam(Workspace& on) {
+    const Seam* seam = selectedSeam(on);
+    return seam && seam->ease;
+}
+
+bool isAnyFlat(Workspace& on) {
+    return !allFlat(on.document()).empty();
+}
+
+bool isAnyGrainStated(Workspace& on) {
+    return std::ranges::any_of(selectedOrAllFlat(on.document()), [&on](int piece) {
+        return on.document().settings()[static_cast<std::size_t>(piece)].grain.has_value();
+    });
+}
+
+/// Its doing is connected where it is done.
+ActionWork whenOpen(ActionGroup group = ActionGroup::None) {
+    return {.enabledWhen = isOpen, .group = group};
+}
+
+ActionWork asks(void (GarmentActions::*wish)(), When when = nullptr) {
+    return {[wish](GarmentActions& on, bool) { (on.*wish)(); }, when};
+}
+
+ActionWork asks(void (Workspace::*wish)(), When when) {
+    return {[wish](GarmentActions& on, bool) { (on.workspace().*wish)(); }, when};
+}
+
+ActionWork steps(void (QUndoStack::*step)(), bool (QUndoStack::*canStep)() const) {
+    return {[step](GarmentActions& on, bool) { (on.workspace().document().history().*step)(); },
+            [canStep](Workspace& on) { return (on.document().history().*canStep)(); }};
+}
+
+/// @param filter  to be translated, of the dialog
+ActionWork exports(const char* suffix, const char* filter) {
+    return {[=](GarmentActions& on, bool) { on.askAndExport(suffix, GarmentActions::tr(filter)); },
+            &Workspace::canExport};
+}
+
+ActionWork overlays(Overlay overlay) {
+    return {[overlay](GarmentActions& on, bool) { on.workspace().document().setOverlay(overlay); },
+            isOpen, [overlay](Workspace& on) { return on.document().view().overlay == overlay; },
+            ActionGroup::Overlay};
+}
+
+ActionWork switches(bool ViewState::*field, When when = isOpen) {
+    return {
+        [field](GarmentActions& on, bool isOn) { on.workspace().document().setView(field, isOn); },
+        when, [field](Workspace& on) { return on.document().view().*field; }, ActionGroup::Toggle};
+}
+
+ActionWork flattens(Method method) {
+    return {[method](GarmentActions& on, bool) { on.workspace().setMethod(method); },
+            {},
+            [method](Workspace& on) { return on.document().options().method == method; },
+            ActionGroup::Method};
+}
+
+ActionWork flattens(Quality quality) {
+    return {[quality](GarmentActions& on, bool) { on.workspace().setQuality(quality); },
+            [](Workspace& on) { return on.document().options().method == Method::Isometric; },
+            [quality](Workspace& on) { return on.document().options().quality == quality; },
+            ActionGroup::Quality};
+}
+
+/// A free outline has no boundary problem to solve.
+ActionWork flattens(BoundarySolver solver) {
+    return {[solver](GarmentActions& on, bool) { on.workspace().setBoundarySolver(solver); },
+            [](Workspace& on) { return traits(on.document().options().method).solvesBoundary; },
+            [solver](Workspace& on) { return on.document().options().boundarySolver == solver; },
+            ActionGroup::Solver};
+}
+
+template <class Value>
+ActionWork reads(ActionGroup group, Value LoadOptions::*field, void (Workspace::*set)(Value),
+                 std::type_identity_t<Value> value, When when = nullptr) {
+    return {[=](GarmentActions& on, bool) { (on.workspace().*set)(value); }, when,
+            [=](Workspace& on) { return on.loading().*field == value; }, group};
+}
+
+ActionWork reads(bool LoadOptions::*field, void (Workspace::*set)(bool)) {
+    return {[set](GarmentActions& on, bool isOn) { (on.workspace().*set)(isOn); },
+            {},
+            [field](Workspace& on) { return on.loading().*field; },
+            ActionGroup::Toggle};
+}
+
+/// Does something to the selected pieces that are flat, of which there have to be so many.
+ActionWork onSelected(std::size_t least, std::function<void(Document&, const Pieces&)> change) {
+    return {[change = std::move(change)](GarmentActions& on, bool) {
+                Document& document = on.workspace().document();
+                if (const Pieces pieces = selectedFlat(document); !pieces.empty()) {
+                    change(document, pieces);
+                }
+            },
+            [least](Workspace& on) { return selectedFlat(on.document()).size() >= least; }};
+}
+
+ActionWork turns(double angle) {
+    return onSelected(1, [angle](Document& document, const Pieces& pieces) {
+        turnTogether(document, GarmentActions::tr("Turn"), pieces, angle);
+    });
+}
+
+ActionWork mirrors(Mirroring mirroring) {
+    return onSelected(1, [mirroring](Document& document, const Pieces& pieces) {
+        mirrorTogether(document, GarmentActions::tr("Mirroring"), pieces, mirroring);
+    });
+}
+
+template <class Where>
+ActionWork arranges(void (*arrange)(Document&, const Pieces&, Where), Where where,
+                    std::size_t least) {
+    return onSelected(
+        least, [=](Document& document, const Pieces& pieces) { arrange(document, pieces, where); });
+}
+
+/// To the selected pieces, or to all where none is.
+ActionWork onChosen(void (*change)(Document&, const Pieces&)) {
+    return {[change](GarmentActions& on, bool) {
+                change(on.workspace().document(), selectedOrAllFlat(on.workspace().document()));
+            },
+            isAnyFlat};
+}
+
+// lupdate is told of this name, and takes the namespace for the context.
+#define TR(text) text
+
+std::vector<ActionSpec> makeActions() {
+    using Group = ActionGroup;
+    return {
+        {ActionId::Open, "open", TR("&Open…"), "Ctrl+O",
+         TR("Open a project or a garment: one file, or several that belong together"),
+         asks(&GarmentActions::askAndOpen), "open", TR("Open")},
+        {ActionId::Save,
+         "save",
+         TR("&Save"),
+         "Ctrl+S",
+         TR("Save everything done with this garment in its project file"),
+         {[](GarmentActions& on, bool) { on.project().save(); }, isOpen},
+         "save",
+         TR("Save")},
+        {ActionId::SaveAs,
+         "saveAs",
+         TR("Save &as…"),
+         "Ctrl+Shift+S",
+         TR("Save everything done with this garment in another project file"),
+         {[](GarmentActions& on, bool) { on.project().saveAs(); }, isOpen}},
+        {ActionId::ExportSvg, "exportSvg", TR("As &SVG drawing…"), "Ctrl+E",
+         TR("Write the pattern at true scale for printing and drawing programs"),
+         exports("svg", QT_TRANSLATE_NOOP("GarmentActions", "SVG drawing (*.svg)"))},
+        {ActionId::ExportDxf, "exportDxf", TR("As &DXF drawing…"), "",
+         TR("Write the pattern at true scale for pattern and cutting programs"),
+         exports("dxf", QT_TRANSLATE_NOOP("GarmentActions", "DXF drawing (*.dxf)"))},
+        {ActionId::ExportObj, "exportObj", TR("As &OBJ with UV map…"), "",
+         TR("Write the garment again with the pattern as its UV map"),
+         exports("obj", QT_TRANSLATE_NOOP("GarmentActions", "OBJ mesh (*.obj)"))},
+        {ActionId::ExportReport, "exportReport", TR("&Report (JSON)…"), "",
+         TR("Write every figure of every piece for other programs"),
+         exports("json", QT_TRANSLATE_NOOP("GarmentActions", "JSON report (*.json)"))},
+        {ActionId::ReadyToCut, "readyToCut", TR("Read&y to cut?"), "F8",
+         TR("Show whether the pattern can be cut as it is, and every fault with its place"),
+         whenOpen()},
+        {ActionId::Quit, "quit", TR("&Quit"), "Ctrl+Q", TR("Close the window")},
+        {ActionId::Undo, "undo", TR("&Undo"), "Ctrl+Z", TR("Take the last step back"),
+         steps(&QUndoStack::undo, &QUndoStack::canUndo), "undo", TR("Undo")},
+        {ActionId::Redo, "redo", TR("&Redo"), "Ctrl+Shift+Z", TR("Do again what was taken back"),
+         steps(&QUndoStack::redo, &QUndoStack::canRedo), "redo", TR("Redo")},
+        {ActionId::SelectAll, "selectAll", TR("Select &all"), "Ctrl+A", TR("Select every piece"),
+         asks(&GarmentActions::selectAll, isOpen)},
+        {ActionId::SelectNone, "selectNone", TR("Select &none"), "Ctrl+Shift+A",
+         TR("Clear the selection of pieces and seams"), asks(&GarmentActions::selectNone, isOpen)},
+        {ActionId::Frame, "frame", TR("&Frame"), "F",
+         TR("Show the selected pieces or seam, or everything where none is selected"), whenOpen(),
+         "frame", TR("Frame")},
+        {ActionId::OverlayNone, "overlayNone", TR("Piece &colours"), "1",
+         TR("Every piece in its own colour"), overlays(Overlay::None), "overlay-none", TR("Plain")},
+        {ActionId::OverlayChecker, "overlayChecker", TR("Check&erboard"), "2",
+         TR("True-scale squares of 1 cm on the cloth"), overlays(Overlay::Checker),
+         "overlay-checker", TR("Checker")},
+        {ActionId::OverlayArea, "overlayArea", TR("&Area change"), "3",
+         TR("How much area the cloth must gain by stretching, or has too much"),
+         overlays(Overlay::Area), "overlay-area", TR("Area")},
+        {ActionId::OverlayAngle, "overlayAngle", TR("An&gle change"), "4",
+         TR("How much the corners of the cloth have turned"), overlays(Overlay::Angle),
+         "overlay-angle", TR("Angle")},
+        {ActionId::OverlayStrain, "overlayStrain", TR("Edge &strain"), "5",
+         TR("How far the cloth must stretch or gather to take its shape"),
+         overlays(Overlay::Strain), "overlay-strain", TR("Strain")},
+        {ActionId::OverlayWarp, "overlayWarp", TR("Strain along war&p"), "6",
+         TR("How far the cloth must stretch or gather along the grain"), overlays(Overlay::Warp),
+         "overlay-warp", TR("Warp")},
+        {ActionId::OverlayWeft, "overlayWeft", TR("Strain along we&ft"), "7",
+         TR("How far the cloth must stretch or gather across the grain"), overlays(Overlay::Weft),
+         "overlay-weft", TR("Weft")},
+        {ActionId::OverlayBias, "overlayBias", TR("Strain on the &bias"), "8",
+         TR("How far the cloth must stretch or gather at 45° to the grain, the worse of both "
+            "diagonals"),
+         overlays(Overlay::Bias), "overlay-bias", TR("Bias")},
+        {ActionId::OverlayPrincipal, "overlayPrincipal", TR("Principal s&train"), "9",
+         TR("Crosses show in which directions the cloth stretches and gathers most, and how far"),
+         overlays(Overlay::Principal), "overlay-principal", TR("Principal")},
+        {ActionId::OverlayDirichlet, "overlayDirichlet", TR("&Distortion energy"), "0",
+         TR("Symmetric Dirichlet energy: one number for stretch and surplus in all directions"),
+         overlays(Overlay::Dirichlet), "overlay-dirichlet", TR("Energy")},
+        {ActionId::ValuesPerTriangle, "valuesPerTriangle", TR("&Values per triangle"), "Shift+V",
+         TR("Paint every triangle in the colour of its own value, without smoothing"),
+         switches(&ViewState::valuesPerTriangle, showsFigures), "values-per-triangle",
+         TR("Per triangle")},
+        {ActionId::WorstSpots, "worstSpots", TR("Flag the w&orst spots"), "Shift+W",
+         TR("Mark the places with the worst values with a number"),
+         switches(&ViewState::worstSpots, showsFigures), "worst-spots", TR("Worst spots")},
+        {ActionId::Wireframe, "wireframe", TR("Show &wireframe"), "W",
+         TR("Draw the triangles of the cloth"), switches(&ViewState::wireframe), "wireframe",
+         TR("Wireframe")},
+        {ActionId::DesignerOutline, "designerOutline", TR("&Designer's outline"), "D",
+         TR("Draw the designer's own panels over the flat pieces, where the file carries them"),
+         switches(&ViewState::designerOutline, hasDesigner)},
+        {ActionId::ShowSeams, "showSeams", TR("Show &seams"), "Shift+S",
+         TR("Draw the seam lines, both sides of a seam in one colour"),
+         switches(&ViewState::seams)},
+        {ActionId::Xray, "xray", TR("&X-ray"), "X",
+         TR("See through the cloth of the garment to what lies behind it"),
+         switches(&ViewState::xray)},
+        {ActionId::Shaded, "shaded", TR("Light and s&hade"), "Shift+L",
+         TR("Let light fall on the garment; without it colours are as flat as in the pattern"),
+         switches(&ViewState::shaded)},
+        {ActionId::PieceColours, "pieceColours", TR("Pieces &in colour"), "Shift+C",
+         TR("Give every piece a colour of its own; else all cloth is plain cotton"),
+         switches(&ViewState::pieceColours)},
+        {ActionId::LookFront, "lookFront", TR("From the &front"), "",
+         TR("Look at the garment's front (1 on the number pad)"), whenOpen()},
+        {ActionId::LookBack, "lookBack", TR("From the &back"), "",
+         TR("Look at the garment's back (Ctrl+1 on the number pad)"), whenOpen()},
+        {ActionId::LookRight, "lookRight", TR("From the &right"), "",
+         TR("Look at the garment from the right of the picture (3 on the number pad)"), whenOpen()},
+        {ActionId::LookLeft, "lookLeft", TR("From the &left"), "",
+         TR("Look at the garment from the left of the picture (Ctrl+3 on the number pad)"),
+         whenOpen()},
+        {ActionId::LookTop, "lookTop", TR("From &above"), "",
+         TR("Look down at the garment (7 on the number pad)"), whenOpen()},
+        {ActionId::LookBottom, "lookBottom", TR("From b&elow"), "",
+         TR("Look up at the garment (Ctrl+7 on the number pad)"), whenOpen()},
+        {ActionId::Orthographic, "orthographic", TR("Without &perspective"), "",
+         TR("Draw the garment so that parallel lines stay parallel (5 on the number pad)"),
+         whenOpen(Group::Toggle)},
+        {ActionId::PlayMorph, "playMorph", TR("Play from garment to pa&ttern"), "Shift+M",
+         TR("Watch the garment flatten, or the pattern close to the garment again"), whenOpen()},
+        {ActionId::MethodIsometric, "methodIsometric", methodText(Method::Isometric), "",
+         TR("Seam lines keep their exact length; the cloth between them stretches as little as "
+            "that "
+            "allows, and no triangle is turned over"),
+         flattens(Method::Isometric)},
+        {ActionId::MethodCurvature, "methodCurvature", methodText(Method::Curvature), "",
+         TR("Seam lines keep their exact length; the outline turns where the garment is curved"),
+         flattens(Method::Curvature)},
+        {ActionId::MethodWang2005, "methodWang2005", methodText(Method::Wang2005), "",
+         TR("Seam lines keep their exact length; the outline gives way alike all around"),
+         flattens(Method::Wang2005)},
+        {ActionId::MethodStretch, "methodStretch", methodText(Method::Stretch), "",
+         TR("Seam lines keep their exact length on a round outline; the cloth inside is moved "
+            "until it "
+            "stretches least"),
+         flattens(Method::Stretch)},
+        {ActionId::MethodConvex, "methodConvex", methodText(Method::Convex), "",
+         TR("Seam lines keep their exact length on a round outline: no triangle is ever turned "
+            "over, "
+            "but it is no pattern"),
+         flattens(Method::Convex)},
+        {ActionId::MethodNatural, "methodNatural", methodText(Method::Natural), "",
+         TR("The cloth keeps its angles as well as it can; seam lines change their length"),
+         flattens(Method::Natural)},
+        {ActionId::MethodLscm, "methodLscm", methodText(Method::Lscm), "",
+         TR("Nearly the same by another way; seam lines change their length"),
+         flattens(Method::Lscm)},
+        {ActionId::MethodAbf, "methodAbf", methodText(Method::Abf), "",
+         TR("Every triangle keeps its angles as well as it can; seam lines change their length"),
+         flattens(Method::Abf)},
+        {ActionId::QualityDraft, "qualityDraft", TR("&Draft"), "",
+         TR("Quick: within some percent of the least distortion"), flattens(Quality::Draft)},
+        {ActionId::QualityStandard, "qualityStandard", TR("&Standard"), "",
+         TR("Within about a thousandth of the least distortion"), flattens(Quality::Standard)},
+        {ActionId::QualityFine, "qualityFine", TR("&Fine"), "",
+         TR("To the last digits: takes its time"), flattens(Quality::Fine)},
+        {ActionId::SolverNewton, "solverNewton", TR("Outline by &Newton steps"), "",
+         TR("The fast way to the outline"), flattens(BoundarySolver::Newton)},
+        {ActionId::SolverSlcp, "solverSlcp", TR("Outline by &linearly constrained steps"), "",
+         TR("The published way to the same outline"), flattens(BoundarySolver::Slcp)},
+        {ActionId::CompareMethods, "compareMethods", TR("C&ompare methods…"), "Ctrl+M",
+         TR("See one piece flattened by up to four methods side by side, with a table of figures"),
+         whenOpen()},
+        {ActionId::ToolSelect, "toolSelect", TR("&Select"), "V",
+         TR("Select pieces, seams and vertices; move pieces in the pattern"), whenOpen(Group::Tool),
+         "tool-select", TR("Select")},
+        {ActionId::ToolCut, "toolCut", TR("&Cut"), "C",
+         TR("Cut a piece along the shortest way through points on it"), whenOpen(Group::Tool),
+         "tool-cut", TR("Cut")},
+        {ActionId::ToolLoop, "toolLoop", TR("Closed &loop"), "L",
+         TR("Cut a part out along a closed line through points on it"), whenOpen(Group::Tool),
+         "tool-loop", TR("Loop")},
+        {ActionId::ToolDart, "toolDart", TR("&Dart"), "T",
+         TR("Cut from an edge to a tip inside the cloth"), whenOpen(Group::Tool), "tool-dart",
+         TR("Dart")},
+        {ActionId::ToolJoin, "toolJoin", TR("&Join"), "J",
+         TR("Join the cloth on both sides of a seam, so that it becomes one"),
+         whenOpen(Group::Tool), "tool-join", TR("Join")},
+        {ActionId::ToolMeasure, "toolMeasure", TR("&Measure"), "M",
+         TR("Measure on the garment and in the pattern, straight and along edges"),
+         whenOpen(Group::Tool), "tool-measure", TR("Measure")},
+        {ActionId::FlattenAgain, "flattenAgain", TR("Flatten &again"), "Ctrl+F5",
+         TR("Flatten every piece again"), asks(&Workspace::flattenAgain, isOpen), "flatten",
+         TR("Flatten")},
+        {ActionId::AutoFlatten,
+         "autoFlatten",
+         TR("Flatten after every ed&it"),
+         "",
+         TR("Flatten what an edit has changed at once; switch it off for heavy meshes"),
+         {[](GarmentActions& on, bool isOn) { on.workspace().setAutoFlatten(isOn); },
+          {},
+          &Workspace::autoFlatten,
+          Group::Toggle}},
+        {ActionId::Cancel, "cancel", TR("&Cancel"), "Esc", TR("Stop what is running"),
+         asks(&Workspace::cancel, isBusy), "cancel"},
+        {ActionId::Reload, "reload", TR("&Reload"), "F5",
+         TR("Read the garment's files again as they are now"), asks(&Workspace::reload, isOpen)},
+        {ActionId::UnitAuto, "unitAuto", TR("&Automatic"), "",
+         TR("Choose the unit that gives a garment of human size"),
+         reads(Group::Unit, &LoadOptions::unit, &Workspace::setUnit, {})},
+        {ActionId::UnitMillimetre, "unitMillimetre", TR("&Millimetres"), "",
+         TR("Read the file's numbers as millimetres"),
+         reads(Group::Unit, &LoadOptions::unit, &Workspace::setUnit, LengthUnit::Millimetre)},
+        {ActionId::UnitCentimetre, "unitCentimetre", TR("&Centimetres"), "",
+         TR("Read the file's numbers as centimetres"),
+         reads(Group::Unit, &LoadOptions::unit, &Workspace::setUnit, LengthUnit::Centimetre)},
+        {ActionId::UnitMetre, "unitMetre", TR("M&etres"), "",
+         TR("Read the file's numbers as metres"),
+         reads(Group::Unit, &LoadOptions::unit, &Workspace::setUnit, LengthUnit::Metre)},
+        {ActionId::UnitInch, "unitInch", TR("&Inches"), "", TR("Read the file's numbers as inches"),
+         reads(Group::Unit, &LoadOptions::unit, &Workspace::setUnit, LengthUnit::Inch)},
+        {ActionId::UpAuto, "upAuto", TR("&Automatic"), "",
+         TR("Choose the axis along which a garment would stand upright"),
+         reads(Group::UpAxis, &LoadOptions::up, &Workspace::setUpAxis, {})},
+        {ActionId::UpY, "upY", TR("&Y points up"), "",
+         TR("The garment stands along the file's y axis"),
+         reads(Group::UpAxis, &LoadOptions::up, &Workspace::setUpAxis, UpAxis::Y)},
+        {ActionId::UpZ, "upZ", TR("&Z points up"), "",
+         TR("The garment stands along the file's z axis"),
+         reads(Group::UpAxis, &LoadOptions::up, &Workspace::setUpAxis, UpAxis::Z)},
+        {ActionId::SplitAuto, "splitAuto", TR("&Automatic"), "",
+         TR("Divide the garment into pieces by what the file has"),
+         reads(Group::Split, &LoadOptions::split, &Workspace::setSplit, SplitMode::Auto)},
+        {ActionId::SplitComponents, "splitComponents", TR("&Parts"), "",
+         TR("Whatever hangs together is one piece"),
+         reads(Group::Split, &LoadOptions::split, &Workspace::setSplit, SplitMode::Components)},
+        {ActionId::SplitObjects, "splitObjects", TR("&Objects"), "",
+         TR("Each object of the file is one piece"),
+         reads(Group::Split, &LoadOptions::split, &Workspace::setSplit, SplitMode::Objects)},
+        {ActionId::SplitGroups, "splitGroups", TR("&Groups"), "",
+         TR("Each group of the file is one piece"),
+         reads(Group::Split, &LoadOptions::split, &Workspace::setSplit, SplitMode::Groups)},
+        {ActionId::SplitMaterials, "splitMaterials", TR("&Materials"), "",
+         TR("Each material of the file is one piece"),
+         reads(Group::Split, &LoadOptions::split, &Workspace::setSplit, SplitMode::Materials)},
+        {ActionId::SplitUv, "splitUv", TR("&UV islands"), "",
+         TR("Each island of the file's UV map is one piece"),
+         reads(Group::Split, &LoadOptions::split, &Workspace::setSplit, SplitMode::Uv)},
+        {ActionId::SplitSeams, "splitSeams", TR("&Cuts only"), "",
+         TR("One piece until a cut of the seams file parts it"),
+         reads(Group::Split, &LoadOptions::split, &Workspace::setSplit, SplitMode::Seams, hasCuts)},
+        {ActionId::AutoCut, "autoCut", TR("&Cut open automatically"), "",
+         TR("Cut open every piece that cannot lie flat as it is"),
+         reads(&LoadOptions::autoCut, &Workspace::setAutoCut)},
+        {ActionId::Weld, "weld", TR("&Weld vertices"), "",
+         TR("Join vertices of an object that lie on each other"),
+         reads(&LoadOptions::weld, &Workspace::setWeld)},
+        {ActionId::SeamsFromFile, "seamsFromFile", TR("&Seams from file…"), "",
+         TR("Take cuts and ease from a seams file (JSON)"),
+         asks(&GarmentActions::askAndReadSeams, isOpen)},
+        {ActionId::SeamsToFile, "seamsToFile", TR("Save sea&ms file…"), "",
+         TR("Write the cuts and the ease that were stated to a seams file (JSON)"),
+         asks(&GarmentActions::askAndWriteSeams, saysOfSeams)},
+        {ActionId::StateEase,
+         "stateEase",
+         TR("State the &ease…"),
+         "F2",
+         TR("Say how much longer the left edge of the selected seam is meant to be"),
+         {.enabledWhen = isSewnSeam}},
+        {ActionId::ForgetEase, "forgetEase", TR("Ease &from the garment"), "Del",
+         TR("Take the ease of the selected seam from its 3D lengths again"),
+         asks(&GarmentActions::forgetEase, isEasedSeam)},
+        {ActionId::ToolGrain, "toolGrain", TR("&Grain"), "G",
+         TR("Turn the grain of a piece by its arrow in the pattern view"), whenOpen(Group::Tool),
+         "tool-grain", TR("Grain")},
+        {ActionId::TurnLeft, "turnLeft", TR("Turn &left"), "[",
+         TR("Turn the selected pieces anti-clockwise by a right angle"), turns(kRightAngle)},
+        {ActionId::TurnRight, "turnRight", TR("Turn &right"), "]",
+         TR("Turn the selected pieces clockwise by a right angle"), turns(-kRightAngle)},
+        {ActionId::MirrorLeftRight, "mirrorLeftRight", TR("&Mirror left to right"), "H",
+         TR("Turn the selected pieces over from left to right: their wrong side faces you then"),
+         mirrors(Mirroring::LeftRight)},
+        {ActionId::MirrorUpsideDown, "mirrorUpsideDown", TR("Mirror &upside down"), "Shift+H",
+         TR("Turn the selected pieces over from top to bottom: their wrong side faces you then"),
+         mirrors(Mirroring::UpsideDown)},
+        {ActionId::AlignLeft, "alignLeft", TR("&Left edges"), "",
+         TR("Line the selected pieces up along their left edges"),
+         arranges(align, Alignment::Left, 2)},
+        {ActionId::AlignRight, "alignRight", TR("&Right edges"), "",
+         TR("Line the selected pieces up along their right edges"),
+         arranges(align, Alignment::Right, 2)},
+        {ActionId::AlignTop, "alignTop", TR("&Upper edges"), "",
+         TR("Line the selected pieces up along their upper edges"),
+         arranges(align, Alignment::Top, 2)},
+        {ActionId::AlignBottom, "alignBottom", TR("Lo&wer edges"), "",
+         TR("Line the selected pieces up along their lower edges"),
+         arranges(align, Alignment::Bottom, 2)},
+        {ActionId::AlignCentre, "alignCentre", TR("&Middles, one above the other"), "",
+         TR("Centre the selected pieces on one upright line"),
+         arranges(align, Alignment::Centre, 2)},
+        {ActionId::AlignMiddle, "alignMiddle", TR("Middles, si&de by side"), "",
+         TR("Centre the selected pieces on one level line"), arranges(align, Alignment::Middle, 2)},
+        {ActionId::DistributeAcross, "distributeAcross", TR("Same gaps &across"), "",
+         TR("Move the selected pieces between the leftmost and the rightmost until their gaps are "
+            "the "
+            "same"),
+         arranges(distribute, Direction::Across, 3)},
+        {ActionId::DistributeUpwards, "distributeUpwards", TR("Same gaps u&pwards"), "",
+         TR("Move the selected pieces between the lowest and the highest until their gaps are the "
+            "same"),
+         arranges(distribute, Direction::Upwards, 3)},
+        {ActionId::LayOutAgain, "layOutAgain", TR("Lay &out again"), "Ctrl+L",
+         TR("Put the selected pieces, or all where none is selected, in rows side by side"),
+         onChosen(layOutAgain)},
+        {ActionId::GrainUpwards, "grainUpwards", TR("Turn &grain upwards"), "Shift+G",
+         TR("Turn the selected pieces, or all where none is selected, so that their grain runs "
+            "upwards"),
+         onChosen(turnGrainUpwards)},
+        {ActionId::BestGrain, "bestGrain", TR("&Best grain"), "",
+         TR("Let the grain of the selected pieces, or of all, run where it strains the fabric "
+            "least"),
+         asks(&GarmentActions::lookForBestGrain, isAnyFlat), "", TR("Best")},
+        {ActionId::ForgetGrain, "forgetGrain", TR("&Forget the grain"), "",
+         TR("Leave it open how the grain of the selected pieces, or of all, runs"),
+         asks(&GarmentActions::forgetGrain, isAnyGrainStated), "", TR("Forget")},
+        {ActionId::Rulers, "rulers", TR("&Rulers"), "Ctrl+R",
+         TR("Show rulers along the edges of the pattern view"), switches(&ViewState::rulers)},
+        {ActionId::Grid, "grid", TR("Gri&d"), "Ctrl+G",
+         TR("Show a grid on the sheet of the pattern"), switches(&ViewState::grid)},
+        {ActionId::Snapping, "snapping", TR("Sna&pping"), "S",
+         TR("Let pieces catch at the grid and at each other while they are moved; Alt turns it the "
+            "other way round"),
+         switches(&ViewState::snapping)},
+        {ActionId::GoToPosition, "goToPosition", TR("&Place…"), "P",
+         TR("Type where the selected pieces lie, how far they are turned and how the grain runs"),
+         whenOpen()},
+        {ActionId::GoToFabric, "goToFabric", TR("Fa&bric…"), "Shift+F",
+         TR("Choose what the garment is cut from, and type how far it gives way"), whenOpen()},
+        {ActionId::GoToPieces, "goToPieces", TR("Go to &pieces"), "Ctrl+1",
+         TR("Show the list of pieces and move the keyboard there"), whenOpen()},
+        {ActionId::GoToSeams, "goToSeams", TR("Go &to seams"), "Ctrl+2",
+         TR("Show the list of seams and move the keyboard there"), whenOpen()},
+        {ActionId::GoToProblems, "goToProblems", TR("Go to proble&ms"), "Ctrl+3",
+         TR("Show what stands against cutting and move the keyboard there"), whenOpen()},
+        {ActionId::GoToHistory, "goToHistory", TR("Go to &history"), "Ctrl+4",
+         TR("Show the steps done so far and move the keyboard there"), whenOpen()},
+        {ActionId::ResetLayout, "resetLayout", TR("Reset &window layout"), "",
+         TR("Put every list back below the views and every panel beside them, as at the first "
+            "start")},
+        {ActionId::EditPreferences, "editPreferences", TR("&Preferences…"), "Ctrl+,",
+         TR("Choose units, colours, language and how the mouse moves the view")},
+        {ActionId::CommandPalette, "commandPalette", TR("&Find a command…"), "Ctrl+K",
+         TR("Type a few letters to run a command or to find a piece or a seam")},
+        {ActionId::Shortcuts, "shortcuts", TR("&Keyboard and mouse"), "F1",
+         TR("What every key and every movement of the mouse does")},
+        {ActionId::About, "about", TR("&About Toile"), "",
+         TR("Version, licence, and what Toile does")},
+    };
+}
+
+#undef TR
+
+}  // namespace
+
+const std::vector<ActionSpec>& actionTable() {
+    static const std::vector<ActionSpec> table = makeActions();
+    return table;
+}
+
+ActionId actionOf(Method method) {
+    switch (method) {
+        case Method::Isometric:
+            return ActionId::MethodIsometric;
+        case Method::Curvature:
+            return ActionId::MethodCurvature;
+        case Method::Wang2005:
+            return ActionId::MethodWang2005;
+        case Method::Stretch:
+            return ActionId::MethodStretch;
+        case Method::Natural:
+            return ActionId::MethodNatural;
+        case Method::Lscm:
+            return ActionId::MethodLscm;
+        case Method::Abf:
+            return ActionId::MethodAbf;
+        case Method::Convex:
+            return ActionId::MethodConvex;
+    }
+    return ActionId::MethodIsometric;
+}
+
+}  // namespace toile

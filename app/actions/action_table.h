@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/flatten/method.h"
+
+namespace toile {
+
+class GarmentActions;
+class Workspace;
+
+/// Everything a person can do, by name.
+enum class ActionId {
+    Open,
+    Save,
+    SaveAs,
+    ExportSvg,
+    ExportDxf,
+    ExportObj,
+    ExportReport,
+    ReadyToCut,
+    Quit,
+    Undo,
+    Redo,
+    SelectAll,
+    SelectNone,
+    Frame,
+    OverlayNone,
+    OverlayChecker,
+    OverlayArea,
+    OverlayAngle,
+    OverlayStrain,
+    OverlayWarp,
+    OverlayWeft,
+    OverlayBias,
+    OverlayPrincipal,
+    OverlayDirichlet,
+    ValuesPerTriangle,
+    WorstSpots,
+    Wireframe,
+    DesignerOutline,
+    ShowSeams,
+    Xray,
+    Shaded,
+    PieceColours,
+    LookFront,
+    LookBack,
+    LookRight,
+    LookLeft,
+    LookTop,
+    LookBottom,
+    Orthographic,
+    PlayMorph,
+    MethodIsometric,
+    MethodCurvature,
+    MethodWang2005,
+    MethodStretch,
+    MethodConvex,
+    MethodNatural,
+    MethodLscm,
+    MethodAbf,
+    QualityDraft,
+    QualityStandard,
+    QualityFine,
+    SolverNewton,
+    SolverSlcp,
+    CompareMethods,
+    ToolSelect,
+    ToolCut,
+    ToolLoop,
+    ToolDart,
+    ToolJoin,
+    ToolMeasure,
+    FlattenAgain,
+    AutoFlatten,
+    Cancel,
+    Reload,
+    UnitAuto,
+    UnitMillimetre,
+    UnitCentimetre,
+    UnitMetre,
+    UnitInch,
+    UpAuto,
+    UpY,
+    UpZ,
+    SplitAuto,
+    SplitComponents,
+    SplitObjects,
+    SplitGroups,
+    SplitMaterials,
+    SplitUv,
+    SplitSeams,
+    AutoCut,
+    Weld,
+    SeamsFromFile,
+    SeamsToFile,
+    StateEase,
+    ForgetEase,
+    ToolGrain,
+    TurnLeft,
+    TurnRight,
+    MirrorLeftRight,
+    MirrorUpsideDown,
+    AlignLeft,
+    AlignRight,
+    AlignTop,
+    AlignBottom,
+    AlignCentre,
+    AlignMiddle,
+    DistributeAcross,
+    DistributeUpwards,
+    LayOutAgain,
+    GrainUpwards,
+    BestGrain,
+    ForgetGrain,
+    Rulers,
+    Grid,
+    Snapping,
+    GoToPosition,
+    GoToFabric,
+    GoToPieces,
+    GoToSeams,
+    GoToProblems,
+    GoToHistory,
+    ResetLayout,
+    EditPreferences,
+    CommandPalette,
+    Shortcuts,
+    About,
+};
+
+/// The action that chooses a method.
+ActionId actionOf(Method method);
+
+/// Actions of one group exclude each other; those of Toggle stand alone.
+enum class ActionGroup {
+    None,
+    Toggle,
+    Tool,
+    Overlay,
+    Method,
+    Quality,
+    Solver,
+    Unit,
+    UpAxis,
+    Split
+};
+
+/// What an action does, and when. What is done by views, panels and the window is connected where
+/// these are (`ActionRegistry::on`).
+struct ActionWork {
+    /// @param checked  as the action is now
+    std::function<void(GarmentActions& on, bool checked)> run{};
+    std::function<bool(Workspace&)> enabledWhen{};  ///< none: always
+    std::function<bool(Workspace&)> checkedWhen{};  ///< none: whoever does it says so
+    ActionGroup group = ActionGroup::None;
+};
+
+struct ActionSpec {
+    ActionId id;
+    const char* name;  ///< object name, for tests and settings
+    const char* text;  ///< to be translated, as are the tip and the short text
+    const char* shortcut;
+    const char* tip;
+    ActionWork work{};
+    const char* icon = "";
+    const char* shortText = "";  ///< for the toolbar
+};
+
+/// Everything that is said of actions but where they are in the menus (menu_table.h).
+const std::vector<ActionSpec>& actionTable();
+
+}  // namespace toile

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QString>
+#include <vector>
+
+namespace toile {
+
+/// A table whose rows are told by what derives from it. Sorts by `SortRole`.
+class ColumnsModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    static constexpr int SortRole = Qt::UserRole;
+
+    int rowCount(const QModelIndex& parent = {}) const override {
+        return parent.isValid() ? 0 : rows_;
+    }
+    int columnCount(const QModelIndex& parent = {}) const override {
+        return parent.isValid() ? 0 : columns_;
+    }
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
+        if (orientation != Qt::Horizontal) {
+            return {};
+        }
+        switch (role) {
+            case Qt::DisplayRole:
+                return headings()[static_cast<std::size_t>(section)].title;
+            case Qt::ToolTipRole:
+                return headings()[static_cast<std::size_t>(section)].tip;
+            case Qt::TextAlignmentRole:
+                return alignment(section);
+            default:
+                return {};
+        }
+    }
+    /// What all columns have alike.
+    QVariant data(const QModelIndex& index, int role) const override {
+        switch (role) {
+            case Qt::DisplayRole:
+                return text(index.row(), index.column());
+            case Qt::TextAlignmentRole:
+                return alignment(index.column());
+            case SortRole:
+                return sortValue(index.row(), index.column());
+            default:
+                return {};
+        }
+    }
+
+protected:
+    struct Heading {
+        QString title, tip;
+    };
+
+    ColumnsModel(int columns, QObject* parent) : QAbstractTableModel(parent), columns_(columns) {}
+
+    /// One per column, in the person's language and unit, as they are now.
+    virtual std::vector<Heading> headings() const = 0;
+    /// Whether words stand in a column, and not numbers.
+    virtual bool isWords(int column) const = 0;
+    virtual QString text(int row, int column) const = 0;
+    virtual QVariant sortValue(int row, int column) const = 0;
+
+    /// Between a reset's beginning and its end.
+    void setRows(int rows) { rows_ = rows; }
+    void showColumns(int first, int last) {
+        if (rows_ > 0) {
+            emit dataChanged(index(0, first), index(rows_ - 1, last));
+        }
+    }
+    /// All of it, headings too.
+    void showAgain() {
+        emit headerDataChanged(Qt::Horizontal, 0, columns_ - 1);
+        showColumns(0, columns_ - 1);
+    }
+
+private:
+    int alignment(int column) const {
+        return int((isWords(column) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    }
+
+    int columns_, rows_ = 0;
+};
+
+}  // namespace toile

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window_centre.h"
+
+#include <QStackedWidget>
+#include <QToolBar>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/actions/action_registry.h"
+#include "app/panels/garment_summary.h"
+#include "app/panels/welcome_page.h"
+#include "app/settings/length_display.h"
+#include "app/settings/preferences.h"
+#include "app/views/garment_view.h"
+#include "app/views/morph_bar.h"
+#include "app/views/tools/tool_box.h"
+#include "app/views/view_area.h"
+#include "app/widgets/banner.h"
+#include "app/widgets/garment_card.h"
+
+namespace toile {
+
+namespace {
+
+constexpr std::pair<ActionId, ToolId> kTools[] = {
+    {ActionId::ToolSelect, ToolId::Select}, {ActionId::ToolCut, ToolId::Cut},
+    {ActionId::ToolLoop, ToolId::Loop},     {ActionId::ToolDart, ToolId::Dart},
+    {ActionId::ToolJoin, ToolId::Join},     {ActionId::ToolMeasure, ToolId::Measure},
+    {ActionId::ToolGrain, ToolId::Grain},
+};
+
+constexpr std::pair<ActionId, ViewKey> kLooks[] = {
+    {ActionId::LookFront, ViewKey::Front},
+    {ActionId::LookBack, ViewKey::Back},
+    {ActionId::LookRight, ViewKey::Right},
+    {ActionId::LookLeft, ViewKey::Left},
+    {ActionId::LookTop, ViewKey::Top},
+    {ActionId::LookBottom, ViewKey::Bottom},
+    {ActionId::Orthographic, ViewKey::Orthographic},
+};
+
+/// Groups in the bar: after these comes a line.
+bool endsGroup(ToolId tool) {
+    return tool == ToolId::Select || tool == ToolId::Join;
+}
+
+}  // namespace
+
+WindowCentre::WindowCentre(Workspace& workspace, const ActionRegistry& actions, ToolBox& tools,
+                           Preferences& preferences, QWidget* parent)
+    : QWidget(parent),
+      workspace_(workspace),
+      tools_(tools),
+      preferences_(preferences),
+      banner_(new Banner(this)),
+      recoveryCard_(new RecoveryCard(this)),
+      card_(new GarmentCard(this)),
+      pages_(new QStackedWidget(this)),
+      views_(new ViewArea(workspace.document(), tools, pages_)) {
+    connect(&workspace_, &Workspace::refused, banner_, &Banner::showSentence);
+    for (JobRunner* jobs : {&workspace_.jobs(), &workspace_.writing()}) {
+        connect(jobs, &JobRunner::failed, banner_, [this](const QString&, const QString& sentence) {
+            banner_->showSentence(sentence);
+        });
+    }
+    connect(card_, &GarmentCard::unitChosen, &workspace_, &Workspace::setUnit);
+    connect(card_, &GarmentCard::upAxisChosen, &workspace_, &Workspace::setUpAxis);
+    connect(card_, &GarmentCard::kept, this, [this] { keptGuesses_ = workspace_.openPaths(); });
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
+        ask();
+        views_->repaintViews();  // the scale bar
+    });
+    auto* welcome = new WelcomePage(preferences, pages_);
+    connect(welcome, &WelcomePage::openWanted, &actions[ActionId::Open], &QAction::trigger);
+    connect(welcome, &WelcomePage::filesWanted, this, &WindowCentre::filesWanted);
+    pages_->addWidget(welcome);
+    pages_->addWidget(makeWork(actions));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(banner_);
+    layout->addWidget(recoveryCard_);
+    layout->addWidget(card_);
+    layout->addWidget(pages_, 1);
+}
+
+QWidget* WindowCentre::makeWork(const ActionRegistry& actions) {
+    connect(views_, &ViewArea::failed, banner_, &Banner::showSentence);
+    connect(views_, &ViewArea::entered, this, [this](ViewKind view) {
+        viewInUse_ = view;
+        emit hintChanged();
+    });
+    actions.on(ActionId::Frame, views_, &ViewArea::frameSelection);
+    connectLooks(actions);
+    auto* work = new QWidget(pages_);
+    auto* row = new QHBoxLayout(work);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(makeToolPalette(actions));
+    row->addWidget(views_, 1);
+    connectTools(actions);
+    return work;
+}
+
+QWidget* WindowCentre::makeToolPalette(const ActionRegistry& actions) {
+    auto* bar = new QToolBar(tr("Tools"), this);
+    bar->setObjectName("toolPalette");
+    bar->setOrientation(Qt::Vertical);
+    bar->setMovable(false);
+    bar->setIconSize({22, 22});
+    bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    for (const auto& [action, tool] : kTools) {
+        bar->addAction(&actions[action]);
+        if (endsGroup(tool)) {
+            bar->addSeparator();
+        }
+    }
+    return bar;
+}
+
+void WindowCentre::connectTools(const ActionRegistry& actions) {
+    for (const auto& [action, tool] : kTools) {
+        actions.on(action, this, [this, tool = tool] {
+            tools_.choose(tool);
+            views_->takeKeyboard(viewInUse_);  // for Escape and Enter
+        });
+    }
+    const auto show = [&actions](ToolId chosen) {
+        for (const auto& [action, tool] : kTools) {
+            actions[action].setChecked(tool == chosen);
+        }
+    };
+    connect(&tools_, &ToolBox::chosen, this, show);
+    connect(&tools_, &ToolBox::changed, this, &WindowCentre::hintChanged);
+    show(tools_.current().id());
+}
+
+void WindowCentre::connectLooks(const ActionRegistry& actions) {
+    GarmentView* view = views_->garmentView();
+    if (!view) {
+        return;
+    }
+    for (const auto& [id, key] : kLooks) {
+        actions.on(id, view, [view, key = key] { view->look(key); });
+    }
+    connect(view, &GarmentView::orthographicChanged, &actions[ActionId::Orthographic],
+            &QAction::setChecked);
+    actions.on(ActionId::PlayMorph, views_->morphBar(), &MorphBar::play);
+}
+
+void WindowCentre::ask() {
+    card_->ask(areGuessesKept() ? GarmentQuestions{} : garmentQuestions(workspace_.document()));
+}
+
+void WindowCentre::showViews(bool shown) {
+    pages_->setCurrentIndex(shown ? 1 : 0);
+}
+
+QString WindowCentre::hint() const {
+    return QString("%1 · %2").arg(
+        tools_.current().hint(viewInUse_),
+        cameraHint(preferences_.navigation(), viewInUse_ == ViewKind::Pattern));
+}
+
+}  // namespace toile

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "app/actions/workspace.h"
+#include "app/views/tools/tool_view.h"
+
+class QStackedWidget;
+
+namespace toile {
+
+class ActionRegistry;
+class Banner;
+class GarmentCard;
+class Preferences;
+class RecoveryCard;
+class ToolBox;
+class ViewArea;
+
+/// The middle of the window: a welcome, or the views with the tools beside them; above them what
+/// has gone wrong, and what a person is asked without having to answer.
+class WindowCentre : public QWidget {
+    Q_OBJECT
+
+public:
+    /// All must outlive this.
+    WindowCentre(Workspace& workspace, const ActionRegistry& actions, ToolBox& tools,
+                 Preferences& preferences, QWidget* parent);
+
+    ViewArea& views() { return *views_; }
+    Banner& banner() { return *banner_; }
+    GarmentCard& card() { return *card_; }
+    RecoveryCard& recoveryCard() { return *recoveryCard_; }
+    /// Whether the person has found the guesses about the open garment right.
+    bool areGuessesKept() const { return keptGuesses_ == workspace_.openPaths(); }
+    /// Asks about what was guessed of the open garment.
+    void ask();
+    /// The views in place of the welcome, or the other way round.
+    void showViews(bool shown);
+    /// What mouse and keys do in the view that the pointer was in last.
+    QString hint() const;
+
+signals:
+    void filesWanted(const QStringList& files);
+    void hintChanged();
+
+private:
+    QWidget* makeWork(const ActionRegistry& actions);
+    QWidget* makeToolPalette(const ActionRegistry& actions);
+    void connectTools(const ActionRegistry& actions);
+    void connectLooks(const ActionRegistry& actions);
+
+    Workspace& workspace_;
+    ToolBox& tools_;
+    Preferences& preferences_;
+    Banner* banner_;
+    RecoveryCard* recoveryCard_;
+    GarmentCard* card_;
+    QStackedWidget* pages_;
+    ViewArea* views_;
+    ViewKind viewInUse_ = ViewKind::Garment;
+    Workspace::Paths keptGuesses_;  ///< files whose guesses the person has found right
+};
+
+}  // namespace toile

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window_dialogs.h"
+
+#include <QMessageBox>
+
+#include "app/actions/action_registry.h"
+#include "app/actions/command_list.h"
+#include "app/actions/workspace.h"
+#include "app/compare/compare_window.h"
+#include "app/panels/help_page.h"
+#include "app/panels/preferences_dialog.h"
+#include "app/views/view_area.h"
+#include "core/base/version.h"
+
+namespace toile {
+
+WindowDialogs::WindowDialogs(QWidget& window, Workspace& workspace, const ActionRegistry& actions,
+                             ViewArea& views, Preferences& preferences)
+    : window_(window),
+      workspace_(workspace),
+      actions_(actions),
+      views_(views),
+      preferences_(preferences),
+      palette_(&window) {
+    actions_.on(ActionId::CommandPalette, this, &WindowDialogs::showCommands);
+    actions_.on(ActionId::EditPreferences, this, &WindowDialogs::editPreferences);
+    actions_.on(ActionId::Shortcuts, this, &WindowDialogs::showHelp);
+    actions_.on(ActionId::About, this, &WindowDialogs::showAbout);
+    actions_.on(ActionId::CompareMethods, this, &WindowDialogs::compareMethods);
+}
+
+WindowDialogs::~WindowDialogs() {
+    delete compare_;  // it looks at the document to its end
+}
+
+void WindowDialogs::showCommands() {
+    palette_.open(commandList(
+        actions_, workspace_.document(),
+        [this](int piece) {
+            workspace_.document().setSelection({piece});
+            views_.frameSelection();
+        },
+        [this](int seam) {
+            workspace_.document().setSeam(seam);
+            views_.frameSeam();
+        }));
+}
+
+void WindowDialogs::compareMethods() {
+    if (!compare_) {
+        compare_ = new CompareWindow(workspace_.document(), workspace_.jobs(), &window_);
+        connect(compare_, &CompareWindow::methodWanted, &workspace_, &Workspace::setMethod);
+        // "Use this method" is taken back where it was done.
+        compare_->addActions({&actions_[ActionId::Undo], &actions_[ActionId::Redo]});
+    }
+    compare_->show();
+    compare_->raise();
+    compare_->activateWindow();
+}
+
+void WindowDialogs::editPreferences() {
+    auto* dialog = new PreferencesDialog(preferences_, &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void WindowDialogs::showHelp() {
+    auto* page = window_.findChild<HelpPage*>();
+    if (!page) {
+        page = new HelpPage(helpGroups(actions_, QKeySequence::NativeText), &window_);
+        page->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    page->show();
+    page->raise();
+    page->activateWindow();
+}
+
+void WindowDialogs::showAbout() {
+    auto* box = new QMessageBox(&window_);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(tr("About Toile"));
+    box->setIconPixmap(QIcon(":/icons/toile.svg").pixmap(64, 64));
+    box->setText(QString("<h3>Toile %1</h3>").arg(QString::fromUtf8(version())));
+    box->setInformativeText(
+        tr("Sewing patterns from 3D garments, every seam line at its true length: the "
+           "length-preserved natural boundary of Wang (2005).\n\nFree software under the GNU "
+           "General Public License, version 3 or later."));
+    box->open();
+}
+
+}  // namespace toile

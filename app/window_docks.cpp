@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window_docks.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QTreeView>
+#include <QUndoView>
+
+#include "app/actions/action_registry.h"
+#include "app/actions/workspace.h"
+#include "app/panels/fabric_panel.h"
+#include "app/panels/pieces_panel.h"
+#include "app/panels/position_panel.h"
+#include "app/panels/problems_panel.h"
+#include "app/panels/seams_panel.h"
+#include "app/render/scene.h"
+#include "app/settings/preferences.h"
+#include "app/views/view_area.h"
+#include "app/widgets/column_chooser.h"
+
+namespace toile {
+
+namespace {
+
+/// Logical pixels.
+constexpr int kListsHeight = 215, kPropertiesWidth = 280, kPositionHeight = 240,
+              kFabricHeight = 440;
+
+/// The overlay that shows what was found; none where no overlay does.
+std::optional<Overlay> overlayFor(FindingKind kind) {
+    switch (kind) {
+        case FindingKind::StrainWarp:
+            return Overlay::Warp;
+        case FindingKind::StrainWeft:
+            return Overlay::Weft;
+        case FindingKind::StrainBias:
+            return Overlay::Bias;
+        case FindingKind::FlippedTriangles:
+            return Overlay::Area;  // what is turned over has lost more than all of its area
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const ActionRegistry& actions,
+                         ViewArea& views, Preferences& preferences)
+    : window_(window),
+      document_(workspace.document()),
+      views_(views),
+      checker_(document_),
+      pieces_(new PiecesPanel(document_)),
+      seams_(new SeamsPanel(document_)),
+      problems_(new ProblemsPanel(checker_)),
+      history_(new QUndoView(&document_.history())),
+      position_(new PositionPanel(document_, actions)),
+      fabric_(new FabricPanel(document_)) {
+    history_->setObjectName("historyList");
+    history_->setEmptyLabel(tr("As opened"));
+    add(tr("Pieces"), "piecesDock", pieces_, pieces_->table(), actions[ActionId::GoToPieces]);
+    add(tr("Seams"), "seamsDock", seams_, seams_->table(), actions[ActionId::GoToSeams]);
+    add(tr("Problems"), "problemsDock", problems_, problems_->table(),
+        actions[ActionId::GoToProblems]);
+    add(tr("History"), "historyDock", history_, *history_, actions[ActionId::GoToHistory]);
+    add(tr("Position"), "positionDock", position_, position_->firstField(),
+        actions[ActionId::GoToPosition]);
+    add(tr("Fabric"), "fabricDock", fabric_, fabric_->firstField(), actions[ActionId::GoToFabric]);
+    arrange();
+    constexpr auto kPieces = "pieces";
+    pieces_->columns().setHidden(preferences.hiddenColumns(kPieces, PiecesPanel::hiddenAtFirst()));
+    connect(&pieces_->columns(), &ColumnChooser::chosen, this,
+            [&preferences](const QStringList& hidden) {
+                preferences.setHiddenColumns(kPieces, hidden);
+            });
+    connect(pieces_, &PiecesPanel::activated, &views_, &ViewArea::frameSelection);
+    connect(seams_, &SeamsPanel::activated, &views_, &ViewArea::frameSeam);
+    connect(seams_, &SeamsPanel::easeWanted, &workspace, &Workspace::setEase);
+    connect(seams_, &SeamsPanel::cutRemovalWanted, &workspace, &Workspace::removeCut);
+    connect(seams_, &SeamsPanel::joinRemovalWanted, &workspace, &Workspace::removeJoin);
+    connect(fabric_, &FabricPanel::pieceActivated, &views_, &ViewArea::frameSelection);
+    connect(problems_, &ProblemsPanel::countChanged, this, [this](int count) {
+        docks_[Problems]->setWindowTitle(count == 0 ? tr("Problems")
+                                                    : tr("Problems (%1)").arg(count));
+    });
+    connect(problems_, &ProblemsPanel::wanted, this, &WindowDocks::showFindings);
+    actions.on(ActionId::ReadyToCut, this, [this] { goTo(Panel::ProblemList); });
+    actions.on(ActionId::StateEase, this, [this] {
+        goTo(Panel::Seams);
+        seams_->editEase();
+    });
+    actions.on(ActionId::ResetLayout, this, &WindowDocks::reset);
+}
+
+WindowDocks::~WindowDocks() {
+    qDeleteAll(docks_);  // the panels look at the document to their end
+}
+
+void WindowDocks::add(const QString& title, const char* name, QWidget* panel, QWidget& field,
+                      const QAction& goThere) {
+    auto* dock = new QDockWidget(title, &window_);
+    dock->setObjectName(name);
+    dock->setWidget(panel);
+    docks_ << dock;
+    fields_ << &field;
+    connect(&goThere, &QAction::triggered, dock, [this, at = docks_.size() - 1] { goTo(at); });
+}
+
+void WindowDocks::goTo(qsizetype at) {
+    docks_[at]->show();
+    docks_[at]->raise();
+    fields_[at]->setFocus(at < Position ? Qt::OtherFocusReason : Qt::ShortcutFocusReason);
+}
+
+void WindowDocks::goTo(Panel panel) {
+    goTo(static_cast<qsizetype>(panel));
+}
+
+void WindowDocks::arrange() {
+    for (qsizetype k = 0; k < Position; ++k) {
+        window_.addDockWidget(Qt::BottomDockWidgetArea, docks_[k]);
+    }
+    for (qsizetype k = 1; k < Position; ++k) {
+        window_.tabifyDockWidget(docks_[k - 1], docks_[k]);
+    }
+    docks_[Pieces]->raise();
+    // Beside the views, so that the lists have the window's whole width.
+    window_.addDockWidget(Qt::RightDockWidgetArea, docks_[Position]);
+    window_.addDockWidget(Qt::RightDockWidgetArea, docks_[FabricDock]);
+    window_.splitDockWidget(docks_[Position], docks_[FabricDock], Qt::Vertical);
+}
+
+void WindowDocks::show() {
+    for (QDockWidget* dock : docks_) {
+        dock->show();
+    }
+    window_.resizeDocks({docks_[Pieces]}, {kListsHeight}, Qt::Vertical);
+    window_.resizeDocks({docks_[Position]}, {kPropertiesWidth}, Qt::Horizontal);
+    window_.resizeDocks({docks_[Position], docks_[FabricDock]}, {kPositionHeight, kFabricHeight},
+                        Qt::Vertical);
+}
+
+bool WindowDocks::setAvailable(bool available) {
+    const bool first = available && !docks_.front()->toggleViewAction()->isEnabled();
+    for (QDockWidget* dock : docks_) {
+        dock->toggleViewAction()->setEnabled(available);
+        if (!available) {
+            dock->hide();
+        }
+    }
+    if (first) {
+        show();
+    }
+    return first;
+}
+
+void WindowDocks::reset() {
+    // Hidden while they move: docks that are seen leave an empty tab bar over the new one.
+    for (QDockWidget* dock : docks_) {
+        dock->setFloating(false);
+        dock->hide();
+    }
+    arrange();
+    if (document_.garment()) {
+        show();
+    }
+}
+
+void WindowDocks::showFindings(const QList<int>& indices) {
+    const auto& findings = checker_.readiness().findings;
+    if (indices.isEmpty() || checker_.plan().garment != document_.garment() ||
+        indices.back() >= static_cast<int>(findings.size())) {
+        return;  // they are about a garment that is no more; others follow
+    }
+    const Finding& first = findings[static_cast<std::size_t>(indices.front())];
+    if (const auto overlay = overlayFor(first.kind)) {
+        document_.setOverlay(*overlay);
+        document_.setView(
+            &ViewState::valuesPerTriangle,
+            document_.view().valuesPerTriangle || first.kind == FindingKind::FlippedTriangles);
+    }
+    if (indices.size() == 1 && first.seam >= 0) {
+        document_.setSelection({});
+        document_.setSeam(first.seam);
+        views_.frameSeam();
+        return;
+    }
+    Document::Selection pieces;
+    for (const int index : indices) {
+        const auto& of = findings[static_cast<std::size_t>(index)].pieces;
+        pieces.insert(of.begin(), of.end());
+    }
+    document_.setSeam({});
+    document_.setSelection(std::move(pieces));
+    if (indices.size() == 1 && first.place && document_.scene()) {
+        const FindingPlace& place = *first.place;
+        views_.showSpot({first.pieces.front(), place.flat,
+                         place.position - document_.scene()->origin, place.normal, 0});
+    } else {
+        views_.frameSelection();
+    }
+}
+
+}  // namespace toile

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QObject>
+
+#include "app/document/view_state.h"
+#include "app/jobs/ready_checker.h"
+
+class QAction;
+class QDockWidget;
+class QMainWindow;
+class QUndoView;
+
+namespace toile {
+
+class ActionRegistry;
+class FabricPanel;
+class PiecesPanel;
+class PositionPanel;
+class Preferences;
+class ProblemsPanel;
+class SeamsPanel;
+class ViewArea;
+class Workspace;
+
+/// The lists below the views and the panels beside them: makes them, lays them out, and does what
+/// is asked for there. "Ready to cut?" is worked out for one of them.
+class WindowDocks : public QObject {
+    Q_OBJECT
+
+public:
+    /// All must outlive this.
+    WindowDocks(QMainWindow& window, Workspace& workspace, const ActionRegistry& actions,
+                ViewArea& views, Preferences& preferences);
+    ~WindowDocks() override;
+
+    ReadyChecker& checker() { return checker_; }
+    const QList<QDockWidget*>& all() const { return docks_; }
+    /// Brings a list to the front and moves the keyboard there.
+    void goTo(Panel panel);
+    /// Whether there is anything to show. Only the first garment brings the docks in; one that the
+    /// person has closed stays closed.
+    /// @return whether they came in
+    bool setAvailable(bool available);
+
+private:
+    /// In the order of `Panel`, then those beside the views.
+    enum Dock : qsizetype { Pieces, Seams, Problems, History, Position, FabricDock };
+
+    /// @param field  where the keyboard goes
+    void add(const QString& title, const char* name, QWidget* panel, QWidget& field,
+             const QAction& goThere);
+    void goTo(qsizetype at);
+    void arrange();
+    void show();
+    void reset();
+    /// Selects and frames what these findings of the checker are about.
+    void showFindings(const QList<int>& indices);
+
+    QMainWindow& window_;
+    Document& document_;
+    ViewArea& views_;
+    ReadyChecker checker_;
+    PiecesPanel* pieces_;
+    SeamsPanel* seams_;
+    ProblemsPanel* problems_;
+    QUndoView* history_;
+    PositionPanel* position_;
+    FabricPanel* fabric_;
+    QList<QDockWidget*> docks_;
+    QList<QWidget*> fields_;  ///< where the keyboard goes, one per dock
+};
+
+}  // namespace toile

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+class QLabel;
+class QStatusBar;
+
+namespace toile {
+
+class ActionRegistry;
+class HintLabel;
+class ProjectSession;
+class ReadyChecker;
+class Workspace;
+
+/// The status bar: what the mouse does, what the garment is, what is being done, and for a moment
+/// what has been done.
+class WindowStatus : public QObject {
+    Q_OBJECT
+
+public:
+    /// All must outlive this. @param checker  knows what is left to mend in what is exported
+    WindowStatus(QStatusBar& bar, Workspace& workspace, const ActionRegistry& actions,
+                 ProjectSession& session, const ReadyChecker& checker);
+
+    void setHint(const QString& hint);
+    /// For some seconds.
+    void say(const QString& sentence);
+    /// Height, unit and division of the garment, as they are now.
+    void updateSummary();
+    bool hasSummary() const;
+
+private:
+    QStatusBar& bar_;
+    Workspace& workspace_;
+    HintLabel* hint_;
+    QLabel* summary_;
+};
+
+}  // namespace toile
