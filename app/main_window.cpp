@@ -9,10 +9,10 @@
 #include <QStatusBar>
 #include <QUrl>
 
+#include "app/actions/autosave.h"
 #include "app/actions/file_dialogs.h"
 #include "app/actions/garment_actions.h"
 #include "app/actions/project_actions.h"
-#include "app/actions/recovery.h"
 #include "app/render/render_style.h"
 #include "app/settings/length_display.h"
 #include "app/settings/preferences.h"

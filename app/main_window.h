@@ -14,7 +14,6 @@
 namespace toile {
 
 class GarmentActions;
-class Recovery;
 class WindowDialogs;
 class WindowStatus;
 

@@ -11,7 +11,7 @@
 #include <map>
 
 #include "app/actions/menu_table.h"
-#include "app/actions/recent_files.h"
+#include "app/actions/project_actions.h"
 #include "app/widgets/icon.h"
 
 namespace toile {

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window_status.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QStatusBar>
+#include <QToolButton>
+#include <algorithm>
+#include <utility>
 
 #include "app/actions/action_registry.h"
 #include "app/actions/project_session.h"
@@ -10,7 +15,6 @@
 #include "app/jobs/ready_checker.h"
 #include "app/panels/garment_summary.h"
 #include "app/panels/problem_text.h"
-#include "app/panels/work_display.h"
 #include "app/settings/length_display.h"
 #include "app/widgets/hint_label.h"
 
@@ -71,6 +75,57 @@ void WindowStatus::updateSummary() {
 
 bool WindowStatus::hasSummary() const {
     return !summary_->text().isEmpty();
+}
+
+WorkDisplay::WorkDisplay(std::vector<JobRunner*> runners, QAction& cancel, QWidget* parent)
+    : QWidget(parent),
+      runners_(std::move(runners)),
+      task_(new QLabel(this)),
+      progress_(new QProgressBar(this)) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    task_->setObjectName("task");
+    progress_->setObjectName("progress");
+    progress_->setRange(0, 1000);
+    progress_->setFixedWidth(180);
+    progress_->setTextVisible(false);
+    auto* button = new QToolButton(this);
+    button->setObjectName("cancelButton");
+    button->setDefaultAction(&cancel);
+    button->setAutoRaise(true);
+    row->addWidget(task_);
+    row->addWidget(progress_);
+    row->addWidget(button);
+    hide();
+    for (JobRunner* runner : runners_) {
+        connect(runner, &JobRunner::started, this, &WorkDisplay::showJob);
+        // Later: a progress bar paints the window as it is set, the views with it, and a job may
+        // start while some of these have yet to hear what changed.
+        connect(runner, &JobRunner::started, this, &WorkDisplay::showFraction,
+                Qt::QueuedConnection);
+        connect(runner, &JobRunner::idle, this, &WorkDisplay::showJob);
+        connect(runner, &JobRunner::progressed, this, &WorkDisplay::showFraction);
+    }
+}
+
+JobRunner* WorkDisplay::busy() const {
+    const auto found =
+        std::ranges::find_if(runners_, [](const JobRunner* runner) { return runner->isBusy(); });
+    return found == runners_.end() ? nullptr : *found;
+}
+
+void WorkDisplay::showJob() {
+    const JobRunner* runner = busy();
+    if (runner) {
+        task_->setText(runner->title());
+    }
+    setVisible(runner != nullptr);
+}
+
+void WorkDisplay::showFraction() {
+    if (const JobRunner* runner = busy()) {
+        progress_->setValue(static_cast<int>(runner->fraction() * progress_->maximum()));
+    }
 }
 
 }  // namespace toile

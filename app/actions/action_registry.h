@@ -9,9 +9,6 @@
 
 namespace toile {
 
-/// The action that chooses a method.
-ActionId actionOf(Method method);
-
 /// A menu's text without the mark of its mnemonic: "Save && &close" is "Save & close".
 QString withoutMnemonic(const QString& text);
 

@@ -2,16 +2,40 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 #include <functional>
 
 #include "app/actions/file_dialogs.h"
 #include "app/actions/project_session.h"
-#include "app/actions/recent_files.h"
+
+class QMenu;
 
 namespace toile {
 
 class Preferences;
 class Workspace;
+
+/// The menu of what was opened last, the latest first. What is not there any more is greyed.
+class RecentFiles : public QObject {
+    Q_OBJECT
+
+public:
+    /// `preferences` must outlive this.
+    explicit RecentFiles(Preferences& preferences, QObject* parent = nullptr);
+
+    /// The files of one garment, or a project file; they come to the top.
+    void add(const QStringList& files);
+    /// Fills the menu, now and whenever it is about to be shown.
+    void fill(QMenu& menu);
+
+signals:
+    void wanted(const QStringList& files);
+
+private:
+    void refill(QMenu& menu);
+
+    Preferences& preferences_;
+};
 
 /// Saving, opening projects, what was opened last, and the question before changes are lost.
 class ProjectActions : public QObject {

@@ -9,8 +9,8 @@
 #include <execinfo.h>
 #include <unistd.h>
 
+#include "app/actions/autosave.h"
 #include "app/actions/project_actions.h"
-#include "app/actions/recovery.h"
 #include "app/platform_choice.h"
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"

@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QTimer>
 
-#include "app/actions/recovery.h"
+#include "app/actions/autosave.h"
 #include "app/widgets/banner.h"
 #include "core/base/file.h"
 #include "core/project/project_file.h"
