@@ -63,8 +63,6 @@ WindowCentre::WindowCentre(Workspace& workspace, const ActionRegistry& actions, 
             banner_->showSentence(sentence);
         });
     }
-    connect(card_, &GarmentCard::unitChosen, &workspace_, &Workspace::setUnit);
-    connect(card_, &GarmentCard::upAxisChosen, &workspace_, &Workspace::setUpAxis);
     connect(card_, &GarmentCard::kept, this, [this] { keptGuesses_ = workspace_.openPaths(); });
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
         ask();
@@ -149,7 +147,7 @@ void WindowCentre::connectLooks(const ActionRegistry& actions) {
 }
 
 void WindowCentre::ask() {
-    card_->ask(areGuessesKept() ? GarmentQuestions{} : garmentQuestions(workspace_.document()));
+    card_->ask(areGuessesKept() ? GarmentQuestions{} : garmentQuestions(workspace_));
 }
 
 void WindowCentre::showViews(bool shown) {

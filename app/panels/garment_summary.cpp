@@ -5,9 +5,9 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "app/actions/workspace.h"
 #include "app/base/path_text.h"
 #include "app/base/translate.h"
-#include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
@@ -83,29 +83,29 @@ Eigen::Vector3d extentsOf(const Document& document, int file) {
     return box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.sizes());
 }
 
-void askUnit(const SourceFile& file, const Eigen::Vector3d& extents, GarmentQuestions& questions) {
+CardQuestion askUnit(const SourceFile& file, const Eigen::Vector3d& extents, Workspace& workspace) {
     const double perUnit = millimetresPer(file.unit);
-    questions.unitSentence =
+    CardQuestion question{
         tr("The garment measures %1 in height, read as %2 (largest extent %3). Is that right?")
             .arg(lengthWithUnit(extents.y()), wordOf(file.unit),
-                 QLocale().toString(extents.maxCoeff() / perUnit, 'g', 4));
+                 QLocale().toString(extents.maxCoeff() / perUnit, 'g', 4))};
     for (const LengthUnit unit : kUnits) {
-        questions.units.push_back(
-            {unit,
-             QString("%1: %2").arg(symbolOf(unit),
-                                   heightText(extents.y() / perUnit * millimetresPer(unit))),
-             unit == file.unit});
+        const QString height = heightText(extents.y() / perUnit * millimetresPer(unit));
+        question.choices.push_back({QString("%1: %2").arg(symbolOf(unit), height),
+                                    unit == file.unit,
+                                    [&workspace, unit] { workspace.setUnit(unit); }});
     }
+    return question;
 }
 
-void askUpAxis(const SourceFile& file, GarmentQuestions& questions) {
-    questions.upSentence = file.up == UpAxis::Y
-                               ? tr("The garment was read as standing along y, but it may stand "
-                                    "along z. Which axis points up?")
-                               : tr("The garment was read as standing along z, but it may stand "
-                                    "along y. Which axis points up?");
-    questions.axes = {{UpAxis::Y, tr("y up"), file.up == UpAxis::Y},
-                      {UpAxis::Z, tr("z up"), file.up == UpAxis::Z}};
+CardQuestion askUpAxis(const SourceFile& file, Workspace& workspace) {
+    const bool isY = file.up == UpAxis::Y;
+    return {isY ? tr("The garment was read as standing along y, but it may stand "
+                     "along z. Which axis points up?")
+                : tr("The garment was read as standing along z, but it may stand "
+                     "along y. Which axis points up?"),
+            {{tr("y up"), isY, [&workspace] { workspace.setUpAxis(UpAxis::Y); }},
+             {tr("z up"), !isY, [&workspace] { workspace.setUpAxis(UpAxis::Z); }}}};
 }
 
 }  // namespace
@@ -152,18 +152,19 @@ QString garmentReasons(const Document& document) {
     return lines.join('\n');
 }
 
-GarmentQuestions garmentQuestions(const Document& document) {
+GarmentQuestions garmentQuestions(Workspace& workspace) {
+    const Document& document = workspace.document();
     GarmentQuestions questions;
     if (!document.garment() || !document.scene()) {
         return questions;
     }
     int index = 0;
     for (const auto& file : document.garment()->files) {
-        if (file->unitInDoubt && questions.units.empty()) {
-            askUnit(*file, extentsOf(document, index), questions);
+        if (file->unitInDoubt && questions.unit.choices.empty()) {
+            questions.unit = askUnit(*file, extentsOf(document, index), workspace);
         }
-        if (file->upInDoubt && questions.axes.empty()) {
-            askUpAxis(*file, questions);
+        if (file->upInDoubt && questions.up.choices.empty()) {
+            questions.up = askUpAxis(*file, workspace);
         }
         ++index;
     }

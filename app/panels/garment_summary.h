@@ -8,6 +8,7 @@
 namespace toile {
 
 class Document;
+class Workspace;
 
 /// What was assumed about the garment's files, in a person's words.
 
@@ -16,6 +17,7 @@ QString garmentSummary(const Document& document);
 /// Why: unit, up axis and division of every file, a line each.
 QString garmentReasons(const Document& document);
 /// What to ask the person: the unit and the up axis of the first file where they are in doubt.
-GarmentQuestions garmentQuestions(const Document& document);
+/// Answers are the workspace's, which must outlive them.
+GarmentQuestions garmentQuestions(Workspace& workspace);
 
 }  // namespace toile

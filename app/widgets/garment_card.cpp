@@ -42,11 +42,9 @@ GarmentCard::Row GarmentCard::makeRow(const char* name) {
     return row;
 }
 
-template <class Value, class Chosen>
-void GarmentCard::fillRow(Row& row, const QString& sentence,
-                          const std::vector<CardChoice<Value>>& choices, const Chosen& chosen) {
-    row.sentence->setText(sentence);
-    row.widget->setVisible(!choices.empty());
+void GarmentCard::fillRow(Row& row, const CardQuestion& question) {
+    row.sentence->setText(question.sentence);
+    row.widget->setVisible(!question.choices.empty());
     if (row.buttons) {
         // One of them may be the sender.
         row.buttons->hide();
@@ -56,12 +54,12 @@ void GarmentCard::fillRow(Row& row, const QString& sentence,
     auto* layout = new QHBoxLayout(row.buttons);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
-    for (const auto& choice : choices) {
+    for (const CardChoice& choice : question.choices) {
         auto* button = new QPushButton(choice.text, row.buttons);
         button->setCheckable(true);
         button->setChecked(choice.present);
         connect(button, &QPushButton::clicked, this,
-                [this, choice, chosen] { choice.present ? keep() : chosen(choice.value); });
+                [this, choice] { choice.present ? keep() : choice.choose(); });
         layout->addWidget(button);
     }
     row.widget->layout()->addWidget(row.buttons);
@@ -69,10 +67,8 @@ void GarmentCard::fillRow(Row& row, const QString& sentence,
 }
 
 void GarmentCard::ask(const GarmentQuestions& questions) {
-    fillRow(unit_, questions.unitSentence, questions.units,
-            [this](LengthUnit unit) { emit unitChosen(unit); });
-    fillRow(up_, questions.upSentence, questions.axes,
-            [this](UpAxis axis) { emit upAxisChosen(axis); });
+    fillRow(unit_, questions.unit);
+    fillRow(up_, questions.up);
     setVisible(!questions.empty());
 }
 

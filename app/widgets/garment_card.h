@@ -3,33 +3,30 @@
 
 #include <QFrame>
 #include <QString>
-#include <optional>
+#include <functional>
 #include <vector>
 
-#include "core/base/length_unit.h"
-#include "core/io/up_axis.h"
-
-class QHBoxLayout;
 class QLabel;
 
 namespace toile {
 
-/// A choice the card offers: what it is called and whether it is what is used now.
-template <class Value>
+/// An answer that the card offers.
 struct CardChoice {
-    Value value;
     QString text;
-    bool present = false;
+    bool present = false;  ///< it is what is used now
+    std::function<void()> choose{};
 };
 
-/// What the card asks. No choices: nothing is in doubt there.
-struct GarmentQuestions {
-    QString unitSentence;
-    std::vector<CardChoice<LengthUnit>> units;
-    QString upSentence;
-    std::vector<CardChoice<UpAxis>> axes;
+struct CardQuestion {
+    QString sentence{};
+    std::vector<CardChoice> choices{};  ///< none: nothing is in doubt here
+};
 
-    bool empty() const { return units.empty() && axes.empty(); }
+/// What the card asks.
+struct GarmentQuestions {
+    CardQuestion unit, up;
+
+    bool empty() const { return unit.choices.empty() && up.choices.empty(); }
 };
 
 /// A slim card over the views that asks whether a guess about the file is right: a sentence and a
@@ -45,9 +42,6 @@ public:
     QString sentence() const;
 
 signals:
-    /// An answer other than the present one.
-    void unitChosen(toile::LengthUnit unit);
-    void upAxisChosen(toile::UpAxis axis);
     /// The guesses are right: nothing more is to be asked about them.
     void kept();
 
@@ -59,9 +53,7 @@ private:
     };
 
     Row makeRow(const char* name);
-    template <class Value, class Chosen>
-    void fillRow(Row& row, const QString& sentence, const std::vector<CardChoice<Value>>& choices,
-                 const Chosen& chosen);
+    void fillRow(Row& row, const CardQuestion& question);
     void keep();
 
     Row unit_, up_;
