@@ -28,6 +28,7 @@ public:
     WindowCentre(Workspace& workspace, const ActionRegistry& actions, ToolBox& tools,
                  Preferences& preferences, QWidget* parent);
 
+    /// Lives as long as this, as the three below do.
     ViewArea& views() { return *views_; }
     Banner& banner() { return *banner_; }
     GarmentCard& card() { return *card_; }
@@ -42,13 +43,18 @@ public:
     QString hint() const;
 
 signals:
+    /// To be opened in place of what is: chosen on the welcome page.
     void filesWanted(const QStringList& files);
+    /// Another tool, another state of it, or another view in use.
     void hintChanged();
 
 private:
+    /// The views with the bar of tools beside them, and what is connected to both.
     QWidget* makeWork(const ActionRegistry& actions);
+    /// A button for each tool.
     QWidget* makeToolPalette(const ActionRegistry& actions);
     void connectTools(const ActionRegistry& actions);
+    /// From which side the garment is looked at, and the way to the pattern.
     void connectLooks(const ActionRegistry& actions);
 
     Workspace& workspace_;

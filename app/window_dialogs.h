@@ -17,13 +17,15 @@ class WindowDialogs : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive this.
+    /// All must outlive this. Nothing is shown before it is asked for.
     WindowDialogs(QWidget& window, Workspace& workspace, const ActionRegistry& actions,
                   ViewArea& views, Preferences& preferences);
     ~WindowDialogs() override;
 
 private:
+    /// The palette, with what can be done now and the garment's pieces and seams.
     void showCommands();
+    /// One window, however often it is asked for.
     void compareMethods();
     void editPreferences();
     void showHelp();

@@ -35,6 +35,7 @@ public:
                 ViewArea& views, Preferences& preferences);
     ~WindowDocks() override;
 
+    /// Works on a thread of its own; GUI thread only, as all of this.
     ReadyChecker& checker() { return checker_; }
     const QList<QDockWidget*>& all() const { return docks_; }
     /// Brings a list to the front and moves the keyboard there.
@@ -52,8 +53,10 @@ private:
     void add(const QString& title, const char* name, QWidget* panel, QWidget& field,
              const QAction& goThere);
     void goTo(qsizetype at);
+    /// Where each dock lies at first; shows none.
     void arrange();
     void show();
+    /// As at the first start.
     void reset();
     /// Selects and frames what these findings of the checker are about.
     void showFindings(const QList<int>& indices);

@@ -46,11 +46,13 @@ public:
     WindowStatus(QStatusBar& bar, Workspace& workspace, const ActionRegistry& actions,
                  ProjectSession& session, const ReadyChecker& checker);
 
+    /// One line; clauses that do not fit are left out.
     void setHint(const QString& hint);
     /// For some seconds.
     void say(const QString& sentence);
     /// Height, unit and division of the garment, as they are now.
     void updateSummary();
+    /// Whether anything was known of the garment then.
     bool hasSummary() const;
 
 private:

@@ -160,9 +160,9 @@ struct ActionWork {
 
 struct ActionSpec {
     ActionId id;
-    const char* name;  ///< object name, for tests and settings
-    const char* text;  ///< to be translated, as are the tip and the short text
-    const char* shortcut;
+    const char* name;      ///< object name, for tests and settings
+    const char* text;      ///< to be translated, as are the tip and the short text
+    const char* shortcut;  ///< portable text; empty for none
     const char* tip;
     ActionWork work{};
     const char* icon = "";

@@ -35,7 +35,7 @@ public:
                 return {};
         }
     }
-    /// What all columns have alike.
+    /// What all columns have alike; rows and columns have to be there.
     QVariant data(const QModelIndex& index, int role) const override {
         switch (role) {
             case Qt::DisplayRole:
@@ -60,7 +60,9 @@ protected:
     virtual std::vector<Heading> headings() const = 0;
     /// Whether words stand in a column, and not numbers.
     virtual bool isWords(int column) const = 0;
+    /// What a cell says.
     virtual QString text(int row, int column) const = 0;
+    /// By what its row is sorted: a number, or the text.
     virtual QVariant sortValue(int row, int column) const = 0;
 
     /// Between a reset's beginning and its end.
