@@ -14,7 +14,7 @@
 #include "app/document/project_state.h"
 #include "app/jobs/derivation.h"
 #include "app/platform_choice.h"
-#include "app/render/offscreen_context.h"
+#include "app/render/offscreen.h"
 #include "app/settings/language.h"
 #include "app/settings/theme.h"
 #include "app/views/view_picture.h"

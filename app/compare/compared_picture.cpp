@@ -8,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/views/over_painter.h"
 #include "app/views/view_text.h"
 
 namespace toile {

@@ -4,7 +4,7 @@
 #include <QOpenGLWidget>
 #include <memory>
 
-#include "app/render/camera_2d.h"
+#include "app/render/camera.h"
 #include "app/render/pattern_renderer.h"
 
 namespace toile {

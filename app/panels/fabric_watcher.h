@@ -7,7 +7,7 @@
 
 #include "app/base/worker.h"
 #include "app/document/document_change.h"
-#include "app/render/fabric_fit.h"
+#include "app/render/overlay_values.h"
 
 namespace toile {
 

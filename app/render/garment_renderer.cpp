@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "app/render/piece_table.h"
+#include "app/render/shader_program.h"
 
 namespace toile {
 

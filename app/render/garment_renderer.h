@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/render/camera_3d.h"
+#include "app/render/camera.h"
 #include "app/render/morph.h"
 #include "app/render/scene_renderer.h"
 

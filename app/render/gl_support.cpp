@@ -6,7 +6,7 @@
 #include <QOpenGLContext>
 
 #include "app/render/gl.h"
-#include "app/render/offscreen_context.h"
+#include "app/render/offscreen.h"
 
 namespace toile {
 

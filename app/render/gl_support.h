@@ -22,7 +22,7 @@ bool hasScreen();
 /// well. GUI thread.
 QString glProblem();
 
-/// Whether a context is current, be it Qt's or one of offscreen_context.h, and has OpenGL 3.3.
+/// Whether a context is current, be it Qt's or one of offscreen.h, and has OpenGL 3.3.
 bool hasGl();
 
 /// What is drawn next covers by its alpha.

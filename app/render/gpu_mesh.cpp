@@ -1,23 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render/gpu_mesh.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace toile {
 
-GLuint makeVertexBuffer(const void* data, std::size_t bytes) {
-    GLuint buffer = 0;
-    glGenBuffers(1, &buffer);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
-    return buffer;
+namespace {
+
+constexpr VertexAttribute kCrossAttributes[] = {
+    {0, 3, offsetof(CrossVertex, position)},  {1, 2, offsetof(CrossVertex, flat)},
+    {2, 2, offsetof(CrossVertex, flatAlong)}, {3, 3, offsetof(CrossVertex, along)},
+    {4, 3, offsetof(CrossVertex, across)},    {5, 2, offsetof(CrossVertex, strain)},
+    {6, 1, offsetof(CrossVertex, piece)},
+};
+
+/// Bytes into the bound buffer, which OpenGL takes as a pointer.
+const void* bufferOffset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
 }
 
-GLuint makeVertexArray(GLuint buffer, std::size_t stride,
-                       std::span<const VertexAttribute> attributes) {
-    GLuint array = 0;
-    glGenVertexArrays(1, &array);
-    glBindVertexArray(array);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+}  // namespace
+
+void GpuBuffers::uploadBytes(const void* data, std::size_t bytes, std::size_t stride,
+                             std::span<const VertexAttribute> attributes) {
+    release();
+    glGenBuffers(1, &vertices_);
+    glGenVertexArrays(1, &array_);
+    glBindVertexArray(array_);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
     for (const VertexAttribute& attribute : attributes) {
         glEnableVertexAttribArray(attribute.location);
         glVertexAttribPointer(attribute.location, attribute.size, GL_FLOAT, GL_FALSE,
@@ -25,52 +37,107 @@ GLuint makeVertexArray(GLuint buffer, std::size_t stride,
     }
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
-    return array;
+    counts_.uploadedBytes += bytes;
 }
 
-void GpuMesh::uploadVertices(const void* data, std::size_t count, std::size_t stride,
-                             std::span<const VertexAttribute> attributes) {
-    release();
-    ++uploads_;
-    vertices_ = makeVertexBuffer(data, count * stride);
-    array_ = makeVertexArray(vertices_, stride, attributes);
-    counts_.uploadedBytes += count * stride;
-}
-
-void GpuMesh::uploadIndices(const IndexLists& lists) {
+void GpuBuffers::uploadIndices(std::initializer_list<Indices> lists) {
     std::size_t total = 0;
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-        runs_[i] = {total, static_cast<GLsizei>(lists[i].size())};
-        total += lists[i].size_bytes();
+    for (const Indices& list : lists) {
+        total += list.size_bytes();
     }
     glGenBuffers(1, &indices_);
     glBindVertexArray(array_);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);  // stays with the vertex array
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(total), nullptr, GL_STATIC_DRAW);
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-        glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(runs_[i].offset),
-                        static_cast<GLsizeiptr>(lists[i].size_bytes()), lists[i].data());
+    std::size_t offset = 0;
+    for (const Indices& list : lists) {
+        glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(offset),
+                        static_cast<GLsizeiptr>(list.size_bytes()), list.data());
+        offset += list.size_bytes();
     }
     glBindVertexArray(0);
     counts_.uploadedBytes += total;
 }
 
-void GpuMesh::draw(GLenum mode, std::size_t list) const {
-    if (array_ == 0 || runs_[list].count == 0) {
+void GpuBuffers::draw(GLenum mode, std::size_t first, std::size_t count) const {
+    if (array_ == 0 || count == 0) {
         return;
     }
     glBindVertexArray(array_);
-    glDrawElements(mode, runs_[list].count, GL_UNSIGNED_INT, bufferOffset(runs_[list].offset));
+    glDrawElements(mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                   bufferOffset(first * sizeof(std::uint32_t)));
     glBindVertexArray(0);
     ++counts_.drawCalls;
 }
 
-void GpuMesh::release() {
+void GpuBuffers::drawPoints(std::uint32_t count) const {
+    glBindVertexArray(array_);
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(count));
+    glBindVertexArray(0);
+    ++counts_.drawCalls;
+}
+
+void GpuBuffers::release() {
     glDeleteVertexArrays(1, &array_);
     glDeleteBuffers(1, &vertices_);
     glDeleteBuffers(1, &indices_);
     array_ = vertices_ = indices_ = 0;
-    runs_ = {};
+}
+
+void GpuLines::uploadSegments(const LineRuns& runs) {
+    seam_.clear();
+    outline_.clear();
+    std::vector<std::uint32_t> indices;
+    const auto add = [&indices](const VertexRun& run) {
+        for (std::uint32_t i = 1; i < run.count; ++i) {
+            indices.push_back(run.first + i - 1);
+            indices.push_back(run.first + i);
+        }
+    };
+    const auto rangeSince = [&indices](std::size_t first) -> Range {
+        return {first, indices.size() / 2 - first};
+    };
+    for (const auto& sides : runs.seams) {
+        const std::size_t first = indices.size() / 2;
+        add(sides[0]);
+        add(sides[1]);
+        seam_.push_back(rangeSince(first));
+    }
+    seams_ = rangeSince(0);
+    const std::size_t designerFirst = indices.size() / 2;
+    for (const VertexRun& run : runs.designer) {
+        add(run);
+    }
+    designer_ = rangeSince(designerFirst);
+    for (const VertexRun& run : runs.outlines) {
+        const std::size_t first = indices.size() / 2;
+        add(run);
+        outline_.push_back(rangeSince(first));
+    }
+    uploadIndices({indices});
+}
+
+void GpuLines::drawSeam(int seam) const {
+    if (seam >= 0 && seam < static_cast<int>(seam_.size())) {
+        drawSegments(seam_[static_cast<std::size_t>(seam)]);
+    }
+}
+
+void GpuLines::drawOutline(int piece, int first, int count) const {
+    if (piece < 0 || piece >= static_cast<int>(outline_.size())) {
+        return;
+    }
+    const Range& whole = outline_[static_cast<std::size_t>(piece)];
+    const int size = static_cast<int>(whole.count);
+    first = std::clamp(first, 0, size);
+    count = std::clamp(count, 0, size);
+    const int before = std::min(count, size - first);
+    drawSegments({whole.first + static_cast<std::size_t>(first), static_cast<std::size_t>(before)});
+    drawSegments({whole.first, static_cast<std::size_t>(count - before)});
+}
+
+void GpuCrosses::upload(const StretchCrosses& crosses) {
+    uploadVertices(crosses.vertices, kCrossAttributes);
 }
 
 }  // namespace toile

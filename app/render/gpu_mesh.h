@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <initializer_list>
 #include <span>
+#include <vector>
 
 #include "app/render/gl.h"
 #include "app/render/gl_support.h"
@@ -16,56 +18,111 @@ struct VertexAttribute {
     std::size_t offset;
 };
 
-/// Bytes into the bound buffer, which OpenGL takes as a pointer.
-inline const void* bufferOffset(std::size_t bytes) {
-    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
-}
-
-/// A vertex buffer with these bytes, and a vertex array that reads attributes from one.
-GLuint makeVertexBuffer(const void* data, std::size_t bytes);
-GLuint makeVertexArray(GLuint buffer, std::size_t stride,
-                       std::span<const VertexAttribute> attributes);
-
-/// The GPU's copy of a MeshBuffers. Every call needs the same context current; `release` must be
-/// called before that context goes.
-class GpuMesh {
+/// The GPU's copy of vertices, and of indices into them where there are any. Every call needs the
+/// same context current; `release` must be called before that context goes.
+class GpuBuffers {
 public:
     /// Draw calls and uploads are counted there; must outlive this object.
-    explicit GpuMesh(FrameCounts& counts) : counts_(counts) {}
+    explicit GpuBuffers(FrameCounts& counts) : counts_(counts) {}
+
+    void release();
+
+protected:
+    using Indices = std::span<const std::uint32_t>;
 
     /// Replaces what was there.
     template <class Vertex>
-    void upload(const MeshBuffers<Vertex>& buffers, std::span<const VertexAttribute> attributes) {
-        uploadVertices(buffers.vertices.data(), buffers.vertices.size(), sizeof(Vertex),
-                       attributes);
-        uploadIndices({buffers.triangles, buffers.edges, buffers.outline});
+    void uploadVertices(const std::vector<Vertex>& vertices,
+                        std::span<const VertexAttribute> attributes) {
+        uploadBytes(vertices.data(), vertices.size() * sizeof(Vertex), sizeof(Vertex), attributes);
+    }
+    /// One list after the other.
+    void uploadIndices(std::initializer_list<Indices> lists);
+    /// Vertices by so many indices from the first on.
+    void draw(GLenum mode, std::size_t first, std::size_t count) const;
+    /// The first vertices, each as a point.
+    void drawPoints(std::uint32_t count) const;
+
+private:
+    void uploadBytes(const void* data, std::size_t bytes, std::size_t stride,
+                     std::span<const VertexAttribute> attributes);
+
+    FrameCounts& counts_;
+    GLuint array_ = 0, vertices_ = 0, indices_ = 0;
+};
+
+/// The GPU's copy of a MeshBuffers.
+class GpuMesh : public GpuBuffers {
+public:
+    using GpuBuffers::GpuBuffers;
+
+    /// Replaces what was there.
+    template <class Vertex>
+    void upload(const MeshBuffers<Vertex>& mesh, std::span<const VertexAttribute> attributes) {
+        ++uploads_;
+        uploadVertices(mesh.vertices, attributes);
+        uploadIndices({mesh.triangles, mesh.edges, mesh.outline});
+        triangles_ = mesh.triangles.size();
+        edges_ = mesh.edges.size();
+        outline_ = mesh.outline.size();
     }
 
-    void drawTriangles() const { draw(GL_TRIANGLES, 0); }
-    void drawEdges() const { draw(GL_LINES, 1); }
-    void drawOutline() const { draw(GL_LINES, 2); }
-    void release();
+    void drawTriangles() const { draw(GL_TRIANGLES, 0, triangles_); }
+    void drawEdges() const { draw(GL_LINES, triangles_, edges_); }
+    void drawOutline() const { draw(GL_LINES, triangles_ + edges_, outline_); }
 
     /// How often a mesh was sent to the GPU: a camera that moves must not raise it.
     int uploads() const { return uploads_; }
 
 private:
-    using IndexLists = std::array<std::span<const std::uint32_t>, 3>;
+    std::size_t triangles_ = 0, edges_ = 0, outline_ = 0;  ///< indices, one list after the other
+    int uploads_ = 0;
+};
 
-    struct Run {
-        std::size_t offset = 0;  ///< bytes into the index buffer
-        GLsizei count = 0;
+/// The GPU's copy of a LineBuffers, cut into segments so that any number of polylines that follow
+/// each other take one draw call.
+class GpuLines : public GpuBuffers {
+public:
+    using GpuBuffers::GpuBuffers;
+
+    /// Replaces what was there.
+    template <class Vertex>
+    void upload(const LineBuffers<Vertex>& lines, std::span<const VertexAttribute> attributes) {
+        uploadVertices(lines.vertices, attributes);
+        uploadSegments(lines.runs);
+    }
+
+    void drawSeams() const { drawSegments(seams_); }
+    /// Both its sides.
+    void drawSeam(int seam) const;
+    void drawDesigner() const { drawSegments(designer_); }
+    /// Edges of an outline, as counted by OutlineRun: it may pass the outline's beginning.
+    void drawOutline(int piece, int first, int count) const;
+
+private:
+    /// Segments in the index buffer.
+    struct Range {
+        std::size_t first = 0, count = 0;
     };
 
-    void uploadVertices(const void* data, std::size_t count, std::size_t stride,
-                        std::span<const VertexAttribute> attributes);
-    void uploadIndices(const IndexLists& lists);
-    void draw(GLenum mode, std::size_t list) const;
+    void uploadSegments(const LineRuns& runs);
+    void drawSegments(const Range& range) const {
+        draw(GL_LINES, 2 * range.first, 2 * range.count);
+    }
 
-    FrameCounts& counts_;
-    GLuint array_ = 0, vertices_ = 0, indices_ = 0;
-    std::array<Run, 3> runs_{};
-    int uploads_ = 0;
+    Range seams_, designer_;
+    std::vector<Range> seam_, outline_;
+};
+
+/// The GPU's copy of the principal strains' crosses: one draw call, as many places as the scale of
+/// the view has room for, and nothing uploaded when that changes.
+class GpuCrosses : public GpuBuffers {
+public:
+    using GpuBuffers::GpuBuffers;
+
+    /// Replaces what was there.
+    void upload(const StretchCrosses& crosses);
+    void draw(const CrossRun& run) const { drawPoints(run.count); }
 };
 
 }  // namespace toile

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/render_style.h"
 #include "app/render/scene_builder.h"
-#include "app/render/seam_palette.h"
 #include "core/quality/reference_fit.h"
 #include "core/seam/seam_measure.h"
 
@@ -29,9 +29,9 @@ VertexRun addLine(LineBuffers<GarmentLineVertex>& lines, const Points3& points, 
         const Eigen::Vector3d point = points.row(i).transpose() - origin;
         GarmentLineVertex& vertex = lines.vertices.emplace_back();
         Eigen::Map<Eigen::Vector3f>(vertex.position) = point.cast<float>();
-        Eigen::Map<Eigen::Vector2f>(vertex.flat) =
-            isFlat ? Eigen::Vector2f(flat.row(i).transpose().cast<float>())
-                   : Eigen::Vector2f(Eigen::Vector2f::Zero());
+        if (isFlat) {
+            Eigen::Map<Eigen::RowVector2f>(vertex.flat) = flat.row(i).cast<float>();
+        }
         vertex.piece = static_cast<float>(kind.piece);
         vertex.tint = kind.tint;
         if (box) {

@@ -124,4 +124,31 @@ std::vector<Eigen::AlignedBox3d> morphBoxes(const Scene& scene, const SheetPlace
     return boxes;
 }
 
+Morph morphBefore(const Camera3D& camera, const Scene* scene, double way) {
+    Morph morph;
+    morph.way = way;
+    morph.sheetAxes = camera.axes();
+    morph.sheetCentre = scene ? scene->box.center() : Eigen::Vector3d::Zero().eval();
+    return morph;
+}
+
+void frameGarment(Camera3D& camera, const Scene& scene, const SheetPlaces& places,
+                  const std::set<int>& pieces, double way) {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    boxes.reserve(pieces.size());
+    for (const int piece : pieces) {
+        boxes.push_back(scene.pieces[static_cast<std::size_t>(piece)].box);
+    }
+    camera.frame(boxes);
+    if (way > 0) {
+        const auto all = morphBoxes(scene, places, morphBefore(camera, &scene, 1));
+        for (std::size_t i = 0; const int piece : pieces) {
+            boxes[i++] = all[static_cast<std::size_t>(piece)];
+        }
+        Camera3D before = camera;
+        before.frame(boxes);
+        camera.moveTowards(before, morphBefore(camera, &scene, way).flight());
+    }
+}
+
 }  // namespace toile

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <vector>
 
+#include "app/render/camera.h"
 #include "app/render/scene.h"
-#include "app/render/sheet_places.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -20,6 +21,8 @@ struct Morph {
     /// How flat the cloth is, 0 to 1, and how far pieces have flown.
     double bend() const;
     double flight() const;
+
+    bool operator==(const Morph&) const = default;
 };
 
 /// The motion that brings the flat points nearest to the worn ones (least squares), without
@@ -39,5 +42,16 @@ Eigen::Vector3d morphed(const Morph& morph, const SpaceMotion& motion, const Eig
 /// they are.
 std::vector<Eigen::AlignedBox3d> morphBoxes(const Scene& scene, const SheetPlaces& places,
                                             const Morph& morph);
+
+/// The state of the morph before this camera: the sheet stands upright in front of it.
+/// @param scene  may be null
+Morph morphBefore(const Camera3D& camera, const Scene* scene, double way);
+
+/// Brings pieces into sight, in the view and in pictures of it. The camera's viewport is set
+/// before.
+/// @param pieces  indices into Scene::pieces, never empty
+/// @param way  of the morph
+void frameGarment(Camera3D& camera, const Scene& scene, const SheetPlaces& places,
+                  const std::set<int>& pieces, double way);
 
 }  // namespace toile

@@ -2,8 +2,171 @@
 #include "app/render/overlay_figures.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace toile {
+
+namespace {
+
+/// What the overlay shows of every flat triangle by itself: visit(face of the pattern, value).
+template <class Visit>
+void forEachValue(const Scene& scene, const SheetPlaces& places, Overlay overlay,
+                  const OverlayScale& scale, const Visit& visit) {
+    for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+        const Eigen::Vector2d grain = grainVector(places, static_cast<int>(i));
+        const std::size_t first = scene.pieces[i].patternRun.first;
+        for (std::size_t face = first; face < first + scene.pieces[i].patternRun.count; ++face) {
+            visit(face, overlayValue(overlay, sampleOf(scene.faces[face]), grain, scale));
+        }
+    }
+}
+
+void count(Histogram& histogram, const OverlayScale& scale, double value, double area) {
+    if (scale.isBeyond(value)) {
+        (value < scale.low ? histogram.below : histogram.above) += area;
+        return;
+    }
+    const int bin = static_cast<int>(std::floor(scale.position(value) * kHistogramBins));
+    histogram.bins[static_cast<std::size_t>(std::clamp(bin, 0, kHistogramBins - 1))] += area;
+}
+
+/// Parts of the end of the side: what is nearer to nothing than this is no trouble.
+constexpr float kLeastSeverity = 0.25F;
+/// Between spots of one piece: a part of the diagonal of its box, and millimetres.
+constexpr double kApartShare = 0.15, kApart = 10;
+/// A neighbour that is higher by less is as high: rounding makes no peaks.
+constexpr float kSame = 1e-4F;
+
+/// Of the triangles around each vertex the worst, by severity, and its number.
+struct Field {
+    std::vector<float> severity, value;
+    std::vector<std::uint32_t> face;  ///< the triangle it is of
+};
+
+Field fieldOf(const Scene& scene, const SheetPlaces& places, Overlay overlay,
+              const OverlayScale& scale) {
+    Field field;
+    const auto& triangles = scene.pattern.triangles;
+    field.severity.assign(scene.pattern.vertices.size(), -1.0F);
+    field.value.assign(field.severity.size(), 0.0F);
+    field.face.assign(field.severity.size(), 0);
+    forEachValue(scene, places, overlay, scale, [&](std::size_t face, double value) {
+        const auto severity = static_cast<float>(scale.severity(value));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t v = triangles[3 * face + k];
+            if (severity > field.severity[v]) {
+                field.severity[v] = severity;
+                field.value[v] = static_cast<float>(value);
+                field.face[v] = static_cast<std::uint32_t>(face);
+            }
+        }
+    });
+    return field;
+}
+
+/// Vertices that no neighbour is higher than, and some neighbour lower; the highest of all too.
+std::vector<std::uint32_t> peaks(const Scene& scene, const Field& field) {
+    enum : char { kLower = 1, kHigher = 2 };
+    std::vector<char> neighbours(field.severity.size(), 0);
+    const auto& edges = scene.pattern.edges;
+    for (std::size_t e = 0; e + 1 < edges.size(); e += 2) {
+        const float difference = field.severity[edges[e]] - field.severity[edges[e + 1]];
+        if (difference > kSame) {
+            neighbours[edges[e]] |= kLower;
+            neighbours[edges[e + 1]] |= kHigher;
+        } else if (difference < -kSame) {
+            neighbours[edges[e]] |= kHigher;
+            neighbours[edges[e + 1]] |= kLower;
+        }
+    }
+    std::vector<std::uint32_t> found;
+    const auto highest = std::ranges::max_element(field.severity) - field.severity.begin();
+    for (std::size_t v = 0; v < field.severity.size(); ++v) {
+        const bool isPeak = neighbours[v] == kLower || static_cast<std::ptrdiff_t>(v) == highest;
+        if (isPeak && field.severity[v] >= kLeastSeverity) {
+            found.push_back(static_cast<std::uint32_t>(v));
+        }
+    }
+    return found;
+}
+
+WorstSpot spotAt(const Scene& scene, const Field& field, std::uint32_t at) {
+    const auto& triangles = scene.pattern.triangles;
+    WorstSpot spot;
+    spot.piece = static_cast<int>(scene.pattern.vertices[at].piece);
+    spot.value = static_cast<double>(field.value[at]);
+    const PieceScene& piece = scene.pieces[static_cast<std::size_t>(spot.piece)];
+    // Vertices of a piece follow each other in both views alike.
+    const std::uint32_t flatBase = triangles[3 * std::size_t{piece.patternRun.first}];
+    const std::uint32_t wornBase = scene.garment.triangles[3 * std::size_t{piece.garmentRun.first}];
+    constexpr double share = 1.0 / 3;
+    const std::size_t first = 3 * std::size_t{field.face[at]};
+    for (std::size_t k = first; k < first + 3; ++k) {
+        const std::uint32_t v = triangles[k];
+        const GarmentVertex& worn = scene.garment.vertices[v - flatBase + wornBase];
+        spot.flat += share * flatPoint(scene.pattern.vertices[v]);
+        spot.position += share * wornPoint(worn);
+        spot.normal += share * Eigen::Map<const Eigen::Vector3f>(worn.normal).cast<double>();
+    }
+    return spot;
+}
+
+bool isApart(const Scene& scene, const WorstSpot& spot, const std::vector<WorstSpot>& others) {
+    const auto& box = scene.pieces[static_cast<std::size_t>(spot.piece)].flatBox;
+    const double apart = std::max(kApart, kApartShare * box.diagonal().norm());
+    return std::ranges::none_of(others, [&](const WorstSpot& other) -> bool {
+        return other.piece == spot.piece && (other.flat - spot.flat).norm() < apart;
+    });
+}
+
+}  // namespace
+
+double Histogram::tallest() const {
+    return *std::ranges::max_element(bins);
+}
+
+Histogram overlayHistogram(const Scene& scene, const SheetPlaces& places, Overlay overlay,
+                           const OverlayScale& scale) {
+    Histogram histogram;
+    double total = 0;
+    forEachValue(scene, places, overlay, scale, [&](std::size_t face, double value) {
+        const auto area = static_cast<double>(scene.faces[face].flatArea);
+        total += area;
+        count(histogram, scale, value, area);
+    });
+    if (total > 0) {
+        histogram.below /= total;
+        histogram.above /= total;
+        for (double& bin : histogram.bins) {
+            bin /= total;
+        }
+    }
+    return histogram;
+}
+
+std::vector<WorstSpot> worstSpots(const Scene& scene, const SheetPlaces& places, Overlay overlay,
+                                  const OverlayScale& scale) {
+    if (!isMeasured(overlay) || scene.faces.empty()) {
+        return {};
+    }
+    const Field field = fieldOf(scene, places, overlay, scale);
+    std::vector<std::uint32_t> candidates = peaks(scene, field);
+    std::ranges::stable_sort(candidates, [&field](std::uint32_t a, std::uint32_t b) -> bool {
+        return field.severity[a] > field.severity[b];
+    });
+    std::vector<WorstSpot> spots;
+    for (const std::uint32_t at : candidates) {
+        const WorstSpot spot = spotAt(scene, field, at);
+        if (isApart(scene, spot, spots)) {
+            spots.push_back(spot);
+        }
+        if (spots.size() == kMostWorstSpots) {
+            break;
+        }
+    }
+    return spots;
+}
 
 bool isSameQuestion(const OverlayQuestion& one, const OverlayQuestion& other) {
     if (one.scene != other.scene || one.overlay != other.overlay || !(one.fabric == other.fabric)) {

@@ -1,15 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "app/render/histogram.h"
-#include "app/render/worst_spots.h"
+#include "app/render/overlay_values.h"
 #include "core/garment/fabric.h"
 
 namespace toile {
+
+inline constexpr int kHistogramBins = 48;
+
+/// How much of the flat cloth has which value, as parts of its area; all together 1, or 0 where
+/// there is no flat cloth.
+struct Histogram {
+    std::array<double, kHistogramBins> bins{};  ///< even steps from the scale's low to its high end
+    double below = 0, above = 0;                ///< beyond the ends
+
+    double beyond() const { return below + above; }
+    double tallest() const;
+    /// True where there was no cloth to count, as before anything is flat.
+    bool isEmpty() const { return !(beyond() > 0 || tallest() > 0); }
+
+    bool operator==(const Histogram&) const = default;
+};
+
+/// Of every triangle by itself, whether it is drawn so or smoothed: what lies beyond an end is
+/// never averaged away. Pure, thread-safe. Cost: linear, about a tenth of a second at a million
+/// triangles.
+Histogram overlayHistogram(const Scene& scene, const SheetPlaces& places, Overlay overlay,
+                           const OverlayScale& scale);
+
+/// A place where an overlay's value is worse than all around it.
+struct WorstSpot {
+    int piece = 0;
+    Eigen::Vector2d flat = Eigen::Vector2d::Zero();      ///< mm, the piece's own coordinates
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< mm, relative to Scene::origin
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< towards the fabric's right side, unit
+    double value = 0;                                    ///< in the overlay's unit
+};
+
+/// Up to this many are worth a person's look at once.
+inline constexpr int kMostWorstSpots = 5;
+
+/// The worst places, the worst first by OverlayScale::severity, on the same piece well apart from
+/// each other. Places that are far from the end of their side are left out, however few remain.
+/// Values are those of single triangles, in the middle of which a spot lies.
+/// Pure, thread-safe. Cost: linear, a tenth of a second at a million triangles.
+std::vector<WorstSpot> worstSpots(const Scene& scene, const SheetPlaces& places, Overlay overlay,
+                                  const OverlayScale& scale);
 
 /// What an overlay says of the whole garment depends on this and on nothing else.
 struct OverlayQuestion {

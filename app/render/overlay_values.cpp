@@ -2,9 +2,10 @@
 #include "app/render/overlay_values.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "app/render/vertex_values.h"
+#include "app/render/piece_values.h"
 #include "core/garment/fabric.h"
 #include "core/quality/metric_tensor.h"
 
@@ -80,6 +81,46 @@ OverlaySample blended(const Scene& scene, std::size_t face, const Eigen::Vector3
     return sum;
 }
 
+constexpr std::array kDirections{Overlay::Warp, Overlay::Weft, Overlay::Bias};
+
+/// Areas, mm2.
+struct Tally {
+    double all = 0, any = 0;
+    std::array<double, kDirections.size()> beyond{};
+
+    void add(const Tally& other) {
+        all += other.all;
+        any += other.any;
+        for (std::size_t k = 0; k < beyond.size(); ++k) {
+            beyond[k] += other.beyond[k];
+        }
+    }
+};
+
+using Scales = std::array<OverlayScale, kDirections.size()>;
+
+Tally tallyOf(const FabricQuestion& question, const Scales& scales, int piece) {
+    const Scene& scene = *question.scene;
+    const TriangleRun& run = scene.pieces[static_cast<std::size_t>(piece)].patternRun;
+    const Eigen::Vector2d grain = grainVector(question.places, piece);
+    Tally tally;
+    const std::size_t first = run.first, end = first + run.count;
+    for (std::size_t face = first; face < end; ++face) {
+        const double area = static_cast<double>(scene.faces[face].flatArea);
+        const OverlaySample sample = sampleOf(scene.faces[face]);
+        bool isAny = false;
+        for (std::size_t k = 0; k < kDirections.size(); ++k) {
+            if (scales[k].isBeyond(overlayValue(kDirections[k], sample, grain, scales[k]))) {
+                tally.beyond[k] += area;
+                isAny = true;
+            }
+        }
+        tally.all += area;
+        tally.any += isAny ? area : 0;
+    }
+    return tally;
+}
+
 }  // namespace
 
 std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric) {
@@ -130,19 +171,56 @@ OverlaySample sampleOf(const Scene& scene, std::size_t face, const Eigen::Vector
 }
 
 std::optional<double> valueAt(const Scene& scene, const SheetPlaces& places,
-                              const SurfacePlace& place, Overlay overlay, const OverlayScale& scale,
+                              const SurfaceHit& place, Overlay overlay, const OverlayScale& scale,
                               bool perTriangle) {
     if (!isMeasured(overlay) || place.piece < 0 ||
         place.piece >= static_cast<int>(scene.pieces.size())) {
         return std::nullopt;
     }
     const PieceScene& piece = scene.pieces[static_cast<std::size_t>(place.piece)];
-    if (!piece.flat || place.face >= piece.patternRun.count) {
+    if (!piece.flat || place.face >= static_cast<int>(piece.patternRun.count)) {
         return std::nullopt;
     }
-    const std::size_t face = std::size_t{piece.patternRun.first} + place.face;
+    const std::size_t face = piece.patternRun.first + static_cast<std::size_t>(place.face);
     return overlayValue(overlay, sampleOf(scene, face, place.barycentric, perTriangle),
                         grainVector(places, place.piece), scale);
+}
+
+bool isSameQuestion(const FabricQuestion& one, const FabricQuestion& other) {
+    const auto sameGrain = [](const SheetPlace& a, const SheetPlace& b) -> bool {
+        return a.grain == b.grain;
+    };
+    return one.scene == other.scene && one.fabric == other.fabric &&
+           std::ranges::equal(one.places, other.places, sameGrain);
+}
+
+std::optional<FabricFit> fabricFit(const FabricQuestion& question) {
+    if (!question.scene) {
+        return std::nullopt;
+    }
+    const Scene& scene = *question.scene;
+    Scales scales;
+    std::ranges::transform(kDirections, scales.begin(), [&](Overlay direction) -> OverlayScale {
+        return overlayScale(scene, direction, question.fabric);
+    });
+    FabricFit fit;
+    Tally garment;
+    for (int piece = 0; piece < static_cast<int>(scene.pieces.size()); ++piece) {
+        const Tally tally = tallyOf(question, scales, piece);
+        garment.add(tally);
+        const double share = tally.all > 0 ? tally.any / tally.all : 0;
+        if (share > (fit.worst ? fit.worst->share : 0)) {
+            fit.worst = {piece, share};
+        }
+    }
+    if (garment.all <= 0) {
+        return std::nullopt;
+    }
+    fit.warp = garment.beyond[0] / garment.all;
+    fit.weft = garment.beyond[1] / garment.all;
+    fit.bias = garment.beyond[2] / garment.all;
+    fit.any = garment.any / garment.all;
+    return fit;
 }
 
 }  // namespace toile

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/render/camera_2d.h"
+#include "app/render/camera.h"
 #include "app/render/scene_renderer.h"
 #include "core/base/length_unit.h"
 

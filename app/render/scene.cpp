@@ -35,4 +35,51 @@ std::size_t bytesOf(const Scene& scene) {
     return bytes;
 }
 
+SheetPlaces placesOf(const std::vector<PieceSettings>& settings, const std::vector<int>& colours) {
+    SheetPlaces places;
+    places.reserve(settings.size());
+    for (const PieceSettings& piece : settings) {
+        const std::size_t at = places.size();
+        places.push_back({piece.placement.value_or(Placement{}), grainOf(piece),
+                          at < colours.size() ? colours[at] : 0});
+    }
+    return places;
+}
+
+const SheetPlace& placeOf(const SheetPlaces& places, int piece) {
+    static const SheetPlace kAsMade;
+    const auto at = static_cast<std::size_t>(piece);  // of -1 beyond any list
+    return at < places.size() ? places[at] : kAsMade;
+}
+
+Eigen::AlignedBox2d placedBox(const Eigen::AlignedBox2d& box, const Placement& placement) {
+    Eigen::AlignedBox2d placed;
+    if (!box.isEmpty()) {
+        for (const auto corner : {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
+                                  Eigen::AlignedBox2d::TopLeft, Eigen::AlignedBox2d::TopRight}) {
+            placed.extend(placement.applied(box.corner(corner)));
+        }
+    }
+    return placed;
+}
+
+Eigen::AlignedBox2d placedBox(const SeamScene& seam, const SheetPlaces& places) {
+    Eigen::AlignedBox2d box;
+    for (const SeamScene::Side& side : seam.sides) {
+        box.extend(placedBox(side.flatBox, placeOf(places, side.piece).placement));
+    }
+    return box;
+}
+
+Eigen::AlignedBox2d sheetBox(const Scene& scene, const SheetPlaces& places) {
+    Eigen::AlignedBox2d box;
+    for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
+        if (scene.pieces[i].flat) {
+            box.extend(
+                placedBox(scene.pieces[i].flatBox, placeOf(places, static_cast<int>(i)).placement));
+        }
+    }
+    return box;
+}
+
 }  // namespace toile

@@ -9,15 +9,16 @@
 #include <Eigen/Geometry>
 
 #include "app/document/view_state.h"
-#include "app/render/overlay_scale.h"
+#include "app/render/colour_map.h"
 #include "app/render/stretch_crosses.h"
 #include "core/geometry/triangle_tree.h"
+#include "core/project/piece_settings.h"
 
 namespace toile {
 
 /// What the views draw, as plain buffers ready for upload: made once per flattening, off the GUI
 /// thread, then shared and never changed. Overlay, selection, colours and the pieces' places on
-/// the sheet (sheet_places.h) are not in it, so that changing them uploads no mesh.
+/// the sheet (`SheetPlaces`) are not in it, so that changing them uploads no mesh.
 
 /// Millimetres; positions are relative to Scene::origin.
 struct GarmentVertex {
@@ -69,7 +70,7 @@ struct MeshBuffers {
     std::vector<std::uint32_t> outline;    ///< 2 per boundary edge
 };
 
-/// What a line says of itself by its colour: an index into the seam palette (seam_palette.h), or
+/// What a line says of itself by its colour: an index into the seam palette (`seamPalette`), or
 /// one of these.
 inline constexpr float kFreeEdgeTint = -1, kNoTint = -2;
 
@@ -167,5 +168,32 @@ struct Scene {
 
 /// About what it takes in memory. Cost: none to speak of.
 std::size_t bytesOf(const Scene& scene);
+
+/// What the pattern view knows of one piece beyond its shape.
+struct SheetPlace {
+    Placement placement{};
+    double grain = kGrainUpwards;  ///< direction of the warp in the piece's own coordinates
+    int colour = 0;                ///< its number (`pieceColour`)
+
+    bool operator==(const SheetPlace&) const = default;
+};
+
+/// One per piece of the scene. Shorter lists stand for pieces that lie where they were made.
+using SheetPlaces = std::vector<SheetPlace>;
+
+/// @param colours  one per piece, or none where nobody asks
+SheetPlaces placesOf(const std::vector<PieceSettings>& settings,
+                     const std::vector<int>& colours = {});
+
+const SheetPlace& placeOf(const SheetPlaces& places, int piece);
+
+/// The smallest upright box around a box of the piece at its place; empty where that is empty.
+Eigen::AlignedBox2d placedBox(const Eigen::AlignedBox2d& box, const Placement& placement);
+
+/// Around both sides of a seam at their places; empty where neither is flat.
+Eigen::AlignedBox2d placedBox(const SeamScene& seam, const SheetPlaces& places);
+
+/// Around all flat pieces of the scene at their places.
+Eigen::AlignedBox2d sheetBox(const Scene& scene, const SheetPlaces& places);
 
 }  // namespace toile

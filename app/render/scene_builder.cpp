@@ -8,9 +8,8 @@
 
 #include "app/document/disposal.h"
 #include "app/render/morph.h"
-#include "app/render/outline_corners.h"
 #include "app/render/overlay_values.h"
-#include "app/render/vertex_values.h"
+#include "app/render/piece_values.h"
 #include "core/pattern/label.h"
 #include "core/pattern/pattern.h"
 
@@ -32,11 +31,6 @@ Eigen::AlignedBox3d boundsOf(const Points3& V) {
         }
     }
     return box;
-}
-
-void put(float* out, const Eigen::Vector2d& v) {
-    out[0] = static_cast<float>(v.x());
-    out[1] = static_cast<float>(v.y());
 }
 
 void put(float* out, const Eigen::Vector3d& v) {
@@ -106,7 +100,9 @@ private:
             const Eigen::Vector3d position = piece.mesh.V.row(i).transpose() - scene_.origin;
             put(vertex.position, position);
             put(vertex.normal, Eigen::Vector3d(normals.row(i).transpose()));
-            put(vertex.flat, flat ? Eigen::Vector2d(flat->Q.row(i)) : Eigen::Vector2d::Zero());
+            if (flat) {
+                Eigen::Map<Eigen::RowVector2f>(vertex.flat) = flat->Q.row(i).cast<float>();
+            }
             copyValues(values, i, vertex.values, vertex.metric);
             vertex.piece = index_;
             if (position.allFinite()) {
@@ -128,7 +124,7 @@ private:
         for (Eigen::Index i = 0; i < flat.Q.rows(); ++i) {
             PatternVertex& vertex = buffers.vertices.emplace_back();
             const Eigen::Vector2d point = flat.Q.row(i).transpose();
-            put(vertex.flat, point);
+            Eigen::Map<Eigen::Vector2f>(vertex.flat) = point.cast<float>();
             copyValues(values, i, vertex.values, vertex.metric);
             vertex.piece = index_;
             entry.flatBox.extend(point);
@@ -151,13 +147,14 @@ private:
 
     static void copyValues(const OverlayFields& fields, Eigen::Index at, float* values,
                            float* metric) {
-        const bool known = fields.area.size() > 0;
-        values[0] = known ? fields.area[at] : 0.0F;
-        values[1] = known ? fields.angle[at] : 0.0F;
-        values[2] = known ? fields.mostStrain[at] : 0.0F;
-        values[3] = known ? fields.leastStrain[at] : 0.0F;
+        if (fields.area.size() > 0) {
+            values[0] = fields.area[at];
+            values[1] = fields.angle[at];
+            values[2] = fields.mostStrain[at];
+            values[3] = fields.leastStrain[at];
+        }
         const MetricTensor tensor =
-            known ? fields.metric[static_cast<std::size_t>(at)] : MetricTensor{};
+            fields.area.size() > 0 ? fields.metric[static_cast<std::size_t>(at)] : MetricTensor{};
         metric[0] = static_cast<float>(tensor.E);
         metric[1] = static_cast<float>(tensor.F);
         metric[2] = static_cast<float>(tensor.G);

@@ -9,8 +9,8 @@
 
 #include "app/render/colour_map.h"
 #include "app/render/overlay_values.h"
-#include "app/render/piece_table.h"
-#include "app/render/seam_palette.h"
+#include "app/render/render_style.h"
+#include "app/render/shader_program.h"
 
 namespace toile {
 
@@ -32,6 +32,10 @@ constexpr float kHoveredPieceWidth = 2.4F;
 constexpr float kDashPixels = 11.0F;
 /// How much of a seam shows through the cloth that hides it.
 constexpr int kHiddenSeamAlpha = 75;
+/// Between crosses, at least; at most half as many again.
+constexpr double kLeastSpacing = 25;
+/// A stroke of a cross leaves this much of the way to its neighbour free.
+constexpr double kStrokeShare = 0.88;
 
 GLuint makeTexture(GLint filter) {
     GLuint texture = 0;
@@ -75,14 +79,18 @@ QString SceneRenderer::initialize() {
     if (lines_) {
         backdrop_ = loadProgram({"backdrop.vert", "backdrop.frag"}, problem);
     }
-    if (!cloth_ || !lines_ || !backdrop_ || !crosses_.initialize(files.crosses, problem)) {
+    if (backdrop_) {
+        cross_ = loadProgram(files.crosses, problem);
+    }
+    if (!cross_) {
         return QCoreApplication::translate("SceneRenderer",
                                            "The graphics driver refused to draw this view (%1).")
             .arg(problem);
     }
     glGenVertexArrays(1, &emptyArray_);
     pieceTable_ = makeTexture(GL_NEAREST);
-    uploadColourMaps();
+    divergingMap_ = makeColourMapTexture(divergingMap());
+    sequentialMap_ = makeColourMapTexture(sequentialMap());
     sceneChanged_ = tableChanged_ = scene_ != nullptr;
     return {};
 }
@@ -106,6 +114,7 @@ void SceneRenderer::release() {
     cloth_.reset();
     lines_.reset();
     backdrop_.reset();
+    cross_.reset();
 }
 
 void SceneRenderer::setScene(std::shared_ptr<const Scene> scene) {
@@ -143,18 +152,14 @@ bool SceneRenderer::synchronize(const ViewState& view) {
         tableChanged_ = true;
     }
     if (std::exchange(tableChanged_, false)) {
-        uploadPieceTable();
+        const PieceTable table = makePieceTable(*scene_, selection_, places_, pieceColours_);
+        uploadTable(pieceTable_, table.height, table.texels);
     }
     return true;
 }
 
 OverlayScale SceneRenderer::scaleOf(Overlay overlay) const {
     return scale_ ? *scale_ : overlayScale(*scene_, overlay, fabric_);
-}
-
-void SceneRenderer::uploadPieceTable() {
-    const PieceTable table = makePieceTable(*scene_, selection_, places_, pieceColours_);
-    uploadTable(pieceTable_, table.height, table.texels);
 }
 
 void SceneRenderer::uploadTable(GLuint texture, int height, const std::vector<float>& texels) {
@@ -166,11 +171,6 @@ void SceneRenderer::uploadTable(GLuint texture, int height, const std::vector<fl
 
 GLuint SceneRenderer::makeTableTexture() {
     return makeTexture(GL_NEAREST);
-}
-
-void SceneRenderer::uploadColourMaps() {
-    divergingMap_ = makeColourMapTexture(divergingMap());
-    sequentialMap_ = makeColourMapTexture(sequentialMap());
 }
 
 void SceneRenderer::bindPieceTable() {
@@ -230,11 +230,17 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
     const OverlayScale scale = scaleOf(Overlay::Principal);
     bindColourMap(Overlay::Principal);
     bindPieceTable();
-    ShaderProgram& program = crosses_.begin();
+    const CrossRun run = crossesAt(scene_->crosses, kLeastSpacing * millimetresPerPixel);
+    if (run.count == 0) {
+        return;
+    }
+    ShaderProgram& program = *cross_;
+    program.bind();
     program.setUniformValue("pieceTable", kPieceTableUnit);
     program.setUniformValue("colourMap", kColourMapUnit);
     program.setUniformValue("overlayRange", static_cast<float>(scale.low),
                             static_cast<float>(scale.high));
+    program.setUniformValue("halfLength", static_cast<float>(kStrokeShare * run.spacing / 2));
     program.setUniformValue("depthShift", depthShift);
     program.setUniformValue("pixelRatio", frame.pixelRatio);
     program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
@@ -242,7 +248,7 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
     program.setUniformValue("viewProjection", frame.viewProjection);
     beginBlending();
     glDepthMask(GL_FALSE);  // the faint rim of a stroke would cut into its neighbour
-    crosses_.draw(scene_->crosses, millimetresPerPixel);
+    crosses_.draw(run);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     program.release();
@@ -295,10 +301,7 @@ void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
         paintDesignerLines(frame);
     }
     if (seam_) {
-        Feature selected;
-        selected.kind = Feature::Kind::Seam;
-        selected.seam = *seam_;
-        paintLitUp(frame, depthShift, selected, false);
+        paintLitUp(frame, depthShift, {.kind = Feature::Kind::Seam, .seam = *seam_}, false);
     }
     for (const Feature& mark : marks_) {
         paintLitUp(frame, depthShift, mark, false);

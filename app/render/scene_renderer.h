@@ -11,14 +11,11 @@
 
 #include "app/document/feature.h"
 #include "app/document/view_state.h"
-#include "app/render/cross_painter.h"
-#include "app/render/face_table.h"
 #include "app/render/gl_support.h"
-#include "app/render/gpu_lines.h"
 #include "app/render/gpu_mesh.h"
 #include "app/render/render_style.h"
+#include "app/render/scene.h"
 #include "app/render/shader_program.h"
-#include "app/render/sheet_places.h"
 #include "core/garment/fabric.h"
 
 namespace toile {
@@ -109,8 +106,6 @@ protected:
 
 private:
     OverlayScale scaleOf(Overlay overlay) const;
-    void uploadPieceTable();
-    void uploadColourMaps();
     void bindPieceTable();
     void bindColourMap(Overlay overlay);
     /// True where the triangles' own values are there to be looked up; uploads them when first
@@ -132,7 +127,7 @@ private:
     Fabric fabric_ = fabricPresets().front();
     std::optional<OverlayScale> scale_;
     FaceTable faces_{counts_};
-    CrossPainter crosses_{counts_};
+    GpuCrosses crosses_{counts_};
     /// Scenes are numbered: of which the GPU has triangles' values and crosses.
     int sceneNumber_ = 0, facesOf_ = -1, crossesOf_ = -1;
     bool facesFit_ = false;
@@ -142,7 +137,7 @@ private:
     bool sceneChanged_ = false, tableChanged_ = false;
     bool pieceColours_ = true;
     int contentNumber_ = 0;
-    std::unique_ptr<ShaderProgram> cloth_, lines_, backdrop_;
+    std::unique_ptr<ShaderProgram> cloth_, lines_, backdrop_, cross_;
     GLuint pieceTable_ = 0;
     GLuint divergingMap_ = 0, sequentialMap_ = 0;
     GLuint emptyArray_ = 0;  ///< core profile draws nothing without a vertex array

@@ -5,6 +5,8 @@
 #include <QString>
 #include <QVector3D>
 #include <memory>
+#include <set>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +14,8 @@
 #include <glm/mat4x4.hpp>
 
 #include "app/render/gl.h"
+#include "app/render/gl_support.h"
+#include "app/render/scene.h"
 
 namespace toile {
 
@@ -23,15 +27,13 @@ public:
     ShaderProgram(const ShaderProgram&) = delete;
     ShaderProgram& operator=(const ShaderProgram&) = delete;
 
-    void bind();
-    void release();
+    void bind() { glUseProgram(program_); }
+    void release() { glUseProgram(0); }
 
-    GLint uniformLocation(const char* name) const;
-    void setUniformValue(const char* name, int value);
-    void setUniformValue(const char* name, bool value) { setUniformValue(name, value ? 1 : 0); }
-    void setUniformValue(const char* name, float value);
-    void setUniformValue(const char* name, float x, float y);
-    void setUniformValue(const char* name, float x, float y, float z);
+    void setUniformValue(const char* name, int value) { glUniform1i(at(name), value); }
+    void setUniformValue(const char* name, bool value) { glUniform1i(at(name), value ? 1 : 0); }
+    void setUniformValue(const char* name, float value) { glUniform1f(at(name), value); }
+    void setUniformValue(const char* name, float x, float y) { glUniform2f(at(name), x, y); }
     void setUniformValue(const char* name, const QColor& colour);  ///< vec4
     void setUniformValueArray(const char* name, const QVector3D* values, int count);
     void setUniformValue(const char* name, const glm::mat4& matrix);
@@ -45,6 +47,7 @@ private:
     /// @return the driver's words where it refuses the source; else empty
     QString addStage(GLenum stage, const QByteArray& source);
     QString link();
+    GLint at(const char* uniform) const { return glGetUniformLocation(program_, uniform); }
 
     GLuint program_ = 0;
 };
@@ -54,5 +57,47 @@ private:
 /// @param problem receives the driver's words where null is returned
 std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,
                                            QString& problem);
+
+/// What may change per piece without touching the meshes, as the shaders look it up: three RGBA
+/// texels per piece, in rows of `kPieceTableWidth` texels:
+/// (red, green, blue, flags), the columns of the placement's 2 x 2 matrix, and (offset x, offset y,
+/// the grain's direction in the piece's own coordinates: x, y).
+inline constexpr int kPieceTableWidth = 2048;
+inline constexpr int kTexelsPerPiece = 3;
+
+enum PieceFlag { kPieceSelected = 1, kPieceFlat = 2 };
+
+struct PieceTable {
+    int height = 1;
+    std::vector<float> texels;  ///< 4 x kPieceTableWidth x height
+};
+
+/// @param coloured  pieces have colours of their own; else all that are flat have a plain one
+PieceTable makePieceTable(const Scene& scene, const std::set<int>& selection,
+                          const SheetPlaces& places, bool coloured = true);
+
+/// The GPU's copy of the triangles' own values, looked up by gl_PrimitiveID, so that vertices need
+/// not be doubled for colours that end at edges. Two texels per triangle, in rows of this many.
+inline constexpr int kFaceTableWidth = 2048;
+
+/// In the order of Scene::garment; zeros for pieces that are not flat.
+std::vector<FaceValues> garmentFaces(const Scene& scene);
+
+/// Every call needs the same context current; `release` before that context goes.
+class FaceTable {
+public:
+    /// Uploads are counted there; must outlive this object.
+    explicit FaceTable(FrameCounts& counts) : counts_(counts) {}
+
+    /// Replaces what was there.
+    /// @return false where the graphics card has no room for so many triangles
+    bool upload(std::span<const FaceValues> faces);
+    void bind(int unit) const;
+    void release();
+
+private:
+    FrameCounts& counts_;
+    GLuint texture_ = 0;
+};
 
 }  // namespace toile

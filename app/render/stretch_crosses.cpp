@@ -86,13 +86,6 @@ std::vector<Place> placesOf(const Scene& scene, const PieceScene& piece, double 
     return places;
 }
 
-void putDirection(float* out, const Eigen::Vector3d& direction) {
-    const double length = direction.norm();
-    for (int k = 0; k < 3; ++k) {
-        out[k] = length > 0 ? static_cast<float>(direction[k] / length) : 0.0F;
-    }
-}
-
 CrossVertex crossOf(const Scene& scene, const PieceScene& piece, std::size_t face, float index) {
     constexpr double kThird = 1.0 / 3;
     const std::size_t worn = piece.garmentRun.first + (face - piece.patternRun.first);
@@ -119,15 +112,11 @@ CrossVertex crossOf(const Scene& scene, const PieceScene& piece, std::size_t fac
     const Eigen::Vector2d along = stretch.direction, across(-along.y(), along.x());
 
     CrossVertex vertex{};
-    for (int k = 0; k < 3; ++k) {
-        vertex.position[k] = static_cast<float>(position3[k]);
-    }
-    for (int k = 0; k < 2; ++k) {
-        vertex.flat[k] = static_cast<float>(middle[k]);
-        vertex.flatAlong[k] = static_cast<float>(along[k]);
-    }
-    putDirection(vertex.along, lifted(along));
-    putDirection(vertex.across, lifted(across));
+    Eigen::Map<Eigen::Vector3f>(vertex.position) = position3.cast<float>();
+    Eigen::Map<Eigen::Vector2f>(vertex.flat) = middle.cast<float>();
+    Eigen::Map<Eigen::Vector2f>(vertex.flatAlong) = along.cast<float>();
+    Eigen::Map<Eigen::Vector3f>(vertex.along) = lifted(along).normalized().cast<float>();
+    Eigen::Map<Eigen::Vector3f>(vertex.across) = lifted(across).normalized().cast<float>();
     vertex.strain[0] = static_cast<float>(kPercentPerShare * (stretch.largest - 1));
     vertex.strain[1] = static_cast<float>(kPercentPerShare * (stretch.least - 1));
     vertex.piece = index;

@@ -64,37 +64,33 @@ QString shareText(double share, long percent) {
     return LegendWords::tr("%1 %").arg(number);
 }
 
-QString beyondText(Overlay overlay, const QString& share) {
-    switch (overlay) {
-        case Overlay::Warp:
-            return LegendWords::tr("%1 of the cloth is beyond the fabric along the warp")
-                .arg(share);
-        case Overlay::Weft:
-            return LegendWords::tr("%1 of the cloth is beyond the fabric along the weft")
-                .arg(share);
-        case Overlay::Bias:
-            return LegendWords::tr("%1 of the cloth is beyond the fabric on the bias").arg(share);
-        case Overlay::Strain:
-            return LegendWords::tr("%1 of the cloth has an edge beyond the tightest limit")
-                .arg(share);
-        default:
-            return LegendWords::tr("%1 of the cloth is beyond the tightest limit").arg(share);
-    }
-}
+/// What is said of cloth beyond the fabric, and where there is none.
+struct LimitWords {
+    Overlay overlay;
+    const char *beyond, *within;
+};
 
-QString withinText(Overlay overlay) {
-    switch (overlay) {
-        case Overlay::Warp:
-            return LegendWords::tr("all of the cloth is within the fabric along the warp");
-        case Overlay::Weft:
-            return LegendWords::tr("all of the cloth is within the fabric along the weft");
-        case Overlay::Bias:
-            return LegendWords::tr("all of the cloth is within the fabric on the bias");
-        case Overlay::Strain:
-            return LegendWords::tr("no edge is beyond the tightest limit");
-        default:
-            return LegendWords::tr("all of the cloth is within the tightest limit");
-    }
+constexpr LimitWords kLimitWords[] = {
+    {Overlay::Warp,
+     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth is beyond the fabric along the warp"),
+     QT_TRANSLATE_NOOP("ColourBar", "all of the cloth is within the fabric along the warp")},
+    {Overlay::Weft,
+     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth is beyond the fabric along the weft"),
+     QT_TRANSLATE_NOOP("ColourBar", "all of the cloth is within the fabric along the weft")},
+    {Overlay::Bias,
+     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth is beyond the fabric on the bias"),
+     QT_TRANSLATE_NOOP("ColourBar", "all of the cloth is within the fabric on the bias")},
+    {Overlay::Strain,
+     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth has an edge beyond the tightest limit"),
+     QT_TRANSLATE_NOOP("ColourBar", "no edge is beyond the tightest limit")},
+    {Overlay::Principal,  // and what else is limited
+     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth is beyond the tightest limit"),
+     QT_TRANSLATE_NOOP("ColourBar", "all of the cloth is within the tightest limit")},
+};
+
+const LimitWords& limitWords(Overlay overlay) {
+    const auto* found = std::ranges::find(kLimitWords, overlay, &LimitWords::overlay);
+    return found == std::end(kLimitWords) ? kLimitWords[std::size(kLimitWords) - 1] : *found;
 }
 
 QString endLabel(const ColourLegend& legend, bool high) {
@@ -347,8 +343,10 @@ QString ColourLegend::shareSentence() const {
         return {};
     }
     const double share = histogram->beyond();
-    return share > 0 ? beyondText(overlay, shareText(share, EndPercents(*histogram).all))
-                     : withinText(overlay);
+    const LimitWords& words = limitWords(overlay);
+    return share > 0
+               ? LegendWords::tr(words.beyond).arg(shareText(share, EndPercents(*histogram).all))
+               : LegendWords::tr(words.within);
 }
 
 QString ColourLegend::summary() const {

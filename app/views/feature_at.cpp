@@ -6,10 +6,10 @@
 #include <array>
 
 #include "app/document/document.h"
-#include "app/render/outline_corners.h"
+#include "app/render/piece_values.h"
 #include "app/render/scene.h"
 #include "app/views/sewn_run.h"
-#include "app/views/tools/tool.h"
+#include "app/views/tool.h"
 
 namespace toile {
 
@@ -48,12 +48,10 @@ std::optional<Feature> vertexAt(const ToolView& view, const Document& document,
         return std::nullopt;
     }
     const Piece& piece = *document.garment()->pieces[static_cast<std::size_t>(hit.piece)];
-    Feature feature;
-    feature.kind = Feature::Kind::Vertex;
-    feature.piece = hit.piece;
-    feature.vertex = piece.mesh.F(hit.face, nearest);
-    feature.face = hit.face;
-    return feature;
+    return Feature{.kind = Feature::Kind::Vertex,
+                   .piece = hit.piece,
+                   .vertex = piece.mesh.F(hit.face, nearest),
+                   .face = hit.face};
 }
 
 }  // namespace
@@ -71,18 +69,10 @@ std::optional<Feature> featureAt(const ToolView& view, const Document& document,
             return vertex;
         }
     }
-    Feature feature;
     if (const auto seam = view.seamHitAt(at, kLineReach, {})) {
-        feature.kind = Feature::Kind::Seam;
-        feature.seam = seam->seam;
-        return feature;
+        return Feature{.kind = Feature::Kind::Seam, .seam = seam->seam};
     }
-    if (!hit) {
-        return std::nullopt;
-    }
-    feature.kind = Feature::Kind::Piece;
-    feature.piece = hit->piece;
-    return feature;
+    return hit ? std::optional(Feature{.piece = hit->piece}) : std::nullopt;
 }
 
 std::optional<Feature> runAt(const ToolView& view, const Document& document, const QPointF& at) {
@@ -103,12 +93,8 @@ std::optional<Feature> runAt(const ToolView& view, const Document& document, con
     const int edge = side.first + (side.reversed ? side.count - 1 - along : along);
     const OutlineRun run =
         runBetweenCorners(document.scene()->pieces[piece].corners, size, edge % size);
-    Feature feature;
-    feature.kind = Feature::Kind::Run;
-    feature.piece = side.piece;
-    feature.first = run.first;
-    feature.count = run.count;
-    return feature;
+    return Feature{
+        .kind = Feature::Kind::Run, .piece = side.piece, .first = run.first, .count = run.count};
 }
 
 bool selectLineAt(const ToolView& view, Document& document, const QPointF& at) {

@@ -3,8 +3,6 @@
 
 #include <QStringList>
 
-#include <Eigen/Geometry>
-
 #include "app/base/translate.h"
 #include "app/document/document.h"
 #include "app/render/scene.h"
@@ -12,6 +10,7 @@
 #include "app/text/overlay_text.h"
 #include "app/text/seam_fit.h"
 #include "app/views/sewn_run.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 
@@ -38,9 +37,7 @@ QString seamText(const Document& document, int index) {
 double wornArea(const MeshArrays& mesh) {
     double doubled = 0;
     for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
-        const Eigen::Vector3d a = mesh.V.row(mesh.F(f, 0)), b = mesh.V.row(mesh.F(f, 1)),
-                              c = mesh.V.row(mesh.F(f, 2));
-        doubled += (b - a).cross(c - a).norm();
+        doubled += doubleAreaNormal(mesh, f).norm();
     }
     return doubled / 2;
 }
@@ -78,7 +75,7 @@ QString runText(const Document& document, const Feature& run) {
 }
 
 /// "Strain along warp +1.8 % (limit +2 %)"; empty where the overlay shows no number there.
-QString valueText(const Document& document, const std::optional<SurfacePlace>& place) {
+QString valueText(const Document& document, const std::optional<SurfaceHit>& place) {
     const auto value = place ? shownValueAt(document, *place) : std::nullopt;
     if (!value) {
         return {};
@@ -132,7 +129,7 @@ QString vertexText(const Document& document, const Piece& piece, const Feature& 
 
 }  // namespace
 
-std::optional<double> shownValueAt(const Document& document, const SurfacePlace& place) {
+std::optional<double> shownValueAt(const Document& document, const SurfaceHit& place) {
     if (!document.scene()) {
         return std::nullopt;
     }
@@ -143,7 +140,7 @@ std::optional<double> shownValueAt(const Document& document, const SurfacePlace&
 }
 
 QString featureText(const Document& document, const Feature& feature,
-                    const std::optional<SurfacePlace>& place) {
+                    const std::optional<SurfaceHit>& place) {
     if (!document.garment()) {
         return {};
     }

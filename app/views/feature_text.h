@@ -17,7 +17,7 @@ class Document;
 /// @param place  under the pointer; none: no number
 /// Cost: linear in the outlines of a seam's pieces; of a piece that is not flat in its triangles.
 QString featureText(const Document& document, const Feature& feature,
-                    const std::optional<SurfacePlace>& place = {});
+                    const std::optional<SurfaceHit>& place = {});
 
 /// Of the stretch of outline that is selected, as `featureText`; empty where none is, or a seam
 /// has been selected since.
@@ -26,6 +26,6 @@ QString markedText(const Document& document);
 /// The number that the document's overlay shows at a place, in its unit: what the mark on the bar
 /// and the plate at the pointer say. None where the overlay shows none or the piece is not flat.
 /// Cost: linear in the pieces.
-std::optional<double> shownValueAt(const Document& document, const SurfacePlace& place);
+std::optional<double> shownValueAt(const Document& document, const SurfaceHit& place);
 
 }  // namespace toile

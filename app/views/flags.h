@@ -5,12 +5,20 @@
 #include <QPointF>
 #include <QRectF>
 #include <QString>
+#include <functional>
+#include <optional>
 #include <vector>
+
+#include "app/document/view_state.h"
+#include "app/render/camera.h"
+#include "app/render/overlay_figures.h"
+#include "app/render/scene.h"
 
 class QPainter;
 
 namespace toile {
 
+class Document;
 struct RenderStyle;
 
 /// A place that asks for a person's eye.
@@ -38,5 +46,26 @@ std::vector<QRectF> flagPlates(const QFont& font, const FlagRoom& room,
 
 /// A ring around a place that a person has asked for: it reads on any cloth.
 void paintSpotRing(QPainter& painter, const RenderStyle& style, const QPointF& at);
+
+/// The worst spots of an overlay, as they were worked out.
+struct FlaggedSpots {
+    std::vector<WorstSpot> spots{};
+    Overlay overlay = Overlay::None;  ///< whose values they are
+};
+
+/// Where a spot is in a view, logical pixels.
+struct SpotPlace {
+    QPointF at;
+    bool behind = false;  ///< its cloth is seen from behind
+};
+
+/// None where it is behind the eye.
+std::optional<SpotPlace> placeOfSpot(const WorstSpot& spot, const Camera3D& camera);
+SpotPlace placeOfSpot(const WorstSpot& spot, const Camera2D& camera, const SheetPlaces& places);
+
+/// Flags the spots, as far as they are of what the document shows and it wants them flagged.
+void paintSpotFlags(QPainter& painter, const RenderStyle& style, const FlagRoom& room,
+                    const Document& document, const FlaggedSpots& flagged,
+                    const std::function<std::optional<SpotPlace>(const WorstSpot&)>& place);
 
 }  // namespace toile

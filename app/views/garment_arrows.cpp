@@ -12,7 +12,7 @@
 #include "app/render/picking.h"
 #include "app/render/render_style.h"
 #include "app/views/grain_arrow.h"
-#include "app/views/tools/tool_view.h"
+#include "app/views/tool_view.h"
 
 namespace toile {
 

@@ -2,12 +2,15 @@
 #include "app/views/garment_text.h"
 
 #include <QCoreApplication>
+#include <QLineF>
 #include <QPainter>
+#include <algorithm>
+#include <array>
 
 #include "app/document/document.h"
 #include "app/render/picking.h"
+#include "app/render/render_style.h"
 #include "app/render/scene.h"
-#include "app/views/axis_cross.h"
 #include "app/views/feature_text.h"
 #include "app/views/flags.h"
 #include "app/views/view_text.h"
@@ -15,6 +18,40 @@
 namespace toile {
 
 namespace {
+
+constexpr double kArm = 24, kBall = 7.5, kSmallBall = 4.5, kCrossMargin = 14;
+
+struct End {
+    ViewKey key;
+    int axis;
+    bool positive;
+    QPointF offset{};  ///< from the middle, pixels
+    double depth = 0;  ///< towards the eye, -1 to 1
+};
+
+/// From behind forwards, as they are to be painted.
+std::array<End, 6> endsOf(const Camera3D& camera) {
+    std::array<End, 6> ends = {{{ViewKey::Right, 0, true},
+                                {ViewKey::Left, 0, false},
+                                {ViewKey::Top, 1, true},
+                                {ViewKey::Bottom, 1, false},
+                                {ViewKey::Front, 2, true},
+                                {ViewKey::Back, 2, false}}};
+    const Eigen::Matrix3d axes = camera.axes();
+    for (End& end : ends) {
+        const double sign = end.positive ? 1 : -1;
+        end.offset = sign * kArm * QPointF(axes(end.axis, 0), -axes(end.axis, 1));
+        end.depth = sign * axes(end.axis, 2);
+    }
+    std::ranges::stable_sort(ends, {}, &End::depth);
+    return ends;
+}
+
+QColor axisColour(int axis) {
+    constexpr std::array<QRgb, 3> kColours = {qRgb(214, 66, 60), qRgb(78, 152, 44),
+                                              qRgb(52, 112, 214)};
+    return QColor(kColours[static_cast<std::size_t>(axis)]);
+}
 
 /// The context of the translations.
 class GarmentWords {
@@ -42,6 +79,51 @@ bool isOnCloth(const GarmentText& text, const QRectF& part) {
 }
 
 }  // namespace
+
+QPointF axisCrossPlace(const QRect& view) {
+    const double reach = kArm + kBall;
+    return {kCrossMargin + reach, view.height() - kCrossMargin - reach};
+}
+
+void paintAxisCross(QPainter& painter, const RenderStyle& style, const QPointF& middle,
+                    const Camera3D& camera) {
+    constexpr std::array<const char*, 3> kLetters = {"X", "Y", "Z"};
+    painter.save();
+    QFont font = painter.font();
+    font.setPixelSize(10);
+    font.setBold(true);
+    painter.setFont(font);
+    for (const End& end : endsOf(camera)) {
+        const QColor colour = axisColour(end.axis);
+        const QPointF at = middle + end.offset;
+        if (end.positive) {
+            painter.setPen(QPen(colour, 2));
+            painter.drawLine(middle, at);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(colour);
+            painter.drawEllipse(at, kBall, kBall);
+            painter.setPen(Qt::white);
+            const QRectF ball(at - QPointF(kBall, kBall), QSizeF(2 * kBall, 2 * kBall));
+            painter.drawText(ball, Qt::AlignCenter, kLetters[static_cast<std::size_t>(end.axis)]);
+        } else {
+            painter.setPen(QPen(colour, 1.5));
+            painter.setBrush(style.plate);
+            painter.drawEllipse(at, kSmallBall, kSmallBall);
+        }
+    }
+    painter.restore();
+}
+
+std::optional<ViewKey> axisCrossKeyAt(const QPointF& middle, const Camera3D& camera,
+                                      const QPointF& at) {
+    std::optional<ViewKey> key;
+    for (const End& end : endsOf(camera)) {
+        if (QLineF(middle + end.offset, at).length() <= (end.positive ? kBall : kSmallBall) + 1) {
+            key = end.key;  // the last is in front
+        }
+    }
+    return key;
+}
 
 void paintGarmentText(QPainter& painter, const RenderStyle& style, const GarmentText& text) {
     const QString title = GarmentWords::tr("Garment"), note = noteOf(text.document);

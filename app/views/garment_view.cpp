@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,8 +13,6 @@
 #include "app/document/document.h"
 #include "app/render/garment_renderer.h"
 #include "app/render/picking.h"
-#include "app/views/axis_cross.h"
-#include "app/views/framing.h"
 #include "app/views/garment_text.h"
 
 namespace toile {
@@ -23,12 +22,6 @@ namespace {
 /// A seam may lie so many times the pointer's reach deeper than the cloth beside it: cloth is bent.
 constexpr double kHiddenBehind = 3;
 
-double flightOf(double way) {
-    Morph morph;
-    morph.way = way;
-    return morph.flight();
-}
-
 /// How near the eye may come to the cloth that is zoomed at, as a part of the garment's extent.
 constexpr double kNearestCloth = 4e-3;
 
@@ -37,7 +30,7 @@ constexpr double kAirAroundSeam = 0.15;
 
 }  // namespace
 
-GarmentView::GarmentView(Document& document, ToolBox& tools, QWidget* parent)
+GarmentView::GarmentView(Document& document, ToolChoice& tools, QWidget* parent)
     : SceneView(document, tools, std::make_unique<GarmentRenderer>(), parent) {
     setObjectName("garmentView");
 }
@@ -176,11 +169,8 @@ std::optional<SeamHit> GarmentView::seamHitAt(const QPointF& at, double pixels,
 
 const GarmentView::Motions& GarmentView::motions() const {
     const Morph now = morphState();
-    const bool isKnown = motions_ && motions_->scene == document_.scene() &&
-                         motions_->places == places() && motions_->morph.way == now.way &&
-                         motions_->morph.sheetAxes == now.sheetAxes &&
-                         motions_->morph.sheetCentre == now.sheetCentre;
-    if (!isKnown) {
+    if (!motions_ || motions_->scene != document_.scene() || motions_->places != places() ||
+        motions_->morph != now) {
         motions_ = Motions{document_.scene(), places(), now, morphMotions(*scene(), places(), now)};
     }
     return *motions_;
@@ -257,7 +247,7 @@ void GarmentView::setMorph(double way) {
         end.way = 1;
         flat.frame(morphBoxes(*scene(), places(), end));
         camera_.moveTowards(*home_, 1);
-        camera_.moveTowards(flat, flightOf(way_));
+        camera_.moveTowards(flat, Morph{.way = way_}.flight());
     }
     cameraMoved();
 }
@@ -269,20 +259,11 @@ void GarmentView::setDirection(const ViewDirection& direction) {
 
 void GarmentView::look(ViewKey key) {
     constexpr double kStep = std::numbers::pi / 12;
+    // In the order of ViewKey, which begins with them.
+    static constexpr std::array kSides{kFrontView, kBackView, kRightView,
+                                       kLeftView,  kTopView,  kBottomView};
     const double yaw = camera_.yaw(), pitch = camera_.pitch();
     switch (key) {
-        case ViewKey::Front:
-            return setDirection(kFrontView);
-        case ViewKey::Back:
-            return setDirection(kBackView);
-        case ViewKey::Right:
-            return setDirection(kRightView);
-        case ViewKey::Left:
-            return setDirection(kLeftView);
-        case ViewKey::Top:
-            return setDirection(kTopView);
-        case ViewKey::Bottom:
-            return setDirection(kBottomView);
         case ViewKey::Opposite:
             return setDirection({yaw + std::numbers::pi, -pitch});
         case ViewKey::TurnLeft:
@@ -298,6 +279,8 @@ void GarmentView::look(ViewKey key) {
             cameraMoved();
             emit orthographicChanged(camera_.isOrthographic());
             return;
+        default:
+            return setDirection(kSides.at(static_cast<std::size_t>(key)));
     }
 }
 

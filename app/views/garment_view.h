@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/document/view_state.h"
-#include "app/render/camera_3d.h"
+#include "app/render/camera.h"
 #include "app/render/morph.h"
 #include "app/views/navigation.h"
 #include "app/views/scene_view.h"
@@ -20,7 +20,7 @@ class GarmentView : public SceneView {
     Q_OBJECT
 
 public:
-    GarmentView(Document& document, ToolBox& tools, QWidget* parent = nullptr);
+    GarmentView(Document& document, ToolChoice& tools, QWidget* parent = nullptr);
 
     ViewKind kind() const override { return ViewKind::Garment; }
     std::optional<SurfaceHit> hitAt(const QPointF& at) const override;

@@ -11,7 +11,7 @@
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
-#include "app/views/tools/sheet_map.h"
+#include "app/views/tool_view.h"
 
 namespace toile {
 

@@ -10,7 +10,7 @@
 #include "app/render/render_style.h"
 #include "app/views/feature_at.h"
 #include "app/views/feature_text.h"
-#include "app/views/tools/tool_view.h"
+#include "app/views/tool_view.h"
 
 namespace toile {
 
@@ -20,23 +20,6 @@ namespace {
 constexpr int kRight = 16, kBelow = 18;
 constexpr double kDot = 5.5;
 
-void paintDot(QPainter& painter, const RenderStyle& style, const ToolView& view,
-              const Document& document, const Feature& feature, double radius) {
-    const Piece& piece = *document.garment()->pieces[static_cast<std::size_t>(feature.piece)];
-    for (int k = 0; k < 3; ++k) {
-        if (piece.mesh.F(feature.face, k) != feature.vertex) {
-            continue;
-        }
-        const auto at = view.onScreen(feature.piece, feature.face, Eigen::Vector3d::Unit(k));
-        if (at) {
-            painter.setPen(QPen(style.seamHalo, 2));
-            painter.setBrush(style.seam);
-            painter.drawEllipse(*at, radius, radius);
-        }
-        return;
-    }
-}
-
 /// Of the face that the vertex is told by.
 Eigen::Vector3d cornerOf(const Document& document, const Feature& vertex) {
     const Piece& piece = *document.garment()->pieces[static_cast<std::size_t>(vertex.piece)];
@@ -45,6 +28,15 @@ Eigen::Vector3d cornerOf(const Document& document, const Feature& vertex) {
         ++corner;
     }
     return Eigen::Vector3d::Unit(corner);
+}
+
+void paintDot(QPainter& painter, const RenderStyle& style, const ToolView& view,
+              const Document& document, const Feature& feature, double radius) {
+    if (const auto at = view.onScreen(feature.piece, feature.face, cornerOf(document, feature))) {
+        painter.setPen(QPen(style.seamHalo, 2));
+        painter.setBrush(style.seam);
+        painter.drawEllipse(*at, radius, radius);
+    }
 }
 
 }  // namespace
@@ -70,9 +62,7 @@ std::optional<SurfaceHit> HoverTracker::move(const ToolView& view, const QPointF
     }
     const bool same = feature == shown_ && feature == document_.hover() && !plate_->isHidden();
     shown_ = feature;
-    place_ = hit ? std::optional(SurfacePlace{hit->piece, static_cast<std::uint32_t>(hit->face),
-                                              hit->barycentric})
-                 : std::nullopt;
+    place_ = hit;
     document_.setHover(feature);
     if (!feature || !tells) {
         hidePlate();

@@ -52,8 +52,8 @@ private:
     Document& document_;
     QWidget& widget_;
     QLabel* plate_;
-    std::optional<Feature> shown_;       ///< what the plate is about
-    std::optional<SurfacePlace> place_;  ///< of the cloth under the pointer
+    std::optional<Feature> shown_;     ///< what the plate is about
+    std::optional<SurfaceHit> place_;  ///< of the cloth under the pointer
 };
 
 /// Dots on the vertices that are selected or under the pointer.

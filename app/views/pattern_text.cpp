@@ -16,7 +16,7 @@
 #include "app/views/grain_arrow.h"
 #include "app/views/name_plates.h"
 #include "app/views/ruler.h"
-#include "app/views/tools/sheet_map.h"
+#include "app/views/tool_view.h"
 #include "app/views/view_text.h"
 
 namespace toile {

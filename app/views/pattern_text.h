@@ -3,8 +3,8 @@
 
 #include <QRect>
 
-#include "app/render/camera_2d.h"
-#include "app/views/spot_flags.h"
+#include "app/render/camera.h"
+#include "app/views/flags.h"
 
 namespace toile {
 

@@ -8,13 +8,13 @@
 #include "app/render/pattern_renderer.h"
 #include "app/render/picking.h"
 #include "app/settings/length_display.h"
-#include "app/views/framing.h"
 #include "app/views/pattern_text.h"
-#include "app/views/tools/tool_box.h"
+#include "app/views/ruler.h"
+#include "app/views/tool.h"
 
 namespace toile {
 
-PatternView::PatternView(Document& document, ToolBox& tools, QWidget* parent)
+PatternView::PatternView(Document& document, ToolChoice& tools, QWidget* parent)
     : SceneView(document, tools, std::make_unique<PatternRenderer>(), parent) {
     setObjectName("patternView");
 }

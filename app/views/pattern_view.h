@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/render/camera_2d.h"
+#include "app/render/camera.h"
 #include "app/views/scene_view.h"
 
 namespace toile {
@@ -12,7 +12,7 @@ class PatternView : public SceneView {
     Q_OBJECT
 
 public:
-    PatternView(Document& document, ToolBox& tools, QWidget* parent = nullptr);
+    PatternView(Document& document, ToolChoice& tools, QWidget* parent = nullptr);
 
     ViewKind kind() const override { return ViewKind::Pattern; }
     std::optional<SurfaceHit> hitAt(const QPointF& at) const override;

@@ -9,15 +9,19 @@
 #include <array>
 #include <cmath>
 
+#include "app/render/colour_map.h"
 #include "app/render/render_style.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
-#include "app/views/tools/sheet_map.h"
+#include "app/views/tool_view.h"
 #include "core/base/length_text.h"
 
 namespace toile {
 
 namespace {
+
+/// Room for the caption above and the scale bar below; the rulers come on top of it.
+constexpr Camera2D::Margins kMargins{26, 50, 66};
 
 constexpr double kMajorPixels = 56;  // between labelled ticks, at least
 constexpr double kTickPixels = 5;    // between ticks, at least
@@ -47,17 +51,6 @@ double lengthOf(const Ticks& ticks, long tick) {
     return isQuarter ? 6 : 4.5;
 }
 
-/// The smallest of 1, 2 and 5 times a power of ten that is at least this.
-double roundFrom(double least) {
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= least * (1 - 1e-9)) {
-            return factor * power;
-        }
-    }
-    return 10 * power;
-}
-
 /// The smallest of 1, 1/2, 1/4 ... 1/64 that is at least this.
 double halvedDownTo(double least) {
     double size = 1;
@@ -84,7 +77,7 @@ RulerSteps rulerSteps(double pixelsPerMillimetre, LengthUnit unit) {
     const double one = isInch ? millimetresPer(unit) : 1;
     const double least = kMajorPixels / pixelsPerMillimetre / one;
     const bool isFraction = isInch && least <= 1 && least * kFinestFraction > 0.5;
-    const double major = isFraction ? halvedDownTo(least) : roundFrom(least);
+    const double major = isFraction ? halvedDownTo(least) : roundedUp(least);
     for (const int parts : partsOf(major, isInch && major <= 1)) {
         if (major * one / parts * pixelsPerMillimetre >= kTickPixels) {
             return {major * one, parts};
@@ -183,6 +176,23 @@ void paintRulers(QPainter& painter, const RenderStyle& style, const QRect& view,
     painter.drawLine(QPointF(0, kRulerBreadth), QPointF(width, kRulerBreadth));
     painter.drawLine(QPointF(kRulerBreadth, 0), QPointF(kRulerBreadth, height));
     painter.restore();
+}
+
+Camera2D::Margins patternMargins(bool rulers) {
+    Camera2D::Margins margins = kMargins;
+    margins.sides += rulers ? kRulerBreadth : 0;
+    margins.top += rulers ? kRulerBreadth : 0;
+    return margins;
+}
+
+void framePattern(Camera2D& camera, const Scene& scene, const SheetPlaces& places,
+                  const std::set<int>& pieces, bool rulers) {
+    Eigen::AlignedBox2d box;
+    for (const int piece : pieces) {
+        box.extend(placedBox(scene.pieces[static_cast<std::size_t>(piece)].flatBox,
+                             placeOf(places, piece).placement));
+    }
+    camera.frame(box, patternMargins(rulers));
 }
 
 }  // namespace toile

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <QString>
+#include <set>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "app/render/camera.h"
+#include "app/render/scene.h"
 #include "core/base/length_unit.h"
 
 class QPainter;
@@ -45,5 +48,14 @@ QString rulerText(double millimetres, const RulerUnit& unit);
 void paintRulers(QPainter& painter, const RenderStyle& style, const QRect& view,
                  const SheetMap& onScreen, const Eigen::AlignedBox2d& visible,
                  double pixelsPerMillimetre, const Eigen::AlignedBox2d& marked);
+
+/// Room for what is written around the pattern: rulers, caption and scale bar.
+Camera2D::Margins patternMargins(bool rulers);
+
+/// Brings pieces into sight, in the view and in pictures of it. The camera's viewport is set
+/// before.
+/// @param pieces  indices into Scene::pieces
+void framePattern(Camera2D& camera, const Scene& scene, const SheetPlaces& places,
+                  const std::set<int>& pieces, bool rulers);
 
 }  // namespace toile

@@ -15,9 +15,9 @@
 #include "app/render/scene_renderer.h"
 #include "app/settings/length_display.h"
 #include "app/views/flags.h"
-#include "app/views/over_painter.h"
 #include "app/views/sewn_run.h"
-#include "app/views/tools/tool_box.h"
+#include "app/views/tool.h"
+#include "app/views/view_text.h"
 
 namespace toile {
 
@@ -36,7 +36,7 @@ bool lieElsewhere(const SheetPlaces& a, const SheetPlaces& b) {
 
 }  // namespace
 
-SceneView::SceneView(Document& document, ToolBox& tools, std::unique_ptr<SceneRenderer> renderer,
+SceneView::SceneView(Document& document, ToolChoice& tools, std::unique_ptr<SceneRenderer> renderer,
                      QWidget* parent)
     : QOpenGLWidget(parent),
       document_(document),
@@ -48,8 +48,8 @@ SceneView::SceneView(Document& document, ToolBox& tools, std::unique_ptr<SceneRe
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     connect(&document_, &Document::changed, this, &SceneView::onChanged);
-    connect(&tools_, &ToolBox::changed, this, &SceneView::updateCursor);
-    connect(&tools_, &ToolBox::chosen, this, &SceneView::endPress);
+    connect(&tools_, &ToolChoice::changed, this, &SceneView::updateCursor);
+    connect(&tools_, &ToolChoice::chosen, this, &SceneView::endPress);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
         hover_.writeAgain();
         update();

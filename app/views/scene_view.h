@@ -8,11 +8,11 @@
 
 #include "app/document/document_change.h"
 #include "app/render/render_style.h"
-#include "app/render/sheet_places.h"
+#include "app/render/scene.h"
+#include "app/views/flags.h"
 #include "app/views/hover_tracker.h"
 #include "app/views/navigation.h"
-#include "app/views/spot_flags.h"
-#include "app/views/tools/tool_view.h"
+#include "app/views/tool_view.h"
 
 class QPainter;
 
@@ -20,9 +20,7 @@ namespace toile {
 
 class Document;
 class SceneRenderer;
-class ToolBox;
-struct Scene;
-struct SeamScene;
+class ToolChoice;
 
 /// A view of the document's scene: hands the pointer to the chosen tool, moves by drag and wheel,
 /// and does the bookkeeping of a GL widget. Derived views say what a drag does and how to paint.
@@ -60,7 +58,7 @@ signals:
     void pointed(const std::optional<toile::SurfaceHit>& hit);
 
 protected:
-    SceneView(Document& document, ToolBox& tools, std::unique_ptr<SceneRenderer> renderer,
+    SceneView(Document& document, ToolChoice& tools, std::unique_ptr<SceneRenderer> renderer,
               QWidget* parent);
 
     enum class Drag { Turn, Shift };
@@ -105,7 +103,7 @@ protected:
     /// Where the scene's pieces lie on the sheet.
     const SheetPlaces& places() const { return places_; }
     const FlaggedSpots& spots() const { return spots_; }
-    const ToolBox& tools() const { return tools_; }
+    const ToolChoice& tools() const { return tools_; }
     Document& document_;
 
 private:
@@ -120,7 +118,7 @@ private:
     void updateCursor();
     void setSpace(bool down);
 
-    ToolBox& tools_;
+    ToolChoice& tools_;
     HoverTracker hover_;
     Navigation navigation_ = Navigation::Toile;
 

@@ -168,12 +168,10 @@ std::vector<Feature> markedFeatures(const Document& document) {
         for (const SewnPart& part : sewnParts(*document.garment(), features.front())) {
             const auto& boundary =
                 document.garment()->pieces[static_cast<std::size_t>(part.there.piece)]->boundary;
-            Feature partner;
-            partner.kind = Feature::Kind::Run;
-            partner.piece = part.there.piece;
-            partner.first = part.there.first % static_cast<int>(boundary.size());
-            partner.count = part.there.count;
-            features.push_back(partner);
+            features.push_back({.kind = Feature::Kind::Run,
+                                .piece = part.there.piece,
+                                .first = part.there.first % static_cast<int>(boundary.size()),
+                                .count = part.there.count});
         }
     }
     return features;

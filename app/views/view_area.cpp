@@ -18,7 +18,7 @@
 
 namespace toile {
 
-ViewArea::ViewArea(Document& document, ToolBox& tools, QWidget* parent)
+ViewArea::ViewArea(Document& document, ToolChoice& tools, QWidget* parent)
     : QWidget(parent),
       document_(document),
       tools_(tools),
@@ -60,12 +60,7 @@ void ViewArea::makeViews() {
     for (SceneView* view : views_) {
         splitter_->addWidget(view);
         connect(view, &SceneView::entered, this, [this, view] { emit entered(view->kind()); });
-        connect(view, &SceneView::pointed, this, [this](const std::optional<SurfaceHit>& hit) {
-            showValueAt(
-                hit ? std::optional(SurfacePlace{hit->piece, static_cast<std::uint32_t>(hit->face),
-                                                 hit->barycentric})
-                    : std::nullopt);
-        });
+        connect(view, &SceneView::pointed, this, &ViewArea::showValueAt);
     }
     morphBar_ = new MorphBar(document_, *garmentView_);
     splitter_->setChildrenCollapsible(false);
@@ -125,7 +120,7 @@ void ViewArea::showFigures() {
     showPointedValue();
 }
 
-void ViewArea::showValueAt(const std::optional<SurfacePlace>& place) {
+void ViewArea::showValueAt(const std::optional<SurfaceHit>& place) {
     pointed_ = place;
     showPointedValue();
 }

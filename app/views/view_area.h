@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "app/render/overlay_figures.h"
 #include "app/render/overlay_values.h"
-#include "app/render/worst_spots.h"
 #include "app/settings/choices.h"
-#include "app/views/tools/tool_view.h"
+#include "app/views/tool_view.h"
 
 class QSplitter;
 
@@ -21,7 +21,7 @@ class MorphBar;
 class OverlayWatcher;
 class PatternView;
 class SceneView;
-class ToolBox;
+class ToolChoice;
 
 /// Both views side by side over the overlay's legend; a sentence in their place where this
 /// computer cannot draw them.
@@ -29,7 +29,7 @@ class ViewArea : public QWidget {
     Q_OBJECT
 
 public:
-    ViewArea(Document& document, ToolBox& tools, QWidget* parent = nullptr);
+    ViewArea(Document& document, ToolChoice& tools, QWidget* parent = nullptr);
 
     /// Null where there is no OpenGL 3.3.
     GarmentView* garmentView() const { return garmentView_; }
@@ -51,7 +51,7 @@ public:
     /// True once both views show the present scene.
     bool isUpToDate() const;
     /// The place under the pointer, of either view; its value is shown on the colour bar.
-    void showValueAt(const std::optional<SurfacePlace>& place);
+    void showValueAt(const std::optional<SurfaceHit>& place);
 
 signals:
     /// The pointer has come into this view.
@@ -65,7 +65,7 @@ private:
     void showPointedValue();
 
     Document& document_;
-    ToolBox& tools_;
+    ToolChoice& tools_;
     QSplitter* splitter_;
     OverlayWatcher* figures_;
     ColourBar* legend_;
@@ -73,7 +73,7 @@ private:
     PatternView* patternView_ = nullptr;
     std::vector<SceneView*> views_;  ///< both, or none
     MorphBar* morphBar_ = nullptr;
-    std::optional<SurfacePlace> pointed_;
+    std::optional<SurfaceHit> pointed_;
 };
 
 }  // namespace toile

@@ -5,15 +5,15 @@
 #include <QPainter>
 
 #include "app/document/document.h"
-#include "app/render/framebuffer.h"
 #include "app/render/garment_renderer.h"
+#include "app/render/offscreen.h"
 #include "app/render/overlay_figures.h"
 #include "app/render/pattern_renderer.h"
 #include "app/render/scene.h"
 #include "app/views/colour_legend.h"
-#include "app/views/framing.h"
 #include "app/views/garment_text.h"
 #include "app/views/pattern_text.h"
+#include "app/views/ruler.h"
 #include "app/views/sewn_run.h"
 
 namespace toile {

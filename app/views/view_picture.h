@@ -25,7 +25,7 @@ struct PictureOptions {
 
 /// The views of a document as they are in the window that shows everything of it, drawn into an
 /// image: for documentation, tests and thumbnails. Needs a current OpenGL context of Qt's or of
-/// offscreen_context.h. The same document gives the same image on the same machine.
+/// offscreen.h. The same document gives the same image on the same machine.
 /// @param problem  receives a sentence where a null image is returned
 QImage drawViews(const Document& document, const PictureOptions& options, QString& problem);
 

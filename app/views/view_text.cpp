@@ -4,10 +4,11 @@
 #include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
+#include <QWidget>
 #include <algorithm>
 #include <cmath>
 
-#include "app/render/overlay_scale.h"
+#include "app/render/colour_map.h"
 #include "app/render/render_style.h"
 #include "app/settings/length_display.h"
 
@@ -24,6 +25,16 @@ QFont scaled(QFont font, double factor, bool bold) {
     font.setPointSizeF(std::max(6.5, font.pointSizeF() * factor));
     font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
     return font;
+}
+
+/// Round lengths of inches: halves of halves below one, as on a tape.
+double roundInches(double millimetres) {
+    const double inches = millimetres / millimetresPer(LengthUnit::Inch);
+    constexpr double kRound[] = {144, 72, 36, 24, 12, 6, 4, 2, 1, 0.5, 0.25, 0.125};
+    const auto* fits = std::find_if(std::begin(kRound), std::end(kRound),
+                                    [inches](double length) { return length <= inches; });
+    return (fits == std::end(kRound) ? kRound[std::size(kRound) - 1] : *fits) *
+           millimetresPer(LengthUnit::Inch);
 }
 
 }  // namespace
@@ -83,20 +94,6 @@ void paintPlate(QPainter& painter, const RenderStyle& style, const QRectF& plate
     painter.restore();
 }
 
-namespace {
-
-/// Round lengths of inches: halves of halves below one, as on a tape.
-double roundInches(double millimetres) {
-    const double inches = millimetres / millimetresPer(LengthUnit::Inch);
-    constexpr double kRound[] = {144, 72, 36, 24, 12, 6, 4, 2, 1, 0.5, 0.25, 0.125};
-    const auto* fits = std::find_if(std::begin(kRound), std::end(kRound),
-                                    [inches](double length) { return length <= inches; });
-    return (fits == std::end(kRound) ? kRound[std::size(kRound) - 1] : *fits) *
-           millimetresPer(LengthUnit::Inch);
-}
-
-}  // namespace
-
 ScaleBar scaleBarFor(double pixels, double pixelsPerMillimetre) {
     const double wanted = pixels / pixelsPerMillimetre;
     const LengthUnit unit = LengthDisplay::instance().format().unit;
@@ -151,6 +148,28 @@ void paintScaleBar(QPainter& painter, const RenderStyle& style, const QRect& vie
     painter.drawText(QRectF(left, base - kTick - metrics.height() - 1, length, metrics.height()),
                      Qt::AlignCenter, bar.text);
     painter.restore();
+}
+
+OverPainter::OverPainter(const QWidget& widget) : device_(devicePixels(widget)) {
+    device_.setDevicePixelRatio(widget.devicePixelRatioF());
+    painter_.begin(&device_);
+    painter_.setFont(widget.font());
+    painter_.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+}
+
+QSize devicePixels(const QWidget& widget) {
+    const double ratio = widget.devicePixelRatioF();
+    return {static_cast<int>(std::lround(widget.width() * ratio)),
+            static_cast<int>(std::lround(widget.height() * ratio))};
+}
+
+void paintProblem(QPainter& painter, const RenderStyle& style, const QRect& view,
+                  const QString& problem) {
+    constexpr int kTextAir = 20;
+    painter.fillRect(view, style.bottom);
+    painter.setPen(style.text);
+    painter.drawText(view.adjusted(kTextAir, kTextAir, -kTextAir, -kTextAir),
+                     Qt::AlignCenter | Qt::TextWordWrap, problem);
 }
 
 }  // namespace toile

@@ -6,7 +6,7 @@ flat in int tintOfLine;  // place in the palette, or negative: a free edge
 uniform vec4 lineColour;
 uniform float dashLength;  // mm of a dash and the gap after it; 0: a solid line
 
-// As in app/render/seam_palette.h
+// As in app/render/render_style.h
 const int kSeamColours = 10;
 
 uniform bool tinted;

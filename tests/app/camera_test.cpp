@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render/camera.h"
+
 #include <QTest>
 
 #include <glm/vec4.hpp>
 
-#include "app/render/camera_2d.h"
-#include "app/render/camera_3d.h"
 #include "app/render/glm_eigen.h"
 #include "app/render/pattern_renderer.h"
 #include "tests/app/support/run_test.h"

@@ -7,11 +7,9 @@
 
 #include "app/document/document.h"
 #include "app/jobs/path_finder.h"
-#include "app/render/histogram.h"
 #include "app/render/overlay_figures.h"
 #include "app/render/picking.h"
 #include "app/render/scene_builder.h"
-#include "app/render/worst_spots.h"
 #include "core/cut/nearest_surface.h"
 #include "core/garment/fabric.h"
 #include "core/quality/piece_quality.h"

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "app/render/colour_map.h"
-#include "app/render/overlay_scale.h"
 #include "app/text/overlay_text.h"
 #include "app/views/colour_bar.h"
 #include "tests/app/support/run_test.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/render/render_style.h"
 #include "app/render/scene_renderer.h"
-#include "app/render/seam_palette.h"
 #include "app/views/feature_text.h"
 #include "app/views/morph_bar.h"
 #include "app/views/tools/tool_box.h"

@@ -241,7 +241,7 @@ private slots:
         showStretched(0.05);
         document().setOverlay(Overlay::Weft);
         const auto& bar = fixture_.find<ColourBar>("colourBar");
-        fixture_.window().views().showValueAt(SurfacePlace{0, 3});
+        fixture_.window().views().showValueAt(SurfaceHit{0, 3});
         QCOMPARE(bar.valueText(), QString("+5.0") + QChar(0x202F) + "%");
         fixture_.window().views().showValueAt(std::nullopt);
         QVERIFY(bar.valueText().isEmpty());
@@ -252,7 +252,7 @@ private slots:
         showStretched(0.05);
         document().setOverlay(Overlay::Weft);
         const auto& bar = fixture_.find<ColourBar>("colourBar");
-        fixture_.window().views().showValueAt(SurfacePlace{0, 3});
+        fixture_.window().views().showValueAt(SurfaceHit{0, 3});
         setGrain(0);
         QCOMPARE(bar.valueText(), QString("0.0") + QChar(0x202F) + "%");
         document().setOverlay(Overlay::Warp);

@@ -13,12 +13,9 @@
 
 #include "app/document/document.h"
 #include "app/jobs/derivation.h"
-#include "app/render/fabric_fit.h"
-#include "app/render/face_table.h"
-#include "app/render/histogram.h"
 #include "app/render/overlay_figures.h"
 #include "app/render/scene_builder.h"
-#include "app/render/worst_spots.h"
+#include "app/render/shader_program.h"
 #include "app/views/colour_legend.h"
 #include "app/views/overlay_watcher.h"
 #include "core/garment/fabric.h"
@@ -264,7 +261,7 @@ private slots:
         const BuiltScene sheet = stretchedSheet();
         const OverlayScale scale;
         const SheetPlaces places = grainAt(kUp);
-        const auto value = [&](const SurfacePlace& place, Overlay overlay) {
+        const auto value = [&](const SurfaceHit& place, Overlay overlay) {
             return valueAt(*sheet.scene, places, place, overlay, scale, false);
         };
         QVERIFY(!value({-1, 0, {}}, Overlay::Area));

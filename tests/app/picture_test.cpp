@@ -7,8 +7,8 @@
 #include <QTest>
 
 #include "app/render/gl_support.h"
-#include "app/render/offscreen_context.h"
-#include "app/render/seam_palette.h"
+#include "app/render/offscreen.h"
+#include "app/render/render_style.h"
 #include "app/views/colour_bar.h"
 #include "tests/app/support/picture_bench.h"
 #include "tests/app/support/run_test.h"

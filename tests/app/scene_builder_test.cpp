@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "app/render/colour_map.h"
-#include "app/render/piece_table.h"
-#include "app/render/sheet_places.h"
-#include "app/render/vertex_values.h"
+#include "app/render/piece_values.h"
+#include "app/render/scene.h"
+#include "app/render/shader_program.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 

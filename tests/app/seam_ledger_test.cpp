@@ -11,7 +11,6 @@
 #include "app/panels/seams_model.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
-#include "app/render/sheet_places.h"
 #include "app/widgets/banner.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"

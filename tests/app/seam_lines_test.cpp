@@ -7,11 +7,10 @@
 #include <string>
 
 #include "app/render/morph.h"
-#include "app/render/outline_corners.h"
+#include "app/render/picking.h"
+#include "app/render/piece_values.h"
 #include "app/render/render_style.h"
 #include "app/render/scene_builder.h"
-#include "app/render/seam_palette.h"
-#include "app/render/seam_picking.h"
 #include "app/settings/theme.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/render/seam_picking.h"
-
 #include <QTest>
 #include <limits>
 #include <numbers>
 
+#include "app/render/picking.h"
 #include "app/render/scene_builder.h"
 #include "core/seam/find_seams.h"
 #include "tests/app/support/garments.h"

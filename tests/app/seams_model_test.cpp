@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "app/document/document.h"
+#include "app/render/scene.h"
 #include "app/render/scene_builder.h"
-#include "app/render/sheet_places.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
 #include "tests/app/support/garments.h"

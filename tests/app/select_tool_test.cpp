@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "app/render/pattern_renderer.h"
-#include "app/views/tools/selection_frame.h"
+#include "app/views/tools/tool_paint.h"
 #include "core/layout/snapping.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/sheet_bench.h"

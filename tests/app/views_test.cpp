@@ -5,8 +5,8 @@
 #include <QTreeView>
 #include <algorithm>
 
+#include "app/render/scene.h"
 #include "app/render/scene_renderer.h"
-#include "app/render/sheet_places.h"
 #include "app/views/colour_bar.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/pair_bench.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/render/outline_corners.h"
+#include "app/render/piece_values.h"
 #include "core/geometry/segment.h"
 
 namespace toile {

@@ -8,16 +8,38 @@
 #include <span>
 #include <vector>
 
-#include "app/views/tools/cloth_point.h"
-#include "app/views/tools/tool_view.h"
+#include "app/views/tool_view.h"
+#include "core/cut/surface_point.h"
 #include "core/garment/garment.h"
 
 namespace toile {
 
+/// A place on the garment that a person points at.
+struct ClothPoint {
+    /// What the pointer was drawn to.
+    enum class On {
+        Cloth,   ///< nothing: just where it is
+        Rim,     ///< an edge of the piece
+        Corner,  ///< a corner of its outline
+        Own,     ///< a place pointed at before
+    };
+
+    int piece = -1;   ///< index into the garment's pieces
+    SurfacePoint at;  ///< on its mesh
+    On on = On::Cloth;
+    int own = -1;  ///< which place, where drawn to one
+
+    bool isOnRim() const { return on == On::Rim || on == On::Corner; }
+};
+
+inline bool samePlace(const SurfacePoint& a, const SurfacePoint& b) {
+    return a.face == b.face && a.barycentric == b.barycentric;
+}
+
 /// The rim of a piece, disk or not.
 struct PieceRim {
     std::vector<int> uses;      ///< 3 * face + k, the side from corner k to corner k + 1
-    std::set<int> corners;      ///< vertices where the outline turns sharply (outline_corners.h)
+    std::set<int> corners;      ///< vertices where the outline turns sharply (`outlineCorners`)
     std::vector<char> isOnRim;  ///< per vertex
 };
 

@@ -10,7 +10,7 @@
 #include "app/text/figures.h"
 #include "app/views/feature_at.h"
 #include "app/views/grain_arrow.h"
-#include "app/views/tools/sheet_map.h"
+#include "app/views/tool_view.h"
 #include "app/views/tools/tool_paint.h"
 #include "core/base/angle.h"
 #include "core/geometry/segment.h"

@@ -9,7 +9,7 @@
 
 #include "app/document/layout.h"
 #include "app/views/garment_arrows.h"
-#include "app/views/tools/tool.h"
+#include "app/views/tool.h"
 #include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "app/views/tools/tool.h"
+#include "app/views/tool.h"
 
 namespace toile {
 

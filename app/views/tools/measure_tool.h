@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/views/tool.h"
 #include "app/views/tools/cloth_snapper.h"
 #include "app/views/tools/measurement.h"
 #include "app/views/tools/path_draft.h"
-#include "app/views/tools/tool.h"
 
 namespace toile {
 

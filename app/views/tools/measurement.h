@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/views/tools/cloth_point.h"
+#include "app/views/tools/cloth_snapper.h"
 #include "core/garment/piece.h"
 #include "core/mesh/mesh_arrays.h"
 

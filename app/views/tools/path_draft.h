@@ -7,15 +7,13 @@
 #include <vector>
 
 #include "app/jobs/path_finder.h"
-#include "app/views/tools/cloth_point.h"
-#include "app/views/tools/tool_view.h"
+#include "app/views/tool_view.h"
+#include "app/views/tools/cloth_snapper.h"
 
 class QColor;
 class QPainter;
 
 namespace toile {
-
-struct RenderStyle;
 
 /// A line over one piece that a person is about to draw: the places set so far, one that follows
 /// the pointer, and the shortest ways between them, which come a moment later from the path finder.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/views/tool.h"
 #include "app/views/tools/cloth_snapper.h"
 #include "app/views/tools/path_draft.h"
-#include "app/views/tools/tool.h"
 #include "core/cut/user_cuts.h"
 
 namespace toile {

@@ -12,8 +12,8 @@
 #include "app/views/feature_at.h"
 #include "app/views/feature_text.h"
 #include "app/views/navigation.h"
-#include "app/views/tools/selection_frame.h"
 #include "app/views/tools/sheet_gestures.h"
+#include "app/views/tools/tool_paint.h"
 
 namespace toile {
 
@@ -121,9 +121,7 @@ void SelectTool::drag(ToolView& view, const Pointer& pointer) {
             return;
         }
         gesture_ = begin(view, *pressed_);
-        gestureOf_ = document_.garment();
-        gestureResults_ = document_.results();
-    } else if (isStale()) {
+    } else if (gesture_->isStale()) {
         cancel();
         return;
     }
@@ -136,8 +134,6 @@ void SelectTool::release(ToolView& view, const Pointer& pointer) {
     pressed_.reset();
     if (gesture_) {
         gesture_.reset();
-        gestureOf_.reset();
-        gestureResults_.clear();
         emit changed();
     } else if (clicked) {
         click(view, pointer);
@@ -231,17 +227,11 @@ void SelectTool::cancel() {
     pressed_.reset();
     nudging_ = -1;
     if (const auto gesture = std::exchange(gesture_, nullptr)) {
-        if (!isStale()) {
+        if (!gesture->isStale()) {
             gesture->takeBack();
         }
         emit changed();
     }
-    gestureOf_.reset();
-    gestureResults_.clear();
-}
-
-bool SelectTool::isStale() const {
-    return gestureOf_ != document_.garment() || gestureResults_ != document_.results();
 }
 
 void SelectTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {

@@ -4,9 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/views/tools/tool.h"
-#include "core/flatten/piece_result.h"
-#include "core/garment/garment.h"
+#include "app/views/tool.h"
 
 namespace toile {
 
@@ -49,16 +47,11 @@ private:
     std::unique_ptr<SheetGesture> begin(ToolView& view, const Pointer& pressed);
     void nudge(const QKeyEvent& event);
     void selectNothing();
-    bool isStale() const;
 
     Workspace& workspace_;
     Document& document_;
     std::optional<Pointer> pressed_;  ///< in the pattern view, with the button down
     std::unique_ptr<SheetGesture> gesture_;
-    /// What the gesture began with: where others have come, what it holds is of pieces that are no
-    /// more, or lie in other coordinates.
-    std::shared_ptr<const Garment> gestureOf_;
-    PieceResults gestureResults_;
     Target hovered_ = Target::Sheet;
     int nudging_ = -1;  ///< number of the nudges while a key is held
 };

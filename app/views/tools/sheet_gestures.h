@@ -5,7 +5,7 @@
 
 #include "app/document/document.h"
 #include "app/document/layout.h"
-#include "app/views/tools/tool.h"
+#include "app/views/tool.h"
 #include "core/layout/snapping.h"
 
 namespace toile {
@@ -16,11 +16,27 @@ class SheetGesture {
 public:
     virtual ~SheetGesture() = default;
 
+    /// True where other pieces or flat points have come since the press: what it holds is of pieces
+    /// that are no more, or lie in other coordinates.
+    bool isStale() const {
+        return garment_ != document_.garment() || results_ != document_.results();
+    }
+
     /// The pointer has moved with the button down, far enough to be no click.
     virtual void drag(ToolView& view, const Pointer& pointer) = 0;
     /// Everything is to be as before the press.
     virtual void takeBack() = 0;
     virtual void paint(const ToolView&, QPainter&, const RenderStyle&) const {}
+
+protected:
+    explicit SheetGesture(Document& document)
+        : document_(document), garment_(document.garment()), results_(document.results()) {}
+
+    Document& document_;
+
+private:
+    std::shared_ptr<const Garment> garment_;
+    PieceResults results_;
 };
 
 /// Selects the pieces that a box drawn with the pointer touches.
@@ -35,7 +51,6 @@ public:
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
 
 private:
-    Document& document_;
     Document::Selection before_;
     bool adds_;
     Eigen::Vector2d from_, to_;  ///< corners on the sheet: the view may move meanwhile
@@ -53,7 +68,6 @@ protected:
     /// Whether a drag catches: where snapping is on; Alt turns it the other way round.
     bool snaps(const Pointer& pointer) const;
 
-    Document& document_;
     const std::vector<int> pieces_;
     PiecePlacements before_;
     QPointF pointer_;

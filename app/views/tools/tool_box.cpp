@@ -12,7 +12,7 @@
 
 namespace toile {
 
-ToolBox::ToolBox(Workspace& workspace, QObject* parent) : QObject(parent) {
+ToolBox::ToolBox(Workspace& workspace, QObject* parent) : ToolChoice(parent) {
     add(std::make_unique<SelectTool>(workspace));
     add(std::make_unique<CutTool>(workspace, finder_));
     add(std::make_unique<LoopTool>(workspace, finder_));

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QObject>
 #include <map>
 #include <memory>
 
 #include "app/jobs/path_finder.h"
-#include "app/views/tools/tool.h"
+#include "app/views/tool.h"
 
 namespace toile {
 
 class Workspace;
 
-/// All tools, of which one is chosen. Both views work with the same one.
-class ToolBox : public QObject {
+/// All tools, of which one is chosen.
+class ToolBox : public ToolChoice {
     Q_OBJECT
 
 public:
@@ -21,22 +20,15 @@ public:
     explicit ToolBox(Workspace& workspace, QObject* parent = nullptr);
     ~ToolBox() override;
 
-    Tool& current() const { return *current_; }
     Tool& tool(ToolId id) const { return *tools_.at(id); }
     /// What the tool before had begun is thrown away.
     void choose(ToolId id);
-
-signals:
-    void chosen(toile::ToolId id);
-    /// The chosen tool shows something else now.
-    void changed();
 
 private:
     void add(std::unique_ptr<Tool> tool);
 
     PathFinder finder_;  ///< of all tools, which go before it
     std::map<ToolId, std::unique_ptr<Tool>> tools_;
-    Tool* current_ = nullptr;
 };
 
 }  // namespace toile

@@ -4,16 +4,17 @@
 #include <QColor>
 #include <QPointF>
 #include <QStringList>
+#include <optional>
 #include <vector>
 
-#include "app/views/tools/cloth_point.h"
-#include "app/views/tools/tool_view.h"
+#include "app/views/tool_view.h"
+#include "app/views/tools/cloth_snapper.h"
 
 class QPainter;
 
 namespace toile {
 
-struct RenderStyle;
+class Document;
 
 /// What tools draw over the views. Logical pixels.
 
@@ -41,5 +42,14 @@ void paintNote(QPainter& painter, const RenderStyle& style, const QPointF& point
 
 /// A way over the sheet, in the person's unit: "12.0, −3.5 mm".
 QString wayText(const Eigen::Vector2d& millimetres);
+
+/// The box around the selected pieces in the pattern view, with a handle above it that turns them.
+/// Logical pixels. Each costs the outlines of the selected pieces.
+
+/// Middle of the handle; nothing where no flat piece is selected.
+std::optional<QPointF> turnHandle(const Document& document, const ToolView& view);
+bool isOnTurnHandle(const Document& document, const ToolView& view, const QPointF& at);
+void paintSelectionFrame(QPainter& painter, const RenderStyle& style, const Document& document,
+                         const ToolView& view, bool handleHovered);
 
 }  // namespace toile

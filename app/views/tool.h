@@ -5,14 +5,12 @@
 #include <QPointF>
 #include <QString>
 
-#include "app/views/tools/tool_view.h"
+#include "app/views/tool_view.h"
 
 class QKeyEvent;
 class QPainter;
 
 namespace toile {
-
-struct RenderStyle;
 
 /// Which tool is meant.
 enum class ToolId { Select, Cut, Loop, Dart, Join, Measure, Grain };
@@ -74,6 +72,24 @@ signals:
     void changed();
     /// The person is done with the tool: back to selecting.
     void finished();
+};
+
+/// Which tool is chosen, as far as views have to know. Both views work with the same one.
+class ToolChoice : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    Tool& current() const { return *current_; }
+
+signals:
+    void chosen(toile::ToolId id);
+    /// The chosen tool shows something else now.
+    void changed();
+
+protected:
+    Tool* current_ = nullptr;
 };
 
 }  // namespace toile

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/tools/sheet_gestures.h"
+
 #include <QCoreApplication>
 #include <QPainter>
+#include <QPainterPath>
+#include <QPolygonF>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,14 +13,34 @@
 #include "app/render/pattern_renderer.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
-#include "app/views/tools/sheet_gestures.h"
-#include "app/views/tools/sheet_map.h"
+#include "app/views/tool_view.h"
 #include "app/views/tools/tool_paint.h"
 #include "core/base/angle.h"
 
 namespace toile {
 
 namespace {
+
+/// Points of a flat piece as they lie.
+Points2 onSheet(const Document& document, int piece, const Points2& points) {
+    const Placement placement = placementOf(document, piece);
+    Points2 placed = points * placement.linear().transpose();
+    placed.rowwise() += placement.offset.transpose();
+    return placed;
+}
+
+/// Whether box and piece have a point in common: their edges meet, or the box lies on the cloth.
+bool touches(const Eigen::AlignedBox2d& box, const Points2& outline) {
+    QPolygonF polygon;
+    for (Eigen::Index i = 0; i < outline.rows(); ++i) {
+        polygon << QPointF(outline(i, 0), outline(i, 1));
+    }
+    QPainterPath path;
+    path.addPolygon(polygon);
+    path.closeSubpath();
+    return path.intersects(
+        QRectF(QPointF(box.min().x(), box.min().y()), QPointF(box.max().x(), box.max().y())));
+}
 
 constexpr double kReach = 8;          // pixels
 constexpr double kGridReaches = 2.5;  // that grid lines are apart at least: else all is near one
@@ -35,12 +59,8 @@ Points2 cornersOnSheet(const Document& document, const std::vector<int>& pieces)
     std::vector<Points2> outlines;
     Eigen::Index count = 0;
     for (const int piece : pieces) {
-        Points2 outline = snapPoints(flatOutline(document, piece));
-        const Placement placement = placementOf(document, piece);
-        outline = (outline * placement.linear().transpose()).eval();
-        outline.rowwise() += placement.offset.transpose();
-        count += outline.rows();
-        outlines.push_back(std::move(outline));
+        outlines.push_back(onSheet(document, piece, snapPoints(flatOutline(document, piece))));
+        count += outlines.back().rows();
     }
     Points2 all(count, 2);
     Eigen::Index next = 0;
@@ -53,8 +73,45 @@ Points2 cornersOnSheet(const Document& document, const std::vector<int>& pieces)
 
 }  // namespace
 
+BoxGesture::BoxGesture(Document& document, const Eigen::Vector2d& pressed, bool adds)
+    : SheetGesture(document),
+      before_(document.selection()),
+      adds_(adds),
+      from_(pressed),
+      to_(pressed) {}
+
+void BoxGesture::drag(ToolView& view, const Pointer& pointer) {
+    to_ = view.onSheet(pointer.at);
+    Eigen::AlignedBox2d box(from_);
+    box.extend(to_);
+    Document::Selection selection = adds_ ? before_ : Document::Selection{};
+    for (const int piece : allFlat(document_)) {
+        if (box.intersects(boxOnSheet(document_, piece)) &&
+            touches(box, onSheet(document_, piece, flatOutline(document_, piece)))) {
+            selection.insert(piece);
+        }
+    }
+    document_.setSelection(std::move(selection));
+    view.repaintSoon();
+}
+
+void BoxGesture::takeBack() {
+    document_.setSelection(before_);
+}
+
+void BoxGesture::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {
+    QColor fill = style.selection;
+    fill.setAlpha(28);
+    painter.save();
+    painter.setPen(QPen(style.selection, 1, Qt::DashLine));
+    painter.setBrush(fill);
+    const SheetMap onScreen(view);
+    painter.drawRect(QRectF(onScreen(from_), onScreen(to_)).normalized());
+    painter.restore();
+}
+
 PlacingGesture::PlacingGesture(Document& document, QString text)
-    : document_(document),
+    : SheetGesture(document),
       pieces_(selectedFlat(document)),
       text_(std::move(text)),
       gesture_(document.newGesture()),

@@ -3,14 +3,16 @@
 
 #include <QPointF>
 #include <QPolygonF>
+#include <QRectF>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
+#include "app/render/camera.h"
 #include "app/render/picking.h"
 #include "app/render/render_style.h"
-#include "app/render/seam_picking.h"
 
 namespace toile {
 
@@ -52,6 +54,29 @@ public:
     virtual void frameAll() = 0;
     /// Paints again soon.
     virtual void repaintSoon() = 0;
+};
+
+/// From the sheet to the screen, in the pattern view; the way back is ToolView::onSheet.
+class SheetMap {
+public:
+    explicit SheetMap(const ToolView& view)
+        : corner_(view.onSheet({0, 0})), scale_(view.pixelsPerMillimetre()) {}
+    explicit SheetMap(const Camera2D& camera)
+        : corner_(camera.toWorld(0, 0)), scale_(camera.pixelsPerMillimetre()) {}
+
+    double pixelsPerMillimetre() const { return scale_; }
+
+    QPointF operator()(const Eigen::Vector2d& point) const {
+        return {(point.x() - corner_.x()) * scale_, (corner_.y() - point.y()) * scale_};
+    }
+
+    QRectF operator()(const Eigen::AlignedBox2d& box) const {
+        return QRectF((*this)(box.min()), (*this)(box.max())).normalized();
+    }
+
+private:
+    Eigen::Vector2d corner_;  ///< upper left
+    double scale_;
 };
 
 }  // namespace toile
