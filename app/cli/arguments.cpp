@@ -10,7 +10,7 @@
 
 #include "app/cli/command_line.h"
 #include "core/base/version.h"
-#include "core/flatten/option_words.h"
+#include "core/flatten/base/flat_piece.h"
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
 

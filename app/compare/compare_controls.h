@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "core/flatten/method.h"
+#include "core/flatten/base/method.h"
 
 class QCheckBox;
 class QComboBox;

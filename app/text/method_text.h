@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/flatten/method.h"
+#include "core/flatten/base/method.h"
 
 namespace toile {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/check/readiness.h"
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/project/piece_settings.h"
 

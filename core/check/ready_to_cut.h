@@ -7,7 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/check/readiness.h"
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/garment/garment.h"
 #include "core/project/piece_labels.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/compare/criterion.h"
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 
 namespace toile {

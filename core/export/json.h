@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 
 /// The parts that the report and the description of a garment share. Include in writers only: the

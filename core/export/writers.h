@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/export/drawing.h"
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/layout/marker.h"
 

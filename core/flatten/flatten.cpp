@@ -8,10 +8,11 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/base/text.h"
-#include "core/flatten/flat_notes.h"
-#include "core/flatten/flattening_memory.h"
+#include "core/flatten/base/flat_notes.h"
+#include "core/flatten/conformal/conformal_methods.h"
+#include "core/flatten/isometric/kkt_solver.h"
 #include "core/flatten/isometric/rim_lengths.h"
-#include "core/flatten/methods/methods.h"
+#include "core/flatten/reference/reference_methods.h"
 #include "core/garment/garment.h"
 
 namespace toile {
@@ -22,6 +23,10 @@ namespace {
 constexpr double kLevelSlope = 0.2;
 /// Beyond this, mm, the squares of areas have no numbers.
 constexpr double kLargestCoordinate = 1e75;
+/// Of the positions, on meshes large enough to matter.
+constexpr std::size_t kBytesPerTriangle = 25;
+/// Of the model that `isometric` keeps of pieces that are not large.
+constexpr std::size_t kModelBytesPerTriangle = 1200;
 
 Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
                             const Progress& progress, FlatteningMemory* memory) {
@@ -86,8 +91,8 @@ std::shared_ptr<const Piece> filledPiece(const Piece& piece) {
     return filled;
 }
 
-}  // namespace
-
+/// `flatten`, with what is kept from one time to the next, or null.
+/// @param memory  `present` is the piece; changed on the way, also where an error comes back
 Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
                               const FlattenOptions& options, const Progress& progress) {
     if (piece.defect) {
@@ -140,28 +145,38 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
     return flat;
 }
 
+}  // namespace
+
 Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
                           const Progress& progress) {
     return flattenWith(nullptr, piece, options, progress);
 }
 
-std::string_view name(BoundarySolver solver) {
-    switch (solver) {
-        case BoundarySolver::Newton:
-            return "newton";
-        case BoundarySolver::Slcp:
-            return "slcp";
+Result<FlatPiece> PieceFlattener::flatten(const std::shared_ptr<const Piece>& piece,
+                                          const FlattenOptions& options, const Progress& progress) {
+    FlatteningMemory memory = memory_;
+    memory.present = piece;
+    auto flat = flattenWith(&memory, *piece, options, progress);
+    memory.present = nullptr;
+    if (flat && !progress.isCancelled()) {
+        memory_ = std::move(memory);
     }
-    return "";
+    return flat;
 }
 
-std::optional<BoundarySolver> parseBoundarySolver(std::string_view text) {
-    for (const BoundarySolver solver : {BoundarySolver::Newton, BoundarySolver::Slcp}) {
-        if (text == name(solver)) {
-            return solver;
-        }
-    }
-    return std::nullopt;
+std::size_t PieceFlattener::expectedBytes(const Piece& piece) {
+    const bool hasModel = piece.mesh.V.rows() < KktSizes{}.large;
+    const std::size_t each = kBytesPerTriangle + (hasModel ? kModelBytesPerTriangle : 0);
+    return piece.defect ? 0 : each * static_cast<std::size_t>(piece.mesh.F.rows());
+}
+
+std::size_t PieceFlattener::keptBytes() const {
+    const std::size_t model = memory_.model ? memory_.model->factor->bytes() : 0;
+    const auto bytesOf = [](const std::shared_ptr<const Points2>& points) -> std::size_t {
+        return points ? sizeof(double) * static_cast<std::size_t>(points->size()) : 0;
+    };
+    const bool isApart = memory_.simple != memory_.Q;
+    return model + bytesOf(memory_.Q) + (isApart ? bytesOf(memory_.simple) : 0);
 }
 
 }  // namespace toile

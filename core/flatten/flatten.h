@@ -1,93 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-#include <string_view>
-#include <vector>
+#include <cstddef>
+#include <memory>
 
-#include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/flatten/method.h"
-#include "core/mesh/mesh_arrays.h"
-#include "core/quality/outline_crossings.h"
+#include "core/flatten/base/flat_piece.h"
+#include "core/flatten/isometric/isometric.h"
 
 namespace toile {
 
 struct Piece;
 
-/// How the boundary problem of [Wang05] eq. (9) is solved; both find the same outline on pieces of
-/// garments. Where one fails, the other is tried (boundary_problem.h).
-enum class BoundarySolver {
-    Newton,  ///< full Newton in edge directions, O(n) per step
-    Slcp,    ///< sequential linearly constrained programming, [Wang05] eq. (14) to (22)
-};
-
-/// How [DMA02]'s free boundary is held against collapsing to a point.
-enum class FreeBoundary {
-    Pinned,    ///< two far boundary vertices are given
-    Spectral,  ///< no vertex is special: the least eigenvector instead [MTAD08]
-};
-
-/// How much time `isometric` takes for how little distortion.
-enum class Quality {
-    Draft,     ///< within some percent of the least distortion: for dragging
-    Standard,  ///< within about a thousandth
-    Fine,      ///< to the last digits that matter
-};
-
-/// The outline in which `stretch` places the interior. Both have exact lengths.
-enum class StretchOutline {
-    Circle,     ///< a convex one, as published: no triangle flips, much distortion
-    Curvature,  ///< that of `curvature`, which suits the cloth better
-};
-
-struct FlattenOptions {
-    Method method = Method::Isometric;
-    BoundarySolver boundarySolver = BoundarySolver::Newton;  ///< where one is solved
-    FreeBoundary freeBoundary = FreeBoundary::Pinned;        ///< used by Natural
-    Quality quality = Quality::Standard;                     ///< used by Isometric
-    StretchOutline stretchOutline = StretchOutline::Circle;  ///< used by Stretch
-    /// mu of [DMA02]'s mix of conformal and authalic weights, (1 - mu) and mu, in [0, 1]; used
-    /// where a conformal interior is placed in a fixed boundary (Wang2005, Curvature).
-    double authalic = 0;
-
-    bool operator==(const FlattenOptions&) const = default;
-};
-
-/// A flattened piece: one planar point per vertex, orientation kept (never mirrored).
-struct FlatPiece {
-    Points2 Q;  ///< #V x 2, millimetres, in the piece's vertex order
-    BoundarySolver boundarySolver = BoundarySolver::Newton;  ///< the one that found the outline
-    int boundaryIterations = 0;  ///< 0 where the method solves no boundary problem
-    double closureGap = 0;       ///< |sum of the boundary edge vectors| / perimeter, before closing
-    double angleEnergy = 0;      ///< 1/2 sum (theta - alpha)^2, radians squared
-    int interiorIterations = 0;  ///< of methods that iterate inside; 0 for one linear solve
-    /// Edges turned to make the cotangent weights non-negative where triangles flipped
-    /// (conformal_interior.h); 0 where the interior was placed by the mesh's own weights.
-    int delaunayFlips = 0;
-    /// Found from where an earlier version lay: as good, but not a function of the piece alone.
-    bool warm = false;
-    double boundarySeconds = 0;
-    double interiorSeconds = 0;
-    Problems notes{};  ///< what the user should know of the result: crossings, degenerate triangles
-    std::vector<OutlineCrossing> crossings{};  ///< of the outline, for nameCrossingCut
-};
-
 /// Flattens one piece. The y axis points where the 3D +y axis points as seen in the plane.
 /// Holes are filled for the solve. The lengths of their rims are kept by `isometric` alone, and
 /// where it cannot, a note says so.
 /// @param piece  a disk, holes aside (no defect), millimetres
-/// Notes of crossings come without the cut that helps (nameCrossingCut).
+/// Notes of crossings come without the cut that helps (diagnose/crossing_cut.h).
 /// @errors the piece's own defect, NoClosedOutline, BoundaryNotConverged, FactorisationFailed,
 ///         NotFinite (coordinates beyond 1e75 mm too), OutOfMemory, Cancelled
-/// Cost: the method's (methods.h). `isometric`: one to ten sparse factorisations of size 2 #V, or
+/// Cost: the method's. `isometric`: one to ten sparse factorisations of size 2 #V, or
 /// on large pieces conjugate gradients; `curvature`: one of size #V. Re-entrant.
 Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
                           const Progress& progress);
 
-/// "newton", "slcp": the words of the command line and the report.
-std::string_view name(BoundarySolver solver);
-std::optional<BoundarySolver> parseBoundarySolver(std::string_view text);
+/// Flattens one piece again and again while it is edited, and reuses what it can: for `isometric`
+/// the positions last found, with the model that led to them. The first flattening, any after a
+/// large edit, and those by other methods are that of `flatten`.
+///
+/// After a small edit `isometric` descends from another start until it meets the same tolerance;
+/// where the energy has several minima it stays in the one that the piece already lies in, whatever
+/// energy `curvature` would have; of the outline's figures it repeats those of the last start from
+/// `curvature`. So the same version reached by other edits may lie a little otherwise, within the
+/// tolerance; who wants the very same positions back (undo) keeps them: they are immutable.
+///
+/// A value: copies share what is kept and go their own ways, so that an edit which parts a piece in
+/// two hands both on. Different objects may be used on different threads at a time, one object on
+/// one thread. After an error, or a cancel, what was kept stands.
+class PieceFlattener {
+public:
+    /// @param piece  the next version; its `sourceVertex` and `sourceFace` say what has stayed.
+    ///               Kept until one takes its place
+    /// Errors: those of `toile::flatten`. Cost: after a small edit fewer steps.
+    Result<FlatPiece> flatten(const std::shared_ptr<const Piece>& piece,
+                              const FlattenOptions& options, const Progress& progress);
+
+    /// About what is kept, pieces aside.
+    std::size_t keptBytes() const;
+    /// About what will be kept of a piece when it has been flattened, known before.
+    static std::size_t expectedBytes(const Piece& piece);
+    /// Begins anew.
+    void forget() { memory_ = {}; }
+
+private:
+    FlatteningMemory memory_;
+};
 
 }  // namespace toile

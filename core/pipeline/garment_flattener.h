@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/flatten/piece_flattener.h"
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
+#include "core/flatten/flatten.h"
 #include "core/pipeline/pipeline.h"
 
 namespace toile {

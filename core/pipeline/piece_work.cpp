@@ -18,7 +18,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/stopwatch.h"
-#include "core/flatten/flat_notes.h"
+#include "core/diagnose/crossing_cut.h"
 #include "core/garment/piece.h"
 
 namespace toile {

@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/flatten/match_versions.h"
+#include "core/flatten/base/match_versions.h"
 
 namespace toile {
 namespace {

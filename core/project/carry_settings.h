@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/project/piece_settings.h"
 

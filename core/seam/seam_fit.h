@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/seam/seam_measure.h"
 

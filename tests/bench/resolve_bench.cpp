@@ -8,7 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/flatten/piece_flattener.h"
+#include "core/flatten/flatten.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/core/support/piece_edits.h"

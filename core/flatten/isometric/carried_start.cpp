@@ -8,15 +8,15 @@
 #include <utility>
 
 #include "core/flatten/boundary/length_constraints.h"
-#include "core/flatten/flattening_memory.h"
+#include "core/flatten/conformal/conformal_methods.h"
 #include "core/flatten/interior/conformal_interior.h"
 #include "core/flatten/isometric/coarsening.h"
 #include "core/flatten/isometric/cut_sides.h"
 #include "core/flatten/isometric/dirichlet_energy.h"
+#include "core/flatten/isometric/isometric.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/flatten/isometric/isometric_start.h"
 #include "core/flatten/isometric/outline_barrier.h"
-#include "core/flatten/methods/methods.h"
 #include "core/garment/garment.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"

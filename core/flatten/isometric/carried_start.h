@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/flatten/base/match_versions.h"
 #include "core/flatten/isometric/isometric_start.h"
-#include "core/flatten/match_versions.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {

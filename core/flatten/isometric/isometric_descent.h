@@ -6,8 +6,8 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/flatten/base/flat_piece.h"
 #include "core/flatten/boundary/edge_loops.h"
-#include "core/flatten/flatten.h"
 #include "core/flatten/isometric/kkt_solver.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/stopwatch.h"
-#include "core/flatten/flat_notes.h"
+#include "core/flatten/base/flat_notes.h"
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/garment/piece.h"

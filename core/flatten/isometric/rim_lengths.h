@@ -3,7 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/flatten/flatten.h"
+#include "core/flatten/base/flat_piece.h"
 
 namespace toile {
 

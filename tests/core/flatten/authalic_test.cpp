@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/free/authalic.h"
+#include "core/flatten/interior/authalic.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/flat_notes.h"
+#include "core/flatten/base/flat_notes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/text.h"
+#include "core/diagnose/crossing_cut.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/flatten/flatten.h"
-#include "core/flatten/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/piece_quality.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The conformal maps without a fixed outline: natural (pinned and spectral), lscm and abf.
-#include "core/flatten/free/free_boundary.h"
+#include "core/flatten/conformal/free_boundary.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "core/flatten/conformal/conformal_energy.h"
 #include "core/flatten/flatten.h"
-#include "core/flatten/free/abf_angles.h"
-#include "core/flatten/free/conformal_energy.h"
+#include "core/flatten/reference/abf_angles.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/shapes.h"

@@ -9,14 +9,14 @@
 
 #include <gtest/gtest.h>
 
-#include "core/flatten/flattening_memory.h"
+#include "core/flatten/flatten.h"
 #include "core/flatten/interior/interior.h"
 #include "core/flatten/isometric/carried_start.h"
 #include "core/flatten/isometric/coarsening.h"
 #include "core/flatten/isometric/cut_sides.h"
+#include "core/flatten/isometric/isometric.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/flatten/isometric/kkt_solver.h"
-#include "core/flatten/piece_flattener.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/piece_edits.h"

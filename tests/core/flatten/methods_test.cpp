@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every method must do: be exact where exactness is possible, not depend on where and how
 // large the piece is, and stop when asked.
-#include "core/flatten/methods/methods.h"
-
 #include <numbers>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "core/flatten/conformal/conformal_methods.h"
 #include "core/garment/garment.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/shapes.h"

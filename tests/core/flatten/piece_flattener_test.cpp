@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/piece_flattener.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/flatten/match_versions.h"
+#include "core/flatten/base/match_versions.h"
+#include "core/flatten/flatten.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/piece_edits.h"

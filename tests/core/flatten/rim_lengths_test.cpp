@@ -11,7 +11,6 @@
 
 #include "core/flatten/flatten.h"
 #include "core/flatten/isometric/isometric_descent.h"
-#include "core/flatten/piece_flattener.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 #include "core/quality/outline_crossings.h"

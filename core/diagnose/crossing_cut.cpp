@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/diagnose/crossing_cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+
+#include "core/base/text.h"
+#include "core/diagnose/inner_ways.h"
+#include "core/garment/piece.h"
+#include "core/quality/measures.h"
+
+namespace toile {
+namespace {
+
+/// Crossings looked at: where there are more, evenly chosen ones stand for the others.
+constexpr std::size_t kMaxCrossings = 256;
+/// Pairs of opposite places to search between.
+constexpr int kMaxOpposite = 16;
+/// Sharpest corners taken as ends: the tip of a slit above all.
+constexpr std::size_t kSharpest = 8;
+constexpr std::size_t kCrossingEnds = 8;
+/// A test of a cut passes over the outline for each edge of the cut. Those that ask whether a cut
+/// resolves everything may pass this many outline edges together.
+constexpr std::size_t kTestedEdges = 1000000;
+constexpr std::size_t kFewestTests = 8;
+constexpr std::size_t kMostTests = 200;
+/// Cuts compared where none resolves everything.
+constexpr std::size_t kFewestLeastBadTests = 4;
+constexpr std::size_t kMostLeastBadTests = 40;
+/// The first ways looked at are as long as this part of the outline at most, the next so many times
+/// as long.
+constexpr double kFirstReach = 0.01;
+constexpr double kReachGrowth = 2;
+/// And from here on they cross the whole piece anyway: all are looked at.
+constexpr double kWholeReach = 0.125;
+/// A cut up to this much longer than the shortest is taken where it divides more evenly.
+constexpr double kHardlyLonger = 1.2;
+
+/// Every k-th of a list, so that at most `most` are left.
+template <class T>
+std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
+    std::vector<T> kept;
+    const std::size_t count = std::min(all.size(), most);
+    for (std::size_t k = 0; k < count; ++k) {
+        kept.push_back(all[k * all.size() / count]);
+    }
+    return kept;
+}
+
+/// 64 bits that look random, the same for the same index everywhere (SplitMix64).
+std::uint64_t scrambled(std::uint64_t index) {
+    std::uint64_t z = (index + 1) * 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+}
+
+class CutSearch {
+public:
+    CutSearch(const Piece& piece, const Points2& Q, const std::vector<OutlineCrossing>& crossings,
+              const Progress& progress)
+        : piece_(piece),
+          Q_(Q),
+          progress_(progress),
+          n_(static_cast<int>(piece.boundary.size())),
+          all_(crossings),
+          crossings_(thinned(crossings, kMaxCrossings)),
+          ways_(piece),
+          along_(piece.boundary.size() + 1, 0),
+          testsLeft_(std::clamp(kTestedEdges / piece.boundary.size(), kFewestTests, kMostTests)) {
+        const Eigen::VectorXd lengths = boundaryLengths3d(piece.mesh.V, piece.boundary);
+        std::partial_sum(lengths.begin(), lengths.end(), along_.begin() + 1);
+    }
+
+    /// Short ways are looked at first, and mostly suffice: what is found among the ways up to a
+    /// length is the same as among all, if nothing longer could be preferred.
+    std::optional<CrossingCut> best() {
+        fromOppositePlaces();
+        fromSpreadPlaces();
+        double longest = kFirstReach * along_.back();
+        while (true) {
+            const bool isAll = findWays(longest > kWholeReach * along_.back()
+                                            ? std::numeric_limits<double>::infinity()
+                                            : longest);
+            const Candidate* shortest = firstThatResolves();
+            if (shortest != nullptr && (isAll || kHardlyLonger * shortest->way.length <= longest)) {
+                return mostEven(*shortest);
+            }
+            if (isAll || progress_.isCancelled()) {
+                return candidates_.empty() ? std::nullopt : std::optional(leastBad());
+            }
+            longest *= kReachGrowth;
+            if (shortest != nullptr) {
+                ++testsLeft_;  // it will be tested again
+                longest = std::max(longest, kHardlyLonger * shortest->way.length);
+            } else if (testsLeft_ == 0) {
+                longest = along_.back();
+            }
+        }
+    }
+
+private:
+    struct Candidate {
+        InnerWay way;
+        int together;  ///< crossings that it does not part
+    };
+
+    /// Places of the outline, to be joined.
+    struct Search {
+        std::vector<int> from, to;
+    };
+
+    /// Sorted: ways that part more of the crossings first, then short ones. True where none is
+    /// longer.
+    bool findWays(double longest) {
+        candidates_.clear();
+        bool isAll = true;
+        for (const Search& search : searches_) {
+            if (progress_.isCancelled()) {
+                break;
+            }
+            add(ways_.find(search.from, search.to, longest));
+            isAll = isAll && !ways_.hasLeftOut();
+        }
+        std::stable_sort(
+            candidates_.begin(), candidates_.end(), [](const Candidate& s, const Candidate& t) {
+                return std::tie(s.together, s.way.length) < std::tie(t.together, t.way.length);
+            });
+        return isAll;
+    }
+
+    bool isBetween(int edge, int from, int to) const {
+        return from < to ? edge >= from && edge < to : from > to && (edge >= from || edge < to);
+    }
+
+    int together(int from, int to) const {
+        return static_cast<int>(std::ranges::count_if(crossings_, [&](const OutlineCrossing& c) {
+            return isBetween(c.first, from, to) == isBetween(c.second, from, to);
+        }));
+    }
+
+    void add(std::vector<InnerWay> found) {
+        for (InnerWay& way : found) {
+            const int left = together(way.from, way.to);
+            if (left < static_cast<int>(crossings_.size())) {
+                candidates_.push_back({std::move(way), left});
+            }
+        }
+    }
+
+    /// A way parts all crossings where its ends lie on different sides of each of them. With a
+    /// random word per crossing, joined by exclusive or on passing its edges, the ends' words
+    /// differ by the join of all.
+    void fromOppositePlaces() {
+        std::vector<std::uint64_t> passed(static_cast<std::size_t>(n_) + 1, 0);
+        std::uint64_t all = 0;
+        for (std::size_t k = 0; k < crossings_.size(); ++k) {
+            all ^= scrambled(k);
+            passed[crossings_[k].first + 1] ^= scrambled(k);
+            passed[crossings_[k].second + 1] ^= scrambled(k);
+        }
+        std::map<std::uint64_t, std::vector<int>> places;
+        std::vector<std::uint64_t> order;  // by first place, not by word
+        for (int i = 0; i < n_; ++i) {
+            passed[i] ^= i > 0 ? passed[i - 1] : 0;
+            auto& here = places[passed[i]];
+            if (here.empty()) {
+                order.push_back(passed[i]);
+            }
+            here.push_back(i);
+        }
+        int searched = 0;
+        for (const std::uint64_t word : order) {
+            const auto opposite = places.find(word ^ all);
+            if (opposite != places.end() && places[word].front() < opposite->second.front() &&
+                searched++ < kMaxOpposite) {
+                searches_.push_back({places[word], opposite->second});
+            }
+        }
+    }
+
+    /// Places where a cut may well end: the sharpest corners, next to crossings, evenly spread.
+    std::vector<int> spreadPlaces(std::size_t count) const {
+        const Eigen::VectorXd angles = boundaryAngles3d(piece_.mesh, piece_.boundary);
+        std::vector<int> sharpest(piece_.boundary.size());
+        std::iota(sharpest.begin(), sharpest.end(), 0);
+        std::stable_sort(sharpest.begin(), sharpest.end(), [&](int i, int j) {
+            return std::abs(angles[i] - std::numbers::pi) > std::abs(angles[j] - std::numbers::pi);
+        });
+        sharpest.resize(std::min(sharpest.size(), kSharpest));
+        std::vector<int> places = sharpest;
+        for (const OutlineCrossing& c : thinned(crossings_, kCrossingEnds)) {
+            for (const int i : {c.first, c.first + 1, c.second, c.second + 1}) {
+                places.push_back(i % n_);
+            }
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const double at = along_.back() * static_cast<double>(k) / static_cast<double>(count);
+            const auto next = std::lower_bound(along_.begin(), along_.end(), at);
+            places.push_back(static_cast<int>(next - along_.begin()) % n_);
+        }
+        std::sort(places.begin(), places.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
+        return places;
+    }
+
+    void fromSpreadPlaces() {
+        const auto edges = static_cast<std::size_t>(piece_.table.edges.rows());
+        const std::vector<int> places =
+            spreadPlaces(std::clamp<std::size_t>(3000000 / edges, 4, 48));
+        for (const int from : thinned(places, std::clamp<std::size_t>(3000000 / edges, 4, 96))) {
+            searches_.push_back({{from}, places});
+        }
+    }
+
+    /// Crossings in the outlines of the two parts, counted to `most`: those there are between edges
+    /// of one part, and those of its new edges. The edge after the way counts as one: what touches
+    /// where an edge starts is judged by the edge before.
+    int left(const InnerWay& way, int most) const {
+        int count = 0;
+        for (const bool second : {false, true}) {
+            const int begin = second ? way.to : way.from;
+            const int end = second ? way.from : way.to;
+            count += static_cast<int>(std::ranges::count_if(all_, [&](const OutlineCrossing& c) {
+                return isBetween(c.first, begin + 1, end) && isBetween(c.second, begin + 1, end);
+            }));
+            std::vector<int> loop;
+            for (int i = begin; i != end; loop.push_back(piece_.boundary[i])) {
+                i = (i + 1) % n_;
+            }
+            const int firstNew = static_cast<int>(loop.size()) - 1;
+            if (second) {
+                loop.insert(loop.end(), way.path.begin() + 1, way.path.end());
+            } else {
+                loop.insert(loop.end(), way.path.rbegin() + 1, way.path.rend());
+            }
+            count += crossingsFrom(Q_, loop, firstNew, most - count);
+        }
+        return count;
+    }
+
+    /// Not to be asked once there are no tests left.
+    bool resolves(const InnerWay& way) {
+        --testsLeft_;
+        return all_.size() < kMaxOutlineCrossings && left(way, 1) == 0;
+    }
+
+    bool mayTest() const { return testsLeft_ > 0 && !progress_.isCancelled(); }
+
+    /// Passes over those that were tested among shorter ways: they come first again.
+    const Candidate* firstThatResolves() {
+        for (; tested_ < candidates_.size(); ++tested_) {
+            const Candidate& c = candidates_[tested_];
+            if (c.together > 0 || !mayTest()) {  // those that part all crossings come first
+                break;
+            }
+            if (resolves(c.way)) {
+                return &c;
+            }
+        }
+        return nullptr;
+    }
+
+    /// How much longer one part's share of the outline is than the other's.
+    double unevenness(const InnerWay& way) const {
+        const double between = std::abs(along_[way.to] - along_[way.from]);
+        return std::abs(along_.back() - 2 * between);
+    }
+
+    /// With the tests that are left.
+    CrossingCut mostEven(const Candidate& shortest) {
+        std::vector<const Candidate*> close;
+        for (const Candidate& c : candidates_) {
+            if (c.together == 0 && c.way.length <= kHardlyLonger * shortest.way.length) {
+                close.push_back(&c);
+            }
+        }
+        std::stable_sort(close.begin(), close.end(), [&](const Candidate* s, const Candidate* t) {
+            return unevenness(s->way) < unevenness(t->way);
+        });
+        for (std::size_t k = 0; k < close.size() && close[k] != &shortest && mayTest(); ++k) {
+            if (resolves(close[k]->way)) {
+                return {close[k]->way.path, close[k]->way.length, true};
+            }
+        }
+        return {shortest.way.path, shortest.way.length, true};
+    }
+
+    /// Of the ways that part the most crossings: the one that leaves the fewest.
+    CrossingCut leastBad() const {
+        const Candidate* best = &candidates_.front();
+        int fewest = std::numeric_limits<int>::max();
+        const std::size_t count =
+            std::min(candidates_.size(), std::clamp(kTestedEdges / piece_.boundary.size(),
+                                                    kFewestLeastBadTests, kMostLeastBadTests));
+        for (std::size_t k = 0; k < count && !progress_.isCancelled(); ++k) {
+            const Candidate& c = candidates_[k];
+            const int here = left(c.way, fewest);
+            if (here < fewest) {
+                best = &c;
+                fewest = here;
+            }
+        }
+        return {best->way.path, best->way.length, false};
+    }
+
+    const Piece& piece_;
+    const Points2& Q_;
+    const Progress& progress_;
+    int n_;
+    const std::vector<OutlineCrossing>& all_;
+    std::vector<OutlineCrossing> crossings_;  ///< some of all
+    InnerWays ways_;
+    std::vector<double> along_;  ///< length of the outline up to each loop vertex
+    std::size_t testsLeft_;
+    std::vector<Search> searches_;
+    std::vector<Candidate> candidates_;
+    std::size_t tested_ = 0;  ///< candidates that do not resolve the crossings
+};
+
+Wording cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) {
+    if (!cut) {
+        return worded("; no cut through the inside was found");
+    }
+    const auto place = [&piece](int v) {
+        return placeWording(piece.mesh.V(v, 0), piece.mesh.V(v, 1), piece.mesh.V(v, 2));
+    };
+    const std::vector<Wording> way{place(cut->path.front()), place(cut->path.back()),
+                                   figure(cut->length3d)};
+    return cut->resolves
+               ? worded("; cut it from %1 to %2, %3 mm", way)
+               : worded("; one cut is not enough: begin with one from %1 to %2, %3 mm", way);
+}
+
+}  // namespace
+
+std::optional<CrossingCut> cutForCrossings(const Piece& piece, const Points2& Q,
+                                           const std::vector<OutlineCrossing>& crossings,
+                                           const Progress& progress) {
+    return CutSearch(piece, Q, crossings, progress).best();
+}
+
+void nameCrossingCut(const Piece& piece, const Points2& Q,
+                     const std::vector<OutlineCrossing>& crossings, const Progress& progress,
+                     Problems& notes) {
+    const auto note = std::ranges::find(notes, ErrorCode::OutlineCrosses, &Error::code);
+    if (note == notes.end()) {
+        return;
+    }
+    const auto cut = cutForCrossings(piece, Q, crossings, progress);
+    if (!progress.isCancelled()) {  // else what was found may not be what there is
+        note->detail += cutWords(piece, cut);
+    }
+}
+
+}  // namespace toile

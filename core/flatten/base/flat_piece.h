@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/words.h"
+#include "core/flatten/base/method.h"
+#include "core/mesh/mesh_arrays.h"
+#include "core/quality/outline_crossings.h"
+
+namespace toile {
+
+/// How the boundary problem of [Wang05] eq. (9) is solved; both find the same outline on pieces of
+/// garments. Where one fails, the other is tried (boundary_problem.h).
+enum class BoundarySolver {
+    Newton,  ///< full Newton in edge directions, O(n) per step
+    Slcp,    ///< sequential linearly constrained programming, [Wang05] eq. (14) to (22)
+};
+
+/// How [DMA02]'s free boundary is held against collapsing to a point.
+enum class FreeBoundary {
+    Pinned,    ///< two far boundary vertices are given
+    Spectral,  ///< no vertex is special: the least eigenvector instead [MTAD08]
+};
+
+/// How much time `isometric` takes for how little distortion.
+enum class Quality {
+    Draft,     ///< within some percent of the least distortion: for dragging
+    Standard,  ///< within about a thousandth
+    Fine,      ///< to the last digits that matter
+};
+
+/// The outline in which `stretch` places the interior. Both have exact lengths.
+enum class StretchOutline {
+    Circle,     ///< a convex one, as published: no triangle flips, much distortion
+    Curvature,  ///< that of `curvature`, which suits the cloth better
+};
+
+struct FlattenOptions {
+    Method method = Method::Isometric;
+    BoundarySolver boundarySolver = BoundarySolver::Newton;  ///< where one is solved
+    FreeBoundary freeBoundary = FreeBoundary::Pinned;        ///< used by Natural
+    Quality quality = Quality::Standard;                     ///< used by Isometric
+    StretchOutline stretchOutline = StretchOutline::Circle;  ///< used by Stretch
+    /// mu of [DMA02]'s mix of conformal and authalic weights, (1 - mu) and mu, in [0, 1]; used
+    /// where a conformal interior is placed in a fixed boundary (Wang2005, Curvature).
+    double authalic = 0;
+
+    bool operator==(const FlattenOptions&) const = default;
+};
+
+/// A flattened piece: one planar point per vertex, orientation kept (never mirrored).
+struct FlatPiece {
+    Points2 Q;  ///< #V x 2, millimetres, in the piece's vertex order
+    BoundarySolver boundarySolver = BoundarySolver::Newton;  ///< the one that found the outline
+    int boundaryIterations = 0;  ///< 0 where the method solves no boundary problem
+    double closureGap = 0;       ///< |sum of the boundary edge vectors| / perimeter, before closing
+    double angleEnergy = 0;      ///< 1/2 sum (theta - alpha)^2, radians squared
+    int interiorIterations = 0;  ///< of methods that iterate inside; 0 for one linear solve
+    /// Edges turned to make the cotangent weights non-negative where triangles flipped
+    /// (conformal_interior.h); 0 where the interior was placed by the mesh's own weights.
+    int delaunayFlips = 0;
+    /// Found from where an earlier version lay: as good, but not a function of the piece alone.
+    bool warm = false;
+    double boundarySeconds = 0;
+    double interiorSeconds = 0;
+    Problems notes{};  ///< what the user should know of the result: crossings, degenerate triangles
+    std::vector<OutlineCrossing> crossings{};  ///< of the outline, for the search of a cut
+};
+
+/// What the choices of a flattening are called on the command line, in the report and in project
+/// files. Once released they stay.
+inline constexpr Word<BoundarySolver> kBoundarySolverWords[] = {{BoundarySolver::Newton, "newton"},
+                                                                {BoundarySolver::Slcp, "slcp"}};
+inline constexpr Word<Quality> kQualityWords[] = {
+    {Quality::Draft, "draft"}, {Quality::Standard, "standard"}, {Quality::Fine, "fine"}};
+inline constexpr Word<FreeBoundary> kFreeBoundaryWords[] = {{FreeBoundary::Pinned, "pinned"},
+                                                            {FreeBoundary::Spectral, "spectral"}};
+inline constexpr Word<StretchOutline> kStretchOutlineWords[] = {
+    {StretchOutline::Circle, "circle"}, {StretchOutline::Curvature, "curvature"}};
+
+inline std::string_view name(BoundarySolver solver) {
+    return wordOf(kBoundarySolverWords, solver);
+}
+inline std::optional<BoundarySolver> parseBoundarySolver(std::string_view text) {
+    return parseWord(kBoundarySolverWords, text);
+}
+
+}  // namespace toile

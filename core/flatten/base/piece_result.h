@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/flatten/base/flat_piece.h"
+#include "core/garment/piece.h"
+#include "core/quality/piece_quality.h"
+
+namespace toile {
+
+/// One piece after the solver: flat, or the reason why not.
+struct PieceResult {
+    std::shared_ptr<const Piece> piece;
+    FlattenOptions options;
+    std::optional<FlatPiece> flat;        ///< points in the plane, before the sheet places them
+    std::optional<PieceQuality> quality;  ///< there where flat is
+    std::optional<Error> error;           ///< there where flat is not
+    std::uint64_t fingerprint = 0;        ///< of the flat points; 0 where not flat
+    double seconds = 0;
+};
+
+/// "flat", "flipped" (flat, but triangles lie turned over) or "failed": the report's words.
+inline std::string_view statusOf(const PieceResult& result) {
+    const bool flipped = result.quality && result.quality->flippedTriangles > 0;
+    return !result.flat ? "failed" : flipped ? "flipped" : "flat";
+}
+
+/// Whether triangles lie turned over although the method promises that none does.
+inline bool breaksPromise(const PieceResult& result) {
+    return result.options.method == Method::Isometric && statusOf(result) == "flipped";
+}
+
+/// Whether another result is to take its place before anything is written.
+inline bool isWarm(const PieceResult& result) {
+    return result.flat && result.flat->warm;
+}
+
+using PieceResults = std::vector<std::shared_ptr<const PieceResult>>;
+
+}  // namespace toile

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/conformal/conformal_energy.h"
+
+#include <cmath>
+#include <complex>
+
+#include <Eigen/Geometry>
+
+namespace toile {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Corner positions of a triangle in its own plane, the first at the origin: that of the second and
+/// of the third. Scaled so that 2 sqrt(A) = 1, which makes the opposite edges the row itself.
+Eigen::RowVector3cd rowOf(Complex second, Complex third) {
+    const double doubleArea = std::imag(std::conj(second) * third);
+    const double scale = 1 / std::sqrt(2 * doubleArea);
+    return Eigen::RowVector3cd(third - second, -third, second) * scale;
+}
+
+}  // namespace
+
+ConformalEnergy::ConformalEnergy(const MeshArrays& mesh)
+    : F_(mesh.F), rows_(mesh.F.rows(), 3), vertexCount_(static_cast<int>(mesh.V.rows())) {
+    for (int f = 0; f < F_.rows(); ++f) {
+        const Eigen::Vector3d a = mesh.V.row(F_(f, 1)) - mesh.V.row(F_(f, 0));
+        const Eigen::Vector3d b = mesh.V.row(F_(f, 2)) - mesh.V.row(F_(f, 0));
+        const double length = a.norm();
+        rows_.row(f) = rowOf(length, Complex(a.dot(b), a.cross(b).norm()) / length);
+    }
+}
+
+ConformalEnergy::ConformalEnergy(const Triangles& F, const Eigen::MatrixX3d& angles,
+                                 int vertexCount)
+    : F_(F), rows_(F.rows(), 3), vertexCount_(vertexCount) {
+    for (int f = 0; f < F_.rows(); ++f) {
+        // Sides are as the sines of the opposite angles.
+        const Complex second = std::sin(angles(f, 2));
+        const Complex third = std::polar(std::sin(angles(f, 1)), angles(f, 0));
+        rows_.row(f) = rowOf(second, third);
+    }
+}
+
+Eigen::VectorXcd ConformalEnergy::residual(const Eigen::VectorXcd& z) const {
+    Eigen::VectorXcd result(F_.rows());
+    for (int f = 0; f < F_.rows(); ++f) {
+        // A row sums to zero: differences first, or the place of the triangle costs digits.
+        const Complex origin = z[F_(f, 0)];
+        result[f] = rows_(f, 1) * (z[F_(f, 1)] - origin) + rows_(f, 2) * (z[F_(f, 2)] - origin);
+    }
+    return result;
+}
+
+Eigen::VectorXcd ConformalEnergy::adjoint(const Eigen::VectorXcd& r) const {
+    Eigen::VectorXcd result = Eigen::VectorXcd::Zero(vertexCount_);
+    for (int f = 0; f < F_.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            result[F_(f, k)] += std::conj(rows_(f, k)) * r[f];
+        }
+    }
+    return result;
+}
+
+void ConformalEnergy::addTo(SymmetricBuilder& builder, const std::vector<int>& unknown) const {
+    for (int f = 0; f < F_.rows(); ++f) {
+        for (int j = 0; j < 3; ++j) {
+            const int v = unknown[F_(f, j)];
+            if (v < 0) {
+                continue;
+            }
+            const double square = std::norm(rows_(f, j));
+            builder.add(2 * v, 2 * v, square);
+            builder.add(2 * v + 1, 2 * v + 1, square);
+            for (int k = j + 1; k < 3; ++k) {
+                const int w = unknown[F_(f, k)];
+                if (w < 0) {
+                    continue;
+                }
+                const Complex entry = std::conj(rows_(f, j)) * rows_(f, k);
+                builder.add(2 * v, 2 * w, entry.real());
+                builder.add(2 * v, 2 * w + 1, -entry.imag());
+                builder.add(2 * v + 1, 2 * w, entry.imag());
+                builder.add(2 * v + 1, 2 * w + 1, entry.real());
+            }
+        }
+    }
+}
+
+}  // namespace toile

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/conformal/free_boundary.h"
+
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/shortest_paths.h"
+#include "core/quality/measures.h"
+
+namespace toile {
+namespace {
+
+/// Of vertices equally far apart (symmetric pieces) the first is taken, whatever rounding says.
+constexpr double kClearlyFarther = 1 + 1e-9;
+/// Each sweep only lengthens the pair; two or three suffice.
+constexpr int kMaxSweeps = 8;
+
+using DistancesFrom = std::function<Eigen::VectorXd(int vertex)>;
+
+int farthest(const std::vector<int>& boundary, const Eigen::VectorXd& distance) {
+    int best = boundary.front();
+    for (const int v : boundary) {
+        if (distance[v] > kClearlyFarther * distance[best]) {
+            best = v;
+        }
+    }
+    return best;
+}
+
+std::array<int, 2> farPair(const Piece& piece, const DistancesFrom& distancesFrom) {
+    Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+    for (const int v : piece.boundary) {
+        middle += piece.mesh.V.row(v) / static_cast<double>(piece.boundary.size());
+    }
+    int first = farthest(piece.boundary, (piece.mesh.V.rowwise() - middle).rowwise().norm());
+    int second = first;
+    double apart = 0;
+    for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
+        const Eigen::VectorXd distance = distancesFrom(first);
+        const int next = farthest(piece.boundary, distance);
+        if (!(distance[next] > kClearlyFarther * apart)) {
+            break;
+        }
+        apart = distance[next];
+        second = std::exchange(first, next);
+    }
+    return {first, second};
+}
+
+}  // namespace
+
+std::array<int, 2> farPairInSpace(const Piece& piece) {
+    return farPair(piece, [&](int v) -> Eigen::VectorXd {
+        return (piece.mesh.V.rowwise() - piece.mesh.V.row(v)).rowwise().norm();
+    });
+}
+
+std::array<int, 2> farPairAlongEdges(const Piece& piece) {
+    const Eigen::VectorXd lengths = edgeLengths3d(piece.mesh.V, piece.table.edges);
+    const std::vector<double> weights(lengths.begin(), lengths.end());
+    return farPair(piece, [&](int v) -> Eigen::VectorXd {
+        const auto forest = shortestForest(piece.table.edges, static_cast<int>(piece.mesh.V.rows()),
+                                           weights, {{v}});
+        return Eigen::Map<const Eigen::VectorXd>(forest.distance.data(), piece.mesh.V.rows());
+    });
+}
+
+Result<FlatPiece> atTrueSize(const Piece& piece, const Points2& points, const Stopwatch& time) {
+    const double scale = boundaryLengths3d(piece.mesh.V, piece.boundary).sum() /
+                         boundaryLengths2d(points, piece.boundary).sum();
+    FlatPiece flat;
+    flat.Q = scale * points;
+    if (!flat.Q.allFinite()) {
+        return Error{ErrorCode::NotFinite, {}, "flat positions"};
+    }
+    flat.angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
+                                   boundaryAngles2d(flat.Q, piece.boundary));
+    flat.interiorSeconds = time.seconds();
+    return flat;
+}
+
+}  // namespace toile

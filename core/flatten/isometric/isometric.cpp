@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/stopwatch.h"
+#include "core/flatten/base/flat_notes.h"
+#include "core/flatten/conformal/conformal_methods.h"
+#include "core/flatten/interior/interior.h"
+#include "core/flatten/isometric/carried_start.h"
+#include "core/flatten/isometric/dirichlet_energy.h"
+#include "core/flatten/isometric/isometric_descent.h"
+#include "core/flatten/isometric/isometric_start.h"
+#include "core/garment/garment.h"
+#include "core/quality/measures.h"
+#include "core/quality/outline_crossings.h"
+
+namespace toile {
+namespace {
+
+/// Energy from which on another start may be better: the mean strain is beyond thirtyfold.
+constexpr double kSqueezedStart = 1e3;
+/// Steps after which a descent from carried positions has gone astray; most need two to six.
+constexpr int kMostCarriedSteps = 15;
+/// Vertices from which conjugate gradients cost less than a factorisation where steps are few.
+constexpr int kRoundsForFew = 15000;
+/// Accuracy of steps by conjugate gradients (two_level_solver.h) that takes as many of them as
+/// exact ones would be.
+constexpr double kRoughSteps = 0.2;
+constexpr int kMostSteppedApart = 40;  // with the outline held apart
+/// Crossings for each edge of the outline beyond which no simple outline is near: two sides that
+/// cross from end to end do so about once an edge.
+constexpr int kMostCrossingsEach = 10;
+
+/// Where the descent begins: at the conformal result, which is the best start, unless it has flips
+/// (its energy is infinite then) or triangles squeezed to almost nothing. Then Tutte's embedding on
+/// a circle, which cannot have flips, if that is better.
+Result<Points2> startOf(const Piece& piece, const Points2* conformal, const Progress& progress) {
+    const SymmetricDirichlet energy(piece.mesh, piece.table);
+    const double ofConformal =
+        conformal ? energy.energy(*conformal) : std::numeric_limits<double>::infinity();
+    if (ofConformal < kSqueezedStart) {
+        return *conformal;
+    }
+    auto circle = tutteOnCircle(piece, progress);
+    const bool better = circle && energy.energy(*circle) <= ofConformal;
+    const bool cancelled = !circle && circle.error().code == ErrorCode::Cancelled;
+    if (conformal && !better && !cancelled) {
+        return *conformal;
+    }
+    return circle;
+}
+
+Result<DescentResult> descend(const Piece& piece, const Points2& start,
+                              const DescentOptions& options, const Progress& progress) {
+    return lowerIsometricEnergy(piece.mesh, piece.table, piece.boundary, start, options, progress);
+}
+
+Result<DescentResult> descendFromCoarse(const Piece& piece, const Points2& start,
+                                        DescentOptions options, const Progress& progress) {
+    IsometricStart near =
+        coarseToFine(piece.mesh, piece.table, piece.boundary, start, options.tolerance, progress);
+    options.multipliers = std::move(near.multipliers);
+    return descend(piece, near.Q, options, progress);
+}
+
+/// Keeps what an edit of this piece may begin with.
+/// @param simple  positions whose outline does not cross itself, or null
+void keep(DescentResult lowest, const Points2* simple, FlatteningMemory& memory) {
+    memory.flattened = nullptr;
+    memory.Q = memory.simple = nullptr;
+    memory.model = nullptr;
+    memory.multipliers = nullptr;
+    if (!lowest.converged) {
+        return;
+    }
+    memory.flattened = memory.present;
+    memory.distortion = lowest.distortion;
+    const bool same = simple != nullptr && (simple->array() == lowest.Q.array()).all();
+    memory.Q = std::make_shared<const Points2>(std::move(lowest.Q));
+    memory.simple = same                ? memory.Q
+                    : simple != nullptr ? std::make_shared<const Points2>(*simple)
+                                        : nullptr;
+    memory.model = std::move(lowest.model);
+    memory.multipliers = std::make_shared<const Eigen::VectorXd>(std::move(lowest.multipliers));
+}
+
+/// A simple outline with the same lengths, if one is near, held apart on the way: after an edit
+/// from the crossing one with its sides parted, or from the last one; else from a circle.
+std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& crossing,
+                                     DescentOptions options, const CarriedStart* carried,
+                                     const Progress& progress) {
+    options.keepOutlineSimple = true;
+    options.sharesModel = false;
+    const auto start =
+        carried != nullptr ? carried->simplePositions(crossing.Q, progress) : std::nullopt;
+    if (start) {
+        DescentOptions again = options;
+        again.maxIterations = std::min(options.maxIterations, kMostSteppedApart);
+        again.multipliers = crossing.multipliers;
+        auto simple = descend(piece, *start, again, progress);
+        if (simple && simple->converged && isNear(simple->distortion, crossing.distortion)) {
+            return std::move(*simple);
+        }
+    }
+    const auto circle = tutteOnCircle(piece, progress);
+    if (!circle) {
+        return std::nullopt;
+    }
+    auto simple = descend(piece, *circle, options, progress);
+    if (!simple || !isNear(simple->distortion, crossing.distortion)) {
+        return std::nullopt;
+    }
+    return std::move(*simple);
+}
+
+/// What follows the descent: a look at the outline, and at the clock.
+Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece flat,
+                         const DescentOptions& descent, const CarriedStart* carried,
+                         const Stopwatch& time, const Progress& progress,
+                         FlatteningMemory* memory) {
+    flat.notes.clear();  // what there was to say of the start
+    if (!lowest.converged) {
+        flat.notes.push_back(
+            endedEarlyNote(piece, worded("after %1 steps", {figure(lowest.iterations)})));
+    }
+    flat.interiorIterations = lowest.iterations;
+    flat.Q = lowest.Q;
+    bool isSimple = true;
+    if (const int crossings = outlineCrossings(flat.Q, piece.boundary); crossings > 0) {
+        isSimple = false;
+        const bool mayBeNear = crossings <= kMostCrossingsEach * std::ssize(piece.boundary);
+        auto simple = mayBeNear ? uncross(piece, lowest, descent, carried, progress) : std::nullopt;
+        if (simple) {
+            flat.notes.push_back(uncrossedNote(piece, crossings));
+            flat.interiorIterations += simple->iterations;
+            flat.Q = std::move(simple->Q);
+            isSimple = outlineIsSimple(flat.Q, piece.boundary);
+        }
+    }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled};
+    }
+    if (memory != nullptr) {
+        keep(std::move(lowest), isSimple ? &flat.Q : nullptr, *memory);
+    }
+    flat.angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
+                                   boundaryAngles2d(flat.Q, piece.boundary));
+    flat.interiorSeconds = time.seconds() - flat.boundarySeconds;
+    return flat;
+}
+
+/// The descent from the positions kept of an earlier version. Nothing where these do not suit.
+std::optional<DescentResult> descendFromCarried(const Piece& piece, DescentOptions options,
+                                                const CarriedStart& carried,
+                                                const Progress& progress) {
+    std::optional<IsometricStart> start;
+    if (auto Q = carried.positions(progress)) {
+        start = IsometricStart{std::move(*Q), carried.multipliers()};
+        options.model = carried.model();
+    } else {
+        start = carried.fromCoarse(options.tolerance, progress);
+        options.sizes.large = kRoundsForFew;
+        options.sizes.accuracy = kRoughSteps;
+    }
+    if (!start) {
+        return std::nullopt;
+    }
+    options.maxIterations = std::min(options.maxIterations, kMostCarriedSteps);
+    options.multipliers = std::move(start->multipliers);
+    auto lowest = descend(piece, start->Q, options, progress);
+    if (!lowest || !lowest->converged) {
+        return std::nullopt;
+    }
+    return std::move(*lowest);
+}
+
+/// Without positions, notes and times.
+FlatPiece figuresOf(const FlatPiece& flat) {
+    FlatPiece figures;
+    figures.boundarySolver = flat.boundarySolver;
+    figures.boundaryIterations = flat.boundaryIterations;
+    figures.closureGap = flat.closureGap;
+    figures.delaunayFlips = flat.delaunayFlips;
+    return figures;
+}
+
+/// The cold way: from the conformal result, or the circle.
+Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions& options,
+                                       const Stopwatch& time, const Progress& progress,
+                                       FlatteningMemory* memory) {
+    DescentOptions descent = descentOptions(options.quality);
+    descent.sharesModel = memory != nullptr;
+    FlattenOptions conformal = options;
+    conformal.authalic = 0;
+    auto flat = flattenCurvature(piece, conformal, progress);
+    if (!flat && (flat.error().code == ErrorCode::Cancelled ||
+                  flat.error().code == ErrorCode::NoClosedOutline)) {
+        return flat;
+    }
+    auto start = startOf(piece, flat ? &flat->Q : nullptr, progress);
+    if (!start) {
+        return start.error();
+    }
+    if (memory != nullptr) {
+        memory->start = flat ? figuresOf(*flat) : FlatPiece{};
+    }
+    auto lowest = descendFromCoarse(piece, *start, descent, progress);
+    if (!lowest && lowest.error().code == ErrorCode::NotFinite && flat) {
+        // In a piece much deeper than its rim is long even the circle's triangles vanish in
+        // rounding. The conformal result is what there is; its flips are counted.
+        flat->notes.push_back(
+            endedEarlyNote(piece, worded("no start without flipped triangles was found")));
+        return flat;
+    }
+    if (!lowest) {
+        return lowest.error();
+    }
+    return finish(piece, std::move(*lowest), flat ? std::move(*flat) : FlatPiece{}, descent,
+                  nullptr, time, progress, memory);
+}
+
+}  // namespace
+
+Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& options,
+                                   const Progress& progress, FlatteningMemory* memory) {
+    const Stopwatch time;
+    if (memory != nullptr && memory->Q) {
+        const CarriedStart carried(piece, *memory);
+        DescentOptions descent = descentOptions(options.quality);
+        descent.sharesModel = true;
+        auto again = descendFromCarried(piece, descent, carried, progress);
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
+        if (again) {
+            auto flat = finish(piece, std::move(*again), memory->start, descent, &carried, time,
+                               progress, memory);
+            if (flat) {
+                flat->warm = true;
+            }
+            return flat;
+        }
+    }
+    return descendFromConformal(piece, options, time, progress, memory);
+}
+
+}  // namespace toile

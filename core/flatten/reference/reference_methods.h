@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/flatten/base/flat_piece.h"
+
+namespace toile {
+
+struct Piece;
+
+/// The methods that are there to compare with, of the shape that conformal_methods.h tells.
+
+/// The outline on a circle with exact edge lengths, the interior by mean value weights [Flo03]:
+/// no flipped triangle, much distortion. Tutte's weights where rounding flips one all the same.
+Result<FlatPiece> flattenConvex(const Piece& piece, const FlattenOptions& options,
+                                const Progress& progress);
+
+/// [YBS04]: a fixed outline, that of `flattenConvex` or `flattenCurvature`
+/// (`options.stretchOutline`), the interior's weights divided by the stretch of the vertices until
+/// the stretch falls no more. Never more flips, nor with as many more stretch, than the method that
+/// gave the outline. A factorisation per step, 1 to 12 steps on the pieces tried.
+Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& options,
+                                 const Progress& progress);
+
+/// [SLMB05] (ABF++): planar angles that differ least from the surface's (abf_angles.h), then the
+/// positions that meet them, by least squares. Scaled to the 3D perimeter. A factorisation of size
+/// 2 #interior per step, 2 to 11 steps on most pieces.
+Result<FlatPiece> flattenAbf(const Piece& piece, const FlattenOptions& options,
+                             const Progress& progress);
+
+}  // namespace toile
