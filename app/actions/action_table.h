@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/flatten/method.h"
+#include "core/flatten/base/method.h"
 
 namespace toile {
 

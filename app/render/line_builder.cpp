@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render/render_style.h"
 #include "app/render/scene_builder.h"
-#include "core/quality/reference_fit.h"
+#include "core/quality/piece_quality.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/flatten.h"
 
-#include <cstddef>
-#include <memory>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
@@ -10,8 +8,8 @@
 #include "core/base/text.h"
 #include "core/flatten/base/flat_notes.h"
 #include "core/flatten/conformal/conformal_methods.h"
+#include "core/flatten/isometric/isometric.h"
 #include "core/flatten/isometric/kkt_solver.h"
-#include "core/flatten/isometric/rim_lengths.h"
 #include "core/flatten/reference/reference_methods.h"
 #include "core/garment/garment.h"
 

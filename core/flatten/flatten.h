@@ -50,8 +50,6 @@ public:
     std::size_t keptBytes() const;
     /// About what will be kept of a piece when it has been flattened, known before.
     static std::size_t expectedBytes(const Piece& piece);
-    /// Begins anew.
-    void forget() { memory_ = {}; }
 
 private:
     FlatteningMemory memory_;

@@ -2,11 +2,9 @@
 #include "core/linalg/elimination_order.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <span>
-#include <tuple>
 
 #include "core/geometry/buckets.h"
 

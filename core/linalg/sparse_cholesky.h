@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include "core/base/result.h"
 
@@ -23,20 +24,21 @@ struct SymmetricMatrix {
 /// taken as their mirror image; add each off-diagonal pair once. Cost: linear.
 class SymmetricBuilder {
 public:
-    explicit SymmetricBuilder(int size) : size_(size) {}
+    explicit SymmetricBuilder(int size) : size_(size) {
+        for (int i = 0; i < size; ++i) {
+            add(i, i, 0);  // is always there
+        }
+    }
 
     void reserve(std::size_t entries) { entries_.reserve(entries); }
-    void add(int i, int j, double value);
+    void add(int i, int j, double value) {
+        entries_.emplace_back(std::max(i, j), std::min(i, j), value);
+    }
     SymmetricMatrix build() const;
 
 private:
-    struct Entry {
-        int row, column;
-        double value;
-    };
-
     int size_;
-    std::vector<Entry> entries_;
+    std::vector<Eigen::Triplet<double>> entries_;
 };
 
 /// A kept Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD: simplicial for

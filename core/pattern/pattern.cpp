@@ -6,7 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/base/unique_names.h"
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/seam/seam_measure.h"
 

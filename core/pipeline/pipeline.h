@@ -11,6 +11,7 @@
 #include "core/compare/comparison.h"
 #include "core/cut/seams_file.h"
 #include "core/flatten/base/piece_result.h"
+#include "core/flatten/flatten.h"
 #include "core/garment/garment.h"
 #include "core/garment/identify.h"
 #include "core/layout/marker.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/layout/marker.h"
 #include "core/project/piece_labels.h"
 #include "core/project/rigid_motion.h"

@@ -8,7 +8,7 @@
 
 #include "core/base/field_archive.h"
 #include "core/cut/seams_fields.h"
-#include "core/flatten/option_words.h"
+#include "core/flatten/base/flat_piece.h"
 #include "core/project/project.h"
 
 namespace toile {

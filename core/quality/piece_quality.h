@@ -2,14 +2,27 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "core/mesh/mesh_arrays.h"
-#include "core/quality/reference_fit.h"
 
 namespace toile {
 
 struct Piece;
+
+/// How far a flat piece lies from a given flat panel after the best rigid motion, or the best
+/// motion with a reflection where that fits better. Over all vertices, millimetres.
+struct ReferenceFit {
+    double rms = 0;
+    double max = 0;
+    bool mirrored = false;
+};
+
+/// @param flat, reference  #V x 2 each, vertex by vertex, at least one vertex. Pure; linear.
+ReferenceFit fitToReference(const Points2& flat, const Points2& reference);
+
+/// The given panel laid on the flat piece by that motion: #V x 2, mm, in the flat piece's
+/// coordinates. `fitToReference` tells how far the points then lie from the piece's. Pure; linear.
+Points2 placedReference(const Points2& flat, const Points2& reference);
 
 /// All figures of one flattened piece; the fields of the JSON report (docs/report.md) by the same
 /// names. Millimetres, square millimetres, radians. Empty where a figure would be infinite.
@@ -34,7 +47,6 @@ struct DistortionFields {
     Eigen::VectorXd areaChange;   ///< per face: A2D/A3D - 1
     Eigen::VectorXd angleChange;  ///< per face: largest |corner angle 2D - 3D|, radians
     Eigen::VectorXd edgeStrain;   ///< per edge of piece.table.edges: L3D/L2D - 1
-    Eigen::VectorXd faceStrain;   ///< per face: of its three edges' strains the one largest in size
 };
 
 DistortionFields distortionFields(const Piece& piece, const Points2& Q);

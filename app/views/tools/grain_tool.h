@@ -10,7 +10,7 @@
 #include "app/document/layout.h"
 #include "app/views/garment_arrows.h"
 #include "app/views/tool.h"
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 
 namespace toile {

@@ -6,11 +6,9 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include <Eigen/Geometry>
 

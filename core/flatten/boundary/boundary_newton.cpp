@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/text.h"
 #include "core/flatten/boundary/boundary_kkt.h"
 

@@ -57,6 +57,13 @@ Result<FlatBoundary> solveBoundaryDescent(const BoundaryProblem& problem, const 
 Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolver solver,
                                    const Progress& progress);
 
+/// The convex polygon with the given edge lengths inscribed in a circle, anti-clockwise, edge i
+/// from vertex i to i+1. It exists and is unique where no edge is as long as all others together;
+/// with one long edge the circle's centre lies outside. No three vertices are in line.
+/// @param lengths  n >= 3, positive  @return n x 2, unit of the lengths
+/// Errors: NoClosedOutline. Cost: one scalar root, O(n) per step. Pure.
+Result<Points2> circleOutline(const Eigen::VectorXd& lengths);
+
 namespace detail {
 
 /// Wanted angles plus the evenly spread deficit ((n-2) pi - sum alpha) / n: the start from which

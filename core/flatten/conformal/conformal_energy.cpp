@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/conformal/conformal_energy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include <Eigen/Geometry>
+
+#include "core/flatten/interior/interior.h"
 
 namespace toile {
 namespace {
 
 using Complex = std::complex<double>;
+
+/// Refinements after the first solution. Each gains the digits the factorisation has; the last one
+/// is where the correction no longer shrinks.
+constexpr int kMaxRefinements = 12;
+/// A correction below this part of the solution is rounding.
+constexpr double kNegligible = 1e-15;
 
 /// Corner positions of a triangle in its own plane, the first at the origin: that of the second and
 /// of the third. Scaled so that 2 sqrt(A) = 1, which makes the opposite edges the row itself.
@@ -85,6 +95,76 @@ void ConformalEnergy::addTo(SymmetricBuilder& builder, const std::vector<int>& u
             }
         }
     }
+}
+
+Result<Eigen::VectorXcd> solveFree(const SparseCholesky& cholesky, const std::vector<int>& unknown,
+                                   const Eigen::VectorXcd& right) {
+    const auto count = std::ranges::count_if(unknown, [](int u) { return u >= 0; });
+    Eigen::VectorXd split(2 * count);
+    for (Eigen::Index v = 0; v < right.size(); ++v) {
+        if (const Eigen::Index u = unknown[v]; u >= 0) {
+            split.segment<2>(2 * u) << right[v].real(), right[v].imag();
+        }
+    }
+    const auto solved = cholesky.solve(split);
+    if (!solved) {
+        return solved.error();
+    }
+    Eigen::VectorXcd z = Eigen::VectorXcd::Zero(right.size());
+    for (Eigen::Index v = 0; v < z.size(); ++v) {
+        if (const Eigen::Index u = unknown[v]; u >= 0) {
+            z[v] = {(*solved)(2 * u, 0), (*solved)(2 * u + 1, 0)};
+        }
+    }
+    return z;
+}
+
+Result<Points2> solvePinned(const ConformalEnergy& energy, std::array<int, 2> pins, double distance,
+                            const Progress& progress) {
+    const int vertexCount = energy.vertexCount();
+    const int count = vertexCount - static_cast<int>(pins.size());
+    const std::vector<int> unknown = unknownsBut(pins, vertexCount);
+    SymmetricBuilder builder(2 * count);
+    energy.addTo(builder, unknown);
+    const SymmetricMatrix matrix = builder.build();
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled};
+    }
+    SparseCholesky cholesky;
+    const auto factorised = cholesky.factorise(matrix);
+    if (!factorised) {
+        return factorised.error();
+    }
+    // From "all free vertices at the first pin", every step solves for what is missing: the first
+    // finds the solution as the normal equations see it, the others mend it.
+    Eigen::VectorXcd z = Eigen::VectorXcd::Zero(vertexCount);
+    z[pins[1]] = distance;
+    double last = std::numeric_limits<double>::infinity();
+    for (int step = 0; step <= kMaxRefinements && count > 0; ++step) {
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
+        const auto change = solveFree(cholesky, unknown, -energy.adjoint(energy.residual(z)));
+        if (!change) {
+            return change.error();
+        }
+        const double size =
+            std::max(change->real().cwiseAbs().maxCoeff(), change->imag().cwiseAbs().maxCoeff());
+        if (!std::isfinite(size)) {
+            return Error{ErrorCode::NotFinite, {}, "flat positions"};
+        }
+        if (step > 0 && size >= 0.5 * last) {
+            break;  // nothing more to gain
+        }
+        z += *change;
+        if (size <= kNegligible * z.cwiseAbs().maxCoeff()) {
+            break;
+        }
+        last = step == 0 ? last : size;
+    }
+    Points2 Q(vertexCount, 2);
+    Q << z.real(), z.imag();
+    return Q;
 }
 
 }  // namespace toile

@@ -8,6 +8,9 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/base/stopwatch.h"
+#include "core/flatten/base/flat_piece.h"
+#include "core/garment/piece.h"
 #include "core/linalg/sparse_cholesky.h"
 #include "core/mesh/mesh_arrays.h"
 
@@ -45,6 +48,11 @@ private:
     int vertexCount_;
 };
 
+/// Solves with a factorised matrix of `addTo`, and puts 0 where a vertex is left out.
+/// @param right  #V  @return #V. Errors: OutOfMemory.
+Result<Eigen::VectorXcd> solveFree(const SparseCholesky& cholesky, const std::vector<int>& unknown,
+                                   const Eigen::VectorXcd& right);
+
 /// Least E with two vertices held. Solved by its normal equations and then refined: the residual is
 /// taken triangle by triangle, which mends the digits that squaring M's condition costs.
 /// @param pins  two different vertices  @param distance  between their images, at the origin and on
@@ -65,5 +73,19 @@ Result<Points2> solvePinned(const ConformalEnergy& energy, std::array<int, 2> pi
 /// 2 #V, one back-substitution per step: 5 to 20, up to 200 where two eigenvalues are close.
 Result<Points2> solveSpectral(const ConformalEnergy& energy, const std::vector<int>& boundary,
                               int& iterations, const Progress& progress);
+
+/// What the methods without a fixed outline share.
+
+/// Two boundary vertices far apart in space: the farthest from the outline's middle, then each in
+/// turn the farthest from the other until the distance no longer grows. Cost: linear. Pure.
+std::array<int, 2> farPairInSpace(const Piece& piece);
+
+/// Two boundary vertices far apart along the mesh's edges: the same search with the shortest edge
+/// paths. A rolled piece is long this way. Cost: a few times #E log #V. Pure.
+std::array<int, 2> farPairAlongEdges(const Piece& piece);
+
+/// The result of a free-boundary method: points scaled so that the outline has the 3D perimeter,
+/// and the outline's angle energy. Errors: NotFinite (a collapsed or broken outline).
+Result<FlatPiece> atTrueSize(const Piece& piece, const Points2& points, const Stopwatch& time);
 
 }  // namespace toile

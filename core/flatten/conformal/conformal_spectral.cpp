@@ -6,6 +6,7 @@
 #include <Eigen/SVD>
 
 #include "core/flatten/conformal/conformal_energy.h"
+#include "core/flatten/interior/interior.h"
 
 namespace toile {
 namespace {
@@ -26,14 +27,10 @@ constexpr int kShifts = 4;
 class SpectralProblem {
 public:
     SpectralProblem(const ConformalEnergy& energy, const std::vector<int>& boundary)
-        : energy_(energy), boundary_(boundary) {}
+        : energy_(energy), boundary_(boundary), unknown_(unknownsBut({}, energy.vertexCount())) {}
 
     /// With the smallest shift for which rounding leaves the matrix definite.
     Result<void> factorise(const Progress& progress) {
-        std::vector<int> unknown(static_cast<std::size_t>(energy_.vertexCount()));
-        for (std::size_t v = 0; v < unknown.size(); ++v) {
-            unknown[v] = static_cast<int>(v);
-        }
         Result<void> done = Error{ErrorCode::FactorisationFailed};
         double shift = kFirstShift;
         for (int attempt = 0; attempt < kShifts; ++attempt, shift *= kShiftGrowth) {
@@ -41,7 +38,7 @@ public:
                 return Error{ErrorCode::Cancelled};
             }
             SymmetricBuilder builder(2 * energy_.vertexCount());
-            energy_.addTo(builder, unknown);
+            energy_.addTo(builder, unknown_);
             for (const int v : boundary_) {
                 builder.add(2 * v, 2 * v, shift);
                 builder.add(2 * v + 1, 2 * v + 1, shift);
@@ -54,20 +51,8 @@ public:
         return done;
     }
 
-    Result<Eigen::VectorXcd> solve(const Eigen::VectorXcd& right) {
-        Eigen::VectorXd split(2 * right.size());
-        for (Eigen::Index v = 0; v < right.size(); ++v) {
-            split.segment<2>(2 * v) << right[v].real(), right[v].imag();
-        }
-        const auto x = cholesky_.solve(split);
-        if (!x) {
-            return x.error();
-        }
-        Eigen::VectorXcd z(right.size());
-        for (Eigen::Index v = 0; v < z.size(); ++v) {
-            z[v] = {(*x)(2 * v, 0), (*x)(2 * v + 1, 0)};
-        }
-        return z;
+    Result<Eigen::VectorXcd> solve(const Eigen::VectorXcd& right) const {
+        return solveFree(cholesky_, unknown_, right);
     }
 
     Eigen::VectorXcd timesB(const Eigen::VectorXcd& z) const {
@@ -106,11 +91,10 @@ public:
         return basis;
     }
 
-    const ConformalEnergy& energy() const { return energy_; }
-
 private:
     const ConformalEnergy& energy_;
     const std::vector<int>& boundary_;
+    std::vector<int> unknown_;  ///< all of them
     SparseCholesky cholesky_;
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/conformal/free_boundary.h"
 
-#include <cmath>
 #include <functional>
 #include <utility>
 #include <vector>
 
+#include "core/flatten/conformal/conformal_energy.h"
+#include "core/flatten/conformal/conformal_methods.h"
 #include "core/geometry/shortest_paths.h"
 #include "core/quality/measures.h"
 
@@ -79,6 +79,35 @@ Result<FlatPiece> atTrueSize(const Piece& piece, const Points2& points, const St
                                    boundaryAngles2d(flat.Q, piece.boundary));
     flat.interiorSeconds = time.seconds();
     return flat;
+}
+
+Result<FlatPiece> flattenNatural(const Piece& piece, const FlattenOptions& options,
+                                 const Progress& progress) {
+    const Stopwatch time;
+    const ConformalEnergy energy(piece.mesh);
+    int iterations = 0;
+    const auto points = options.freeBoundary == FreeBoundary::Spectral
+                            ? solveSpectral(energy, piece.boundary, iterations, progress)
+                            : solvePinned(energy, farPairInSpace(piece), 1, progress);
+    if (!points) {
+        return points.error();
+    }
+    auto flat = atTrueSize(piece, *points, time);
+    if (flat) {
+        flat->interiorIterations = iterations;
+    }
+    return flat;
+}
+
+Result<FlatPiece> flattenLscm(const Piece& piece, const FlattenOptions& /*options*/,
+                              const Progress& progress) {
+    const Stopwatch time;
+    const auto points =
+        solvePinned(ConformalEnergy(piece.mesh), farPairAlongEdges(piece), 1, progress);
+    if (!points) {
+        return points.error();
+    }
+    return atTrueSize(piece, *points, time);
 }
 
 }  // namespace toile

@@ -8,16 +8,31 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/flatten/interior/interior.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/intrinsic_delaunay.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
+
+/// Turns edges near the given faces, and only there, until the part of the surface that consists of
+/// these faces and some rings about them is Delaunay (intrinsic_delaunay.h); its rim stays. The
+/// result is the Laplacian of the same surface, differing from the mesh's own in a few rows;
+/// sorted, each pair of vertices once.
+/// @param own    cotangentWeights(mesh, table)
+/// @param faces  indices into mesh.F
+/// @param rings  faces at a corner of the given ones are the first ring, and so on
+/// Precondition: no degenerate triangles. Errors: Cancelled. Cost: some linear passes, and
+/// `intrinsicDelaunay` of the part. Deterministic. Re-entrant.
+Result<IntrinsicDelaunay> delaunayAround(const MeshArrays& mesh, const EdgeTable& table,
+                                         const Eigen::VectorXd& own, const std::vector<int>& faces,
+                                         int rings, const Progress& progress);
 
 struct Piece;
 
 /// Places the interior of a piece by conformal (cotangent) weights with the outline held, [DMA02]
 /// section 4. The mesh's own weights come first: they give the published figures, and on most
 /// pieces the whole answer. Weights of obtuse triangles may be negative, and then triangles turn
-/// over. Around those the weights of the surface's Delaunay triangulation (delaunay_around.h) take
+/// over. Around those the weights of the surface's Delaunay triangulation (`delaunayAround`) take
 /// their place if they do better; everywhere (intrinsic_delaunay.h), where the own weights leave no
 /// positive definite system. They are no guarantee: an outline that is not convex can turn
 /// triangles over with any weights, and long needles, which are no triangles of that triangulation,
@@ -42,9 +57,7 @@ public:
 
     /// Values at all vertices from those of the outline, by the weights now in use, whatever
     /// becomes of the triangles. Errors: NotFinite, OutOfMemory.
-    Result<Eigen::MatrixXd> extend(const Eigen::MatrixXd& onOutline) const {
-        return system_.extend(onOutline);
-    }
+    Result<Points2> extend(const Points2& onOutline) const { return system_.extend(onOutline); }
 
     /// Edges turned for the weights now in use; 0: the mesh's own.
     int delaunayFlips() const { return delaunayFlips_; }
@@ -52,10 +65,8 @@ public:
 private:
     explicit ConformalInterior(const Piece& piece) : piece_(&piece) {}
 
-    Result<ConformalInterior> withOther(Result<InteriorSystem> system, int flips) const;
-    Result<ConformalInterior> withDelaunayWeights(const Progress& progress) const;
-    Result<ConformalInterior> withDelaunayWeightsAround(const std::vector<int>& faces,
-                                                        const Progress& progress) const;
+    Result<ConformalInterior> withDelaunayWeights(const std::vector<int>& faces,
+                                                  const Progress& progress) const;
 
     const Piece* piece_;
     InteriorSystem system_;

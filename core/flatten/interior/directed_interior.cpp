@@ -3,27 +3,12 @@
 
 #include <cmath>
 
+#include "core/flatten/interior/interior.h"
 #include "core/linalg/sparse_lu.h"
+#include "core/mesh/cotangents.h"
 #include "core/quality/measures.h"
 
 namespace toile {
-namespace {
-
-/// Unknown of each vertex, numbered in vertex order; -1 on the boundary.
-std::vector<int> unknowns(int vertexCount, const std::vector<int>& boundary) {
-    std::vector<int> unknown(static_cast<std::size_t>(vertexCount), 0);
-    for (const int v : boundary) {
-        unknown[v] = -1;
-    }
-    int next = 0;
-    for (int& u : unknown) {
-        u = u < 0 ? -1 : next++;
-    }
-    return unknown;
-}
-
-}  // namespace
-
 DirectedEdges meanValueWeights(const MeshArrays& mesh, const EdgeTable& table) {
     DirectedEdges graph{table.edges, Eigen::MatrixX2d::Zero(table.edges.rows(), 2)};
     const Eigen::MatrixX3d angles = cornerAngles3d(mesh);
@@ -44,7 +29,7 @@ DirectedEdges meanValueWeights(const MeshArrays& mesh, const EdgeTable& table) {
 Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
                               const std::vector<int>& boundary, const Points2& outline,
                               const Progress& progress) {
-    const std::vector<int> unknown = unknowns(vertexCount, boundary);
+    const std::vector<int> unknown = unknownsBut(boundary, vertexCount);
     const int size = vertexCount - static_cast<int>(boundary.size());
     Points2 Q = Points2::Zero(vertexCount, 2);
     for (std::size_t i = 0; i < boundary.size(); ++i) {
@@ -53,7 +38,7 @@ Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
     if (size == 0) {
         return Q;
     }
-    std::vector<MatrixEntry> entries;
+    std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(static_cast<std::size_t>(4 * graph.edges.rows()));
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(size, 2);
     for (int e = 0; e < graph.edges.rows(); ++e) {
@@ -64,9 +49,9 @@ Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
             if (at < 0) {
                 continue;
             }
-            entries.push_back({at, at, weight});
+            entries.emplace_back(at, at, weight);
             if (unknown[other] >= 0) {
-                entries.push_back({at, unknown[other], -weight});
+                entries.emplace_back(at, unknown[other], -weight);
             } else {
                 right.row(at) += weight * Q.row(other);
             }
@@ -75,15 +60,10 @@ Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
-    SparseLu lu;
-    const auto factorised = lu.factorise(size, entries);
-    if (!factorised) {
-        return factorised.error();
-    }
+    const auto solved = solveUnsymmetric(entries, right);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
-    const auto solved = lu.solve(right);
     if (!solved) {
         return solved.error();
     }
@@ -96,6 +76,38 @@ Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
         }
     }
     return Q;
+}
+
+DirectedEdges authalicWeights(const MeshArrays& mesh, const EdgeTable& table) {
+    DirectedEdges graph{table.edges, Eigen::MatrixX2d::Zero(table.edges.rows(), 2)};
+    const Eigen::MatrixX3d angles = cornerAngles3d(mesh);
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const double cotangent = 1 / std::tan(angles(f, k));
+            for (const int e : {table.faceEdges(f, k), table.faceEdges(f, (k + 2) % 3)}) {
+                // The angle at v_j counts in the equation of the edge's other end, v_i.
+                const int side = table.edges(e, 0) == mesh.F(f, k) ? 1 : 0;
+                graph.weights(e, side) += cotangent;
+            }
+        }
+    }
+    const Eigen::ArrayXd squares = edgeLengths3d(mesh.V, table.edges).array().square();
+    const Eigen::ArrayXd scale = squares.mean() / squares;
+    graph.weights.array().colwise() *= scale;
+    return graph;
+}
+
+Result<Points2> fillInteriorMixed(const MeshArrays& mesh, const EdgeTable& table,
+                                  const std::vector<int>& boundary, const Points2& outline,
+                                  double mu, const Progress& progress) {
+    if (mu == 0) {
+        return fillInterior({table.edges, cotangentWeights(mesh, table)}, mesh.V, boundary, outline,
+                            progress);
+    }
+    DirectedEdges graph = authalicWeights(mesh, table);
+    graph.weights *= mu;
+    graph.weights.colwise() += 2 * (1 - mu) * cotangentWeights(mesh, table);
+    return solveDirected(graph, static_cast<int>(mesh.V.rows()), boundary, outline, progress);
 }
 
 }  // namespace toile

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/flatten/boundary/circle_outline.h"
+#include "core/flatten/boundary/boundary_problem.h"
 #include "core/garment/piece.h"
 #include "core/linalg/elimination_order.h"
 #include "core/mesh/cotangents.h"
@@ -59,6 +59,18 @@ SymmetricMatrix interiorLaplacian(const WeightedEdges& graph, const std::vector<
 
 }  // namespace
 
+std::vector<int> unknownsBut(std::span<const int> held, int vertexCount) {
+    std::vector<int> unknown(static_cast<std::size_t>(vertexCount), 0);
+    for (const int v : held) {
+        unknown[v] = -1;
+    }
+    int next = 0;
+    for (int& u : unknown) {
+        u = u < 0 ? -1 : next++;
+    }
+    return unknown;
+}
+
 Result<InteriorSystem> InteriorSystem::make(WeightedEdges graph, const Points3& V,
                                             const std::vector<int>& boundary,
                                             const Progress& progress) {
@@ -66,13 +78,9 @@ Result<InteriorSystem> InteriorSystem::make(WeightedEdges graph, const Points3& 
     InteriorSystem system;
     system.graph_ = std::move(graph);
     system.boundary_ = boundary;
-    system.interiorIndex_.assign(static_cast<std::size_t>(vertexCount), 0);
-    for (const int v : boundary) {
-        system.interiorIndex_[v] = -1;
-    }
+    system.interiorIndex_ = unknownsBut(boundary, vertexCount);
     for (int v = 0; v < vertexCount; ++v) {
         if (system.interiorIndex_[v] >= 0) {
-            system.interiorIndex_[v] = static_cast<int>(system.interior_.size());
             system.interior_.push_back(v);
         }
     }
@@ -80,10 +88,7 @@ Result<InteriorSystem> InteriorSystem::make(WeightedEdges graph, const Points3& 
         return system;
     }
     const auto factorised = system.factorise(V, progress);
-    if (!factorised) {
-        return factorised.error();
-    }
-    return system;
+    return factorised ? Result<InteriorSystem>(std::move(system)) : factorised.error();
 }
 
 Result<void> InteriorSystem::factorise(const Points3& V, const Progress& progress) {
@@ -113,14 +118,11 @@ Result<void> InteriorSystem::factorise(const Points3& V, const Progress& progres
     return {};
 }
 
-/// What the boundary's values add to the equations of their neighbours inside. #V x k.
-Eigen::MatrixXd InteriorSystem::boundaryTerms(const Eigen::MatrixXd& onBoundary) const {
-    Eigen::MatrixXd values =
-        Eigen::MatrixXd::Zero(static_cast<int>(interiorIndex_.size()), onBoundary.cols());
-    for (std::size_t i = 0; i < boundary_.size(); ++i) {
-        values.row(boundary_[i]) = onBoundary.row(static_cast<Eigen::Index>(i));
-    }
-    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(values.rows(), values.cols());
+Result<Points2> InteriorSystem::extend(const Points2& onBoundary) const {
+    Points2 values = Points2::Zero(std::ssize(interiorIndex_), 2);
+    values(boundary_, Eigen::all) = onBoundary;
+    // What the boundary's values add to the equations of their neighbours inside.
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(values.rows(), 2);
     for (int e = 0; e < graph_.edges.rows(); ++e) {
         const int a = graph_.edges(e, 0);
         const int b = graph_.edges(e, 1);
@@ -130,18 +132,13 @@ Eigen::MatrixXd InteriorSystem::boundaryTerms(const Eigen::MatrixXd& onBoundary)
             right.row(b) += graph_.weights[e] * values.row(a);
         }
     }
-    return right;
-}
-
-Result<Eigen::MatrixXd> InteriorSystem::extend(const Eigen::MatrixXd& onBoundary) const {
-    auto solved = solve(boundaryTerms(onBoundary));
+    const auto solved = solve(right);
     if (!solved) {
         return solved.error();
     }
-    for (std::size_t i = 0; i < boundary_.size(); ++i) {
-        solved->row(boundary_[i]) = onBoundary.row(static_cast<Eigen::Index>(i));
-    }
-    return solved;
+    values = *solved;
+    values(boundary_, Eigen::all) = onBoundary;
+    return values;
 }
 
 Result<Eigen::MatrixXd> InteriorSystem::solve(const Eigen::MatrixXd& b) const {
@@ -157,9 +154,7 @@ Result<Eigen::MatrixXd> InteriorSystem::solve(const Eigen::MatrixXd& b) const {
         return Error{ErrorCode::NotFinite, {}, "interior positions"};
     }
     Eigen::MatrixXd values = Eigen::MatrixXd::Zero(vertexCount, b.cols());
-    for (std::size_t i = 0; i < interior_.size(); ++i) {
-        values.row(interior_[i]) = solved->row(static_cast<Eigen::Index>(i));
-    }
+    values(interior_, Eigen::all) = *solved;
     return values;
 }
 
@@ -175,25 +170,11 @@ Eigen::MatrixXd InteriorSystem::apply(const Eigen::MatrixXd& u) const {
     return result;
 }
 
-Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
-                             const std::vector<int>& boundary, const Points2& outline,
-                             const Progress& progress) {
-    return fillInterior({table.edges, cotangentWeights(mesh, table)}, mesh.V, boundary, outline,
-                        progress);
-}
-
 Result<Points2> fillInterior(WeightedEdges graph, const Points3& V,
                              const std::vector<int>& boundary, const Points2& outline,
                              const Progress& progress) {
     const auto system = InteriorSystem::make(std::move(graph), V, boundary, progress);
-    if (!system) {
-        return system.error();
-    }
-    const auto points = system->extend(outline);
-    if (!points) {
-        return points.error();
-    }
-    return Points2(*points);
+    return system ? system->extend(outline) : system.error();
 }
 
 Result<Points2> tutteOnCircle(const Piece& piece, const Progress& progress) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -12,6 +13,9 @@
 namespace toile {
 
 struct Piece;
+
+/// Numbers of the vertices that are not held, in vertex order; -1 of those that are.
+std::vector<int> unknownsBut(std::span<const int> held, int vertexCount);
 
 /// The Laplace equation with the boundary held: sum_j w_ij (q_j - q_i) = 0 at every interior
 /// vertex, [DMA02] section 4. One sparse Cholesky factorisation, kept, so that several right-hand
@@ -27,9 +31,9 @@ public:
 
     const WeightedEdges& graph() const { return graph_; }
 
-    /// Values at all vertices (#V x k) from those on the boundary (row i: boundary vertex i).
+    /// Points at all vertices (#V x 2) from those on the boundary (row i: boundary vertex i).
     /// Errors: those of `solve`.
-    Result<Eigen::MatrixXd> extend(const Eigen::MatrixXd& onBoundary) const;
+    Result<Points2> extend(const Points2& onBoundary) const;
 
     /// L u = b at the interior vertices, u = 0 on the boundary; L = -sum_j w_ij (u_j - u_i). Rows
     /// of b at boundary vertices are not looked at. #V x k both.
@@ -41,7 +45,6 @@ public:
 
 private:
     Result<void> factorise(const Points3& V, const Progress& progress);
-    Eigen::MatrixXd boundaryTerms(const Eigen::MatrixXd& onBoundary) const;
 
     WeightedEdges graph_;
     std::vector<int> boundary_;
@@ -50,16 +53,13 @@ private:
     SparseCholesky cholesky_;
 };
 
-/// Places the interior of a piece by conformal (cotangent) weights with the boundary held.
+/// Places the interior of a piece by symmetric weights with the boundary held.
+/// @param graph  cotangent weights: the conformal interior
 /// @param boundary  the loop; its i-th vertex is held at outline row i (mm)
 /// @return #V x 2, mm
 /// Errors: FactorisationFailed, OutOfMemory, NotFinite, Cancelled (checked before each stage). No
 /// guarantee against flipped triangles: the outline is not convex in general. Cost: one
 /// factorisation, two back-substitutions. Re-entrant.
-Result<Points2> fillInterior(const MeshArrays& mesh, const EdgeTable& table,
-                             const std::vector<int>& boundary, const Points2& outline,
-                             const Progress& progress);
-/// The same by other weights.
 Result<Points2> fillInterior(WeightedEdges graph, const Points3& V,
                              const std::vector<int>& boundary, const Points2& outline,
                              const Progress& progress);

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/isometric/carried_start.h"
-
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <optional>
+#include <numeric>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "core/flatten/boundary/length_constraints.h"
 #include "core/flatten/conformal/conformal_methods.h"
 #include "core/flatten/interior/conformal_interior.h"
 #include "core/flatten/isometric/coarsening.h"
-#include "core/flatten/isometric/cut_sides.h"
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/flatten/isometric/isometric_start.h"
-#include "core/flatten/isometric/outline_barrier.h"
+#include "core/flatten/isometric/outline_terms.h"
 #include "core/garment/garment.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
@@ -57,19 +55,13 @@ std::optional<Points2> following(const Piece& piece, const Points2& carried, con
     if (!interior) {
         return std::nullopt;
     }
-    Eigen::MatrixXd motion(static_cast<Eigen::Index>(piece.boundary.size()), 2);
-    for (std::size_t i = 0; i < piece.boundary.size(); ++i) {
-        const int v = piece.boundary[i];
-        motion.row(static_cast<Eigen::Index>(i)) = outline.row(v) - carried.row(v);
-    }
-    const auto followed = interior->extend(motion);
+    const Points2 motion = outline - carried;
+    const auto followed = interior->extend(motion(piece.boundary, Eigen::all));
     if (!followed) {
         return std::nullopt;
     }
     Points2 moved = carried + *followed;
-    for (const int v : piece.boundary) {
-        moved.row(v) = outline.row(v);  // to the last digit
-    }
+    moved(piece.boundary, Eigen::all) = outline(piece.boundary, Eigen::all);  // to the last digit
     return moved;
 }
 
@@ -88,6 +80,31 @@ bool partedWithLengths(const Piece& piece, const LengthConstraints& constraints,
         }
     }
     return false;
+}
+
+/// Per boundary vertex its mate, both by their place in the loop, or -1.
+std::vector<int> mates(const Piece& piece) {
+    const auto n = static_cast<int>(piece.boundary.size());
+    const auto placeOf = [&](int i) {
+        const auto at = piece.mesh.V.row(piece.boundary[i]);
+        return std::tuple(at.x(), at.y(), at.z());
+    };
+    std::vector<int> order(static_cast<std::size_t>(n));
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) -> bool {
+        return std::tuple(placeOf(a), a) < std::tuple(placeOf(b), b);
+    });
+    std::vector<int> mate(static_cast<std::size_t>(n), -1);
+    for (int first = 0, last = 0; first < n; first = last) {
+        for (last = first + 1; last < n && placeOf(order[last]) == placeOf(order[first]);) {
+            ++last;
+        }
+        if (last - first == 2) {
+            mate[order[first]] = order[first + 1];
+            mate[order[first + 1]] = order[first];
+        }
+    }
+    return mate;
 }
 
 }  // namespace
@@ -151,16 +168,8 @@ std::optional<Points2> CarriedStart::fitted(const Points2& carried, bool apart,
     if (!(least < mostEnergy(memory_.distortion)) || progress.isCancelled()) {
         return std::nullopt;
     }
-    relaxInside(start, progress);
+    energy.relax(start, piece_.boundary, kCarriedPasses, progress);
     return start;
-}
-
-void CarriedStart::relaxInside(Points2& Q, const Progress& progress) const {
-    std::vector<char> fixed(static_cast<std::size_t>(Q.rows()), 0);
-    for (const int v : piece_.boundary) {
-        fixed[v] = 1;
-    }
-    SymmetricDirichlet(piece_.mesh, piece_.table).relax(Q, fixed, kCarriedPasses, progress);
 }
 
 std::optional<IsometricStart> CarriedStart::fromCoarse(double tolerance,
@@ -186,16 +195,14 @@ std::optional<IsometricStart> CarriedStart::fromCoarse(double tolerance,
     // The fine piece will find its own way from there: the last digits are not worth having.
     DescentOptions options;
     options.tolerance = kCoarseTolerance * tolerance;
-    IsometricStart near = coarseToFine(coarse.mesh, coarse.table, coarse.boundary, flat->Q,
-                                       options.tolerance, progress);
-    options.multipliers = std::move(near.multipliers);
     auto lowest =
-        lowerIsometricEnergy(coarse.mesh, coarse.table, coarse.boundary, near.Q, options, progress);
+        lowerFromCoarse(coarse.mesh, coarse.table, coarse.boundary, flat->Q, options, progress);
     auto fine = lowest ? coarsening.followed(*carried, lowest->Q) : std::nullopt;
     if (!fine || progress.isCancelled()) {
         return std::nullopt;
     }
-    relaxInside(*fine, progress);
+    SymmetricDirichlet(piece_.mesh, piece_.table)
+        .relax(*fine, piece_.boundary, kCarriedPasses, progress);
     return IsometricStart{std::move(*fine), std::move(lowest->multipliers)};
 }
 
@@ -235,6 +242,27 @@ std::shared_ptr<const KktModel> CarriedStart::model() const {
                       piece_.boundary == before.boundary &&
                       (piece_.mesh.F.array() == before.mesh.F.array()).all();
     return same ? memory_.model : nullptr;
+}
+
+void partCutSides(const Piece& piece, const Eigen::VectorXd& gap, Points2& Q) {
+    const auto n = static_cast<int>(piece.boundary.size());
+    const std::vector<int> mate = mates(piece);
+    const Points2 before = Q;
+    const auto at = [&](int i) -> Eigen::RowVector2d { return before.row(piece.boundary[i]); };
+    const auto inwards = [&](int i) -> Eigen::RowVector2d {
+        const Eigen::RowVector2d along = at((i + 1) % n) - at((i + n - 1) % n);
+        return Eigen::RowVector2d(-along.y(), along.x()).normalized();
+    };
+    for (int i = 0; i < n; ++i) {
+        if (mate[i] < 0) {
+            continue;
+        }
+        const Eigen::RowVector2d across = (inwards(i) - inwards(mate[i])).normalized();
+        const double missing = gap[i] - (at(i) - at(mate[i])).dot(across);
+        if (missing > 0 && across.allFinite()) {
+            Q.row(piece.boundary[i]) += 0.5 * missing * across;
+        }
+    }
 }
 
 }  // namespace toile

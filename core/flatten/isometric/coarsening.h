@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/flatten/boundary/edge_loops.h"
+#include "core/flatten/boundary/length_constraints.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {

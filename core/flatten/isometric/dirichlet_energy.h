@@ -34,9 +34,9 @@ public:
     /// Moves single vertices, the others held, to where their own triangles are strained less, as
     /// long as one move lowers a vertex's part of the energy by more than a little. Ends local
     /// trouble, which would keep a step of the whole piece short. No triangle flips.
-    /// @param fixed  by vertex: not 0 where it must stay  @param passes  at most
+    /// @param held  vertices that must stay  @param passes  at most
     /// @param progress  looked at only; once cancelled fewer vertices are moved
-    void relax(Points2& Q, const std::vector<char>& fixed, int passes,
+    void relax(Points2& Q, const std::vector<int>& held, int passes,
                const Progress& progress) const;
 
 private:

@@ -96,7 +96,7 @@ bool SymmetricDirichlet::relaxVertex(Points2& Q, std::span<const int> star, int 
     return true;
 }
 
-void SymmetricDirichlet::relax(Points2& Q, const std::vector<char>& fixed, int passes,
+void SymmetricDirichlet::relax(Points2& Q, const std::vector<int>& held, int passes,
                                const Progress& progress) const {
     const auto count = static_cast<int>(Q.rows());
     const Buckets<> stars(count, [this](auto add) {
@@ -104,7 +104,11 @@ void SymmetricDirichlet::relax(Points2& Q, const std::vector<char>& fixed, int p
             add(mesh_.F.data()[k], k / 3);
         }
     });
-    std::vector<char> waits(static_cast<std::size_t>(count), 1);
+    std::vector<char> isHeld(static_cast<std::size_t>(count), 0);
+    for (const int v : held) {
+        isHeld[v] = 1;
+    }
+    std::vector<char> waits(isHeld.size(), 1);
     bool any = true;
     for (int pass = 0; pass < passes && any; ++pass) {
         any = false;
@@ -112,7 +116,7 @@ void SymmetricDirichlet::relax(Points2& Q, const std::vector<char>& fixed, int p
             if (v % kVerticesPerLook == 0 && progress.isCancelled()) {
                 return;
             }
-            if (fixed[v] != 0 || waits[v] == 0) {
+            if (isHeld[v] != 0 || waits[v] == 0) {
                 continue;
             }
             waits[v] = 0;

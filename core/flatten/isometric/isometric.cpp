@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/isometric/isometric.h"
+
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "core/base/stopwatch.h"
 #include "core/flatten/base/flat_notes.h"
 #include "core/flatten/conformal/conformal_methods.h"
 #include "core/flatten/interior/interior.h"
-#include "core/flatten/isometric/carried_start.h"
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/flatten/isometric/isometric_start.h"
@@ -28,7 +27,7 @@ constexpr double kSqueezedStart = 1e3;
 constexpr int kMostCarriedSteps = 15;
 /// Vertices from which conjugate gradients cost less than a factorisation where steps are few.
 constexpr int kRoundsForFew = 15000;
-/// Accuracy of steps by conjugate gradients (two_level_solver.h) that takes as many of them as
+/// Accuracy of steps by conjugate gradients (`TwoLevelSolver`) that takes as many of them as
 /// exact ones would be.
 constexpr double kRoughSteps = 0.2;
 constexpr int kMostSteppedApart = 40;  // with the outline held apart
@@ -58,14 +57,6 @@ Result<Points2> startOf(const Piece& piece, const Points2* conformal, const Prog
 Result<DescentResult> descend(const Piece& piece, const Points2& start,
                               const DescentOptions& options, const Progress& progress) {
     return lowerIsometricEnergy(piece.mesh, piece.table, piece.boundary, start, options, progress);
-}
-
-Result<DescentResult> descendFromCoarse(const Piece& piece, const Points2& start,
-                                        DescentOptions options, const Progress& progress) {
-    IsometricStart near =
-        coarseToFine(piece.mesh, piece.table, piece.boundary, start, options.tolerance, progress);
-    options.multipliers = std::move(near.multipliers);
-    return descend(piece, near.Q, options, progress);
 }
 
 /// Keeps what an edit of this piece may begin with.
@@ -209,7 +200,8 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
     if (memory != nullptr) {
         memory->start = flat ? figuresOf(*flat) : FlatPiece{};
     }
-    auto lowest = descendFromCoarse(piece, *start, descent, progress);
+    auto lowest =
+        lowerFromCoarse(piece.mesh, piece.table, piece.boundary, *start, descent, progress);
     if (!lowest && lowest.error().code == ErrorCode::NotFinite && flat) {
         // In a piece much deeper than its rim is long even the circle's triangles vanish in
         // rounding. The conformal result is what there is; its flips are counted.

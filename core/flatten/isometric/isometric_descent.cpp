@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "core/flatten/isometric/descent_pace.h"
-#include "core/flatten/isometric/kkt_solver.h"
-#include "core/flatten/isometric/step_memory.h"
 #include "core/quality/measures.h"
 #include "core/quality/outline_crossings.h"
 
@@ -239,18 +237,10 @@ private:
 
 DescentOptions descentOptions(Quality quality) {
     DescentOptions options;
-    switch (quality) {
-        case Quality::Draft:
-            options.tolerance = 2e-2;
-            break;
-        case Quality::Standard:
-            options.tolerance = 1e-4;
-            break;
-        case Quality::Fine:
-            options.tolerance = 1e-7;
-            options.maxIterations = 5000;
-            break;
-    }
+    options.tolerance = quality == Quality::Draft      ? 2e-2
+                        : quality == Quality::Standard ? 1e-4
+                                                       : 1e-7;
+    options.maxIterations = quality == Quality::Fine ? 5000 : options.maxIterations;
     return options;
 }
 

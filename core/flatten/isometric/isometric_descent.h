@@ -2,12 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/flatten/base/flat_piece.h"
-#include "core/flatten/boundary/edge_loops.h"
+#include "core/flatten/boundary/length_constraints.h"
 #include "core/flatten/isometric/kkt_solver.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
@@ -19,7 +18,7 @@ struct DescentOptions {
     /// it, or has lowered it by less than twice that.
     double tolerance = 1e-4;
     int maxIterations = 500;
-    /// Keeps the outline, and every rim, from crossing itself (outline_barrier.h). At the start
+    /// Keeps the outline, and every rim, from crossing itself (outline_terms.h). At the start
     /// none may.
     bool keepOutlineSimple = false;
     KktSizes sizes{};

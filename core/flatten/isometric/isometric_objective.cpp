@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <iterator>
+
+#include "core/quality/measures.h"
 
 namespace toile {
 namespace {
@@ -24,12 +26,8 @@ IsometricObjective::IsometricObjective(const MeshArrays& mesh, const EdgeTable& 
     : table_(table),
       loops_(std::move(loops)),
       vertexCount_(static_cast<int>(mesh.V.rows())),
-      onBoundary_(static_cast<std::size_t>(mesh.V.rows()), 0),
       energy_(mesh, table),
-      bending_(loops_, loops_.angles3d(mesh), lengths, kOutlineStiffness) {
-    for (const int v : loops_.vertices()) {
-        onBoundary_[v] = 1;
-    }
+      bending_(loops_, boundaryAngles3d(mesh, loops_.vertices()), lengths, kOutlineStiffness) {
     for (int k = 0; k < loops_.loopCount() && keepOutlineSimple; ++k) {
         const int first = loops_.start(k);
         barriers_.emplace_back(loops_.loop(k), lengths.segment(first, loops_.start(k + 1) - first));
@@ -92,28 +90,20 @@ bool IsometricObjective::layOut(const std::vector<OutlineBarrier::Contact>& cont
         return true;
     }
     extra_ = std::move(extra);
-    // Both lists are sorted: they are merged, leaving out what the mesh has already.
-    std::vector<std::pair<int, int>> all;
-    const auto meshEdges = static_cast<std::size_t>(table_.edges.rows());
-    all.reserve(meshEdges + extra_.size());
-    edgeOf_.resize(meshEdges);
-    auto next = extra_.begin();
+    std::vector<std::pair<int, int>> mesh, all;
     for (int e = 0; e < table_.edges.rows(); ++e) {
-        const std::pair edge(table_.edges(e, 0), table_.edges(e, 1));
-        for (; next != extra_.end() && *next <= edge; ++next) {
-            if (*next != edge) {
-                all.push_back(*next);
-            }
-        }
-        edgeOf_[e] = static_cast<int>(all.size());
-        all.push_back(edge);
+        mesh.emplace_back(table_.edges(e, 0), table_.edges(e, 1));
     }
-    all.insert(all.end(), next, extra_.end());
+    std::ranges::set_union(mesh, extra_, std::back_inserter(all));
     VertexPairs pairs(static_cast<Eigen::Index>(all.size()), 2);
     for (std::size_t e = 0; e < all.size(); ++e) {
         pairs.row(static_cast<Eigen::Index>(e)) << all[e].first, all[e].second;
     }
     matrix_.emplace(pairs, vertexCount_);
+    edgeOf_.clear();
+    for (const auto& [v, w] : mesh) {
+        edgeOf_.push_back(matrix_->findEdge(v, w));
+    }
     return false;
 }
 

@@ -7,8 +7,7 @@
 
 #include "core/flatten/boundary/length_constraints.h"
 #include "core/flatten/isometric/dirichlet_energy.h"
-#include "core/flatten/isometric/outline_barrier.h"
-#include "core/flatten/isometric/outline_bending.h"
+#include "core/flatten/isometric/outline_terms.h"
 
 namespace toile {
 
@@ -43,7 +42,7 @@ public:
     /// Moves single interior vertices where that lowers the energy by more than a little
     /// (SymmetricDirichlet::relax).
     void relax(Points2& Q, int passes, const Progress& progress) const {
-        energy_.relax(Q, onBoundary_, passes, progress);
+        energy_.relax(Q, loops_.vertices(), passes, progress);
     }
 
     /// How far along P, up to `limit`, no triangle loses its area and no contact comes to pass.
@@ -55,7 +54,6 @@ private:
     const EdgeTable& table_;
     EdgeLoops loops_;
     int vertexCount_;
-    std::vector<char> onBoundary_;  ///< by vertex
     SymmetricDirichlet energy_;
     OutlineBending bending_;
     std::vector<OutlineBarrier> barriers_;  ///< one per loop, where loops must stay simple

@@ -35,26 +35,27 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
     }
     const EdgeTable coarseTable =
         buildEdgeTable(coarse.mesh().F, static_cast<int>(coarse.mesh().V.rows()));
-    IsometricStart start = coarseToFine(coarse.mesh(), coarseTable, coarse.loops().outline(),
-                                        coarse.restricted(Q), tolerance, progress);
     DescentOptions options;
     options.tolerance = tolerance;
-    options.multipliers = std::move(start.multipliers);
-    auto lowest = lowerIsometricEnergy(coarse.mesh(), coarseTable, coarse.loops().outline(),
-                                       start.Q, options, progress);
+    auto lowest = lowerFromCoarse(coarse.mesh(), coarseTable, coarse.loops().outline(),
+                                  coarse.restricted(Q), options, progress);
     auto fine = lowest ? coarse.prolonged(lowest->Q) : std::nullopt;
     if (!fine || !std::isfinite(energy.energy(*fine))) {
         return unchanged;
     }
-    std::vector<char> fixed(static_cast<std::size_t>(vertices), 0);
-    for (const int v : boundary) {
-        fixed[v] = 1;
-    }
-    energy.relax(*fine, fixed, kStartPasses, progress);
+    energy.relax(*fine, boundary, kStartPasses, progress);
     if (!(energy.energy(*fine) < before)) {
         return unchanged;
     }
     return {std::move(*fine), std::move(lowest->multipliers)};
+}
+
+Result<DescentResult> lowerFromCoarse(const MeshArrays& mesh, const EdgeTable& table,
+                                      const std::vector<int>& boundary, const Points2& Q,
+                                      DescentOptions options, const Progress& progress) {
+    IsometricStart near = coarseToFine(mesh, table, boundary, Q, options.tolerance, progress);
+    options.multipliers = std::move(near.multipliers);
+    return lowerIsometricEnergy(mesh, table, boundary, near.Q, options, progress);
 }
 
 }  // namespace toile

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/isometric/rim_lengths.h"
-
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/stopwatch.h"
 #include "core/flatten/base/flat_notes.h"
 #include "core/flatten/isometric/dirichlet_energy.h"
+#include "core/flatten/isometric/isometric.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/isometric/two_level_solver.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/flatten/isometric/coarsening.h"
+#include "core/flatten/isometric/kkt_solver.h"
 
 namespace toile {
 namespace {

@@ -4,8 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
+#include "core/base/text.h"
+#include "core/flatten/base/flat_notes.h"
+#include "core/flatten/conformal/conformal_energy.h"
+#include "core/flatten/interior/interior.h"
+#include "core/flatten/reference/reference_methods.h"
+#include "core/garment/piece.h"
 #include "core/linalg/sparse_cholesky.h"
 #include "core/quality/measures.h"
 
@@ -23,6 +28,7 @@ constexpr double kViolation = 1e-10;
 constexpr double kChange = 1e-6;
 /// A step takes an angle at most this part of the way to 0 or pi.
 constexpr double kWayToLimit = 0.8;
+constexpr double kUnmet = 1e-6;  // radians: more than this can be seen in the map
 /// The diagonal Hessian stays above this part of the objective's own.
 constexpr double kLeastCurvature = 0.1;
 
@@ -31,13 +37,9 @@ constexpr double kLeastCurvature = 0.1;
 class AngleProblem {
 public:
     AngleProblem(const MeshArrays& mesh, const std::vector<int>& boundary)
-        : F_(mesh.F), unknown_(static_cast<std::size_t>(mesh.V.rows()), 0) {
-        for (const int v : boundary) {
-            unknown_[v] = -1;
-        }
-        for (int& u : unknown_) {
-            u = u < 0 ? -1 : count_++;
-        }
+        : F_(mesh.F),
+          unknown_(unknownsBut(boundary, static_cast<int>(mesh.V.rows()))),
+          count_(static_cast<int>(unknown_.size() - boundary.size())) {
         target_ = cornerAngles3d(mesh);
         Eigen::VectorXd around = Eigen::VectorXd::Zero(mesh.V.rows());
         for (int f = 0; f < F_.rows(); ++f) {
@@ -189,11 +191,8 @@ private:
         if (!factorised) {
             return factorised.error();
         }
-        auto solved = cholesky_.solve(right);
-        if (!solved) {
-            return solved.error();
-        }
-        return Eigen::VectorXd(solved->col(0));
+        const auto solved = cholesky_.solve(right);
+        return solved ? Result<Eigen::VectorXd>(solved->col(0)) : solved.error();
     }
 
     Eigen::RowVector3d changeOf(int f, const Eigen::VectorXd& multipliers) const {
@@ -209,7 +208,7 @@ private:
 
     const Triangles& F_;
     std::vector<int> unknown_;  ///< number of each interior vertex, -1 on the boundary
-    int count_ = 0;
+    int count_;
     Eigen::MatrixX3d target_;
     Eigen::MatrixX3d x_;
     Eigen::VectorXd multipliers_;  ///< of the sums and the wheels, interleaved
@@ -236,6 +235,33 @@ Result<PlanarAngles> closestPlanarAngles(const MeshArrays& mesh, const std::vect
     }
     result.angles = problem.angles();
     return result;
+}
+
+Result<FlatPiece> flattenAbf(const Piece& piece, const FlattenOptions& /*options*/,
+                             const Progress& progress) {
+    const Stopwatch time;
+    const auto planar = closestPlanarAngles(piece.mesh, piece.boundary, progress);
+    if (!planar) {
+        return planar.error();
+    }
+    // Angles that fit are met exactly by a least squares conformal map; where the iteration has not
+    // come to its end, they are met as well as can be.
+    const ConformalEnergy energy(piece.mesh.F, planar->angles,
+                                 static_cast<int>(piece.mesh.V.rows()));
+    const auto points = solvePinned(energy, farPairAlongEdges(piece), 1, progress);
+    if (!points) {
+        return points.error();
+    }
+    auto flat = atTrueSize(piece, *points, time);
+    if (flat) {
+        flat->interiorIterations = planar->iterations;
+        if (planar->residual > kUnmet) {
+            flat->notes.push_back(endedEarlyNote(
+                piece, worded("angles that fit in the plane are met to %1 radians only",
+                              {shortest(planar->residual)})));
+        }
+    }
+    return flat;
 }
 
 }  // namespace toile

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/interior/authalic.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/flatten/flatten.h"
+#include "core/flatten/interior/directed_interior.h"
 #include "core/flatten/interior/interior.h"
+#include "core/mesh/cotangents.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/shapes.h"
@@ -27,7 +27,8 @@ TEST(Authalic, NoShareOfItIsTheConformalInterior) {
     ASSERT_TRUE(start);
     const Points2 outline = outlineOf(*piece, start->Q);
     const auto conformal =
-        fillInterior(piece->mesh, piece->table, piece->boundary, outline, progress);
+        fillInterior({piece->table.edges, cotangentWeights(piece->mesh, piece->table)},
+                     piece->mesh.V, piece->boundary, outline, progress);
     const auto none =
         fillInteriorMixed(piece->mesh, piece->table, piece->boundary, outline, 0, progress);
     // A small share goes through the unsymmetric solver and lies as near as the share is small.

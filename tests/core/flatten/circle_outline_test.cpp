@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/boundary/circle_outline.h"
-
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/flatten/boundary/boundary_problem.h"
 
 namespace toile {
 namespace {

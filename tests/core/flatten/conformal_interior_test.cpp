@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/flatten.h"
-#include "core/flatten/interior/delaunay_around.h"
 #include "core/mesh/cotangents.h"
 #include "core/mesh/intrinsic_delaunay.h"
 #include "core/quality/measures.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/interior/delaunay_around.h"
-
 #include <map>
 #include <random>
 #include <utility>
@@ -8,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/flatten/interior/conformal_interior.h"
 #include "core/mesh/cotangents.h"
 #include "core/mesh/intrinsic_delaunay.h"
 #include "tests/core/support/shapes.h"

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/flatten/interior/interior.h"
+#include "core/mesh/cotangents.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/support/shared_data.h"
 
@@ -86,7 +87,8 @@ PieceQuality byPlainWeights(const PieceResult& result) {
     for (std::size_t i = 0; i < piece.boundary.size(); ++i) {
         outline.row(static_cast<Eigen::Index>(i)) = result.flat->Q.row(piece.boundary[i]);
     }
-    const auto points = fillInterior(piece.mesh, piece.table, piece.boundary, outline, Progress());
+    const auto points = fillInterior({piece.table.edges, cotangentWeights(piece.mesh, piece.table)},
+                                     piece.mesh.V, piece.boundary, outline, Progress());
     EXPECT_TRUE(points);
     return measure(piece, *points);
 }

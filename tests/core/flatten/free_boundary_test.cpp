@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The conformal maps without a fixed outline: natural (pinned and spectral), lscm and abf.
-#include "core/flatten/conformal/free_boundary.h"
 
 #include <cmath>
 

@@ -11,11 +11,10 @@
 
 #include "core/flatten/flatten.h"
 #include "core/flatten/interior/interior.h"
-#include "core/flatten/isometric/carried_start.h"
 #include "core/flatten/isometric/coarsening.h"
-#include "core/flatten/isometric/cut_sides.h"
 #include "core/flatten/isometric/isometric.h"
 #include "core/flatten/isometric/isometric_descent.h"
+#include "core/flatten/isometric/isometric_start.h"
 #include "core/flatten/isometric/kkt_solver.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"

@@ -15,7 +15,6 @@
 #include "core/flatten/isometric/descent_pace.h"
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric_descent.h"
-#include "core/flatten/isometric/step_memory.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/shapes.h"
@@ -128,11 +127,7 @@ TEST(SymmetricDirichlet, RelaxingLowersTheEnergyAndLeavesTheFixed) {
     const auto piece = cap();
     Points2 Q = onCircle(*piece);
     const Points2 before = Q;
-    std::vector<char> fixed(static_cast<std::size_t>(Q.rows()), 0);
-    for (const int v : piece->boundary) {
-        fixed[v] = 1;
-    }
-    SymmetricDirichlet(piece->mesh, piece->table).relax(Q, fixed, 5, Progress());
+    SymmetricDirichlet(piece->mesh, piece->table).relax(Q, piece->boundary, 5, Progress());
     EXPECT_LT(energyOf(*piece, Q), energyOf(*piece, before));
     for (const int v : piece->boundary) {
         EXPECT_EQ(Q.row(v), before.row(v));

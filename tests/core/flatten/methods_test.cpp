@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/conformal/conformal_methods.h"
+#include "core/flatten/flatten.h"
+#include "core/flatten/reference/reference_methods.h"
 #include "core/garment/garment.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/shapes.h"

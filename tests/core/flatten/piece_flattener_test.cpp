@@ -207,7 +207,7 @@ TEST(PieceFlattener, KeepsWhatIsometricCanUseUntilItForgets) {
     EXPECT_GT(flattener.keptBytes(), 0U);
     expectAsCold(flattener, panel, Method::Wang2005);
     expectAsCold(flattener, panel, Method::Convex);
-    flattener.forget();
+    flattener = PieceFlattener();
     EXPECT_EQ(flattener.keptBytes(), 0U);
 }
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rims of holes are as long in the flat piece as on the garment.
-#include "core/flatten/isometric/rim_lengths.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -10,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/flatten.h"
+#include "core/flatten/isometric/isometric.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/pattern/piece_marks.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/support/shared_data.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/reference_fit.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "core/quality/piece_quality.h"
 
 namespace toile {
 namespace {
