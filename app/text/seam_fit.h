@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/garment/seam.h"
-#include "core/seam/seam_fit.h"
 #include "core/seam/seam_measure.h"
 
 class QPainter;

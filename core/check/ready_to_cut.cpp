@@ -12,7 +12,7 @@
 #include "core/garment/identify.h"
 #include "core/layout/arrange.h"
 #include "core/layout/sheet_overlaps.h"
-#include "core/seam/seam_fit.h"
+#include "core/seam/seam_measure.h"
 
 namespace toile {
 namespace {

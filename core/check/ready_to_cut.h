@@ -33,7 +33,7 @@ struct CutPlan {
 inline constexpr double kSmallestGarment = 10, kLargestGarment = 10000;
 
 /// Looks through everything that a pattern maker would before cutting; docs/ready-to-cut.md names
-/// each check and its rule. Seams are judged as the ledger does (core/seam/seam_fit.h). A piece
+/// each check and its rule. Seams are judged as the ledger does (core/seam/seam_measure.h). A piece
 /// whose result is of another shape than it has now is passed by.
 /// Cost: linear in the triangles, a tenth of a second for a million; outlines n log n where
 /// they cross or lie near each other. Pure, thread-safe.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/seam/seam_fit.h"
+#include "core/seam/seam_measure.h"
 
 namespace toile {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace toile {
 namespace {
@@ -65,9 +66,7 @@ struct Claim {
 
 /// Marks the parts that lie on a place of another, on one outline.
 void markContested(std::vector<Claim>& claims, double margin, std::vector<Part>& parts) {
-    std::sort(claims.begin(), claims.end(), [](const Claim& x, const Claim& y) {
-        return x.from != y.from ? x.from < y.from : x.part < y.part;
-    });
+    std::ranges::sort(claims, {}, [](const Claim& c) { return std::pair(c.from, c.part); });
     std::vector<Claim> open;
     for (const Claim& claim : claims) {
         std::erase_if(open, [&](const Claim& c) { return c.to <= claim.from + margin; });
@@ -157,9 +156,7 @@ public:
           candidates_(candidates),
           options_(options),
           parts_(cutIntoParts(outlines, candidates)) {
-        for (const Outline& outline : outlines.list) {
-            taken_.emplace_back(outline.length());
-        }
+        retake({});
     }
 
     std::vector<Chosen> choose() {
@@ -189,15 +186,9 @@ private:
         }
         std::vector<int> order(parts_.size());
         std::iota(order.begin(), order.end(), 0);
-        std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
-            const Part &p = parts_[i], &q = parts_[j];
-            if (p.cost != q.cost) {
-                return p.cost < q.cost;
-            }
-            if (undisputed[p.parent] != undisputed[q.parent]) {
-                return undisputed[p.parent] > undisputed[q.parent];
-            }
-            return p.run.length() > q.run.length();
+        std::ranges::stable_sort(order, {}, [&](int k) {
+            const Part& part = parts_[k];
+            return std::tuple(part.cost, -undisputed[part.parent], -part.run.length());
         });
         return order;
     }
@@ -247,8 +238,42 @@ private:
         }
     }
 
-    void believe(std::vector<Chosen>& runs);
-    void retake(const std::vector<Chosen>& runs);
+    /// Takes out runs that are too short, or gape more than this garment's seams do.
+    void believe(std::vector<Chosen>& runs) {
+        const auto gapOf = [&](const Run& run) { return run.meanGap() / run.spacing(outlines_); };
+        if (widest_ < 0) {
+            std::vector<std::pair<double, double>> gaps;  // gap, length
+            double total = 0;
+            for (const Chosen& c : runs) {
+                gaps.emplace_back(gapOf(c.run), c.run.length());
+                total += c.run.length();
+            }
+            std::sort(gaps.begin(), gaps.end());
+            double median = 0, below = 0;
+            for (std::size_t k = 0; k < gaps.size() && below < 0.5 * total; ++k) {
+                median = gaps[k].first;
+                below += gaps[k].second;
+            }
+            widest_ = std::max(kGapAlways, kGapTimesMedian * median);
+        }
+        std::erase_if(runs, [&](const Chosen& c) {
+            // One whole edge that coincides with another is no accident; nearness needs more.
+            const double gap = gapOf(c.run);
+            const double least = gap < kCoincident ? kLeastRest : options_.shortest;
+            const double length = std::min(c.run.length(), c.run.lengthB());
+            return !c.run.certain && (length < least * c.run.spacing(outlines_) || gap > widest_);
+        });
+    }
+
+    void retake(const std::vector<Chosen>& runs) {
+        taken_.clear();
+        for (const Outline& outline : outlines_.list) {
+            taken_.emplace_back(outline.length());
+        }
+        for (const Chosen& c : runs) {
+            take(c.run);
+        }
+    }
 
     const Outlines& outlines_;
     const std::vector<Run>& candidates_;
@@ -257,42 +282,6 @@ private:
     std::vector<ArcSet> taken_;
     double widest_ = -1;  ///< largest believable gap in local edge lengths; negative: not yet known
 };
-
-/// Takes out runs that are too short, or gape more than this garment's seams do.
-void Chooser::believe(std::vector<Chosen>& runs) {
-    const auto gapOf = [&](const Run& run) { return run.meanGap() / run.spacing(outlines_); };
-    if (widest_ < 0) {
-        std::vector<std::pair<double, double>> gaps;  // gap, length
-        double total = 0;
-        for (const Chosen& c : runs) {
-            gaps.emplace_back(gapOf(c.run), c.run.length());
-            total += c.run.length();
-        }
-        std::sort(gaps.begin(), gaps.end());
-        double median = 0, below = 0;
-        for (std::size_t k = 0; k < gaps.size() && below < 0.5 * total; ++k) {
-            median = gaps[k].first;
-            below += gaps[k].second;
-        }
-        widest_ = std::max(kGapAlways, kGapTimesMedian * median);
-    }
-    std::erase_if(runs, [&](const Chosen& c) {
-        // One whole edge that coincides with another is no accident; nearness needs more.
-        const double gap = gapOf(c.run);
-        const double least = gap < kCoincident ? kLeastRest : options_.shortest;
-        const double length = std::min(c.run.length(), c.run.lengthB());
-        return !c.run.certain && (length < least * c.run.spacing(outlines_) || gap > widest_);
-    });
-}
-
-void Chooser::retake(const std::vector<Chosen>& runs) {
-    for (std::size_t p = 0; p < taken_.size(); ++p) {
-        taken_[p] = ArcSet(outlines_.list[p].length());
-    }
-    for (const Chosen& c : runs) {
-        take(c.run);
-    }
-}
 
 }  // namespace
 

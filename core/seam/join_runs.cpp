@@ -22,8 +22,9 @@ public:
         : outlines_(outlines), runs_(std::move(runs)), taken_(taken) {}
 
     std::vector<Chosen> joined() {
-        std::sort(runs_.begin(), runs_.end(),
-                  [this](const Chosen& x, const Chosen& y) { return key(x) < key(y); });
+        std::ranges::sort(runs_, {}, [this](const Chosen& c) {
+            return std::pair(groupOf(c), outlines_.list[c.run.outlineA].wrap(c.run.line.front().a));
+        });
         findFollowers();
         std::vector<Chosen> whole;
         // First from the runs that follow no other; what is left then are closed lines.
@@ -38,9 +39,9 @@ public:
     }
 
 private:
-    std::tuple<int, int, bool, bool, double> key(const Chosen& c) const {
-        return {c.run.outlineA, c.run.outlineB, c.run.parallel, c.stacked,
-                outlines_.list[c.run.outlineA].wrap(c.run.line.front().a)};
+    /// What two runs that follow each other have in common.
+    static std::tuple<int, int, bool, bool> groupOf(const Chosen& c) {
+        return {c.run.outlineA, c.run.outlineB, c.run.parallel, c.stacked};
     }
 
     void findFollowers() {
@@ -49,11 +50,7 @@ private:
         follows_.assign(n, 0);
         used_.assign(n, 0);
         for (int from = 0, to = 0; from < n; from = to) {
-            const auto group = key(runs_[from]);
-            while (to < n && std::get<0>(key(runs_[to])) == std::get<0>(group) &&
-                   std::get<1>(key(runs_[to])) == std::get<1>(group) &&
-                   std::get<2>(key(runs_[to])) == std::get<2>(group) &&
-                   std::get<3>(key(runs_[to])) == std::get<3>(group)) {
+            while (to < n && groupOf(runs_[to]) == groupOf(runs_[from])) {
                 ++to;
             }
             for (int k = from; k < to; ++k) {

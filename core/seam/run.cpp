@@ -16,11 +16,22 @@ Facing between(const Facing& p, const Facing& q, double t) {
     return {p.a + t * (q.a - p.a), p.b + t * (q.b - p.b), p.gap + t * (q.gap - p.gap)};
 }
 
+/// The facing places at a place on one side; that side runs upwards times `sign`.
+Facing facingAt(const std::vector<Facing>& line, double Facing::*side, double sign, double s) {
+    const auto next = std::ranges::lower_bound(line, sign * s, {},
+                                               [&](const Facing& f) { return sign * f.*side; });
+    if (next == line.begin() || next == line.end()) {
+        return next == line.end() ? line.back() : line.front();
+    }
+    const Facing& p = *(next - 1);
+    const double before = p.*side, after = *next.*side;
+    return after != s ? between(p, *next, (s - before) / (after - before)) : *next;
+}
+
 }  // namespace
 
 void ArcSet::insert(Arc arc) {
-    auto first = std::lower_bound(taken_.begin(), taken_.end(), arc.from,
-                                  [](const Arc& a, double from) { return a.to < from; });
+    auto first = std::ranges::lower_bound(taken_, arc.from, {}, &Arc::to);
     auto last = first;
     for (; last != taken_.end() && last->from <= arc.to; ++last) {
         arc.from = std::min(arc.from, last->from);
@@ -43,8 +54,7 @@ std::vector<Arc> ArcSet::outside(Arc arc) const {
     double at = arc.from;
     double turn = std::floor(arc.from / length_) * length_;
     while (turn < arc.to) {
-        auto next = std::lower_bound(taken_.begin(), taken_.end(), at - turn,
-                                     [](const Arc& a, double s) { return a.to < s; });
+        auto next = std::ranges::lower_bound(taken_, at - turn, {}, &Arc::to);
         for (; next != taken_.end() && turn + next->from < arc.to; ++next) {
             if (turn + next->from > at) {
                 parts.push_back({at, turn + next->from});
@@ -64,31 +74,16 @@ Arc Run::arcB() const {
 }
 
 Facing Run::atA(double a) const {
-    const auto next = std::lower_bound(line.begin(), line.end(), a,
-                                       [](const Facing& f, double s) { return f.a < s; });
-    if (next == line.begin() || next == line.end()) {
-        return next == line.end() ? line.back() : line.front();
-    }
-    const Facing& p = *(next - 1);
-    return next->a > a ? between(p, *next, (a - p.a) / (next->a - p.a)) : *next;
+    return facingAt(line, &Facing::a, 1, a);
 }
 
 Facing Run::atB(double b) const {
-    const double sign = parallel ? 1 : -1;
-    const auto next =
-        std::lower_bound(line.begin(), line.end(), b,
-                         [sign](const Facing& f, double s) { return sign * f.b < sign * s; });
-    if (next == line.begin() || next == line.end()) {
-        return next == line.end() ? line.back() : line.front();
-    }
-    const Facing& p = *(next - 1);
-    return next->b != b ? between(p, *next, (b - p.b) / (next->b - p.b)) : *next;
+    return facingAt(line, &Facing::b, parallel ? 1 : -1, b);
 }
 
 Run Run::part(Arc onA) const {
     Run cut{outlineA, outlineB, parallel, certain, folded, {atA(onA.from)}};
-    auto next = std::upper_bound(line.begin(), line.end(), onA.from,
-                                 [](double s, const Facing& f) { return s < f.a; });
+    auto next = std::ranges::upper_bound(line, onA.from, {}, &Facing::a);
     for (; next != line.end() && next->a < onA.to; ++next) {
         cut.line.push_back(*next);
     }
@@ -205,13 +200,10 @@ private:
         const Contact& c = contacts_[step.contact];
         const double a = outlines_.list[run.outlineA].arcOf(step.i);
         const double b = outlines_.list[run.outlineB].arcOf(step.j);
-        if (step.swapped) {
-            run.line.push_back({a + c.b0, b + c.a0, c.gap0});
-            run.line.push_back({a + c.b1, b + c.a1, c.gap1});
-        } else {
-            run.line.push_back({a + c.a0, b + c.b0, c.gap0});
-            run.line.push_back({a + c.a1, b + c.b1, c.gap1});
-        }
+        run.line.push_back(
+            {a + (step.swapped ? c.b0 : c.a0), b + (step.swapped ? c.a0 : c.b0), c.gap0});
+        run.line.push_back(
+            {a + (step.swapped ? c.b1 : c.a1), b + (step.swapped ? c.a1 : c.b1), c.gap1});
     }
 
     void pushNeighbours(const Run& run, const Step& step, std::vector<Step>& todo) {
@@ -233,10 +225,8 @@ private:
     }
 
     int find(int a, int b) const {
-        const auto at = std::lower_bound(contacts_.begin(), contacts_.end(), std::pair(a, b),
-                                         [](const Contact& c, const std::pair<int, int>& key) {
-                                             return std::pair(c.a, c.b) < key;
-                                         });
+        const auto at = std::ranges::lower_bound(
+            contacts_, std::pair(a, b), {}, [](const Contact& c) { return std::pair(c.a, c.b); });
         const bool hit = at != contacts_.end() && at->a == a && at->b == b;
         return hit ? static_cast<int>(at - contacts_.begin()) : -1;
     }
@@ -246,10 +236,8 @@ private:
     void straighten(Run& run) const {
         const double sign = run.parallel ? 1 : -1;
         std::vector<Facing>& line = run.line;
-        std::sort(line.begin(), line.end(), [sign](const Facing& p, const Facing& q) {
-            const double sp = p.a + sign * p.b, sq = q.a + sign * q.b;
-            return sp != sq ? sp < sq : p.a < q.a;
-        });
+        std::ranges::sort(line, {},
+                          [sign](const Facing& f) { return std::pair(f.a + sign * f.b, f.a); });
         for (std::size_t k = 1; k < line.size(); ++k) {
             line[k].a = std::max(line[k].a, line[k - 1].a);
             line[k].b = sign * std::max(sign * line[k].b, sign * line[k - 1].b);

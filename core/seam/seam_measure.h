@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string_view>
 
-#include "core/garment/piece.h"
-#include "core/garment/seam.h"
-#include "core/mesh/mesh_arrays.h"
+#include "core/flatten/piece_result.h"
+#include "core/garment/garment.h"
 
 namespace toile {
 
@@ -34,6 +34,24 @@ double easeOf(const Seam& seam);
 /// Cost: linear in the edges of the two outlines. Pure.
 SeamMeasure measureSeam(const Seam& seam, const Piece& l, const Points2& Ql, const Piece& r,
                         const Points2& Qr);
+
+/// How well the two flat edges of a seam fit each other, the intended ease taken out.
+enum class SeamFit {
+    Unknown,  ///< not measured: a side is not flat, or the edge is free
+    Matches,  ///< to within half a millimetre, less than scissors can tell
+    Nearly,   ///< to within 1.6 mm, a sixteenth of an inch: what sewing forgives
+    Differs,
+};
+
+/// Bounds of |errorMm|.
+inline constexpr double kMatchesMm = 0.5, kNearlyMm = 1.6;
+
+/// The measure of a seam; none where a side is not flat yet, or cannot be. A free edge has one,
+/// with its length alone.
+/// @param seam  an index into the garment's seams  Cost: linear in the two outlines. Pure.
+std::optional<SeamMeasure> measured(const Garment& garment, const PieceResults& results, int seam);
+
+SeamFit seamFit(const Seam& seam, const std::optional<SeamMeasure>& measure);
 
 /// The vertices of the loop that a side runs along, surface on its left.
 const std::vector<int>& loopOf(const SeamSide& side, const Piece& piece);
