@@ -4,17 +4,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <numeric>
 #include <utility>
 
+#include "core/geometry/buckets.h"
 #include "core/geometry/disjoint_sets.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 namespace {
-
-/// Longer buckets than this are sorted by `std::sort`; a vertex of a usual mesh has about six.
-constexpr std::ptrdiff_t kFewSides = 32;
 
 /// A triangle's side, kept in the bucket of its smaller vertex: larger vertex and use (3 * face +
 /// k) in one number, in the order of both.
@@ -32,86 +30,34 @@ int useOf(Side side) {
     return static_cast<int>(side & 0xFFFFFFFFu);
 }
 
-void sortBucket(Side* first, Side* last) {
-    if (last - first > kFewSides) {
-        std::sort(first, last);
-        return;
-    }
-    for (Side* at = first; at < last; ++at) {
-        const Side side = *at;
-        Side* to = at;
-        for (; to > first && to[-1] > side; --to) {
-            *to = to[-1];
-        }
-        *to = side;
-    }
-}
-
-/// Calls visit(smaller vertex, larger vertex, use) for every side.
-template <class Visit>
-void visitSides(const Triangles& F, Visit visit) {
-    const int* corner = F.data();
-    const int count = static_cast<int>(F.size());
-    for (int first = 0; first < count; first += 3) {
-        const int a = corner[first], b = corner[first + 1], c = corner[first + 2];
-        visit(std::min(a, b), std::max(a, b), first);
-        visit(std::min(b, c), std::max(b, c), first + 1);
-        visit(std::min(c, a), std::max(c, a), first + 2);
-    }
-}
-
-/// All sides in the order of their edges; `end[v]` is where the bucket of vertex v ends.
-std::unique_ptr<Side[]> sortedSides(const Triangles& F, std::vector<int>& end) {
-    visitSides(F, [&end](int smaller, int, int) { ++end[smaller + 1]; });
-    std::partial_sum(end.begin(), end.end(), end.begin());
-    auto sides = std::make_unique_for_overwrite<Side[]>(static_cast<std::size_t>(F.size()));
-    visitSides(F, [&](int smaller, int larger, int use) {
-        sides[end[smaller]++] = makeSide(larger, use);
-    });
-    end.pop_back();  // what was the start of a bucket is its end now
-    int begin = 0;
-    for (const int e : end) {
-        sortBucket(sides.get() + begin, sides.get() + e);
-        begin = e;
-    }
-    return sides;
-}
-
 }  // namespace
 
 EdgeTable buildEdgeTable(const Triangles& F, int vertexCount) {
     const int sideCount = static_cast<int>(F.size());
-    std::vector<int> end(static_cast<std::size_t>(vertexCount) + 1, 0);
-    const std::unique_ptr<Side[]> sides = sortedSides(F, end);
-    int edgeCount = 0;
-    for (int v = 0, s = 0; v < vertexCount; ++v) {
-        for (int last = -1; s < end[v]; ++s) {
-            edgeCount += largerOf(sides[s]) != last ? 1 : 0;
-            last = largerOf(sides[s]);
+    Buckets<Side> sides(vertexCount, [&F, sideCount](auto add) {
+        for (int use = 0; use < sideCount; ++use) {
+            const int a = tailOf(F, use), b = headOf(F, use);
+            add(std::min(a, b), makeSide(std::max(a, b), use));
         }
-    }
-
+    });
     EdgeTable table;
-    table.edges.resize(edgeCount, 2);
+    table.edges.resize(sideCount, 2);  // more than there are
     table.faceEdges.resize(F.rows(), 3);
-    table.use.resize(static_cast<std::size_t>(sideCount));
-    table.useStart.resize(static_cast<std::size_t>(edgeCount) + 1);
-    int edge = -1;
-    for (int v = 0, s = 0; v < vertexCount; ++v) {
-        for (int last = -1; s < end[v]; ++s) {
-            const int larger = largerOf(sides[s]);
-            if (larger != last) {
-                ++edge;
-                table.useStart[edge] = s;
-                table.edges(edge, 0) = v;
-                table.edges(edge, 1) = larger;
-                last = larger;
+    table.use.reserve(static_cast<std::size_t>(sideCount));
+    for (int v = 0; v < vertexCount; ++v) {
+        std::ranges::sort(sides[v]);
+        int last = -1;
+        for (const Side side : sides[v]) {
+            if (std::exchange(last, largerOf(side)) != largerOf(side)) {
+                table.edges.row(std::ssize(table.useStart)) << v, largerOf(side);
+                table.useStart.push_back(static_cast<int>(table.use.size()));
             }
-            table.use[s] = useOf(sides[s]);
-            table.faceEdges.data()[table.use[s]] = edge;
+            table.use.push_back(useOf(side));
+            table.faceEdges.data()[useOf(side)] = static_cast<int>(table.useStart.size()) - 1;
         }
     }
-    table.useStart[edgeCount] = sideCount;
+    table.edges.conservativeResize(std::ssize(table.useStart), 2);
+    table.useStart.push_back(sideCount);
     return table;
 }
 
