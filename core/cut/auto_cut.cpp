@@ -49,10 +49,9 @@ public:
         if (auto error = findLoops()) {
             return *error;
         }
-        const FilledMesh filled = fillHoles(mesh_, proposal_.holesToFill);
-        const EdgeTable table =
-            buildEdgeTable(filled.mesh.F, static_cast<int>(filled.mesh.V.rows()));
-        const SurfaceLinks links(filled.mesh, table);
+        const MeshArrays filled = fillHoles(mesh_, proposal_.holesToFill);
+        const EdgeTable table = buildEdgeTable(filled.F, static_cast<int>(filled.V.rows()));
+        const SurfaceLinks links(filled, table);
         const std::vector<double> weights = weightsOf(links, defect == ErrorCode::ClosedSurface);
         EdgeWays ways;
         if (!openings_.empty()) {
@@ -69,7 +68,7 @@ public:
                 return Error{ErrorCode::Cancelled};
             }
             const PathPolyline path = polylineOf(links_, way);
-            proposal_.cuts.push_back({path, path.length});
+            proposal_.cuts.push_back(path);
             tight.push_back(openings_.empty() && followsCrease(way)
                                 ? path
                                 : shortenedCut(links_, openings_, path));
@@ -127,11 +126,8 @@ private:
         for (std::size_t i = 1; i < way.size(); ++i) {
             const double length = (mesh_.V.row(way[i]) - mesh_.V.row(way[i - 1])).norm();
             whole += length;
-            for (const int corner : links_.cornersAt(way[i - 1])) {
-                if (links_.head(corner) == way[i]) {
-                    creased += foldAngle(links_, links_.edgeOf(corner)) > kCrease ? length : 0;
-                }
-            }
+            const int edge = findEdge(links_.table().edges, way[i - 1], way[i]);
+            creased += foldAngle(links_, edge) > kCrease ? length : 0;
         }
         return 2 * creased > whole;
     }
@@ -150,10 +146,10 @@ private:
 
     /// Takes the cuts that were pulled tight, all of them or as many as leave one disk.
     void adopt(const std::vector<PathPolyline>& tight) {
-        const std::vector<ProposedCut> safe = proposal_.cuts;
+        const std::vector<PathPolyline> safe = proposal_.cuts;
         const auto take = [&](std::size_t i) {
             if (!touchesHole(tight[i])) {
-                proposal_.cuts[i] = {tight[i], tight[i].length};
+                proposal_.cuts[i] = tight[i];
             }
         };
         for (std::size_t i = 0; i < tight.size(); ++i) {
@@ -217,20 +213,15 @@ Result<AutoCut> proposeCuts(const MeshArrays& mesh, const EdgeTable& table,
 
 Result<CutResult> applyAutoCut(const MeshArrays& mesh, const AutoCut& proposal,
                                const CutOptions& options, const Progress& progress) {
-    std::vector<PathPolyline> paths;
-    for (const ProposedCut& cut : proposal.cuts) {
-        paths.push_back(cut.path);
-    }
-    const FilledMesh filled = fillHoles(mesh, proposal.holesToFill);
-    auto result = cutAlong(filled.mesh, paths, options, progress);
+    auto result = cutAlong(fillHoles(mesh, proposal.holesToFill), proposal.cuts, options, progress);
     if (!result) {
         return result;
     }
     for (int& face : result->sourceFace) {
-        face = filled.sourceFace[face];
+        face = face < mesh.F.rows() ? face : -1;
     }
     for (int& vertex : result->sourceVertex) {
-        vertex = vertex < 0 ? -1 : filled.sourceVertex[vertex];
+        vertex = vertex < mesh.V.rows() ? vertex : -1;
     }
     for (SurfacePoint& place : result->place) {
         if (place.face >= mesh.F.rows()) {

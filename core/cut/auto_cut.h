@@ -9,8 +9,6 @@
 
 namespace toile {
 
-enum class CutAuthor { User, Automatic };
-
 struct AutoCutOptions {
     /// Loops shorter than this fraction of the longest are holes in the cloth, as others may be
     /// (sortLoops): filled for the solve and not joined to the outline by a seam. 0: no hole at
@@ -20,15 +18,9 @@ struct AutoCutOptions {
     int maxLoops = 64;
 };
 
-struct ProposedCut {
-    PathPolyline path;
-    double length = 0;
-    CutAuthor author = CutAuthor::Automatic;
-};
-
 /// What makes a piece a disk.
 struct AutoCut {
-    std::vector<ProposedCut> cuts;  ///< faces as in the piece
+    std::vector<PathPolyline> cuts;  ///< faces as in the piece
     std::vector<RimLoop> holesToFill;
 };
 

@@ -112,8 +112,12 @@ struct Step {
     int left, right;  ///< uses
 };
 
+/// Parts a mesh along paths of vertices, neighbours joined by an edge. Every vertex is divided into
+/// as many copies as the cuts divide the triangles around it into groups; the first keeps its
+/// number. Rim edges and edges cut by an earlier path are left out. Cost: linear.
 class Opener {
 public:
+    /// @param result  with the mesh
     Opener(OpenedMesh& result, const std::vector<std::vector<int>>& paths)
         : result_(result),
           source_(result.mesh),
@@ -214,16 +218,6 @@ private:
     std::vector<std::vector<Step>> steps_;
 };
 
-/// Parts a mesh along paths of vertices, neighbours joined by an edge. Every vertex is divided into
-/// as many copies as the cuts divide the triangles around it into groups; the first keeps its
-/// number. Rim edges and edges cut by an earlier path are left out. Cost: linear.
-OpenedMesh openAlong(MeshArrays mesh, const std::vector<std::vector<int>>& paths) {
-    OpenedMesh result;
-    result.mesh = std::move(mesh);
-    Opener(result, paths).run();
-    return result;
-}
-
 }  // namespace
 
 Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolyline>& paths,
@@ -260,7 +254,9 @@ Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolylin
         for (const auto& way : ways) {
             refined.push_back(parts.refined(way));
         }
-        return openAlong(assemble(parts, result.sourceFace), refined);
+        OpenedMesh made{assemble(parts, result.sourceFace), {}, {}, {}};
+        Opener(made, refined).run();
+        return made;
     };
     OpenedMesh opened = open();
     if (!opened.stillShut.empty()) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -81,7 +80,7 @@ std::vector<RimLoop> rimLoops(const SurfaceLinks& links) {
     return loops;
 }
 
-FilledMesh fillHoles(const MeshArrays& mesh, const std::vector<RimLoop>& holes) {
+MeshArrays fillHoles(const MeshArrays& mesh, const std::vector<RimLoop>& holes) {
     const int vertexCount = static_cast<int>(mesh.V.rows());
     const int faceCount = static_cast<int>(mesh.F.rows());
     int middles = 0;
@@ -91,26 +90,20 @@ FilledMesh fillHoles(const MeshArrays& mesh, const std::vector<RimLoop>& holes) 
         middles += isTriangle ? 0 : 1;
         caps += isTriangle ? 1 : static_cast<int>(hole.vertices.size());
     }
-    FilledMesh filled;
-    filled.mesh.V.resize(vertexCount + middles, 3);
-    filled.mesh.V.topRows(vertexCount) = mesh.V;
-    filled.mesh.F.resize(faceCount + caps, 3);
-    filled.mesh.F.topRows(faceCount) = mesh.F;
-    filled.sourceVertex.assign(vertexCount + middles, -1);
-    std::iota(filled.sourceVertex.begin(), filled.sourceVertex.begin() + vertexCount, 0);
-    filled.sourceFace.assign(faceCount + caps, -1);
-    std::iota(filled.sourceFace.begin(), filled.sourceFace.begin() + faceCount, 0);
+    MeshArrays filled = mesh;
+    filled.V.conservativeResize(vertexCount + middles, 3);
+    filled.F.conservativeResize(faceCount + caps, 3);
     int vertex = vertexCount;
     int face = faceCount;
     for (const RimLoop& hole : holes) {
         const std::vector<int>& rim = hole.vertices;
         if (rim.size() == 3) {
-            filled.mesh.F.row(face++) << rim[2], rim[1], rim[0];
+            filled.F.row(face++) << rim[2], rim[1], rim[0];
             continue;
         }
-        filled.mesh.V.row(vertex) = capMiddle(mesh, hole);
+        filled.V.row(vertex) = capMiddle(mesh, hole);
         for (std::size_t i = 0; i < rim.size(); ++i) {
-            filled.mesh.F.row(face++) << rim[(i + 1) % rim.size()], rim[i], vertex;
+            filled.F.row(face++) << rim[(i + 1) % rim.size()], rim[i], vertex;
         }
         ++vertex;
     }

@@ -16,18 +16,12 @@ struct RimLoop {
 /// All loops, in order of their least vertex. Precondition: manifold and oriented. Linear.
 std::vector<RimLoop> rimLoops(const SurfaceLinks& links);
 
-/// A mesh with caps: its own vertices and faces first, then one new vertex per hole and the fan of
-/// triangles around it (a hole of three edges takes one triangle and no vertex).
-struct FilledMesh {
-    MeshArrays mesh;
-    std::vector<int> sourceVertex;  ///< per vertex; -1 for the middle of a cap
-    std::vector<int> sourceFace;    ///< per face; -1 for a cap
-};
-
-/// Closes holes for the solve; take the faces without source out again to have the holes back. Caps
-/// need not lie flat: where a fan from the hole's middle would have a flat triangle, as in a
-/// buttonhole that is shut, it is raised to a cone. Cost: linear. Pure.
-FilledMesh fillHoles(const MeshArrays& mesh, const std::vector<RimLoop>& holes);
+/// Closes holes for the solve: the mesh's own vertices and faces first, then one new vertex per
+/// hole and the fan of triangles around it (a hole of three edges takes one triangle and no
+/// vertex); take the further faces out again to have the holes back. Caps need not lie flat: where
+/// a fan from the hole's middle would have a flat triangle, as in a buttonhole that is shut, it is
+/// raised to a cone. Cost: linear. Pure.
+MeshArrays fillHoles(const MeshArrays& mesh, const std::vector<RimLoop>& holes);
 
 /// A loop shorter than this fraction of the piece's longest loop is a hole in the cloth.
 inline constexpr double kSmallHole = 0.05;

@@ -142,12 +142,4 @@ SurfacePoint SurfaceLinks::onEdge(int edge, double t) const {
     return point;
 }
 
-double measuredLength(const MeshArrays& mesh, const PathPolyline& path) {
-    double sum = 0;
-    for (std::size_t i = 1; i < path.points.size(); ++i) {
-        sum += (positionOf(mesh, path.points[i]) - positionOf(mesh, path.points[i - 1])).norm();
-    }
-    return sum;
-}
-
 }  // namespace toile

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cut/nearest_surface.h"
+#include "core/cut/surface_point.h"
 
+#include <cstdint>
 #include <limits>
 
 namespace toile {
+
+double measuredLength(const MeshArrays& mesh, const PathPolyline& path) {
+    double sum = 0;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        sum += (positionOf(mesh, path.points[i]) - positionOf(mesh, path.points[i - 1])).norm();
+    }
+    return sum;
+}
+
 Eigen::Vector3d nearestInTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                   const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     const Eigen::Vector3d ab = b - a;

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "core/base/error.h"
+#include "core/geometry/triangle_tree.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -40,6 +41,26 @@ inline Eigen::Vector3d positionOf(const MeshArrays& mesh, const SurfacePoint& po
 
 /// Sum of the straight pieces. Cost: linear. Pure.
 double measuredLength(const MeshArrays& mesh, const PathPolyline& path);
+
+/// Finds the surface's nearest point again and again: a tree of boxes around the triangles. Keeps
+/// a reference to the mesh. Cost: linear to build, about O(log #F) a question. Immutable.
+class NearestSurface {
+public:
+    /// Precondition: at least one face, finite positions.
+    explicit NearestSurface(const MeshArrays& mesh);
+
+    /// Where several points are equally near, the one on the face with the least index.
+    SurfacePoint find(const Eigen::Vector3d& p) const;
+
+private:
+    const MeshArrays& mesh_;
+    TriangleTree<3, double> tree_;
+};
+
+/// Weights of the point of a triangle nearest to `p`; exact zeros on its edges and corners.
+/// After Ericson, Real-Time Collision Detection, section 5.1.5.
+Eigen::Vector3d nearestInTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                                  const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
 /// A cut that cannot be made as asked: unconnected points, fewer points than it needs.
 inline Error cutError(Subject subject, Wording detail) {

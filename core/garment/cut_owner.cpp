@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/cut/nearest_surface.h"
 #include "core/cut/surface_point.h"
 
 namespace toile {

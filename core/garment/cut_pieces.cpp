@@ -30,27 +30,18 @@ Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const Su
     return point;
 }
 
-/// What came of one curve: the length that came open, mm.
-struct Opened {
-    double length = 0;
-    std::optional<Error> error;  ///< why it was left out
-};
-
 /// Cuts one piece along curves. What comes of it has the old piece's file, sources and panel, and
 /// its name; several parts are the caller's to name.
 /// @param ids     of the cuts, one per path
 /// @param opened  gets what each curve opened
 Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPolyline>& paths,
                                     const std::vector<CutId>& ids, const CutOptions& options,
-                                    const Progress& progress, std::vector<Opened>& opened) {
+                                    const Progress& progress, std::vector<OpenedCut>& opened) {
     auto cut = cutAlong(piece.mesh, paths, options, progress);
     if (!cut) {
         Error error = cut.error();
         error.subject = subjectOf(piece);
         return error;
-    }
-    for (const OpenedCut& one : cut->cuts) {
-        opened.push_back({one.length, one.error});
     }
     MeshPart part;
     for (const int v : cut->sourceVertex) {
@@ -88,6 +79,7 @@ Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPo
             }
         }
     }
+    opened = std::move(cut->cuts);
     return made;
 }
 
@@ -199,7 +191,7 @@ private:
         if (paths.empty()) {
             return {};
         }
-        std::vector<Opened> opened;
+        std::vector<OpenedCut> opened;
         auto parts = cutPiece(piece, paths, ids, {.leavesOut = true}, progress, opened);
         bool areAllOut = true;
         for (std::size_t c = 0; c < traced.size(); ++c) {
@@ -238,14 +230,12 @@ private:
             nameDefect(piece);
             return;
         }
-        std::vector<PathPolyline> paths;
         std::vector<CutId> ids;
-        for (const ProposedCut& cut : proposal->cuts) {
-            ids.push_back({hashOf({piece.id.value, 'a', paths.size()})});
-            paths.push_back(cut.path);
+        for (std::size_t c = 0; c < proposal->cuts.size(); ++c) {
+            ids.push_back({hashOf({piece.id.value, 'a', c})});
         }
-        std::vector<Opened> opened;
-        auto parts = cutPiece(piece, paths, ids, {}, progress, opened);
+        std::vector<OpenedCut> opened;
+        auto parts = cutPiece(piece, proposal->cuts, ids, {}, progress, opened);
         if (!parts || parts->size() != 1) {
             piece.defect = parts ? cutError(subjectOf(piece),
                                             toile::worded("the cuts would separate the piece"))

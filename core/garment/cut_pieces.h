@@ -13,6 +13,8 @@
 
 namespace toile {
 
+enum class CutAuthor { User, Automatic };
+
 /// A cut that was made in a piece.
 struct MadeCut {
     std::string name;  ///< the user's; "front, automatic cut 1"

@@ -2,12 +2,12 @@
 #include "core/garment/divide.h"
 
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "core/base/unique_names.h"
 #include "core/garment/corner_uv.h"
+#include "core/geometry/buckets.h"
 #include "core/io/triangulate.h"
 #include "core/mesh/repair.h"
 #include "core/mesh/repair_part.h"
@@ -52,81 +52,51 @@ std::string nameInFile(const PolygonSoup& soup, SplitMode mode, int face) {
     return name.empty() ? "piece" : name;
 }
 
-/// The parts of a division one by one.
-class Parts {
-public:
-    Parts(const SourceFile& file, const Triangulation& triangles, const Division& division)
-        : file_(file), triangles_(triangles), division_(division) {
-        const std::size_t parts = static_cast<std::size_t>(division.partCount) + 1;
-        const std::vector<int>& partOf = division.partOfTriangle;
-        std::vector<int> partOfVertex(division.positionOf.size(), 0);
-        for (std::size_t t = 0; t < partOf.size(); ++t) {
-            for (int k = 0; k < 3; ++k) {
-                partOfVertex[division.cornerVertex(static_cast<Eigen::Index>(t), k)] = partOf[t];
-            }
-        }
-        members_ = byPart(partOf, parts, memberEnd_);
-        vertices_ = byPart(partOfVertex, parts, vertexEnd_);
-        local_.resize(partOfVertex.size());
-        for (std::size_t i = 0; i < vertices_.size(); ++i) {
-            const int part = partOfVertex[vertices_[i]];
-            local_[vertices_[i]] = static_cast<int>(i) - begin(vertexEnd_, part);
-        }
-    }
-
-    /// The triangles of a part. Vertices are numbered in order of their index in the division, that
-    /// is of their position in the file, so that the piece does not depend on the order of corners.
-    MeshPart gather(int part) const {
-        const double millimetres = millimetresPer(file_.unit);
-        MeshPart made;
-        const int firstVertex = begin(vertexEnd_, part);
-        const int vertexCount = vertexEnd_[part] - firstVertex;
-        made.mesh.V.resize(vertexCount, 3);
-        made.sourceVertex.resize(static_cast<std::size_t>(vertexCount));
-        for (int v = 0; v < vertexCount; ++v) {
-            const int position = division_.positionOf[vertices_[firstVertex + v]];
-            made.sourceVertex[v] = position;
-            made.mesh.V.row(v) = millimetres * withYUp(file_.up, file_.soup->positions[position]);
-        }
-        const int firstFace = begin(memberEnd_, part);
-        const int faceCount = memberEnd_[part] - firstFace;
-        made.mesh.F.resize(faceCount, 3);
-        made.sourceFace.resize(static_cast<std::size_t>(faceCount));
-        for (int f = 0; f < faceCount; ++f) {
-            const int member = members_[firstFace + f];
-            for (int k = 0; k < 3; ++k) {
-                made.mesh.F(f, k) = local_[division_.cornerVertex(member, k)];
-            }
-            made.sourceFace[f] = triangles_.sourceFace[member];
-        }
-        return made;
-    }
-
-private:
-    static int begin(const std::vector<int>& end, int part) { return part > 0 ? end[part - 1] : 0; }
-
-    /// The indices by their part, in ascending order within each. @param end  gets where each ends
-    static std::vector<int> byPart(const std::vector<int>& partOf, std::size_t parts,
-                                   std::vector<int>& end) {
-        end.assign(parts + 1, 0);
-        for (const int part : partOf) {
-            ++end[part + 1];
-        }
-        std::partial_sum(end.begin(), end.end(), end.begin());
-        std::vector<int> sorted(partOf.size());
-        for (std::size_t i = 0; i < partOf.size(); ++i) {
-            sorted[end[partOf[i]]++] = static_cast<int>(i);
-        }
-        return sorted;
-    }
-
-    const SourceFile& file_;
-    const Triangulation& triangles_;
-    const Division& division_;
-    std::vector<int> members_, memberEnd_;   ///< triangles
-    std::vector<int> vertices_, vertexEnd_;  ///< of the division
-    std::vector<int> local_;                 ///< per vertex of the division: its index in its part
+/// Triangles and vertices of a division by their part, ascending in each. Vertices are in order of
+/// their position in the file, so that a piece does not depend on the order of corners.
+struct Parts {
+    Buckets<> triangles, vertices;
 };
+
+Parts partsOf(const Division& division) {
+    const std::vector<int>& partOf = division.partOfTriangle;
+    const auto byPart = [&division](const std::vector<int>& part) {
+        return Buckets<>(division.partCount, [&part](auto add) {
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                add(part[i], static_cast<int>(i));
+            }
+        });
+    };
+    std::vector<int> partOfVertex(division.positionOf.size(), 0);
+    for (Eigen::Index corner = 0; corner < division.cornerVertex.size(); ++corner) {
+        partOfVertex[division.cornerVertex.data()[corner]] = partOf[corner / 3];
+    }
+    return {byPart(partOf), byPart(partOfVertex)};
+}
+
+/// @param local  as long as the division's vertices; what it holds does not matter
+MeshPart gather(const SourceFile& file, const Triangulation& triangles, const Division& division,
+                const Parts& parts, int part, std::vector<int>& local) {
+    const double millimetres = millimetresPer(file.unit);
+    MeshPart made;
+    const std::span<const int> vertices = parts.vertices[part];
+    made.mesh.V.resize(std::ssize(vertices), 3);
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        const int position = division.positionOf[vertices[v]];
+        local[vertices[v]] = static_cast<int>(v);
+        made.sourceVertex.push_back(position);
+        made.mesh.V.row(static_cast<Eigen::Index>(v)) =
+            millimetres * withYUp(file.up, file.soup->positions[position]);
+    }
+    made.mesh.F = division.cornerVertex(parts.triangles[part], Eigen::all);
+    for (int& v : cornersOf(made.mesh.F)) {
+        v = local[v];
+    }
+    for (const int triangle : parts.triangles[part]) {
+        made.sourceFace.push_back(triangles.sourceFace[triangle]);
+    }
+    return made;
+}
 
 /// The uv of each vertex of a piece, by its corners' faces; nothing where a corner has none.
 std::optional<Points2> flatPanel(const PolygonSoup& soup, const Piece& piece, double scale) {
@@ -164,9 +134,10 @@ public:
                 uvScale_->ratio = 1;
             }
         }
-        const Parts parts(file_, triangles, division);
+        const Parts parts = partsOf(division);
+        std::vector<int> local(division.positionOf.size());
         for (int p = 0; p < division.partCount; ++p) {
-            addPieces(parts.gather(p));
+            addPieces(gather(file_, triangles, division, parts, p, local));
         }
         return std::move(divided_);
     }
@@ -181,8 +152,7 @@ private:
             RepairResult mended = repair(std::move(part), RepairOptions{}, prefix_ + name);
             part = std::move(mended.part);
             if (mended.soundTable) {
-                add(makeSoundPiece(prefix_ + name, std::move(part.mesh),
-                                   *std::move(mended.soundTable)),
+                add(makePiece(prefix_ + name, std::move(part.mesh), *std::move(mended.soundTable)),
                     part);
                 return;
             }

@@ -17,7 +17,7 @@ void acceptHoles(Piece& piece, DiskCheck& check) {
     if (loops.openings.size() != 1) {
         return;
     }
-    DiskCheck filled = checkDisk(fillHoles(piece.mesh, loops.holes).mesh, piece.name);
+    DiskCheck filled = checkDisk(fillHoles(piece.mesh, loops.holes), piece.name);
     check.boundary = std::move(filled.boundary);
     check.defect = std::move(filled.defect);
     if (!check.defect) {
@@ -27,7 +27,13 @@ void acceptHoles(Piece& piece, DiskCheck& check) {
     }
 }
 
-void finish(Piece& piece, DiskCheck check) {
+}  // namespace
+
+Piece makePiece(std::string name, MeshArrays mesh, std::optional<EdgeTable> soundTable) {
+    Piece piece;
+    piece.name = std::move(name);
+    piece.mesh = std::move(mesh);
+    DiskCheck check = checkDisk(piece.mesh, piece.name, std::move(soundTable));
     if (check.defect && check.defect->code == ErrorCode::SeveralLoops) {
         acceptHoles(piece, check);
     }
@@ -37,23 +43,6 @@ void finish(Piece& piece, DiskCheck check) {
     if (!piece.defect) {
         piece.halfedges = std::make_shared<const LazyTriMesh>();
     }
-}
-
-}  // namespace
-
-Piece makePiece(std::string name, MeshArrays mesh) {
-    Piece piece;
-    piece.name = std::move(name);
-    piece.mesh = std::move(mesh);
-    finish(piece, checkDisk(piece.mesh, piece.name));
-    return piece;
-}
-
-Piece makeSoundPiece(std::string name, MeshArrays mesh, EdgeTable table) {
-    Piece piece;
-    piece.name = std::move(name);
-    piece.mesh = std::move(mesh);
-    finish(piece, checkSoundDisk(piece.mesh, piece.name, std::move(table)));
     return piece;
 }
 
@@ -79,7 +68,7 @@ Piece withHolesFilled(const Piece& piece) {
         }
         loops.push_back(std::move(loop));
     }
-    Piece filled = makePiece(piece.name, fillHoles(piece.mesh, loops).mesh);
+    Piece filled = makePiece(piece.name, fillHoles(piece.mesh, loops));
     filled.id = piece.id;
     return filled;
 }

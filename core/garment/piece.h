@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/garment/edge_origin.h"
 #include "core/garment/lineage.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/lazy_tri_mesh.h"
@@ -52,11 +51,12 @@ inline void nameDefect(Piece& piece) {
 
 /// Checks the mesh, or names the defect. The mapping back to a file
 /// and the id are left empty. Loops that are holes in the cloth (`sortLoops`) are no defect.
-/// @param mesh  one connected component, mm  Cost: linear. Pure.
-Piece makePiece(std::string name, MeshArrays mesh);
-
-/// The same for a mesh that `isSoundSurface`, with its edges: nothing is checked twice.
-Piece makeSoundPiece(std::string name, MeshArrays mesh, EdgeTable table);
+/// @param mesh        one connected component, mm
+/// @param soundTable  its edges, where it is known to be a sound surface (`isSoundSurface`): then
+///                    nothing is checked twice
+/// Cost: linear. Pure.
+Piece makePiece(std::string name, MeshArrays mesh,
+                std::optional<EdgeTable> soundTable = std::nullopt);
 
 /// The half-edge mesh of a piece without defect: same vertex and face indices as `mesh`, same edge
 /// indices as `table`. Built at the first call and kept, also for the piece's copies. Thread-safe.

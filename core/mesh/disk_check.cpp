@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/disk_check.h"
 
-#include <algorithm>
+#include <numeric>
 #include <utility>
-
-#include <Eigen/Geometry>
 
 #include "core/base/tolerances.h"
 #include "core/geometry/disjoint_sets.h"
 #include "core/mesh/corner_fans.h"
+#include "core/mesh/repair_part.h"
 #include "core/mesh/sides.h"
 
 namespace toile {
@@ -78,7 +77,6 @@ private:
         Fault repeated;
         Fault doubled;
         Fault crowded;
-        std::vector<int> opposites;
         for (int f = 0; f < faceCount(); ++f) {
             const auto t = mesh_.F.row(f);
             if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
@@ -89,18 +87,8 @@ private:
             return fail(ErrorCode::DegenerateFace, repeated, "triangle");
         }
         for (int e = 0; e < edgeCount(); ++e) {
-            // Doubled faces share the vertex opposite to each of their three edges: count at one.
-            opposites.clear();
-            for (const int side : uses(e)) {
-                if (apexOf(mesh_.F, side) > table_.edges(e, 1)) {
-                    opposites.push_back(apexOf(mesh_.F, side));
-                }
-            }
-            std::sort(opposites.begin(), opposites.end());
-            for (std::size_t i = 1; i < opposites.size(); ++i) {
-                if (opposites[i] == opposites[i - 1]) {
-                    doubled.see(table_.edges(e, 0));
-                }
+            for ([[maybe_unused]] const int face : doubledFaces(mesh_.F, table_, e)) {
+                doubled.see(table_.edges(e, 0));
             }
             if (uses(e).size() > 2) {
                 crowded.see(table_.edges(e, 0));
@@ -196,14 +184,12 @@ private:
             }
         }
         if (loops > 1) {
-            result_.boundary.clear();
             return fail(ErrorCode::SeveralLoops,
                         toile::worded("%1: %2%3", {countWording(loops, "loop"), places,
                                                    loops > kNamedLoops ? "; ..." : ""}));
         }
         if (vertexCount() - edgeCount() + faceCount() != 1) {
             const int handles = (1 - (vertexCount() - edgeCount() + faceCount())) / 2;
-            result_.boundary.clear();
             return fail(ErrorCode::Handle, countWording(handles, "handle"));
         }
         return true;
@@ -212,10 +198,7 @@ private:
     bool checkShapes() {
         Fault flat;
         for (int f = 0; f < faceCount(); ++f) {
-            const Eigen::Vector3d a = mesh_.V.row(mesh_.F(f, 1)) - mesh_.V.row(mesh_.F(f, 0));
-            const Eigen::Vector3d b = mesh_.V.row(mesh_.F(f, 2)) - mesh_.V.row(mesh_.F(f, 0));
-            const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
-            if (!(a.cross(b).norm() > kDegenerateHeight * longest * longest)) {
+            if (shapeOf(mesh_, f).flat) {
                 flat.see(mesh_.F(f, 0));
             }
         }
@@ -223,19 +206,17 @@ private:
     }
 
     bool checkOutlineEdges() {
-        double perimeter = 0;
-        const int n = static_cast<int>(result_.boundary.size());
-        const auto length = [this, n](int i) {
-            return (mesh_.V.row(result_.boundary[(i + 1) % n]) - mesh_.V.row(result_.boundary[i]))
-                .norm();
-        };
-        for (int i = 0; i < n; ++i) {
-            perimeter += length(i);
+        const std::vector<int>& loop = result_.boundary;
+        std::vector<double> lengths;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            lengths.push_back(
+                (mesh_.V.row(loop[(i + 1) % loop.size()]) - mesh_.V.row(loop[i])).norm());
         }
+        const double perimeter = std::accumulate(lengths.begin(), lengths.end(), 0.0);
         Fault none;
-        for (int i = 0; i < n; ++i) {
-            if (length(i) < kZeroLengthEdge * perimeter) {
-                none.see(result_.boundary[i]);
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            if (lengths[i] < kZeroLengthEdge * perimeter) {
+                none.see(loop[i]);
             }
         }
         return none.count == 0 || fail(ErrorCode::ZeroLengthEdge, none, "edge");
@@ -249,17 +230,12 @@ private:
 
 }  // namespace
 
-DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name) {
+DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name,
+                    std::optional<EdgeTable> soundTable) {
     DiskCheck result;
-    result.table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
-    Checker(mesh, name, result).run(isSoundSurface(mesh, result.table));
-    return result;
-}
-
-DiskCheck checkSoundDisk(const MeshArrays& mesh, const std::string& name, EdgeTable table) {
-    DiskCheck result;
-    result.table = std::move(table);
-    Checker(mesh, name, result).run(true);
+    result.table = soundTable ? *std::move(soundTable)
+                              : buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+    Checker(mesh, name, result).run(soundTable || isSoundSurface(mesh, result.table));
     return result;
 }
 

@@ -23,12 +23,11 @@ struct DiskCheck {
 /// faces, edges with more than two faces, opposed windings (or no orientation at all), pinched
 /// vertices, no or several boundary loops, handles, boundary edges without length.
 /// `name` is the piece for the message; places are given as coordinates in mm.
+/// @param soundTable  the edges of a mesh that is known to be a sound surface (`isSoundSurface`):
+///                    then only loops, handles and boundary edges are left to check
 /// Errors in `defect`: any of the piece codes of ErrorCode. Cost: linear.
-DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name);
-
-/// The same for a mesh that `isSoundSurface`: only loops, handles and boundary edges are left to
-/// check. @param table  its edges
-DiskCheck checkSoundDisk(const MeshArrays& mesh, const std::string& name, EdgeTable table);
+DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name,
+                    std::optional<EdgeTable> soundTable = std::nullopt);
 
 /// True where a mesh is plainly an oriented manifold with boundary: every vertex is used and
 /// finite; every triangle has three sides and a height, well above rounding; every edge has one

@@ -96,7 +96,6 @@ bool collapseRound(MeshPart& part, RepairNotes& notes) {
 void dropUnusableFaces(MeshPart& part, RepairNotes& notes) {
     const MeshArrays& mesh = part.mesh;
     std::vector<char> erased(mesh.F.rows(), 0);
-    bool any = false;
     for (int f = 0; f < mesh.F.rows(); ++f) {
         const auto place = mesh.V.row(mesh.F(f, 0));
         if (!place.allFinite() || !mesh.V.row(mesh.F(f, 1)).allFinite() ||
@@ -108,11 +107,8 @@ void dropUnusableFaces(MeshPart& part, RepairNotes& notes) {
             continue;
         }
         erased[f] = 1;
-        any = true;
     }
-    if (any) {
-        eraseFaces(part, erased);
-    }
+    eraseFaces(part, erased);
 }
 
 void collapseNeedles(MeshPart& part, RepairNotes& notes) {
@@ -125,33 +121,16 @@ void collapseNeedles(MeshPart& part, RepairNotes& notes) {
 EdgeTable dropDuplicates(MeshPart& part, RepairNotes& notes) {
     const Triangles& F = part.mesh.F;
     const int vertexCount = static_cast<int>(part.mesh.V.rows());
-    EdgeTable table = buildEdgeTable(F, vertexCount);
+    const EdgeTable table = buildEdgeTable(F, vertexCount);
     std::vector<char> erased(F.rows(), 0);
-    bool any = false;
-    std::vector<std::pair<int, int>> apexes;  // third vertex, face
     for (int e = 0; e < table.edges.rows(); ++e) {
-        apexes.clear();
-        for (const int side : table.usesOf(e)) {
-            const int apex = apexOf(F, side);
-            if (apex > table.edges(e, 1)) {  // each face at one of its edges: that of its least two
-                apexes.emplace_back(apex, side / 3);
-            }
-        }
-        std::sort(apexes.begin(), apexes.end());
-        for (std::size_t i = 1; i < apexes.size(); ++i) {
-            if (apexes[i].first == apexes[i - 1].first) {
-                erased[apexes[i].second] = 1;
-                any = true;
-                notes.add(ErrorCode::DuplicateFacesRemoved, "face", translatable("removed"),
-                          part.mesh.V.row(table.edges(e, 0)));
-            }
+        for (const int face : doubledFaces(F, table, e)) {
+            erased[face] = 1;
+            notes.add(ErrorCode::DuplicateFacesRemoved, "face", translatable("removed"),
+                      part.mesh.V.row(table.edges(e, 0)));
         }
     }
-    if (any) {
-        eraseFaces(part, erased);
-        table = buildEdgeTable(F, vertexCount);
-    }
-    return table;
+    return eraseFaces(part, erased) ? buildEdgeTable(F, vertexCount) : table;
 }
 
 namespace {

@@ -60,20 +60,10 @@ private:
         notes_.add(kCode, "triangle", what, part_.mesh.V.row(apexOf(F_, side)));
     }
 
-    /// Joins two sides; where one is none, the other becomes border.
-    void glueSides(int a, int b) {
-        if (a >= 0) {
-            twin_[a] = b;
-        }
-        if (b >= 0) {
-            twin_[b] = a;
-        }
-    }
-
     void drop(int f) {
         gone_[f] = 1;
         for (int side = 3 * f; side < 3 * f + 3; ++side) {
-            glueSides(twin_[side], -1);
+            gluing_.join(twin_[side], -1);
             twin_[side] = -1;
         }
     }
@@ -107,7 +97,7 @@ private:
             const int a = sideAt(side, v);
             const int b = sideAt(other, v);
             if (twin_[a] != b) {
-                glueSides(twin_[a], twin_[b]);
+                gluing_.join(twin_[a], twin_[b]);
             }
             twin_[a] = -1;
             twin_[b] = -1;
@@ -131,11 +121,11 @@ private:
         F_.row(f) << p, c, d;
         F_.row(g) << c, q, d;
         part_.sourceFace[f] = part_.sourceFace[g];  // its area is the neighbour's
-        glueSides(3 * f, pc);
-        glueSides(3 * f + 1, 3 * g + 2);
-        glueSides(3 * f + 2, dp);
-        glueSides(3 * g, cq);
-        glueSides(3 * g + 1, qd);
+        gluing_.join(3 * f, pc);
+        gluing_.join(3 * f + 1, 3 * g + 2);
+        gluing_.join(3 * f + 2, dp);
+        gluing_.join(3 * g, cq);
+        gluing_.join(3 * g + 1, qd);
         push(f);
         push(g);
     }

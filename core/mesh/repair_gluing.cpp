@@ -46,7 +46,7 @@ public:
         for (int e = 0; e < table_.edges.rows(); ++e) {
             const std::span<const int> uses = table_.usesOf(e);
             if (uses.size() == 2) {
-                join(uses[0], uses[1]);
+                gluing_.join(uses[0], uses[1]);
             } else if (uses.size() > 2) {
                 crowded.push_back(e);
                 for (const int v : {table_.edges(e, 0), table_.edges(e, 1)}) {
@@ -64,11 +64,6 @@ public:
     }
 
 private:
-    void join(int a, int b) {
-        gluing_.twin[a] = b;
-        gluing_.twin[b] = a;
-    }
-
     void pairUp(const std::vector<int>& crowded) {
         const Sides sides = findSides(mesh_, gluing_.twin);
         std::vector<Pair> pairs;
@@ -92,7 +87,7 @@ private:
                 (!isOneSided && ways.root(p) == ways.root(q + 1 - pair.turn))) {
                 continue;
             }
-            join(pair.a, pair.b);
+            gluing_.join(pair.a, pair.b);
             ways.join(p, q + pair.turn);
             ways.join(p + 1, q + 1 - pair.turn);
         }

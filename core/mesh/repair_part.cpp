@@ -7,7 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "core/base/tolerances.h"
-#include "core/mesh/edge_table.h"
+#include "core/geometry/buckets.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 
@@ -19,7 +20,10 @@ std::vector<char> usedVertices(const Triangles& F, Eigen::Index vertexCount) {
     return used;
 }
 
-void eraseFaces(MeshPart& part, const std::vector<char>& erased) {
+bool eraseFaces(MeshPart& part, const std::vector<char>& erased) {
+    if (std::ranges::find(erased, 1) == erased.end()) {
+        return false;
+    }
     int kept = 0;
     for (int f = 0; f < part.mesh.F.rows(); ++f) {
         if (erased[f] == 0) {
@@ -29,6 +33,7 @@ void eraseFaces(MeshPart& part, const std::vector<char>& erased) {
     }
     part.mesh.F.conservativeResize(kept, 3);
     part.sourceFace.resize(kept);
+    return true;
 }
 
 int eraseUnusedVertices(MeshPart& part) {
@@ -64,6 +69,26 @@ void appendCopies(MeshPart& part, const std::vector<int>& originals) {
     }
 }
 
+std::vector<int> doubledFaces(const Triangles& F, const EdgeTable& table, Eigen::Index edge) {
+    std::vector<int> doubled;
+    if (table.usesOf(edge).size() < 2) {
+        return doubled;
+    }
+    std::vector<std::pair<int, int>> apexes;  // third vertex, face
+    for (const int side : table.usesOf(edge)) {
+        if (apexOf(F, side) > table.edges(edge, 1)) {
+            apexes.emplace_back(apexOf(F, side), side / 3);
+        }
+    }
+    std::ranges::sort(apexes);
+    for (std::size_t i = 1; i < apexes.size(); ++i) {
+        if (apexes[i].first == apexes[i - 1].first) {
+            doubled.push_back(apexes[i].second);
+        }
+    }
+    return doubled;
+}
+
 FaceShape shapeOf(const MeshArrays& mesh, int face) {
     const Eigen::RowVector3d a = mesh.V.row(mesh.F(face, 0));
     const Eigen::RowVector3d b = mesh.V.row(mesh.F(face, 1));
@@ -78,34 +103,6 @@ FaceShape shapeOf(const MeshArrays& mesh, int face) {
     return shape;
 }
 
-namespace {
-
-/// Vertex of each part by vertex of the whole, and the vertices of each part in their order.
-std::vector<int> distributeVertices(const MeshPart& whole, const std::vector<int>& partOfFace,
-                                    std::vector<ConnectedPart>& parts) {
-    std::vector<int> partOfVertex(static_cast<std::size_t>(whole.mesh.V.rows()), -1);
-    for (int f = 0; f < whole.mesh.F.rows(); ++f) {
-        for (int k = 0; k < 3; ++k) {
-            partOfVertex[whole.mesh.F(f, k)] = partOfFace[f];
-        }
-    }
-    std::vector<int> newIndex(partOfVertex.size(), -1);
-    for (std::size_t v = 0; v < partOfVertex.size(); ++v) {
-        if (partOfVertex[v] >= 0) {
-            ConnectedPart& to = parts[partOfVertex[v]];
-            newIndex[v] = static_cast<int>(to.vertex.size());
-            to.vertex.push_back(static_cast<int>(v));
-            to.part.sourceVertex.push_back(whole.sourceVertex[v]);
-        }
-    }
-    for (ConnectedPart& to : parts) {
-        to.part.mesh.V = whole.mesh.V(to.vertex, Eigen::all);
-    }
-    return newIndex;
-}
-
-}  // namespace
-
 std::vector<ConnectedPart> connectedParts(MeshPart part) {
     const std::vector<int> label =
         faceComponents(part.mesh.F, static_cast<int>(part.mesh.V.rows()));
@@ -117,21 +114,34 @@ std::vector<ConnectedPart> connectedParts(MeshPart part) {
         parts[0].part = std::move(part);
         return parts;
     }
-    const std::vector<int> newIndex = distributeVertices(part, label, parts);
-    std::vector<int> faces(count, 0);
-    for (const int p : label) {
-        ++faces[p];
+    std::vector<int> partOfVertex(static_cast<std::size_t>(part.mesh.V.rows()), -1);
+    for (Eigen::Index corner = 0; corner < part.mesh.F.size(); ++corner) {
+        partOfVertex[part.mesh.F.data()[corner]] = label[corner / 3];
     }
-    for (int p = 0; p < count; ++p) {
-        parts[p].part.mesh.F.resize(faces[p], 3);
-    }
-    for (int f = 0; f < part.mesh.F.rows(); ++f) {
-        MeshPart& to = parts[label[f]].part;
-        const auto row = static_cast<Eigen::Index>(to.sourceFace.size());
-        for (int k = 0; k < 3; ++k) {
-            to.mesh.F(row, k) = newIndex[part.mesh.F(f, k)];
+    std::vector<int> newIndex(partOfVertex.size(), -1);
+    for (std::size_t v = 0; v < partOfVertex.size(); ++v) {
+        if (partOfVertex[v] >= 0) {
+            ConnectedPart& to = parts[partOfVertex[v]];
+            newIndex[v] = static_cast<int>(to.vertex.size());
+            to.vertex.push_back(static_cast<int>(v));
+            to.part.sourceVertex.push_back(part.sourceVertex[v]);
         }
-        to.sourceFace.push_back(part.sourceFace[f]);
+    }
+    const Buckets<> faces(count, [&label](auto add) {
+        for (std::size_t f = 0; f < label.size(); ++f) {
+            add(label[f], static_cast<int>(f));
+        }
+    });
+    for (int p = 0; p < count; ++p) {
+        MeshPart& to = parts[p].part;
+        to.mesh.V = part.mesh.V(parts[p].vertex, Eigen::all);
+        to.mesh.F = part.mesh.F(faces[p], Eigen::all);
+        for (int& v : cornersOf(to.mesh.F)) {
+            v = newIndex[v];
+        }
+        for (const int f : faces[p]) {
+            to.sourceFace.push_back(part.sourceFace[f]);
+        }
     }
     return parts;
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -24,13 +25,19 @@ inline std::span<int> cornersOf(Triangles& F) {
 std::vector<char> usedVertices(const Triangles& F, Eigen::Index vertexCount);
 
 /// Takes out the faces whose flag is set; the others keep their order. Vertices stay.
-void eraseFaces(MeshPart& part, const std::vector<char>& erased);
+/// @return whether there were any
+bool eraseFaces(MeshPart& part, const std::vector<char>& erased);
 
 /// Takes out vertices that no face uses; the others keep their order. Returns how many went.
 int eraseUnusedVertices(MeshPart& part);
 
 /// Appends a copy of each of these vertices: same position, same source.
 void appendCopies(MeshPart& part, const std::vector<int>& originals);
+
+/// The faces at an edge that lie on the three vertices of another one before them there. Each is
+/// named at one of its edges: that between its two least vertices. Of all edges of a mesh these are
+/// the faces that repeat another, in whatever winding.
+std::vector<int> doubledFaces(const Triangles& F, const EdgeTable& table, Eigen::Index edge);
 
 /// Length of the longest side and whether the triangle's height over it is too small for angles:
 /// the measure of `checkDisk`, so that what passes here passes there. Scale-free.

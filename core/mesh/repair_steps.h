@@ -47,6 +47,16 @@ struct Gluing {
     std::vector<int> twin;          ///< per side: the side it is joined to, or -1 on the border
     std::vector<char> cutAtVertex;  ///< per vertex: ends an edge that was cut apart
     bool mayDouble = false;         ///< two edges of the surface may have the same two ends
+
+    /// Joins two sides; where one is none, the other becomes border.
+    void join(int a, int b) {
+        if (a >= 0) {
+            twin[a] = b;
+        }
+        if (b >= 0) {
+            twin[b] = a;
+        }
+    }
 };
 
 /// How the faces lie in the connected parts of a gluing.

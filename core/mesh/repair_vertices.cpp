@@ -32,8 +32,12 @@ namespace {
 /// One round: each face is halved at most once, so that the sides found stay what they are.
 class EdgeSplitter {
 public:
-    EdgeSplitter(MeshPart& part, std::vector<int>& twin, RepairNotes& notes)
-        : part_(part), twin_(twin), notes_(notes), touched_(part.mesh.F.rows(), 0) {}
+    EdgeSplitter(MeshPart& part, Gluing& gluing, RepairNotes& notes)
+        : part_(part),
+          gluing_(gluing),
+          twin_(gluing.twin),
+          notes_(notes),
+          touched_(part.mesh.F.rows(), 0) {}
 
     /// Returns false where no edge was doubled.
     bool round() {
@@ -95,8 +99,8 @@ private:
         const int second = halve(side);
         if (other >= 0) {
             const int otherSecond = halve(other);
-            join(side, opposed ? other : otherSecond);
-            join(second, opposed ? otherSecond : other);
+            gluing_.join(side, opposed ? other : otherSecond);
+            gluing_.join(second, opposed ? otherSecond : other);
         }
         ++nextVertex_;
     }
@@ -111,19 +115,13 @@ private:
         corner[g + 2] = corner[nextSide(next)];
         corner[next] = nextVertex_;
         part_.sourceFace[nextFace_++] = part_.sourceFace[side / 3];
-        join(g + 1, twin_[next]);
-        join(g + 2, next);
+        gluing_.join(g + 1, twin_[next]);
+        gluing_.join(g + 2, next);
         return g;
     }
 
-    void join(int a, int b) {
-        twin_[a] = b;
-        if (b >= 0) {
-            twin_[b] = a;
-        }
-    }
-
     MeshPart& part_;
+    Gluing& gluing_;
     std::vector<int>& twin_;
     RepairNotes& notes_;
     std::vector<char> touched_;
@@ -136,7 +134,7 @@ private:
 
 bool splitDoubledEdges(MeshPart& part, Gluing& gluing, RepairNotes& notes) {
     bool any = false;
-    while (gluing.mayDouble && EdgeSplitter(part, gluing.twin, notes).round()) {
+    while (gluing.mayDouble && EdgeSplitter(part, gluing, notes).round()) {
         any = true;
     }
     return any;

@@ -10,7 +10,7 @@
 #include "app/render/overlay_figures.h"
 #include "app/render/picking.h"
 #include "app/render/scene_builder.h"
-#include "core/cut/nearest_surface.h"
+#include "core/cut/surface_point.h"
 #include "core/garment/fabric.h"
 #include "core/quality/piece_quality.h"
 #include "tests/app/support/garments.h"

@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "core/cut/nearest_surface.h"
+#include "core/cut/surface_point.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/cut/nearest_surface.h"
+#include "core/cut/surface_point.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/widgets/banner.h"
-#include "core/cut/nearest_surface.h"
+#include "core/cut/surface_point.h"
 #include "tests/app/support/garments.h"
 
 namespace toile::test {

@@ -32,7 +32,7 @@ void expectPiecesOpen(const std::filesystem::path& path, int components, int exp
         const MeshArrays piece = test::without(all, [&](int f) { return labels[f] != part; });
         const AutoCut proposal = test::expectOneDisk(piece, name);
         cuts += static_cast<int>(proposal.cuts.size());
-        for (const ProposedCut& cut : proposal.cuts) {
+        for (const PathPolyline& cut : proposal.cuts) {
             const Eigen::RowVector3d size =
                 piece.V.colwise().maxCoeff() - piece.V.colwise().minCoeff();
             EXPECT_LT(cut.length, size.norm());  // no way around: seams of a leg, an arm, a front

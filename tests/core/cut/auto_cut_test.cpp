@@ -124,7 +124,7 @@ TEST(AutoCut, OpensAClosedTorus) {
     const MeshArrays torus = test::closedTorus(32, 16);
     const AutoCut proposal = test::expectOneDisk(torus, "torus");
     double total = 0;
-    for (const ProposedCut& cut : proposal.cuts) {
+    for (const PathPolyline& cut : proposal.cuts) {
         total += cut.length;
     }
     EXPECT_LT(total, 2 * std::numbers::pi * (20 + 30) * 1.3);
@@ -144,7 +144,7 @@ TEST(AutoCut, OpensClosedSurfaces) {
 TEST(AutoCut, OpensACubeAlongItsEdges) {
     const AutoCut proposal = test::expectOneDisk(test::closedBox(6, 60), "cube");
     double total = 0;
-    for (const ProposedCut& cut : proposal.cuts) {
+    for (const PathPolyline& cut : proposal.cuts) {
         total += cut.length;
     }
     EXPECT_NEAR(total, 7 * 60, 1e-9);  // a tree over eight corners has seven edges

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/cut/nearest_surface.h"
 #include "core/cut/surface_paths.h"
+#include "core/cut/surface_point.h"
 #include "tests/core/cut/cut_checks.h"
 #include "tests/core/support/shapes.h"
 

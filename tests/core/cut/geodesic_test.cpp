@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/cut/nearest_surface.h"
 #include "core/cut/straighten.h"
 #include "core/cut/surface_paths.h"
+#include "core/cut/surface_point.h"
 #include "tests/core/cut/cut_checks.h"
 #include "tests/core/cut/cut_shapes.h"
 #include "tests/core/cut/surface.h"

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/cut/nearest_surface.h"
 #include "core/cut/straighten.h"
 #include "core/cut/surface_paths.h"
+#include "core/cut/surface_point.h"
 #include "tests/core/cut/surface.h"
 #include "tests/core/support/shapes.h"
 

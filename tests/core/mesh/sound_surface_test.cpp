@@ -68,7 +68,7 @@ TEST(SoundSurface, ComesBackFromRepairAsItWasWithItsEdges) {
     ASSERT_TRUE(result.soundTable);
     const DiskCheck check = checkDisk(mesh, "piece");
     EXPECT_EQ(result.soundTable->edges, check.table.edges);
-    EXPECT_EQ(checkSoundDisk(mesh, "piece", *result.soundTable).boundary, check.boundary);
+    EXPECT_EQ(checkDisk(mesh, "piece", *result.soundTable).boundary, check.boundary);
 }
 
 TEST(SoundSurface, DoubtsPositions) {
