@@ -12,10 +12,8 @@
 #include "core/cut/cut_graph.h"
 #include "core/cut/straighten.h"
 #include "core/cut/surface_paths.h"
-#include "core/cut/surface_point.h"
 #include "core/geometry/segment.h"
 #include "core/mesh/disk_check.h"
-#include "core/mesh/sides.h"
 
 namespace toile {
 namespace {

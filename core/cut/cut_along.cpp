@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "core/cut/face_splitter.h"
-#include "core/mesh/corner_fans.h"
+#include "core/cut/face_parts.h"
+#include "core/mesh/sides.h"
 
 namespace toile {
 namespace {

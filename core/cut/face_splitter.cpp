@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cut/face_splitter.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/cut/face_parts.h"
 #include "core/geometry/segment.h"
 
 namespace toile {

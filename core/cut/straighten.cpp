@@ -130,8 +130,7 @@ private:
                 found.push_back(std::move(*detour));
             }
         }
-        std::stable_sort(found.begin(), found.end(),
-                         [](const Detour& a, const Detour& b) { return a.angle < b.angle; });
+        std::ranges::stable_sort(found, {}, &Detour::angle);
         std::vector<Detour> taken;
         for (Detour& detour : found) {
             const bool isFree = std::ranges::none_of(taken, [&](const Detour& other) {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/cut/straighten.h"
-#include "core/cut/surface_point.h"
 
 namespace toile {
 

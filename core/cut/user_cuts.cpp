@@ -7,7 +7,6 @@
 #include <set>
 
 #include "core/cut/surface_paths.h"
-#include "core/cut/surface_point.h"
 #include "core/geometry/segment.h"
 
 namespace toile {

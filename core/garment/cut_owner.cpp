@@ -5,8 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/cut/surface_point.h"
-
 namespace toile {
 namespace {
 

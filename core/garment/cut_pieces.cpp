@@ -7,10 +7,9 @@
 #include <utility>
 
 #include "core/base/unique_names.h"
-#include "core/cut/surface_point.h"
 #include "core/garment/cut_owner.h"
 #include "core/garment/part_origins.h"
-#include "core/mesh/repair_part.h"
+#include "core/mesh/repair.h"
 
 namespace toile {
 namespace {

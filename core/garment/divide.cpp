@@ -8,9 +8,7 @@
 #include "core/base/unique_names.h"
 #include "core/garment/corner_uv.h"
 #include "core/geometry/buckets.h"
-#include "core/io/triangulate.h"
 #include "core/mesh/repair.h"
-#include "core/mesh/repair_part.h"
 
 namespace toile {
 namespace {

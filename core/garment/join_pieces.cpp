@@ -11,7 +11,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/base/result.h"
 #include "core/base/unique_names.h"
 #include "core/garment/cut_owner.h"
 #include "core/garment/rim_pairs.h"

@@ -6,8 +6,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/disjoint_sets.h"
-#include "core/mesh/corner_fans.h"
-#include "core/mesh/repair_part.h"
+#include "core/mesh/repair.h"
 #include "core/mesh/sides.h"
 
 namespace toile {

@@ -14,8 +14,6 @@
 #include "core/geometry/buckets.h"
 #include "core/geometry/segment.h"
 #include "core/mesh/cotangents.h"
-#include "core/mesh/edge_table.h"
-#include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 namespace {
@@ -151,11 +149,8 @@ private:
         for (int k = 0; k < 3; ++k) {
             side[k] = mesh.V.row(mesh.F(face, (k + 1) % 3)) - mesh.V.row(mesh.F(face, k));
         }
-        std::sort(byLength.begin(), byLength.end(), [&side](int a, int b) {
-            const double la = side[a].squaredNorm();
-            const double lb = side[b].squaredNorm();
-            return la != lb ? la < lb : a < b;
-        });
+        std::ranges::sort(byLength, {},
+                          [&side](int k) { return std::pair(side[k].squaredNorm(), k); });
         const auto [shortest, middle, longest] = byLength;
         const double length = side[longest].norm();
         // Anti-clockwise: the side after the longest one turns left, the one before it comes from

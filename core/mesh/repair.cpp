@@ -24,8 +24,7 @@ void RepairNotes::add(ErrorCode code, std::string_view noun, const char* what,
 
 Problems RepairNotes::problems(const std::string& piece) const {
     std::vector<Entry> sorted = entries_;
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const Entry& a, const Entry& b) { return a.code < b.code; });
+    std::ranges::stable_sort(sorted, {}, &Entry::code);
     Problems problems;
     for (const Entry& entry : sorted) {
         Wording text = toile::worded(

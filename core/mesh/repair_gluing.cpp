@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 #include <Eigen/Geometry>
 
@@ -29,9 +28,7 @@ struct Pair {
     int a, b;  ///< sides
     int turn;  ///< 1 where their windings disagree
 
-    bool operator<(const Pair& o) const {
-        return std::tie(cost, edge, a, b) < std::tie(o.cost, o.edge, o.a, o.b);
-    }
+    auto operator<=>(const Pair&) const = default;
 };
 
 class Gluer {

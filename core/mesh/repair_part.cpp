@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/repair_part.h"
-
 #include <algorithm>
 #include <numeric>
 
@@ -8,6 +6,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/buckets.h"
+#include "core/mesh/repair.h"
 #include "core/mesh/sides.h"
 
 namespace toile {

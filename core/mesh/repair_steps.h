@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/edge_table.h"
-#include "core/mesh/repair_part.h"
+#include "core/mesh/repair.h"
 #include "core/mesh/sides.h"
 
 namespace toile {

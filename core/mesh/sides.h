@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Geometry>
 
+#include "core/geometry/disjoint_sets.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -36,6 +39,45 @@ inline Eigen::Vector3d doubleAreaNormal(const MeshArrays& mesh, Eigen::Index fac
     const Eigen::Vector3d b = mesh.V.row(mesh.F(face, 1)).transpose();
     const Eigen::Vector3d c = mesh.V.row(mesh.F(face, 2)).transpose();
     return (b - a).cross(c - a);
+}
+
+/// The fans of triangles around vertices, as sets of corners: side 3 * f + k begins at corner k.
+
+/// Makes the corners at either end of an edge one fan, of two triangles with a side there; they may
+/// run the same way.
+inline void joinCorners(const Triangles& F, int side, int other, DisjointSets& fans) {
+    const bool alike = tailOf(F, side) == tailOf(F, other);
+    fans.join(side, alike ? other : nextSide(other));
+    fans.join(nextSide(side), alike ? nextSide(other) : other);
+}
+
+/// Gives every fan a vertex of its own: that with the least corner keeps the vertex, others get a
+/// new one, numbered from `vertexCount` on in order of their least corners.
+/// @param divides  of a vertex: false where its fans are to stay together
+/// @return the vertex that each new one is a copy of
+template <class Divides>
+std::vector<int> divideVertices(Triangles& F, int vertexCount, DisjointSets& fans,
+                                Divides divides) {
+    const int cornerCount = static_cast<int>(F.size());
+    std::vector<char> isTaken(static_cast<std::size_t>(vertexCount), 0);
+    std::vector<int> vertexOf(static_cast<std::size_t>(cornerCount), -1);  // at its least corner
+    std::vector<int> copies;
+    for (int corner = 0; corner < cornerCount; ++corner) {
+        int& v = F.data()[corner];
+        if (!divides(v)) {
+            continue;
+        }
+        int& vertex = vertexOf[fans.root(corner)];
+        if (vertex < 0 && isTaken[v] == 0) {
+            isTaken[v] = 1;
+            vertex = v;
+        } else if (vertex < 0) {
+            vertex = vertexCount + static_cast<int>(copies.size());
+            copies.push_back(v);
+        }
+        v = vertex;
+    }
+    return copies;
 }
 
 }  // namespace toile

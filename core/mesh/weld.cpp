@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/geometry/point_index.h"
-#include "core/mesh/edge_table.h"
 
 namespace toile {
 namespace {

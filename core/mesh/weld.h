@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/mesh/repair_part.h"
+#include "core/mesh/repair.h"
 
 namespace toile {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/seam/choose_runs.h"
-
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+
+#include "core/seam/run.h"
 
 namespace toile {
 namespace {

@@ -23,9 +23,7 @@ struct FileEdge {
     int edge;
     bool upwards;  ///< from the smaller to the larger position
 
-    bool operator<(const FileEdge& other) const {
-        return key != other.key ? key < other.key : edge < other.edge;
-    }
+    auto operator<=>(const FileEdge&) const = default;
 };
 
 std::vector<FileEdge> fileEdges(const std::vector<std::shared_ptr<const Piece>>& pieces,
@@ -222,9 +220,7 @@ std::vector<Balance> balances(const Outlines& outlines, const std::vector<Contac
     for (const auto& [pieces, sum] : sums) {
         list.push_back({pieces.first, pieces.second, sum});
     }
-    std::stable_sort(list.begin(), list.end(), [](const Balance& x, const Balance& y) {
-        return std::abs(x.alike) > std::abs(y.alike);
-    });
+    std::ranges::stable_sort(list, {}, [](const Balance& b) { return -std::abs(b.alike); });
     return list;
 }
 
@@ -247,9 +243,7 @@ void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& conta
     std::erase_if(contacts, [&](const Contact& c) {
         return !c.certain && c.parallel != areAgainst(outlines.pieceOf(c.a), outlines.pieceOf(c.b));
     });
-    std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) {
-        return std::pair(x.a, x.b) < std::pair(y.a, y.b);
-    });
+    std::ranges::sort(contacts, {}, [](const Contact& c) { return std::pair(c.a, c.b); });
 }
 
 }  // namespace toile

@@ -4,9 +4,7 @@
 #include <algorithm>
 
 #include "core/base/text.h"
-#include "core/seam/choose_runs.h"
 #include "core/seam/contacts.h"
-#include "core/seam/finish_seam.h"
 #include "core/seam/run.h"
 #include "core/seam/seam_origin.h"
 

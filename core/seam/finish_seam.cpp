@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/seam/finish_seam.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
+
+#include "core/seam/run.h"
 
 namespace toile {
 namespace {
@@ -87,9 +87,8 @@ std::vector<SeamMatch> matchesOf(const Outlines& outlines, const Run& run) {
     }
     marks.push_back({{last.a, last.b}, true, true});
     const double sign = run.parallel ? 1 : -1;
-    std::stable_sort(marks.begin(), marks.end(), [sign](const Mark& x, const Mark& y) {
-        return x.at.left + sign * x.at.right < y.at.left + sign * y.at.right;
-    });
+    std::ranges::stable_sort(
+        marks, {}, [sign](const Mark& mark) { return mark.at.left + sign * mark.at.right; });
     std::vector<SeamMatch> matches;
     bool openA = false, openB = false;  // the last match is not yet a vertex of this side
     for (const Mark& mark : marks) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/seam/choose_runs.h"
+#include "core/seam/run.h"
 
 namespace toile {
 namespace {

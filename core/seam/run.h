@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/seam/contacts.h"
+#include "core/seam/find_seams.h"
 #include "core/seam/outline.h"
 
 namespace toile {
@@ -73,5 +74,35 @@ Tips tipsOf(const Run& run, const Outlines& outlines);
 /// Joins contacts that follow each other on both outlines into maximal runs.
 /// @param contacts  sorted by (a, b). Linear but for look-ups.
 std::vector<Run> chainContacts(const Outlines& outlines, const std::vector<Contact>& contacts);
+
+/// A run that has its place.
+struct Chosen {
+    Run run;
+    bool stacked = false;  ///< side b lies on a place that another run has
+};
+
+/// Decides between runs that compete for a place, so that each place of an outline is in one run at
+/// most (but for stacked layers). Runs are cut where others begin and end; the parts are taken in
+/// order of their gap, then of what their run has undisputed, then of length; parts of a run that
+/// follow each other are one again. Cost: n log n where few runs lie on one place.
+std::vector<Chosen> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates,
+                               const SeamOptions& options);
+
+/// Makes runs one that follow each other on both outlines, with nothing or only a few free edges
+/// between them. `taken` are the places of all runs per piece; bridges are added to it.
+std::vector<Chosen> joinRuns(const Outlines& outlines, std::vector<Chosen> runs,
+                             std::vector<ArcSet>& taken);
+
+/// Makes a seam of a run: decides the kind, puts its ends on vertices that are near enough, and
+/// writes down the corresponding places. No name yet.
+Seam finishSeam(const Outlines& outlines, const Chosen& chosen);
+
+/// A seam of one side: an edge sewn to nothing.
+/// @param index  of the outline
+Seam freeEdge(const Outlines& outlines, int index, Arc arc);
+
+/// Orders seams (sewn ones first; by piece, kind, then place in space) and names them.
+void orderAndName(const std::vector<std::shared_ptr<const Piece>>& pieces, const Outlines& outlines,
+                  std::vector<Seam>& seams);
 
 }  // namespace toile

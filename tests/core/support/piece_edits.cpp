@@ -7,7 +7,7 @@
 
 #include "core/cut/cut_along.h"
 #include "core/cut/surface_paths.h"
-#include "core/mesh/repair_part.h"
+#include "core/mesh/repair.h"
 
 namespace toile::test {
 namespace {
