@@ -259,11 +259,9 @@ private:
         for (const auto& [l, r] : weld.vertices) {
             same.join(l, offset + r);
         }
-        const auto partOf = [&](int v) -> const Piece& { return v < offset ? left : right; };
-        const auto inPart = [&](int v) { return v < offset ? v : v - offset; };
         const auto sourceOf = [&](int v) {
-            const std::vector<int>& source = partOf(v).sourceVertex;
-            return source.empty() ? -1 : source[inPart(v)];
+            const std::vector<int>& source = (v < offset ? left : right).sourceVertex;
+            return source.empty() ? -1 : source[v < offset ? v : v - offset];
         };
         MeshArrays mesh;
         mesh.V.resize(total, 3);
@@ -273,7 +271,8 @@ private:
             const int root = same.root(v);  // the least: known already
             if (root == v) {
                 number[v] = count;
-                mesh.V.row(count++) = partOf(v).mesh.V.row(inPart(v));
+                mesh.V.row(count++) =
+                    v < offset ? left.mesh.V.row(v) : right.mesh.V.row(v - offset);
                 sourceVertex.push_back(sourceOf(v));
             } else {
                 number[v] = number[root];

@@ -40,14 +40,7 @@ Piece makePiece(std::string name, MeshArrays mesh, std::optional<EdgeTable> soun
     piece.table = std::move(check.table);
     piece.boundary = std::move(check.boundary);
     piece.defect = std::move(check.defect);
-    if (!piece.defect) {
-        piece.halfedges = std::make_shared<const LazyTriMesh>();
-    }
     return piece;
-}
-
-const TriMesh& halfedgesOf(const Piece& piece) {
-    return piece.halfedges->get(piece.mesh, piece.table);
 }
 
 std::vector<double> loopLengths(const Piece& piece) {

@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/garment/lineage.h"
 #include "core/mesh/edge_table.h"
-#include "core/mesh/lazy_tri_mesh.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -31,7 +30,6 @@ struct Piece {
     std::optional<Points2> reference;
 
     /// What follows is there only where the piece is a disk, holes aside (defect is empty).
-    std::shared_ptr<const LazyTriMesh> halfedges;  ///< see `halfedgesOf`
     std::vector<int> boundary;  ///< the outline, surface on its left; starts at its least index
     std::vector<std::vector<int>> holes;  ///< loops inside the outline that stay open, surface on
                                           ///< their left
@@ -57,11 +55,6 @@ inline void nameDefect(Piece& piece) {
 /// Cost: linear. Pure.
 Piece makePiece(std::string name, MeshArrays mesh,
                 std::optional<EdgeTable> soundTable = std::nullopt);
-
-/// The half-edge mesh of a piece without defect: same vertex and face indices as `mesh`, same edge
-/// indices as `table`. Built at the first call and kept, also for the piece's copies. Thread-safe.
-/// Cost: linear, then none.
-const TriMesh& halfedgesOf(const Piece& piece);
 
 /// Lengths of all boundary loops, mm; of a mesh that is not manifold, of those that can be
 /// followed.

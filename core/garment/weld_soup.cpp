@@ -20,56 +20,46 @@ std::vector<std::vector<int>> facesByObject(const PolygonSoup& soup) {
     return faces;
 }
 
-/// The faces with vertices numbered among themselves, as fans: good enough to tell border from
-/// inside.
+/// These faces as fans, by positions of the soup: good enough to tell border from inside.
+Triangles fansOf(const PolygonSoup& soup, const std::vector<int>& faces) {
+    Eigen::Index triangles = 0;
+    for (const int face : faces) {
+        triangles += soup.cornerCount(face) - 2;
+    }
+    Triangles fans(triangles, 3);
+    Eigen::Index row = 0;
+    for (const int face : faces) {
+        const int* corners = soup.corners.data() + soup.faceStart[face];
+        for (int k = 2; k < soup.cornerCount(face); ++k) {
+            fans.row(row++) << corners[0], corners[k - 1], corners[k];
+        }
+    }
+    return fans;
+}
+
+/// The same with vertices numbered among themselves.
 struct Patch {
     std::vector<int> vertices;  ///< position in the soup, ascending
     Points3 V;
     Triangles F;
 };
 
-/// @param local  as long as the soup's positions; holds nothing before and after
+/// @param local  as long as the soup's positions; what it holds does not matter
 Patch patchOf(const PolygonSoup& soup, const std::vector<int>& faces, std::vector<int>& local) {
-    Patch patch;
-    Eigen::Index triangles = 0;
-    for (const int face : faces) {
-        const auto first = soup.corners.begin() + soup.faceStart[face];
-        patch.vertices.insert(patch.vertices.end(), first, first + soup.cornerCount(face));
-        triangles += soup.cornerCount(face) - 2;
-    }
-    std::sort(patch.vertices.begin(), patch.vertices.end());
+    Patch patch{{}, {}, fansOf(soup, faces)};
+    patch.vertices.assign(patch.F.data(), patch.F.data() + patch.F.size());
+    std::ranges::sort(patch.vertices);
     patch.vertices.erase(std::unique(patch.vertices.begin(), patch.vertices.end()),
                          patch.vertices.end());
-    patch.V.resize(static_cast<Eigen::Index>(patch.vertices.size()), 3);
+    patch.V.resize(std::ssize(patch.vertices), 3);
     for (std::size_t v = 0; v < patch.vertices.size(); ++v) {
         patch.V.row(static_cast<Eigen::Index>(v)) = soup.positions[patch.vertices[v]];
         local[patch.vertices[v]] = static_cast<int>(v);
     }
-    patch.F.resize(triangles, 3);
-    Eigen::Index row = 0;
-    for (const int face : faces) {
-        const int* corners = soup.corners.data() + soup.faceStart[face];
-        for (int k = 2; k < soup.cornerCount(face); ++k) {
-            patch.F.row(row++) << local[corners[0]], local[corners[k - 1]], local[corners[k]];
-        }
+    for (int& v : cornersOf(patch.F)) {
+        v = local[v];
     }
     return patch;
-}
-
-/// By how many triangles each position is used, were every face a fan.
-std::vector<int> usesInFans(const PolygonSoup& soup) {
-    std::vector<int> uses(soup.positions.size(), 0);
-    for (int face = 0; face < soup.faceCount(); ++face) {
-        const int* corners = soup.corners.data() + soup.faceStart[face];
-        const int count = soup.cornerCount(face);
-        uses[corners[0]] += count - 2;
-        ++uses[corners[1]];
-        for (int k = 2; k < count - 1; ++k) {
-            uses[corners[k]] += 2;
-        }
-        ++uses[corners[count - 1]];
-    }
-    return uses;
 }
 
 /// Gives corners their new vertex and takes out those that repeat the one before.
@@ -104,19 +94,19 @@ void rename(PolygonSoup& soup, const std::vector<int>& renamed) {
 Problems weldSoup(std::shared_ptr<const PolygonSoup>& shared, bool wanted, double millimetres,
                   const std::string& name) {
     const PolygonSoup& soup = *shared;
-    // Most files are told apart from loose triangles by a count, before anything is built.
-    if (soup.corners.empty() || (!wanted && !isMostlyLoose(usesInFans(soup)))) {
+    if (soup.corners.empty()) {
         return {};
     }
-    std::vector<int> local(soup.positions.size(), -1);
     if (!wanted) {
         std::vector<int> all(static_cast<std::size_t>(soup.faceCount()));
         std::iota(all.begin(), all.end(), 0);
-        const Patch whole = patchOf(soup, all, local);
-        if (!looksUnwelded(whole.F, whole.V)) {
+        const Eigen::Map<const Points3> V(soup.positions.front().data(), std::ssize(soup.positions),
+                                          3);
+        if (!looksUnwelded(fansOf(soup, all), V)) {
             return {};
         }
     }
+    std::vector<int> local(soup.positions.size(), -1);
     std::vector<int> renamed = soup.corners;
     long long merged = 0;
     Error note;

@@ -86,21 +86,17 @@ double weldTolerance(const Triangles& F, const PointsView& V) {
     return kToleranceOfMedianEdge * *middle;
 }
 
-bool isMostlyLoose(const std::vector<int>& uses) {
-    const auto used = std::ssize(uses) - std::count(uses.begin(), uses.end(), 0);
-    const auto loose =
-        std::count_if(uses.begin(), uses.end(), [](int n) { return n == 1 || n == 2; });
-    return static_cast<double>(loose) >= kLooseShare * static_cast<double>(used);
-}
-
 bool looksUnwelded(const Triangles& F, const PointsView& V) {
     std::vector<int> uses(V.rows(), 0);
     for (Eigen::Index corner = 0; corner < F.size(); ++corner) {
         ++uses[F.data()[corner]];
     }
-    const auto used = std::ssize(uses) - std::count(uses.begin(), uses.end(), 0);
-    return F.rows() > 1 && isMostlyLoose(uses) &&
-           findWeld(F, V, {}).merged >= kCoincidentShare * static_cast<double>(used);
+    const auto used =
+        static_cast<double>(std::ssize(uses) - std::count(uses.begin(), uses.end(), 0));
+    const auto loose =
+        std::count_if(uses.begin(), uses.end(), [](int n) { return n == 1 || n == 2; });
+    return F.rows() > 1 && static_cast<double>(loose) >= kLooseShare * used &&
+           findWeld(F, V, {}).merged >= kCoincidentShare * used;
 }
 
 }  // namespace toile

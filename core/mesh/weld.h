@@ -39,12 +39,9 @@ Error weldNote(const Weld& weld, const PointsView& V, const std::string& name);
 /// edge, mm; 0 where there are no triangles.
 double weldTolerance(const Triangles& F, const PointsView& V);
 
-/// True where nearly every vertex that is used at all is used by one or two triangles.
-/// @param uses  per vertex: by how many
-bool isMostlyLoose(const std::vector<int>& uses);
-
 /// True where nearly every vertex is used by a single face (a triangle, or a quad cut in two) and
-/// many of them lie exactly on others: triangles that a file lists one by one.
+/// many of them lie exactly on others: triangles that a file lists one by one. Most files are told
+/// apart from these by a count.
 bool looksUnwelded(const Triangles& F, const PointsView& V);
 
 }  // namespace toile

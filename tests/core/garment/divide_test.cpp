@@ -38,8 +38,8 @@ TEST(Divide, FindsComponentsInOrderOfTheirFirstFace) {
     EXPECT_TRUE(divided.problems.empty());
     EXPECT_EQ(divided.split.mode, SplitMode::Objects);
     EXPECT_FALSE(divided.split.reason.empty());
-    ASSERT_TRUE(pieces[1]->halfedges);
-    EXPECT_EQ(halfedgesOf(*pieces[1]).n_faces(), 2U);
+    ASSERT_FALSE(pieces[1]->defect);
+    EXPECT_EQ(buildTriMesh(pieces[1]->mesh, pieces[1]->table)->n_faces(), 2U);
 }
 
 TEST(Divide, MakesNamesUnique) {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/tri_mesh.h"
 
-#include <set>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/lazy_tri_mesh.h"
 #include "tests/core/support/random_piece.h"
 #include "tests/core/support/shapes.h"
 
@@ -89,22 +86,6 @@ TEST(TriMesh, KeepsTheOrderOfCornersAndTheNumbersOfEdges) {
         const std::pair<int, int> along(table.edges(e, 0), table.edges(e, 1));
         EXPECT_EQ(ends(*halfedges, TriMesh::HalfedgeHandle(2 * e)), along);
     }
-}
-
-TEST(TriMesh, IsBuiltOnceHoweverManyAsk) {
-    const MeshArrays mesh = test::planeGrid(40, 40, 10);
-    const EdgeTable table = tableOf(mesh);
-    const LazyTriMesh lazy;
-    std::vector<const TriMesh*> got(8, nullptr);
-    std::vector<std::thread> threads;
-    for (auto& one : got) {
-        threads.emplace_back([&] { one = &lazy.get(mesh, table); });
-    }
-    for (std::thread& thread : threads) {
-        thread.join();
-    }
-    EXPECT_EQ(std::set<const TriMesh*>(got.begin(), got.end()).size(), 1U);
-    EXPECT_EQ(got.front()->n_faces(), static_cast<std::size_t>(mesh.F.rows()));
 }
 
 }  // namespace
