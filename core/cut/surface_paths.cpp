@@ -84,7 +84,7 @@ public:
             }
             if (isDone_[node] == 0) {
                 isDone_[node] = 1;
-                expand(node, positionOf(links_.mesh(), pointOf(node)));
+                expand(node);
             }
         }
         return false;
@@ -120,20 +120,11 @@ private:
         }
     }
 
-    void expand(int node, const Eigen::Vector3d& at) {
-        if (node < links_.vertexCount()) {
-            for (const int corner : links_.cornersAt(node)) {
-                expandAcross(corner / 3, node, at);
-            }
-        } else if (node < start_) {
-            const int e = (node - links_.vertexCount()) / onEdge_;
-            for (const int use : links_.table().usesOf(e)) {
-                expandAcross(use / 3, node, at);
-            }
-        } else {
-            for (const int face : links_.facesOf(links_.carrierOf(from_))) {
-                expandAcross(face, node, at);
-            }
+    void expand(int node) {
+        const SurfacePoint point = pointOf(node);
+        const Eigen::Vector3d at = positionOf(links_.mesh(), point);
+        for (const int face : links_.facesOf(links_.carrierOf(point))) {
+            expandAcross(face, node, at);
         }
     }
 

@@ -121,31 +121,29 @@ PairedChain chainAround(const RimPairs& rims, int seed) {
     PairedChain chain{{seed}};
     std::set<int> used{seed, rims.edge(seed).mate};
     const auto mateOf = [&rims](int e) { return rims.edge(e).mate; };
-    for (int last = seed;;) {
-        const int next = rims.edge(last).next;
-        if (next == seed && rims.edge(mateOf(seed)).next == mateOf(last)) {
-            chain.closed = chain.edges.size() > 2;
-            return chain;
-        }
-        // At the tip of a dart the edge goes on with its own mate: the seam ends there.
-        if (next < 0 || mateOf(next) < 0 || used.contains(next) ||
-            rims.edge(mateOf(next)).next != mateOf(last)) {
-            break;
-        }
-        used.insert({next, mateOf(next)});
-        chain.edges.push_back(next);
+    // At the tip of a dart the edge goes on with its own mate: the seam ends there.
+    const auto isFree = [&](int e) { return e >= 0 && mateOf(e) >= 0 && !used.contains(e); };
+    const auto areInRow = [&](int e, int next) {
+        return rims.edge(mateOf(next)).next == mateOf(e);
+    };
+    const auto take = [&](int e, std::vector<int>& edges) {
+        used.insert({e, mateOf(e)});
+        edges.push_back(e);
+    };
+    int last = seed, next = rims.edge(seed).next;
+    for (; isFree(next) && areInRow(last, next); next = rims.edge(last).next) {
+        take(next, chain.edges);
         last = next;
     }
+    if (next == seed && areInRow(last, seed)) {
+        chain.closed = chain.edges.size() > 2;
+        return chain;
+    }
     std::vector<int> ahead;
-    for (int first = seed;;) {
-        const int before = rims.edge(first).prev;
-        if (before < 0 || mateOf(before) < 0 || used.contains(before) ||
-            rims.edge(mateOf(first)).next != mateOf(before)) {
-            break;
-        }
-        used.insert({before, mateOf(before)});
-        ahead.push_back(before);
-        first = before;
+    int first = seed;
+    for (int e = rims.edge(seed).prev; isFree(e) && areInRow(e, first); e = rims.edge(first).prev) {
+        take(e, ahead);
+        first = e;
     }
     chain.edges.insert(chain.edges.begin(), ahead.rbegin(), ahead.rend());
     return chain;

@@ -159,16 +159,16 @@ public:
         retake({});
     }
 
-    std::vector<Chosen> choose() {
+    std::vector<Run> choose() {
         const std::vector<int> order = orderOfChoice();
-        std::vector<Chosen> chosen;
+        std::vector<Run> chosen;
         for (const int k : order) {
             takeFree(parts_[k], chosen);
         }
         chosen = joinRuns(outlines_, std::move(chosen), taken_);
         believe(chosen);
         retake(chosen);
-        std::vector<Chosen> layers;
+        std::vector<Run> layers;
         for (const int k : order) {
             takeStacked(parts_[k], layers);
         }
@@ -199,7 +199,7 @@ private:
     }
 
     /// Takes what of the part is free on both sides.
-    void takeFree(const Part& part, std::vector<Chosen>& chosen) {
+    void takeFree(const Part& part, std::vector<Run>& chosen) {
         const double least =
             (part.run.certain ? kLeastCertain : kLeastRest) * part.run.spacing(outlines_);
         for (const Arc& a : taken_[part.run.outlineA].outside(part.run.arcA())) {
@@ -210,7 +210,7 @@ private:
             for (const Arc& b : taken_[half.outlineB].outside(half.arcB())) {
                 const Run rest = half.partOnB(b);
                 if (rest.line.size() > 1 && std::min(rest.length(), rest.lengthB()) >= least) {
-                    chosen.push_back({rest, false});
+                    chosen.push_back(rest);
                     take(rest);
                 }
             }
@@ -218,7 +218,7 @@ private:
     }
 
     /// Takes what of the part is free on one side only.
-    void takeStacked(const Part& part, std::vector<Chosen>& chosen) {
+    void takeStacked(const Part& part, std::vector<Run>& chosen) {
         if (part.cost > kStackedGap || part.run.folded) {
             return;
         }
@@ -231,22 +231,23 @@ private:
         }
     }
 
-    void takeLayer(const Run& run, std::vector<Chosen>& chosen) {
+    void takeLayer(const Run& run, std::vector<Run>& chosen) {
         if (run.line.size() > 1 && run.length() >= kLeastRest * run.spacing(outlines_)) {
-            chosen.push_back({run, true});
+            chosen.push_back(run);
+            chosen.back().stacked = true;
             take(run);
         }
     }
 
     /// Takes out runs that are too short, or gape more than this garment's seams do.
-    void believe(std::vector<Chosen>& runs) {
+    void believe(std::vector<Run>& runs) {
         const auto gapOf = [&](const Run& run) { return run.meanGap() / run.spacing(outlines_); };
         if (widest_ < 0) {
             std::vector<std::pair<double, double>> gaps;  // gap, length
             double total = 0;
-            for (const Chosen& c : runs) {
-                gaps.emplace_back(gapOf(c.run), c.run.length());
-                total += c.run.length();
+            for (const Run& run : runs) {
+                gaps.emplace_back(gapOf(run), run.length());
+                total += run.length();
             }
             std::sort(gaps.begin(), gaps.end());
             double median = 0, below = 0;
@@ -256,22 +257,22 @@ private:
             }
             widest_ = std::max(kGapAlways, kGapTimesMedian * median);
         }
-        std::erase_if(runs, [&](const Chosen& c) {
+        std::erase_if(runs, [&](const Run& run) {
             // One whole edge that coincides with another is no accident; nearness needs more.
-            const double gap = gapOf(c.run);
+            const double gap = gapOf(run);
             const double least = gap < kCoincident ? kLeastRest : options_.shortest;
-            const double length = std::min(c.run.length(), c.run.lengthB());
-            return !c.run.certain && (length < least * c.run.spacing(outlines_) || gap > widest_);
+            const double length = std::min(run.length(), run.lengthB());
+            return !run.certain && (length < least * run.spacing(outlines_) || gap > widest_);
         });
     }
 
-    void retake(const std::vector<Chosen>& runs) {
+    void retake(const std::vector<Run>& runs) {
         taken_.clear();
         for (const Outline& outline : outlines_.list) {
             taken_.emplace_back(outline.length());
         }
-        for (const Chosen& c : runs) {
-            take(c.run);
+        for (const Run& run : runs) {
+            take(run);
         }
     }
 
@@ -285,8 +286,8 @@ private:
 
 }  // namespace
 
-std::vector<Chosen> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates,
-                               const SeamOptions& options) {
+std::vector<Run> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates,
+                            const SeamOptions& options) {
     return Chooser(outlines, candidates, options).choose();
 }
 

@@ -50,11 +50,6 @@ std::vector<FileEdge> fileEdges(const std::vector<std::shared_ptr<const Piece>>&
     return found;
 }
 
-double lengthOf(const Outlines& outlines, int edge) {
-    const int k = outlines.local(edge);
-    return outlines.of(edge).arc[k + 1] - outlines.of(edge).arc[k];
-}
-
 }  // namespace
 
 std::vector<Contact> sharedContacts(const std::vector<std::shared_ptr<const Piece>>& pieces,
@@ -69,8 +64,8 @@ std::vector<Contact> sharedContacts(const std::vector<std::shared_ptr<const Piec
             settled[edges[i].edge] = 1;
             for (std::size_t j = i + 1; j < std::min(to, i + 1 + kMostLayers); ++j) {
                 const bool parallel = edges[i].upwards == edges[j].upwards;
-                const double la = lengthOf(outlines, edges[i].edge);
-                const double lb = lengthOf(outlines, edges[j].edge);
+                const double la = outlines.lengthOf(edges[i].edge);
+                const double lb = outlines.lengthOf(edges[j].edge);
                 contacts.push_back({edges[i].edge, edges[j].edge, 0, la, parallel ? 0 : lb,
                                     parallel ? lb : 0, 0, 0, parallel, to - from == 2});
             }
@@ -104,7 +99,7 @@ Segment segmentOf(const Outlines& outlines, int edge) {
     const int k = outlines.local(edge);
     Segment s;
     s.from = outline.P.row(k);
-    s.length = outline.arc[k + 1] - outline.arc[k];
+    s.length = outlines.lengthOf(edge);
     s.along = (outline.P.row((k + 1) % outline.size()).transpose() - s.from) / s.length;
     s.inward = outline.inward.row(k);
     s.spacing = outline.spacing[k];

@@ -112,8 +112,8 @@ SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
     if (!goesOnAt(0.8)) {
         return {};
     }
-    for (const Chosen& chosen : chooseRuns(outlines, runs, options)) {
-        graph.seams.push_back(finishSeam(outlines, chosen));
+    for (Run& run : chooseRuns(outlines, runs, options)) {
+        graph.seams.push_back(finishSeam(outlines, std::move(run)));
     }
     addFreeEdges(outlines, graph.seams);
     orderAndName(pieces, outlines, graph.seams);

@@ -131,11 +131,10 @@ SeamSide sideOf(const Outline& outline, double start, double end) {
 
 }  // namespace
 
-Seam finishSeam(const Outlines& outlines, const Chosen& chosen) {
-    Run run = chosen.run;
+Seam finishSeam(const Outlines& outlines, Run run) {
     Seam seam;
     seam.kind = settleKind(outlines, run);
-    seam.stacked = chosen.stacked;
+    seam.stacked = run.stacked;
     seam.gap = run.meanGap();
     const Outline &a = outlines.list[run.outlineA], &b = outlines.list[run.outlineB];
     for (Facing* f : {&run.line.front(), &run.line.back()}) {

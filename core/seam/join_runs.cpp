@@ -18,15 +18,15 @@ constexpr double kNoLength = 1e-9;
 
 class Joiner {
 public:
-    Joiner(const Outlines& outlines, std::vector<Chosen> runs, std::vector<ArcSet>& taken)
+    Joiner(const Outlines& outlines, std::vector<Run> runs, std::vector<ArcSet>& taken)
         : outlines_(outlines), runs_(std::move(runs)), taken_(taken) {}
 
-    std::vector<Chosen> joined() {
-        std::ranges::sort(runs_, {}, [this](const Chosen& c) {
-            return std::pair(groupOf(c), outlines_.list[c.run.outlineA].wrap(c.run.line.front().a));
+    std::vector<Run> joined() {
+        std::ranges::sort(runs_, {}, [this](const Run& run) {
+            return std::pair(groupOf(run), outlines_.list[run.outlineA].wrap(run.line.front().a));
         });
         findFollowers();
-        std::vector<Chosen> whole;
+        std::vector<Run> whole;
         // First from the runs that follow no other; what is left then are closed lines.
         for (const bool closedLines : {false, true}) {
             for (std::size_t k = 0; k < runs_.size(); ++k) {
@@ -40,8 +40,8 @@ public:
 
 private:
     /// What two runs that follow each other have in common.
-    static std::tuple<int, int, bool, bool> groupOf(const Chosen& c) {
-        return {c.run.outlineA, c.run.outlineB, c.run.parallel, c.stacked};
+    static std::tuple<int, int, bool, bool> groupOf(const Run& run) {
+        return {run.outlineA, run.outlineB, run.parallel, run.stacked};
     }
 
     void findFollowers() {
@@ -79,15 +79,14 @@ private:
                             : between(next.arcB(), run.arcB(), outline);
     }
 
-    bool follow(const Chosen& run, const Chosen& next) const {
-        const bool bridge = !coincide(run.run) || !coincide(next.run);
-        const double reach = bridge ? kBridge * run.run.spacing(outlines_) : 0;
+    bool follow(const Run& run, const Run& next) const {
+        const bool bridge = !coincide(run) || !coincide(next);
+        const double reach = bridge ? kBridge * run.spacing(outlines_) : 0;
         const auto near = [&](int piece, Arc gap) {
             const double least = kNoLength * outlines_.list[piece].length();
             return gap.to - gap.from <= std::max(reach, least) && isFree(piece, gap);
         };
-        return near(run.run.outlineA, betweenA(run.run, next.run)) &&
-               near(run.run.outlineB, betweenB(run.run, next.run));
+        return near(run.outlineA, betweenA(run, next)) && near(run.outlineB, betweenB(run, next));
     }
 
     bool coincide(const Run& run) const { return run.meanGap() < kJoined * run.spacing(outlines_); }
@@ -100,12 +99,12 @@ private:
         return taken <= kNoLength * outlines_.list[piece].length();
     }
 
-    Chosen collect(int first) {
-        Chosen whole = runs_[first];
+    Run collect(int first) {
+        Run whole = runs_[first];
         used_[first] = 1;
         for (int k = first; next_[k] >= 0 && !used_[next_[k]]; k = next_[k]) {
             used_[next_[k]] = 1;
-            append(whole.run, runs_[next_[k]].run);
+            append(whole, runs_[next_[k]]);
         }
         return whole;
     }
@@ -127,7 +126,7 @@ private:
     }
 
     const Outlines& outlines_;
-    std::vector<Chosen> runs_;
+    std::vector<Run> runs_;
     std::vector<ArcSet>& taken_;
     std::vector<int> next_;
     std::vector<char> follows_, used_;
@@ -135,8 +134,8 @@ private:
 
 }  // namespace
 
-std::vector<Chosen> joinRuns(const Outlines& outlines, std::vector<Chosen> runs,
-                             std::vector<ArcSet>& taken) {
+std::vector<Run> joinRuns(const Outlines& outlines, std::vector<Run> runs,
+                          std::vector<ArcSet>& taken) {
     return Joiner(outlines, std::move(runs), taken).joined();
 }
 

@@ -51,6 +51,9 @@ struct Outlines {
     int edgeCount() const { return firstEdge.back(); }
     const Outline& of(int edge) const { return list[outlineOf[edge]]; }
     int local(int edge) const { return edge - firstEdge[outlineOf[edge]]; }
+    double lengthOf(int edge) const {
+        return of(edge).arc[local(edge) + 1] - of(edge).arc[local(edge)];
+    }
     /// The piece that an edge is of.
     int pieceOf(int edge) const { return of(edge).piece; }
     /// The outline that a side runs along.

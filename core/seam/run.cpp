@@ -81,7 +81,7 @@ Facing Run::atB(double b) const {
 }
 
 Run Run::part(Arc onA) const {
-    Run cut{outlineA, outlineB, parallel, certain, folded, {atA(onA.from)}};
+    Run cut{outlineA, outlineB, parallel, certain, folded, stacked, {atA(onA.from)}};
     auto next = std::ranges::upper_bound(line, onA.from, {}, &Facing::a);
     for (; next != line.end() && next->a < onA.to; ++next) {
         cut.line.push_back(*next);

@@ -44,6 +44,7 @@ struct Run {
     bool parallel = false;
     bool certain = false;  ///< made of contacts that are certain
     bool folded = false;   ///< the outline folded on itself at a plain edge: a pleat, if at all
+    bool stacked = false;  ///< side b lies on a place that another run has been given
     std::vector<Facing> line;
 
     Arc arcA() const { return {line.front().a, line.back().a}; }
@@ -75,27 +76,21 @@ Tips tipsOf(const Run& run, const Outlines& outlines);
 /// @param contacts  sorted by (a, b). Linear but for look-ups.
 std::vector<Run> chainContacts(const Outlines& outlines, const std::vector<Contact>& contacts);
 
-/// A run that has its place.
-struct Chosen {
-    Run run;
-    bool stacked = false;  ///< side b lies on a place that another run has
-};
-
 /// Decides between runs that compete for a place, so that each place of an outline is in one run at
 /// most (but for stacked layers). Runs are cut where others begin and end; the parts are taken in
 /// order of their gap, then of what their run has undisputed, then of length; parts of a run that
 /// follow each other are one again. Cost: n log n where few runs lie on one place.
-std::vector<Chosen> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates,
-                               const SeamOptions& options);
+std::vector<Run> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates,
+                            const SeamOptions& options);
 
 /// Makes runs one that follow each other on both outlines, with nothing or only a few free edges
 /// between them. `taken` are the places of all runs per piece; bridges are added to it.
-std::vector<Chosen> joinRuns(const Outlines& outlines, std::vector<Chosen> runs,
-                             std::vector<ArcSet>& taken);
+std::vector<Run> joinRuns(const Outlines& outlines, std::vector<Run> runs,
+                          std::vector<ArcSet>& taken);
 
 /// Makes a seam of a run: decides the kind, puts its ends on vertices that are near enough, and
 /// writes down the corresponding places. No name yet.
-Seam finishSeam(const Outlines& outlines, const Chosen& chosen);
+Seam finishSeam(const Outlines& outlines, Run run);
 
 /// A seam of one side: an edge sewn to nothing.
 /// @param index  of the outline
