@@ -155,15 +155,11 @@ private:
     }
 
     void add(PathPolyline& path, const SurfacePoint& point) const {
-        if (!path.points.empty()) {
-            const Carrier last = links_.carrierOf(path.points.back());
-            const Carrier next = links_.carrierOf(point);
-            if (last.kind == Carrier::Kind::Vertex && next.kind == Carrier::Kind::Vertex &&
-                last.index == next.index) {
-                return;
-            }
+        const Carrier next = links_.carrierOf(point);
+        if (next.kind != Carrier::Kind::Vertex || path.points.empty() ||
+            links_.carrierOf(path.points.back()) != next) {
+            path.points.push_back(point);
         }
-        path.points.push_back(point);
     }
 
     /// Where the shortest way crosses each gate.

@@ -18,6 +18,8 @@ struct Carrier {
     enum class Kind { Vertex, Edge, Face };
     Kind kind;
     int index;  ///< of the vertex, the edge or the face
+
+    bool operator==(const Carrier&) const = default;
 };
 
 /// Steps from triangle to triangle and around vertices. Keeps references: the mesh and its table
