@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/flatten/piece_result.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 
 namespace toile {

@@ -48,8 +48,8 @@ std::string brokenByPiece(const Piece& piece, const PolygonSoup& soup) {
         !inRange(piece.sourceFace, -1, soup.faceCount())) {
         return "a piece's indices are out of range";
     }
-    if (!piece.defect && (!piece.halfedges || piece.boundary.size() < 3)) {
-        return "a piece without defect has no half-edges or no boundary";
+    if (!piece.defect && piece.boundary.size() < 3) {
+        return "a piece without defect has no boundary";
     }
     return piece.defect && sentence(*piece.defect).empty() ? "a defect without words" : "";
 }
