@@ -26,24 +26,24 @@ int end(int status) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const toile::Arguments arguments = toile::parseArguments(argc, argv);
+    const toile::app::Arguments arguments = toile::app::parseArguments(argc, argv);
 #ifdef TOILE_GUI
-    if (arguments.command == toile::Arguments::Command::Window) {
-        if (const auto refusal = toile::refusalOfProject(arguments)) {
-            return end(toile::runCommand(*refusal));
+    if (arguments.command == toile::app::Arguments::Command::Window) {
+        if (const auto refusal = toile::app::refusalOfProject(arguments)) {
+            return end(toile::app::runCommand(*refusal));
         }
-        return toile::runWindow(argc, argv,
-                                {.files = arguments.inputs,
-                                 .load = arguments.load,
-                                 .seams = arguments.seams,
-                                 .screenshot = arguments.screenshot,
-                                 .overlay = arguments.overlay,
-                                 .flattening = arguments.options,
-                                 .panel = arguments.panel});
+        return toile::app::runWindow(argc, argv,
+                                     {.files = arguments.inputs,
+                                      .load = arguments.load,
+                                      .seams = arguments.seams,
+                                      .screenshot = arguments.screenshot,
+                                      .overlay = arguments.overlay,
+                                      .flattening = arguments.options,
+                                      .panel = arguments.panel});
     }
-    if (arguments.command == toile::Arguments::Command::Render) {
-        return toile::runRender(argc, argv, arguments);
+    if (arguments.command == toile::app::Arguments::Command::Render) {
+        return toile::app::runRender(argc, argv, arguments);
     }
 #endif
-    return end(toile::runCommand(arguments));
+    return end(toile::app::runCommand(arguments));
 }

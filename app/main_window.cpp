@@ -25,7 +25,7 @@
 #include "app/window_menus.h"
 #include "app/window_status.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -60,7 +60,7 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
     setUnifiedTitleAndToolBarOnMac(true);
     setCentralWidget(centre_.get());
     fillMenuBar(*this, actions_, docks_->all(), garmentActions_->project().recent());
-    toile::addToolBar(*this, actions_);
+    app::addToolBar(*this, actions_);
     connectParts();
     connectPreferences();
     addActions(actions_.all());  // shortcuts work whichever menu is hidden
@@ -261,4 +261,4 @@ void MainWindow::dropEvent(QDropEvent* event) {
     openFiles(files);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "app/window_centre.h"
 #include "app/window_docks.h"
 
-namespace toile {
+namespace toile::app {
 
 class GarmentActions;
 class WindowDialogs;
@@ -80,4 +80,4 @@ private:
     bool closingAnyway_ = false;  ///< nothing is to be asked any more
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@ static void registerResources() {
     Q_INIT_RESOURCE(translations);
 }
 
-namespace toile {
+namespace toile::app {
 
 void loadResources() {
     registerResources();
@@ -108,4 +108,4 @@ QString choosePicturePlatform(const DisplayProbe&) {
 
 #endif
 
-}  // namespace toile
+}  // namespace toile::app

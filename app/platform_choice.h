@@ -3,7 +3,7 @@
 
 #include <QString>
 
-namespace toile {
+namespace toile::app {
 
 /// Makes shaders and icons known: a static library's resources are left out by the linker unless
 /// asked for. To be called before the first window is made; again does no harm.
@@ -37,4 +37,4 @@ QString windowProblem(const DisplayProbe& display);
 /// @return a sentence where there is neither; else empty
 QString choosePicturePlatform(const DisplayProbe& display);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -21,7 +21,7 @@
 #include "core/base/file.h"
 #include "core/pipeline/garment_flattener.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -148,4 +148,4 @@ int runRender(int argc, char** argv, const Arguments& typed) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

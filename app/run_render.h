@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace toile {
+namespace toile::app {
 
 struct Arguments;
 
@@ -10,4 +10,4 @@ struct Arguments;
 /// @return exit status as of the other commands; 3 also where nothing can be drawn here
 int runRender(int argc, char** argv, const Arguments& typed);
 
-}  // namespace toile
+}  // namespace toile::app

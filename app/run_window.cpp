@@ -20,7 +20,7 @@
 #include "app/widgets/banner.h"
 #include "core/base/version.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -181,4 +181,4 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     return QApplication::exec();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 #include "app/document/view_state.h"
 #include "core/pipeline/pipeline.h"
 
-namespace toile {
+namespace toile::app {
 
 struct WindowOptions {
     std::vector<std::filesystem::path> files;  ///< opened as one garment
@@ -27,4 +27,4 @@ struct WindowOptions {
 ///         could not be read and 1 where the picture could not be written
 int runWindow(int argc, char** argv, const WindowOptions& options);
 
-}  // namespace toile
+}  // namespace toile::app

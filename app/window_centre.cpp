@@ -18,7 +18,7 @@
 #include "app/widgets/banner.h"
 #include "app/widgets/garment_card.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -160,4 +160,4 @@ QString WindowCentre::hint() const {
         cameraHint(preferences_.navigation(), viewInUse_ == ViewKind::Pattern));
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 
 class QStackedWidget;
 
-namespace toile {
+namespace toile::app {
 
 class ActionRegistry;
 class Banner;
@@ -69,4 +69,4 @@ private:
     Workspace::Paths keptGuesses_;  ///< files whose guesses the person has found right
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "app/views/view_area.h"
 #include "core/base/version.h"
 
-namespace toile {
+namespace toile::app {
 
 WindowDialogs::WindowDialogs(QWidget& window, Workspace& workspace, const ActionRegistry& actions,
                              ViewArea& views, Preferences& preferences)
@@ -88,4 +88,4 @@ void WindowDialogs::showAbout() {
     box->open();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -3,7 +3,7 @@
 
 #include "app/widgets/command_palette.h"
 
-namespace toile {
+namespace toile::app {
 
 class ActionRegistry;
 class CompareWindow;
@@ -40,4 +40,4 @@ private:
     CompareWindow* compare_ = nullptr;
 };
 
-}  // namespace toile
+}  // namespace toile::app

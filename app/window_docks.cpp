@@ -18,7 +18,7 @@
 #include "app/views/view_area.h"
 #include "app/widgets/column_chooser.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -201,4 +201,4 @@ void WindowDocks::showFindings(const QList<int>& indices) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

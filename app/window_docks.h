@@ -12,7 +12,7 @@ class QDockWidget;
 class QMainWindow;
 class QUndoView;
 
-namespace toile {
+namespace toile::app {
 
 class ActionRegistry;
 class FabricPanel;
@@ -75,4 +75,4 @@ private:
     QList<QWidget*> fields_;  ///< where the keyboard goes, one per dock
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -14,7 +14,7 @@
 #include "app/actions/project_actions.h"
 #include "app/widgets/icon.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -170,4 +170,4 @@ void addToolBar(QMainWindow& window, const ActionRegistry& actions) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

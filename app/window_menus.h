@@ -6,7 +6,7 @@
 class QDockWidget;
 class QMainWindow;
 
-namespace toile {
+namespace toile::app {
 
 class ActionRegistry;
 class RecentFiles;
@@ -18,4 +18,4 @@ void fillMenuBar(QMainWindow& window, const ActionRegistry& actions,
 /// The toolbar; after the menus, of which it opens one.
 void addToolBar(QMainWindow& window, const ActionRegistry& actions);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -18,7 +18,7 @@
 #include "app/settings/length_display.h"
 #include "app/widgets/hint_label.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -128,4 +128,4 @@ void WorkDisplay::showFraction() {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

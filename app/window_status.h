@@ -9,7 +9,7 @@ class QLabel;
 class QProgressBar;
 class QStatusBar;
 
-namespace toile {
+namespace toile::app {
 
 class ActionRegistry;
 class HintLabel;
@@ -62,4 +62,4 @@ private:
     QLabel* summary_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "app/base/translate.h"
 #include "app/widgets/icon.h"
 
-namespace toile {
+namespace toile::app {
 
 QString withoutMnemonic(const QString& text) {
     QString plain;
@@ -25,11 +25,11 @@ QString withoutMnemonic(const QString& text) {
 ActionRegistry::ActionRegistry(QObject* parent) : QObject(parent) {
     std::map<ActionGroup, QActionGroup*> groups;
     for (const ActionSpec& spec : actionTable()) {
-        auto* action = new QAction(toile::tr(spec.text), this);
+        auto* action = new QAction(app::tr(spec.text), this);
         action->setObjectName(spec.name);
         const QKeySequence shortcut(QString::fromLatin1(spec.shortcut));
         action->setShortcut(shortcut);
-        const QString tip = toile::tr(spec.tip);
+        const QString tip = app::tr(spec.tip);
         action->setStatusTip(tip);
         action->setToolTip(
             shortcut.isEmpty()
@@ -39,7 +39,7 @@ ActionRegistry::ActionRegistry(QObject* parent) : QObject(parent) {
             action->setIcon(themedIcon(spec.icon));
         }
         if (*spec.shortText) {
-            action->setIconText(toile::tr(spec.shortText));
+            action->setIconText(app::tr(spec.shortText));
         }
         action->setCheckable(spec.work.group != ActionGroup::None);
         if (spec.work.group > ActionGroup::Toggle) {
@@ -85,7 +85,7 @@ void ActionRegistry::followChecked(Workspace& workspace) const {
 }
 
 QString ActionRegistry::title(ActionId id) const {
-    return withoutMnemonic(toile::tr(std::ranges::find(actionTable(), id, &ActionSpec::id)->text));
+    return withoutMnemonic(app::tr(std::ranges::find(actionTable(), id, &ActionSpec::id)->text));
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 
 #include "app/actions/action_table.h"
 
-namespace toile {
+namespace toile::app {
 
 /// A menu's text without the mark of its mnemonic: "Save && &close" is "Save & close".
 QString withoutMnemonic(const QString& text);
@@ -42,4 +42,4 @@ private:
     std::map<ActionId, QAction*> actions_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "app/render/scene.h"
 #include "app/text/method_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -565,4 +565,4 @@ ActionId actionOf(Method method) {
     return ActionId::MethodIsometric;
 }
 
-}  // namespace toile
+}  // namespace toile::app

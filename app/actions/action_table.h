@@ -6,7 +6,7 @@
 
 #include "core/flatten/base/method.h"
 
-namespace toile {
+namespace toile::app {
 
 class GarmentActions;
 class Workspace;
@@ -175,4 +175,4 @@ ActionId actionOf(Method method);
 /// Everything that is said of actions but where they are in the menus (menu_table.h).
 const std::vector<ActionSpec>& actionTable();
 
-}  // namespace toile
+}  // namespace toile::app

@@ -17,7 +17,7 @@
 #include "app/widgets/banner.h"
 #include "core/project/project_file.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 constexpr auto kLockEnding = ".lock";
@@ -231,4 +231,4 @@ void Recovery::discard() {
     offerNext();
 }
 
-}  // namespace toile
+}  // namespace toile::app

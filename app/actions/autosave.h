@@ -14,7 +14,7 @@
 
 #include "app/jobs/job_runner.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class ProjectActions;
@@ -122,4 +122,4 @@ private:
     std::vector<RecoveryFile> offered_;  ///< the first is on the card
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -10,7 +10,7 @@
 #include "app/base/translate.h"
 #include "app/document/document.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::vector<Command> commandList(const ActionRegistry& actions, const Document& 
     return commands;
 }
 
-}  // namespace toile
+}  // namespace toile::app

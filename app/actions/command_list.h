@@ -6,7 +6,7 @@
 
 #include "app/widgets/command_search.h"
 
-namespace toile {
+namespace toile::app {
 
 class ActionRegistry;
 class Document;
@@ -18,4 +18,4 @@ std::vector<Command> commandList(const ActionRegistry& actions, const Document& 
                                  const std::function<void(int)>& showPiece,
                                  const std::function<void(int)>& showSeam);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "core/io/soup.h"
 #include "core/project/project_file.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 QStringList meshSuffixes() {
@@ -140,4 +140,4 @@ bool isOpenable(const QString& path) {
     });
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 
 class QWidget;
 
-namespace toile {
+namespace toile::app {
 
 /// What becomes of unsaved changes.
 enum class SaveAnswer { Save, Discard, Cancel };
@@ -45,4 +45,4 @@ public:
 QStringList openableSuffixes();
 bool isOpenable(const QString& path);
 
-}  // namespace toile
+}  // namespace toile::app

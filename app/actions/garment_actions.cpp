@@ -15,7 +15,7 @@
 #include "app/text/error_text.h"
 #include "core/project/project_file.h"
 
-namespace toile {
+namespace toile::app {
 
 GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
                                Preferences& preferences, QWidget& window)
@@ -201,4 +201,4 @@ void GarmentActions::forgetGrain() {
     setGrain(workspace_.document(), tr("Grain"), grains);
 }
 
-}  // namespace toile
+}  // namespace toile::app

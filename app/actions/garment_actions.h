@@ -8,7 +8,7 @@
 #include "app/document/document_change.h"
 #include "app/jobs/job_runner.h"
 
-namespace toile {
+namespace toile::app {
 
 class Preferences;
 class ProjectActions;
@@ -65,4 +65,4 @@ private:
     JobRunner::Ticket grain_ = 0;  ///< looks for the best grain
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/actions/menu_table.h"
 #include "app/base/translate.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::vector<HelpGroup> helpGroups(const ActionRegistry& actions,
     return groups;
 }
 
-}  // namespace toile
+}  // namespace toile::app

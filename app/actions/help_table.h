@@ -5,7 +5,7 @@
 #include <QString>
 #include <vector>
 
-namespace toile {
+namespace toile::app {
 
 class ActionRegistry;
 
@@ -26,4 +26,4 @@ struct HelpGroup {
 std::vector<HelpGroup> helpGroups(const ActionRegistry& actions,
                                   QKeySequence::SequenceFormat format);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <string_view>
 
-namespace toile {
+#include "app/base/translate.h"
+
+namespace toile::app {
 
 namespace {
 
@@ -130,7 +132,7 @@ const std::vector<MenuSpec>& menuTable() {
 }
 
 QString menuText(const char* text) {
-    return QCoreApplication::translate("toile", text);
+    return tr(text);
 }
 
 std::vector<PlacedAction> placedActions() {
@@ -143,4 +145,4 @@ std::vector<PlacedAction> placedActions() {
     return found;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 
 #include "app/actions/action_registry.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Which menu holds which actions: the table beside that of the actions, for the menu bar, for the
 /// paths in the command palette and for the groups of the help page.
@@ -51,4 +51,4 @@ struct PlacedAction {
 /// Every action of the menus in their order.
 std::vector<PlacedAction> placedActions();
 
-}  // namespace toile
+}  // namespace toile::app

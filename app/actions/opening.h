@@ -9,7 +9,7 @@
 
 #include "core/pipeline/pipeline.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What is on its way to become the open garment, and whether it may take the place of what is open
 /// when it is there:
@@ -77,4 +77,4 @@ private:
     Ask ask_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -14,7 +14,7 @@
 #include "app/text/error_text.h"
 #include "core/project/project_file.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -196,4 +196,4 @@ void ProjectActions::askForMeshes(const std::filesystem::path& project,
     retry(found);
 }
 
-}  // namespace toile
+}  // namespace toile::app

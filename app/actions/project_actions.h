@@ -10,7 +10,7 @@
 
 class QMenu;
 
-namespace toile {
+namespace toile::app {
 
 class Preferences;
 class Workspace;
@@ -78,4 +78,4 @@ private:
     RecentFiles recent_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 #include "app/document/project_state.h"
 #include "app/text/error_text.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 constexpr int kMostSentences = 4;  ///< that are read when a project is opened
@@ -156,4 +156,4 @@ void ProjectSession::whenSaved(std::function<void()> then) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/job_runner.h"
 
-namespace toile {
+namespace toile::app {
 
 class Workspace;
 
@@ -61,16 +61,16 @@ signals:
     void saved(const QString& path);
     /// It was not saved: another program has changed the file.
     /// @param then  what was to be done once it was saved; may be empty
-    void changedByOthers(const toile::ProjectSession::Path& path,
+    void changedByOthers(const toile::app::ProjectSession::Path& path,
                          const std::function<void()>& then);
     /// What a person should know of a project that has been opened.
     void noticed(const QString& sentences);
     void failed(const QString& sentence);
     /// The project was not opened: these files of it are not there.
     /// @param retry  opens it with the places where they are found
-    void meshesMissing(const toile::ProjectSession::Path& project,
+    void meshesMissing(const toile::app::ProjectSession::Path& project,
                        const std::vector<std::filesystem::path>& meshes,
-                       const toile::ProjectSession::Retry& retry);
+                       const toile::app::ProjectSession::Retry& retry);
 
 private:
     void start(const Path& file, const FoundMeshes& found, bool restoring,
@@ -98,4 +98,4 @@ private:
     JobRunner saves_;  ///< apart from the others, which may take long
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/document/document.h"
 #include "core/pipeline/garment_flattener.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 std::shared_ptr<GarmentFlattener> newFlattener() {
@@ -121,8 +121,8 @@ void Recompute::take(Derivation made) {
     }
     if (order_.extent.flatten && !made.motions.empty()) {
         // More than has come there will not be.
-        flattening_ = toile::isFlattened(made.derived, document_.options()) ? Flattening::AsUsual
-                                                                            : Flattening::Declined;
+        flattening_ = app::isFlattened(made.derived, document_.options()) ? Flattening::AsUsual
+                                                                          : Flattening::Declined;
     }
     SettingsById settings = settingsAfter(made, document_.state().settings, document_.settings());
     document_.show(std::move(made.derived), std::move(settings));
@@ -147,4 +147,4 @@ void Recompute::onStopped(bool failed) {
     catchUp();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,9 +12,12 @@
 #include "app/jobs/job_runner.h"
 
 namespace toile {
+class GarmentFlattener;
+}  // namespace toile
+
+namespace toile::app {
 
 class Document;
-class GarmentFlattener;
 
 /// Works out what follows from the document's state, one job for all of it, whenever something of
 /// it is not there. The garment always; whether it is flattened is a matter of what was said last:
@@ -87,4 +90,4 @@ private:
     Order order_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

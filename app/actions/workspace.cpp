@@ -10,7 +10,7 @@
 #include "app/text/error_text.h"
 #include "core/garment/identify.h"
 
-namespace toile {
+namespace toile::app {
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
     connect(&document_, &Document::changed, this, &Workspace::onChanged);
@@ -328,4 +328,4 @@ Workspace::Paths Workspace::openPaths() const {
     return paths;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "app/document/document.h"
 #include "app/jobs/job_runner.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What a person can ask of the open garment, without any widget: opening, cutting, flattening,
 /// writing. All that is asked for becomes a step of the document's history at once; what follows
@@ -161,4 +161,4 @@ private:
     int step_ = 0;  ///< of the history
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "core/seam/seam_origin.h"
 #include "core/seam/seam_settings.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 /// "cut 3": the first that no entry has.
@@ -176,4 +176,4 @@ void Workspace::setEase(int seam, std::optional<double> ease) {
     document_.setSeamEase(seam, ease);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -5,7 +5,7 @@
 #include <QString>
 #include <filesystem>
 
-namespace toile {
+namespace toile::app {
 
 /// A path as Qt and people read it. Any name of a file has a text: what is no UTF-8 in it becomes
 /// question marks, where `std::filesystem::path::u16string` would throw.
@@ -25,4 +25,4 @@ inline std::filesystem::path pathOf(const QString& text) {
 #endif
 }
 
-}  // namespace toile
+}  // namespace toile::app

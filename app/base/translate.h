@@ -4,12 +4,15 @@
 #include <QCoreApplication>
 #include <QString>
 
-namespace toile {
+namespace toile::app {
 
 /// A text in the program's language, for functions that belong to no Qt class; such texts share
-/// one context.
+/// one context, and those that the library gives have another.
 inline QString tr(const char* text, const char* comment = nullptr, int count = -1) {
-    return QCoreApplication::translate("toile", text, comment, count);
+    const QString known = QCoreApplication::translate("toile::app", text, comment, count);
+    return known == QString::fromUtf8(text)
+               ? QCoreApplication::translate("toile", text, comment, count)
+               : known;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -13,7 +13,7 @@
 
 #include "core/base/progress.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What came of a piece of work on another thread: an answer, or what it threw instead. No
 /// exception may leave a thread of Qt's: it would be thrown again in the event loop.
@@ -98,4 +98,4 @@ private:
     std::unique_ptr<Running> running_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

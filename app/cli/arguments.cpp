@@ -14,7 +14,7 @@
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 /// The strings CLI11 fills, before they become typed values.
@@ -440,4 +440,4 @@ Arguments parseArguments(int argc, const char* const* argv) {
     return arguments;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What was typed of how pieces are flattened; nothing where it was not.
 struct StatedOptions {
@@ -68,4 +68,4 @@ struct Arguments {
 /// status 2. Cost: negligible.
 Arguments parseArguments(int argc, const char* const* argv);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "core/project/project.h"
 #include "core/project/rigid_motion.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 /// What a project says of the pieces, for the flat coordinates they have now.
@@ -74,4 +74,4 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     return !out ? kExitUnreadable : isReady ? kExitDone : kExitSomeFailed;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/project_input.h"
 
-namespace toile {
+namespace toile::app {
 
 int runCommand(const Arguments& typed) {
     try {
@@ -38,4 +38,4 @@ int runCommand(const Arguments& typed) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-namespace toile {
+namespace toile::app {
 
 /// The commands that need no display. Exit status: 0 all pieces done, 1 some piece failed (the rest
 /// is written) or a check found faults, 2 wrong usage, 3 input unreadable or output unwritable.
@@ -21,4 +21,4 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
 int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err);
 
-}  // namespace toile
+}  // namespace toile::app

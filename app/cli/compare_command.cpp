@@ -10,7 +10,7 @@
 #include "core/export/comparison_writer.h"
 #include "core/pipeline/pipeline.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 void print(const ComparisonTable& compared, std::ostream& out) {
@@ -88,4 +88,4 @@ int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err)
     return !out ? kExitUnreadable : undone || failed ? kExitSomeFailed : kExitDone;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -14,7 +14,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 constexpr double kSquareMillimetresPerSquareCentimetre = 100;
@@ -150,4 +150,4 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     return out ? status : kExitUnreadable;
 }
 
-}  // namespace toile
+}  // namespace toile::app

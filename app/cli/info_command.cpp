@@ -11,7 +11,7 @@
 #include "core/export/writers.h"
 #include "core/seam/seam_measure.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 void printFile(const SourceFile& file, std::ostream& out) {
@@ -114,4 +114,4 @@ int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     return out ? status : kExitUnreadable;
 }
 
-}  // namespace toile
+}  // namespace toile::app

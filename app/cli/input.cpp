@@ -8,7 +8,7 @@
 #include "app/cli/table.h"
 #include "core/base/text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -85,4 +85,4 @@ bool printFailures(const PieceResults& results, std::ostream& err) {
     return failed;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 
 #include "core/pipeline/pipeline.h"
 
-namespace toile {
+namespace toile::app {
 
 struct Arguments;
 
@@ -27,4 +27,4 @@ bool printProblems(const Garment& garment, std::ostream& err);
 /// @return whether any could not, or lies turned over although its method promises that none does
 bool printFailures(const PieceResults& results, std::ostream& err);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 
 #include "core/base/angle.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 const std::map<std::string, ViewDirection> kLooks = {
@@ -66,4 +66,4 @@ std::string readPictureLook(const std::string& typed, PictureArguments& picture)
     return {};
 }
 
-}  // namespace toile
+}  // namespace toile::app

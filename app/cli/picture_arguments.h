@@ -6,7 +6,7 @@
 
 #include "app/document/view_state.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What a picture is to show, for `toile render`.
 struct PictureArguments {
@@ -27,4 +27,4 @@ std::string readPictureSize(const std::string& typed, PictureArguments& picture)
 /// @return what is wrong, or nothing
 std::string readPictureLook(const std::string& typed, PictureArguments& picture);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "core/project/place_pieces.h"
 #include "core/project/project_file.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ void printDifferences(const Arguments& arguments, const Garment& garment, std::o
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/cli/arguments.h"
 #include "core/garment/garment.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Where the input is a project file: the same arguments with its meshes as the input and with what
 /// it says of reading and, as far as nothing else was typed, of flattening. Anything else comes
@@ -25,4 +25,4 @@ std::optional<Arguments> refusalOfProject(const Arguments& arguments);
 /// Prints how the garment is not the one the project was made with; nothing without a project.
 void printDifferences(const Arguments& arguments, const Garment& garment, std::ostream& err);
 
-}  // namespace toile
+}  // namespace toile::app

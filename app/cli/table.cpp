@@ -6,7 +6,7 @@
 
 #include "core/base/characters.h"
 
-namespace toile {
+namespace toile::app {
 
 void Table::add(std::vector<std::string> row) {
     for (std::string& cell : row) {
@@ -34,4 +34,4 @@ void Table::print(std::ostream& out) const {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

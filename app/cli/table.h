@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace toile {
+namespace toile::app {
 
 /// A plain text table: first column flush left, the others flush right. Cells are shown as
 /// `shownText`.
@@ -19,4 +19,4 @@ private:
     std::vector<std::vector<std::string>> rows_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

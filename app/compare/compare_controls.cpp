@@ -14,7 +14,7 @@
 #include "app/document/document.h"
 #include "app/text/figures.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -159,4 +159,4 @@ void CompareControls::showWork() {
     button_->setText(stopped ? tr("Go on") : tr("Cancel"));
 }
 
-}  // namespace toile
+}  // namespace toile::app

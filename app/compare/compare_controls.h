@@ -13,7 +13,7 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class MethodComparison;
@@ -51,4 +51,4 @@ private:
     bool isChosen_ = false;  ///< the methods, by the person
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -16,7 +16,7 @@
 #include "app/settings/length_display.h"
 #include "app/views/colour_bar.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -191,4 +191,4 @@ void CompareWindow::showPictures() {
     legend_->show({.overlay = ground.look.view.overlay, .scale = ground.look.scale});
 }
 
-}  // namespace toile
+}  // namespace toile::app

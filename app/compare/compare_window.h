@@ -8,7 +8,7 @@
 #include "app/compare/compared_picture.h"
 #include "app/compare/method_comparison.h"
 
-namespace toile {
+namespace toile::app {
 
 class ColourBar;
 class ComparedColumn;
@@ -54,4 +54,4 @@ private:
     FigureTable* table_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -117,4 +117,4 @@ QString ComparedColumn::message(const MethodComparison::Entry& entry, bool isSto
     return result.error ? errorText(*result.error) : QString();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@ class QLabel;
 class QPushButton;
 class QStackedWidget;
 
-namespace toile {
+namespace toile::app {
 
 /// What all methods of a comparison are shown by.
 struct ComparisonGround {
@@ -60,4 +60,4 @@ private:
     QPushButton* use_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

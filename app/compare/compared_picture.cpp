@@ -10,7 +10,7 @@
 
 #include "app/views/view_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -191,4 +191,4 @@ void ComparedPicture::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/render/camera.h"
 #include "app/render/pattern_renderer.h"
 
-namespace toile {
+namespace toile::app {
 
 /// One camera for several pictures of one size: what moves one moves all, and a millimetre has the
 /// same size in each. Until it is moved by hand it shows the whole box.
@@ -82,4 +82,4 @@ private:
     QPointF last_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

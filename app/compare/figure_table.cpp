@@ -11,7 +11,7 @@
 #include "app/base/translate.h"
 #include "app/text/figures.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -120,8 +120,8 @@ void FigureTable::setEntries(const std::vector<MethodComparison::Entry>& entries
 
 void FigureTable::setRow(int row, const CriterionTraits& criterion,
                          const std::vector<MethodComparison::Entry>& entries) {
-    const QString tip = toile::tr(criterion.tip);
-    auto* title = new QTableWidgetItem(toile::tr(criterion.title).replace("%1", lengthUnit()));
+    const QString tip = app::tr(criterion.tip);
+    auto* title = new QTableWidgetItem(app::tr(criterion.title).replace("%1", lengthUnit()));
     title->setToolTip(tip);
     title->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     setVerticalHeaderItem(row, title);
@@ -188,4 +188,4 @@ QSize FigureTable::minimumSizeHint() const {
     return {320, sizeHint().height()};
 }
 
-}  // namespace toile
+}  // namespace toile::app

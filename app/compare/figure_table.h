@@ -6,7 +6,7 @@
 
 #include "app/compare/method_comparison.h"
 
-namespace toile {
+namespace toile::app {
 
 /// The figures of a comparison: a row per figure, a column per method, the best of a row bold and
 /// with a star. As wide as it may be and as high as its rows, without scroll bars, its columns
@@ -36,4 +36,4 @@ private:
     QString copiedText() const;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "app/render/scene_builder.h"
 #include "core/pipeline/pipeline.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -269,4 +269,4 @@ void MethodComparison::keep(const PieceResults& results) {
                          [](const auto& result) -> bool { return result != nullptr; });
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "app/jobs/job_runner.h"
 #include "core/compare/comparison.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 struct Scene;
@@ -109,4 +109,4 @@ private:
     PieceResults kept_;  ///< what was found, one per piece and method
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <set>
 
-namespace toile {
+namespace toile::app {
 
 void DerivedCache::setMaxBytes(std::size_t bytes) {
     maxBytes_ = bytes;
@@ -50,4 +50,4 @@ void DerivedCache::evict() {
     kept_.erase(first, kept_.end());
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 
 #include "app/document/document_state.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What was worked out before, so that steps back and forth bring it at once. The longest unused
 /// goes first; all of it can be worked out again.
@@ -29,4 +29,4 @@ private:
     std::size_t maxBytes_ = kMaxBytes;
 };
 
-}  // namespace toile
+}  // namespace toile::app

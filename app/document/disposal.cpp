@@ -6,7 +6,7 @@
 #include <QThreadPool>
 #include <utility>
 
-namespace toile {
+namespace toile::app {
 
 void doElsewhere(std::function<void()> work) {
     // The application waits for the pool at its end; without one there is no window either.
@@ -18,4 +18,4 @@ void doElsewhere(std::function<void()> work) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-namespace toile {
+namespace toile::app {
 
 /// Calls this on another thread where the window's thread asks for it; elsewhere at once.
 void doElsewhere(std::function<void()> work);
@@ -17,4 +17,4 @@ std::shared_ptr<Value> sharedForDisposal(std::unique_ptr<Value> value) {
                                   [](Value* old) { doElsewhere([old] { delete old; }); });
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "core/pattern/pattern.h"
 #include "core/seam/seam_settings.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 /// Steps that can be undone. States share what they have in common, so most cost little.
@@ -84,7 +84,7 @@ QString Document::title() const {
 }
 
 bool Document::isFlattened() const {
-    return isCurrent() && toile::isFlattened(derived_, state_.options);
+    return isCurrent() && app::isFlattened(derived_, state_.options);
 }
 
 void Document::open(DocumentState state, Derived derived) {
@@ -156,7 +156,7 @@ void Document::tell(DocumentChanges what) {
 }
 
 Derived Document::knownOf(const DocumentState& state) {
-    if (derived_.inputs == state.inputs && toile::isFlattened(derived_, state.options)) {
+    if (derived_.inputs == state.inputs && app::isFlattened(derived_, state.options)) {
         return derived_;
     }
     cache_.keep(derived_);
@@ -383,4 +383,4 @@ void Document::setOverlay(Overlay overlay) {
     setView(view);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -16,8 +16,10 @@
 #include "app/document/view_state.h"
 
 namespace toile {
-
 struct PatternPiece;
+}  // namespace toile
+
+namespace toile::app {
 
 /// The open garment: the one place that holds what a person has decided (`state`), and what is
 /// shown of all that follows from it (`derived`): of this state where it is there (`isCurrent`),
@@ -132,7 +134,7 @@ public:
     void setOverlay(Overlay overlay);
 
 signals:
-    void changed(toile::DocumentChanges what);
+    void changed(toile::app::DocumentChanges what);
 
 private:
     friend class StateStep;
@@ -166,4 +168,4 @@ private:
     mutable MarkPlaces marks_;  ///< follows from the state
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -3,7 +3,7 @@
 
 #include <QFlags>
 
-namespace toile {
+namespace toile::app {
 
 /// What a change of the document is about; views redraw only what they show of it.
 enum class DocumentChange : unsigned {
@@ -25,4 +25,4 @@ enum class DocumentChange : unsigned {
 Q_DECLARE_FLAGS(DocumentChanges, DocumentChange)
 Q_DECLARE_OPERATORS_FOR_FLAGS(DocumentChanges)
 
-}  // namespace toile
+}  // namespace toile::app

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace toile {
+namespace toile::app {
 
 bool isFlattened(const Derived& derived, const FlattenOptions& options) {
     if (!derived.garment || derived.results.size() != derived.garment->pieces.size()) {
@@ -24,4 +24,4 @@ bool isWarm(const Derived& derived) {
                                [](const auto& result) { return result && isWarm(*result); });
 }
 
-}  // namespace toile
+}  // namespace toile::app

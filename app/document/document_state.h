@@ -11,8 +11,11 @@
 #include "core/project/piece_settings.h"
 
 namespace toile {
-
 struct Pattern;
+}  // namespace toile
+
+namespace toile::app {
+
 struct Scene;
 
 /// What a person has decided: what one step of the history changes and undo brings back. Nothing
@@ -47,4 +50,4 @@ bool isFlattened(const Derived& derived, const FlattenOptions& options);
 /// True where some result is warm: another is to take its place.
 bool isWarm(const Derived& derived);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace toile {
+namespace toile::app {
 
 /// Something of the garment that a pointer can be on and that can be lit up in both views.
 struct Feature {
@@ -23,4 +23,4 @@ struct Feature {
     bool operator==(const Feature&) const = default;
 };
 
-}  // namespace toile
+}  // namespace toile::app

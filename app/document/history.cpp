@@ -5,7 +5,7 @@
 
 #include "app/document/document.h"
 
-namespace toile {
+namespace toile::app {
 
 StateStep::StateStep(Document& document, const QString& text, DocumentState next, int gesture)
     : QUndoCommand(text), document_(document), other_(std::move(next)), gesture_(gesture) {}
@@ -25,4 +25,4 @@ bool StateStep::mergeWith(const QUndoCommand*) {
     return true;
 }
 
-}  // namespace toile
+}  // namespace toile::app

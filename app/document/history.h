@@ -5,7 +5,7 @@
 
 #include "app/document/document_state.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -28,4 +28,4 @@ private:
     int gesture_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "app/document/piece_edits.h"
 #include "core/layout/marker.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -203,4 +203,4 @@ void layOutAgain(Document& document, const std::vector<int>& pieces) {
     moveEach(document, tr("Layout"), pieces, moves, false);
 }
 
-}  // namespace toile
+}  // namespace toile::app

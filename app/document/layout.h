@@ -10,7 +10,7 @@
 #include "core/mesh/mesh_arrays.h"
 #include "core/project/piece_settings.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -57,4 +57,4 @@ void distribute(Document& document, const std::vector<int>& pieces, Direction di
 /// Lays the pieces in rows, turned as they are; beside the others where these are not all.
 void layOutAgain(Document& document, const std::vector<int>& pieces);
 
-}  // namespace toile
+}  // namespace toile::app

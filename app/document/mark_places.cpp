@@ -7,7 +7,7 @@
 #include "app/document/layout.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::app {
 
 const PieceMarks& MarkPlaces::of(const Document& document, int piece, const DrawingWords& words) {
     static const PieceMarks kNone;
@@ -37,4 +37,4 @@ const PieceMarks& MarkPlaces::of(const Document& document, int piece, const Draw
     return entry.marks;
 }
 
-}  // namespace toile
+}  // namespace toile::app

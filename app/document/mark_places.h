@@ -8,9 +8,12 @@
 #include "core/project/piece_settings.h"
 
 namespace toile {
+struct PieceResult;
+}  // namespace toile
+
+namespace toile::app {
 
 class Document;
-struct PieceResult;
 
 /// Where the labels and grain lines of the document's pieces go, as a file has them (`placeMarks`).
 /// Keeps what it has found for as long as shape, turn, grain and words are the same: to look for
@@ -33,4 +36,4 @@ private:
     std::vector<Entry> entries_;  ///< one per piece
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/base/translate.h"
 #include "app/document/document.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -62,4 +62,4 @@ int copiesOf(const Document& document, int piece) {
     return settings.quantity * (settings.mirroredPair ? 2 : 1);
 }
 
-}  // namespace toile
+}  // namespace toile::app

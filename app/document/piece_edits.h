@@ -6,9 +6,12 @@
 #include <vector>
 
 namespace toile {
+struct PieceSettings;
+}  // namespace toile
+
+namespace toile::app {
 
 class Document;
-struct PieceSettings;
 
 /// Edits of what is said about pieces beyond their shape and place. Each is one step of the
 /// history, nothing where all is so already; indices outside the garment are left out.
@@ -24,4 +27,4 @@ void setMirroredPair(Document& document, const std::vector<int>& pieces, bool is
 /// How many pieces of cloth are cut from it: two for one mirrored pair.
 int copiesOf(const Document& document, int piece);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace toile {
+namespace toile::app {
 Project projectOf(const DocumentState& state, const Derived& derived, const ViewState& view) {
     const Garment& garment = *derived.garment;
     Project project;
@@ -44,4 +44,4 @@ DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garmen
     return state;
 }
 
-}  // namespace toile
+}  // namespace toile::app

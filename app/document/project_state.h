@@ -5,7 +5,7 @@
 #include "app/document/view_state.h"
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What is saved of the open document. Requires a garment. Linear in the outlines; thread-safe.
 Project projectOf(const DocumentState& state, const Derived& derived, const ViewState& view);
@@ -16,4 +16,4 @@ ViewState viewOf(const ProjectView& saved, ViewState before);
 /// What is opened of a project, with the garment made for it.
 DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garment& garment);
 
-}  // namespace toile
+}  // namespace toile::app

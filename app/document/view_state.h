@@ -6,7 +6,7 @@
 
 #include "core/base/words.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What is painted on the cloth, in both views alike. The shaders know them by number: see
 /// resources/shaders/surface.glsl.
@@ -90,4 +90,4 @@ struct ViewState {
     bool operator==(const ViewState&) const = default;
 };
 
-}  // namespace toile
+}  // namespace toile::app

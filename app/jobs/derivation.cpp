@@ -8,7 +8,7 @@
 #include "app/render/scene_builder.h"
 #include "core/pipeline/garment_flattener.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 /// Of the time to read a garment, about, until it is read, and until it is there.
@@ -122,4 +122,4 @@ SettingsById settingsAfter(const Derivation& made, SettingsById settings,
     return settings;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,8 +12,10 @@
 #include "core/project/place_pieces.h"
 
 namespace toile {
-
 class GarmentFlattener;
+}  // namespace toile
+
+namespace toile::app {
 
 /// What was worked out of a state, and how what has been said of its pieces goes along. Nothing
 /// here touches the document: any thread may work on a derivation of its own.
@@ -46,4 +48,4 @@ void draw(Derived& derived, Progress& progress);
 SettingsById settingsAfter(const Derivation& made, SettingsById settings,
                            const std::vector<PieceSettings>& before);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -14,7 +14,7 @@
 #include "core/pipeline/garment_flattener.h"
 #include "core/project/project_file.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 /// True where there is such a file, and it holds something else. Reads it.
@@ -172,4 +172,4 @@ std::unique_ptr<Job> projectJob(
                    std::move(work), std::move(taken));
 }
 
-}  // namespace toile
+}  // namespace toile::app

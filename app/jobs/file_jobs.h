@@ -13,7 +13,7 @@
 #include "app/jobs/job.h"
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -69,4 +69,4 @@ std::unique_ptr<Job> projectJob(
     std::filesystem::path path, FoundMeshes found, std::function<void(OpenedProject)> done,
     std::function<void(const std::vector<std::filesystem::path>&)> missing);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "core/pipeline/garment_flattener.h"
 #include "core/quality/best_grain.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -118,4 +118,4 @@ std::unique_ptr<Job> grainJob(const Document& document, const std::vector<int>& 
                    std::move(work), std::move(taken));
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,9 +11,12 @@
 #include "app/jobs/job.h"
 
 namespace toile {
+class GarmentFlattener;
+}  // namespace toile
+
+namespace toile::app {
 
 class Document;
-class GarmentFlattener;
 
 /// The jobs that make the document what it is. All take their snapshot when they are made; what
 /// they are to call is called on the GUI thread. A document must outlive its job.
@@ -50,4 +53,4 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
 std::unique_ptr<Job> grainJob(const Document& document, const std::vector<int>& pieces,
                               std::function<void(const PieceGrains& found, bool outdated)> done);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::app {
 
 /// A slow piece of work. It takes a snapshot when it is made (GUI thread), works on that alone,
 /// and hands its result over at the end. Made, finalized and destroyed on the GUI thread.
@@ -84,4 +84,4 @@ std::unique_ptr<Job> makeJob(QString title, Work work, Done done, const JobTrait
                                                      std::move(done), traits);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/document/document.h"
 #include "app/text/error_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -169,4 +169,4 @@ void JobRunner::settle(const Running& done, const Attempt<Result<void>>& made, b
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -10,7 +10,7 @@
 #include "app/base/worker.h"
 #include "app/jobs/job.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -82,4 +82,4 @@ private:
     Ticket last_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "core/cut/surface_point.h"
 #include "core/cut/user_cuts.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Made by the first search that asks for it, and looked at by those that follow.
 struct PathFinder::Surface {
@@ -76,4 +76,4 @@ void PathFinder::take(const Order& order, const std::shared_ptr<Surface>& surfac
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "core/cut/surface_point.h"
 #include "core/garment/piece.h"
 
-namespace toile {
+namespace toile::app {
 
 /// A way over a piece that somebody wants to know.
 struct PathWish {
@@ -62,4 +62,4 @@ private:
     Worker<Result<PathPolyline>> worker_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -5,7 +5,7 @@
 
 #include "app/document/document.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -89,4 +89,4 @@ void ReadyChecker::take(CutPlan plan, Attempt<Readiness> made, bool isCancelled)
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 #include "app/document/document_change.h"
 #include "core/check/ready_to_cut.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -50,4 +50,4 @@ private:
     Worker<Readiness> worker_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -132,4 +132,4 @@ void CutsPanel::removeCurrent() {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -10,7 +10,7 @@
 class QLabel;
 class QTreeWidget;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -41,4 +41,4 @@ private:
     QTreeWidget* table_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

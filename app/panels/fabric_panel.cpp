@@ -16,7 +16,7 @@
 #include "app/panels/fabric_watcher.h"
 #include "app/widgets/number_edits.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -365,4 +365,4 @@ void FabricPanel::follow(const QString& link) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

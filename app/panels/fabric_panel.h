@@ -12,7 +12,7 @@ class QGridLayout;
 class QLabel;
 class QStackedWidget;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class FabricWatcher;
@@ -74,4 +74,4 @@ private:
 /// What a fabric is called within a sentence: "jersey"; "custom" for one that is no preset.
 QString fabricName(const Fabric& fabric);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 #include "app/document/document.h"
 #include "app/text/error_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -73,4 +73,4 @@ void FabricWatcher::take(const Attempt<std::optional<FabricFit>>& made) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "app/document/document_change.h"
 #include "app/render/overlay_values.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -46,4 +46,4 @@ private:
     Worker<std::optional<FabricFit>> worker_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

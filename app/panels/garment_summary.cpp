@@ -12,7 +12,7 @@
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -171,4 +171,4 @@ GarmentQuestions garmentQuestions(Workspace& workspace) {
     return questions;
 }
 
-}  // namespace toile
+}  // namespace toile::app

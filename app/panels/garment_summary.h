@@ -5,7 +5,7 @@
 
 #include "app/widgets/garment_card.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class Workspace;
@@ -20,4 +20,4 @@ QString garmentReasons(const Document& document);
 /// Answers are the workspace's, which must outlive them.
 GarmentQuestions garmentQuestions(Workspace& workspace);
 
-}  // namespace toile
+}  // namespace toile::app

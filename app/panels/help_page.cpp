@@ -6,7 +6,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -87,4 +87,4 @@ void HelpPage::changeEvent(QEvent* event) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

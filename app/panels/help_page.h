@@ -9,7 +9,7 @@
 class QLineEdit;
 class QTextBrowser;
 
-namespace toile {
+namespace toile::app {
 
 /// "Keyboard and mouse": every key and gesture by group, with a line to look for one. Stays open
 /// beside the work.
@@ -30,4 +30,4 @@ private:
     QTextBrowser* text_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -17,7 +17,7 @@
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -296,4 +296,4 @@ std::vector<PiecesModel::Heading> PiecesModel::headings() const {
     };
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,9 +7,12 @@
 #include "app/widgets/columns_model.h"
 
 namespace toile {
+struct PieceSettings;
+}  // namespace toile
+
+namespace toile::app {
 
 class Document;
-struct PieceSettings;
 
 /// The document's pieces as a table: row i is piece i.
 class PiecesModel : public ColumnsModel {
@@ -82,4 +85,4 @@ private:
     const Document& document_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -24,7 +24,7 @@
 #include "app/widgets/cell_delegate.h"
 #include "app/widgets/column_chooser.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -295,4 +295,4 @@ QString PiecesPanel::detailsOfMany() const {
              toCut, row(tr("Cloth needed at least"), areaWithUnit(area)), hint);
 }
 
-}  // namespace toile
+}  // namespace toile::app

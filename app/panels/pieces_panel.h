@@ -10,7 +10,7 @@ class QLabel;
 class QSortFilterProxyModel;
 class QTreeView;
 
-namespace toile {
+namespace toile::app {
 
 class ColumnChooser;
 class Document;
@@ -62,4 +62,4 @@ private:
     bool synchronizing_ = false;  ///< keeps the two selections from answering each other
 };
 
-}  // namespace toile
+}  // namespace toile::app

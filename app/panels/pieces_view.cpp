@@ -10,7 +10,7 @@
 #include "app/widgets/cell_delegate.h"
 #include "core/project/piece_settings.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -86,4 +86,4 @@ QItemSelectionModel::SelectionFlags PiecesView::selectionCommand(const QModelInd
     return QTreeView::selectionCommand(index, event);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -3,7 +3,7 @@
 
 #include <QTreeView>
 
-namespace toile {
+namespace toile::app {
 
 /// The table of pieces. What is changed in one of several selected rows is meant for all of them:
 /// a click into a cell that can be changed leaves the selection as it is. The edit key (F2) edits
@@ -21,4 +21,4 @@ protected:
                                                          const QEvent* event) const override;
 };
 
-}  // namespace toile
+}  // namespace toile::app

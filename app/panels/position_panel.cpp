@@ -18,7 +18,7 @@
 #include "app/widgets/number_edits.h"
 #include "core/base/angle.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -248,4 +248,4 @@ void PositionPanel::mirrorPieces(bool) {
     refresh();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 class QCheckBox;
 class QLabel;
 
-namespace toile {
+namespace toile::app {
 
 class ActionRegistry;
 class AngleEdit;
@@ -52,4 +52,4 @@ private:
     std::vector<int> pieces_;  ///< shown
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -16,7 +16,7 @@
 #include "app/settings/preferences.h"
 #include "app/widgets/colour_button.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -208,4 +208,4 @@ void PreferencesDialog::reject() {
     QDialog::reject();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -10,7 +10,7 @@ class QFormLayout;
 class QLabel;
 class QSpinBox;
 
-namespace toile {
+namespace toile::app {
 
 class ColourButton;
 class Preferences;
@@ -47,4 +47,4 @@ private:
     bool showing_ = false;  ///< fields are being filled in, not chosen from
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "app/text/seam_fit.h"
 #include "core/check/finding.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -134,4 +134,4 @@ QIcon verdictMark(const Readiness& readiness) {
     return fitMark(SeamFit::Matches);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 
 #include "core/check/ready_to_cut.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Findings as the window tells them: in the person's language, with lengths in his unit.
 
@@ -27,4 +27,4 @@ QIcon severityMark(Severity severity);
 /// The same for the whole; a green disc with a tick where it is ready to cut.
 QIcon verdictMark(const Readiness& readiness);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 
 #include "app/panels/problem_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -100,4 +100,4 @@ ProblemsModel::Row ProblemsModel::rowOfGroup(const Finding& first, const std::ve
     return row;
 }
 
-}  // namespace toile
+}  // namespace toile::app

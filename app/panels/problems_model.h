@@ -7,7 +7,7 @@
 
 #include "core/check/ready_to_cut.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Findings as a tree: those of one kind under one row that counts them, a single one by itself.
 /// Rows point at findings by index.
@@ -38,4 +38,4 @@ private:
     static Row rowOfGroup(const Finding& first, const std::vector<int>& group);
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -17,7 +17,7 @@
 #include "app/panels/problems_model.h"
 #include "app/settings/length_display.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -217,4 +217,4 @@ void ProblemsPanel::restore(const Outlook& before) {
     table_->verticalScrollBar()->setValue(before.scroll);
 }
 
-}  // namespace toile
+}  // namespace toile::app

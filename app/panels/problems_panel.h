@@ -12,7 +12,7 @@ class QStackedWidget;
 class QToolButton;
 class QTreeView;
 
-namespace toile {
+namespace toile::app {
 
 class ProblemsModel;
 class ReadyChecker;
@@ -60,4 +60,4 @@ private:
     std::set<Severity> shown_{kSeverities.begin(), kSeverities.end()};
 };
 
-}  // namespace toile
+}  // namespace toile::app

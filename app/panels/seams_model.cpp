@@ -13,7 +13,7 @@
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -255,4 +255,4 @@ std::vector<SeamsModel::Heading> SeamsModel::headings() const {
     };
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -10,10 +10,13 @@
 #include "core/seam/seam_measure.h"
 
 namespace toile {
-
-class Document;
 struct Garment;
 struct Seam;
+}  // namespace toile
+
+namespace toile::app {
+
+class Document;
 
 /// The document's seams and free edges as a table: row i is seam i, measured on the flat pieces.
 /// The ease of a seam can be edited, in percent; the model asks for it and shows what comes of it.
@@ -73,4 +76,4 @@ private:
     std::vector<std::optional<SeamMeasure>> measures_;  ///< one per seam
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -19,7 +19,7 @@
 #include "app/settings/length_display.h"
 #include "app/widgets/cell_delegate.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -248,4 +248,4 @@ void SeamsPanel::editEase() {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -13,7 +13,7 @@ class QSortFilterProxyModel;
 class QStackedWidget;
 class QTreeView;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class SeamsModel;
@@ -61,4 +61,4 @@ private:
     bool synchronizing_ = false;  ///< keeps the two selections from answering each other
 };
 
-}  // namespace toile
+}  // namespace toile::app

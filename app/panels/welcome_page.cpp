@@ -19,7 +19,7 @@
 #include "app/settings/preferences.h"
 #include "app/widgets/icon.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -293,4 +293,4 @@ void WelcomePage::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
 }
 
-}  // namespace toile
+}  // namespace toile::app

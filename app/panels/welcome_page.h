@@ -7,7 +7,7 @@
 class QPushButton;
 class QVBoxLayout;
 
-namespace toile {
+namespace toile::app {
 
 class Preferences;
 
@@ -46,4 +46,4 @@ private:
 /// The sample garments that came with the program, or lie in its source tree; may be empty.
 QStringList samplePaths();
 
-}  // namespace toile
+}  // namespace toile::app

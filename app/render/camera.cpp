@@ -11,7 +11,7 @@
 
 #include "app/render/glm_eigen.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -239,4 +239,4 @@ double Camera3D::pixelsPerUnitAtDepthOne() const {
     return height_ / 2 / std::tan(kFieldOfView / 2);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <glm/mat4x4.hpp>
 
-namespace toile {
+namespace toile::app {
 
 /// Looks straight at the pattern plane, y up. A millimetre has the same size on both axes. Screen
 /// places in logical pixels from the upper left corner.
@@ -110,4 +110,4 @@ private:
     bool orthographic_ = false;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <span>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -162,4 +162,4 @@ OverlayScale robustScale(std::vector<float> values, bool signedValues, double fi
     return scale;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 
 #include "app/document/view_state.h"
 
-namespace toile {
+namespace toile::app {
 
 struct Rgb {
     std::uint8_t r = 0, g = 0, b = 0;
@@ -63,4 +63,4 @@ double roundedUpClosely(double value);
 /// is not blown up into colours.
 OverlayScale robustScale(std::vector<float> values, bool signedValues, double finest);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 
 #include "app/render/shader_program.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -170,4 +170,4 @@ void GarmentRenderer::releaseOwn() {
     tableContent_ = -1;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/render/morph.h"
 #include "app/render/scene_renderer.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Draws the garment in 3D: lit cloth, outlines, selection. A fixed number of draw calls whatever
 /// the number of pieces.
@@ -43,4 +43,4 @@ private:
     int tableContent_ = -1;
 };
 
-}  // namespace toile
+}  // namespace toile::app

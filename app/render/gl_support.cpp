@@ -8,7 +8,7 @@
 #include "app/render/gl.h"
 #include "app/render/offscreen.h"
 
-namespace toile {
+namespace toile::app {
 
 int samplesPerPixel() {
     constexpr int kUsual = 4;
@@ -70,4 +70,4 @@ void beginBlending() {
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-}  // namespace toile
+}  // namespace toile::app

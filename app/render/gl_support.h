@@ -5,7 +5,7 @@
 #include <QSurfaceFormat>
 #include <cstddef>
 
-namespace toile {
+namespace toile::app {
 
 /// Samples per pixel, in windows and pictures alike: 4, or what the environment says in
 /// TOILE_SAMPLES (1 halves the work where a processor draws, and edges show steps).
@@ -35,4 +35,4 @@ struct FrameCounts {
     std::size_t uploadedBytes = 0;  ///< to buffers and textures
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <glm/vec3.hpp>
 
-namespace toile {
+namespace toile::app {
 
 /// The one crossing between the core's Eigen and the cameras' GLM.
 
@@ -12,4 +12,4 @@ inline glm::dvec3 toGlm(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-}  // namespace toile
+}  // namespace toile::app

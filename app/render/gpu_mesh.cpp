@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -140,4 +140,4 @@ void GpuCrosses::upload(const StretchCrosses& crosses) {
     uploadVertices(crosses.vertices, kCrossAttributes);
 }
 
-}  // namespace toile
+}  // namespace toile::app

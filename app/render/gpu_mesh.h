@@ -9,7 +9,7 @@
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Float attribute of a vertex: shader location, number of floats, offset in bytes.
 struct VertexAttribute {
@@ -125,4 +125,4 @@ public:
     void draw(const CrossRun& run) const { drawPoints(run.count); }
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -4,7 +4,7 @@
 #include "core/quality/piece_quality.h"
 #include "core/seam/seam_measure.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -137,4 +137,4 @@ void addDesignerLines(const Garment& garment, const PieceResults& results, Scene
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

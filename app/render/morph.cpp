@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -151,4 +151,4 @@ void frameGarment(Camera3D& camera, const Scene& scene, const SheetPlaces& place
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 #include "app/render/scene.h"
 #include "core/mesh/mesh_arrays.h"
 
-namespace toile {
+namespace toile::app {
 
 /// The way from the garment to the pattern, 0 to 1, as the garment view shows it: in the first half
 /// every flat piece flattens where it is worn, in the second it flies to its place on the sheet.
@@ -54,4 +54,4 @@ Morph morphBefore(const Camera3D& camera, const Scene* scene, double way);
 void frameGarment(Camera3D& camera, const Scene& scene, const SheetPlaces& places,
                   const std::set<int>& pieces, double way);
 
-}  // namespace toile
+}  // namespace toile::app

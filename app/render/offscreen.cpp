@@ -14,7 +14,7 @@
 #include <EGL/eglext.h>
 #endif
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -211,4 +211,4 @@ QImage Framebuffer::read() {
     return image.mirrored();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 
 #include "app/render/gl.h"
 
-namespace toile {
+namespace toile::app {
 
 /// A context of OpenGL 3.3 to draw in without a window. It is current on the thread that made it
 /// until it goes.
@@ -55,4 +55,4 @@ private:
     int width_ = 0, height_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::app

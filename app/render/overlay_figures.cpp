@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -199,4 +199,4 @@ OverlayFigures overlayFigures(const OverlayQuestion& question) {
     return figures;
 }
 
-}  // namespace toile
+}  // namespace toile::app

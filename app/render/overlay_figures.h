@@ -9,7 +9,7 @@
 #include "app/render/overlay_values.h"
 #include "core/garment/fabric.h"
 
-namespace toile {
+namespace toile::app {
 
 inline constexpr int kHistogramBins = 48;
 
@@ -80,4 +80,4 @@ OverlayFigures firstFigures(const OverlayQuestion& question);
 /// Pure; cost as `overlayHistogram` and `worstSpots`.
 OverlayFigures overlayFigures(const OverlayQuestion& question);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "core/garment/fabric.h"
 #include "core/quality/metric_tensor.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -223,4 +223,4 @@ std::optional<FabricFit> fabricFit(const FabricQuestion& question) {
     return fit;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,8 +11,10 @@
 #include "core/garment/fabric.h"
 
 namespace toile {
-
 struct Fabric;
+}  // namespace toile
+
+namespace toile::app {
 
 /// What the fabric allows of a quantity; none where a fabric sets no limit to it. A strain that has
 /// no direction is held to the tightest limits of all directions. In percent.
@@ -96,4 +98,4 @@ bool isSameQuestion(const FabricQuestion& one, const FabricQuestion& other);
 /// million triangles.
 std::optional<FabricFit> fabricFit(const FabricQuestion& question);
 
-}  // namespace toile
+}  // namespace toile::app

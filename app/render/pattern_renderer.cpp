@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -105,4 +105,4 @@ void PatternRenderer::paint(const Camera2D& camera, const ViewState& view, const
     paintLines(frame, 0.0F);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -5,7 +5,7 @@
 #include "app/render/scene_renderer.h"
 #include "core/base/length_unit.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Distance between the grid's strong lines (mm) at a scale, into how many parts the fine lines
 /// divide it, and how visible these are, 0 to 1. At the usual scales 100 mm in tenths; where
@@ -40,4 +40,4 @@ private:
     LengthUnit gridUnit_ = LengthUnit::Millimetre;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 
 #include "core/geometry/segment.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -240,4 +240,4 @@ std::optional<SeamHit> pickGarmentSeam(const Scene& scene, const Ray& ray, doubl
     return nearest;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/render/camera.h"
 #include "app/render/scene.h"
 
-namespace toile {
+namespace toile::app {
 
 /// A place on the cloth, under the pointer.
 struct SurfaceHit {
@@ -59,4 +59,4 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
 std::optional<SeamHit> pickGarmentSeam(const Scene& scene, const Ray& ray, double slope,
                                        double farthest, const SeamFilter& counts = {});
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -145,4 +145,4 @@ OutlineRun runBetweenCorners(const std::vector<int>& corners, int size, int edge
     return {(begin + size) % size, end - begin};
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "core/garment/piece.h"
 #include "core/quality/metric_tensor.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Distortion of vertices or triangles in the units a person reads: area change in percent, angle
 /// change in degrees, strain in percent; strain is that of edges, the largest and the least, kept
@@ -53,4 +53,4 @@ struct OutlineRun {
 /// corners. Precondition: 0 <= edge < size.
 OutlineRun runBetweenCorners(const std::vector<int>& corners, int size, int edge);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -160,4 +160,4 @@ std::vector<int> seamColours(const SeamGraph& graph) {
     return colours;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -10,7 +10,7 @@
 
 class QPalette;
 
-namespace toile {
+namespace toile::app {
 
 /// Colours of a view that go with the desktop's light or dark palette.
 struct RenderStyle {
@@ -47,4 +47,4 @@ const std::array<Rgb, kSeamColours>& seamPalette(bool onDark = false);
 /// name chooses. Cost: linear in the seams. Pure.
 std::vector<int> seamColours(const SeamGraph& seams);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render/scene.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -82,4 +82,4 @@ Eigen::AlignedBox2d sheetBox(const Scene& scene, const SheetPlaces& places) {
     return box;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -14,7 +14,7 @@
 #include "core/geometry/triangle_tree.h"
 #include "core/project/piece_settings.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What the views draw, as plain buffers ready for upload: made once per flattening, off the GUI
 /// thread, then shared and never changed. Overlay, selection, colours and the pieces' places on
@@ -196,4 +196,4 @@ Eigen::AlignedBox2d placedBox(const SeamScene& seam, const SheetPlaces& places);
 /// Around all flat pieces of the scene at their places.
 Eigen::AlignedBox2d sheetBox(const Scene& scene, const SheetPlaces& places);
 
-}  // namespace toile
+}  // namespace toile::app

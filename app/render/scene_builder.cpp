@@ -13,7 +13,7 @@
 #include "core/pattern/label.h"
 #include "core/pattern/pattern.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -231,4 +231,4 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
     return scene;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 #include "app/render/scene.h"
 #include "core/pipeline/pipeline.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Makes the buffers of both views. Pure; meant for a worker thread.
 /// @param results  one per piece, or empty before the first flattening. Pieces without a flat
@@ -33,4 +33,4 @@ void addOutlines(const Garment& garment, const PieceResults& results, Scene& sce
 /// Outline and holes of the designer's panels, laid on the flat pieces that carry one.
 void addDesignerLines(const Garment& garment, const PieceResults& results, Scene& scene);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "app/render/render_style.h"
 #include "app/render/shader_program.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -411,4 +411,4 @@ void SceneRenderer::paintBackdrop(const Frame& frame) {
     backdrop_->release();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -18,7 +18,7 @@
 #include "app/render/shader_program.h"
 #include "core/garment/fabric.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What the two views' renderers share: one mesh, the piece table, the colour maps, the programs
 /// for cloth and lines, the backdrop. Knows nothing of widgets, so that the same picture can be
@@ -143,4 +143,4 @@ private:
     GLuint emptyArray_ = 0;  ///< core profile draws nothing without a vertex array
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 
 #include "app/render/colour_map.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -200,4 +200,4 @@ void FaceTable::release() {
     texture_ = 0;
 }
 
-}  // namespace toile
+}  // namespace toile::app

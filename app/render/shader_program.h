@@ -17,7 +17,7 @@
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
 
-namespace toile {
+namespace toile::app {
 
 /// A linked program on the GPU. Every call, the destructor's too, needs its context current.
 /// Uniforms are set while it is bound; those that the program does not have are passed by.
@@ -100,4 +100,4 @@ private:
     GLuint texture_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "app/render/overlay_values.h"
 #include "core/quality/metric_tensor.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -166,4 +166,4 @@ StretchCrosses makeStretchCrosses(const Scene& scene) {
     return crosses;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace toile {
+namespace toile::app {
 
 struct Scene;
 
@@ -40,4 +40,4 @@ CrossRun crossesAt(const StretchCrosses& crosses, double leastSpacing);
 /// more than triangles, and one at least on each flat piece. Cost: linear.
 StretchCrosses makeStretchCrosses(const Scene& scene);
 
-}  // namespace toile
+}  // namespace toile::app

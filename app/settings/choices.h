@@ -5,7 +5,7 @@
 
 #include "core/base/length_unit.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Whose way of moving the garment view with the mouse a person is used to.
 enum class Navigation { Toile, Blender, Clo, Rhino };
@@ -33,4 +33,4 @@ struct Choices {
     bool operator==(const Choices&) const = default;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -5,7 +5,7 @@
 #include <QLibraryInfo>
 #include <QTranslator>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -52,4 +52,4 @@ Language languageInUse() {
     return spokenNow;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -5,7 +5,7 @@
 
 #include "app/settings/choices.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What `System` comes to on a desktop of this locale: English where there is no translation.
 Language resolved(Language language, const QLocale& desktop);
@@ -16,4 +16,4 @@ void useLanguage(Language language);
 /// The one that is spoken since; English before.
 Language languageInUse();
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 
 #include "core/base/length_text.h"
 
-namespace toile {
+namespace toile::app {
 
 /// How lengths are written everywhere in the window. One for the whole program, as QLocale's
 /// default is, since every label and cell writes lengths; those who show one write it again on
@@ -43,4 +43,4 @@ private:
     int inchDenominator_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -221,4 +221,4 @@ void Preferences::setHiddenColumns(const QString& table, const QStringList& colu
     write(QString(kHiddenColumns).arg(table), columns);
 }
 
-}  // namespace toile
+}  // namespace toile::app

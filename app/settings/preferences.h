@@ -12,7 +12,7 @@
 
 class QSettings;
 
-namespace toile {
+namespace toile::app {
 
 /// What the program remembers of the person, typed. The only place that knows setting names.
 class Preferences : public QObject {
@@ -74,4 +74,4 @@ private:
     Choices choices_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 #include <QStyleFactory>
 #include <vector>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -85,4 +85,4 @@ void applyTheme(Theme theme) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

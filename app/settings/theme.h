@@ -5,7 +5,7 @@
 
 #include "app/settings/choices.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Colours of a window, light or dark: letters reach a contrast of 4.5 on what they stand on.
 QPalette lightPalette();
@@ -16,4 +16,4 @@ QPalette darkPalette();
 /// made. GUI thread only.
 void applyTheme(Theme theme);
 
-}  // namespace toile
+}  // namespace toile::app

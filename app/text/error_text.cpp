@@ -5,17 +5,18 @@
 #include <QLocale>
 #include <new>
 
+#include "app/base/translate.h"
 #include "core/base/characters.h"
 #include "core/base/error.h"
 #include "core/pattern/piece_marks.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
 /// Texts of the core are string literals, so they end with a zero.
 QString translated(std::string_view text) {
-    return text.empty() ? QString() : QCoreApplication::translate("toile", text.data());
+    return text.empty() ? QString() : tr(text.data());
 }
 
 }  // namespace
@@ -92,4 +93,4 @@ QString faultText(const std::exception_ptr& fault) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,10 +6,12 @@
 #include <functional>
 
 namespace toile {
-
 struct DrawingWords;
 struct Error;
 class Wording;
+}  // namespace toile
+
+namespace toile::app {
 
 /// The core's words in the person's language, figures too.
 QString wordingText(const Wording& words);
@@ -30,4 +32,4 @@ DrawingWords drawingWords();
 /// that the program met a fault. Not null.
 QString faultText(const std::exception_ptr& fault);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "app/text/method_text.h"
 #include "core/base/angle.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -125,4 +125,4 @@ QString methodName(Method method) {
     return tr(methodText(method)).remove('&');
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 
 #include "core/pipeline/pipeline.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Figures of a piece as a person reads them: in the user's locale, with units, short.
 
@@ -54,4 +54,4 @@ QString strainRange(const PieceQuality& quality);
 /// How a method is called in the window, in the list of pieces as in the menu.
 QString methodName(Method method);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -3,7 +3,7 @@
 
 #include "core/flatten/base/method.h"
 
-namespace toile {
+namespace toile::app {
 
 // lupdate is told of this name, and takes the namespace for the context.
 #define TR(text) text
@@ -34,4 +34,4 @@ constexpr const char* methodText(Method method) {
 
 #undef TR
 
-}  // namespace toile
+}  // namespace toile::app

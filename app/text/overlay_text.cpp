@@ -7,7 +7,7 @@
 
 #include "app/text/figures.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -81,4 +81,4 @@ QString overlayValueText(Overlay overlay, double value) {
     return overlay == Overlay::Angle ? number + unit : number + QChar(0x202F) + unit;
 }
 
-}  // namespace toile
+}  // namespace toile::app

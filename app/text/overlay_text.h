@@ -5,7 +5,7 @@
 
 #include "app/document/view_state.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What an overlay is called and how its numbers are read.
 struct OverlayWords {
@@ -21,4 +21,4 @@ QString overlayNumber(Overlay overlay, double value);
 /// A measured value, always with the same decimals, and its unit: "+2.4 %", "3.1°".
 QString overlayValueText(Overlay overlay, double value);
 
-}  // namespace toile
+}  // namespace toile::app

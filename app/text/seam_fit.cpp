@@ -12,7 +12,7 @@
 #include "app/base/translate.h"
 #include "app/text/figures.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -144,4 +144,4 @@ QString seamSummary(const SeamGraph& graph,
     return parts.join(QString::fromUtf8(" · "));
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -13,7 +13,7 @@
 
 class QPainter;
 
-namespace toile {
+namespace toile::app {
 
 /// "matches", "nearly", "does not match"; empty where unknown.
 QString fitWord(SeamFit fit);
@@ -30,4 +30,4 @@ QIcon fitMark(SeamFit fit);
 QString seamSummary(const SeamGraph& graph,
                     const std::vector<std::optional<SeamMeasure>>& measures);
 
-}  // namespace toile
+}  // namespace toile::app

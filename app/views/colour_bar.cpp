@@ -5,7 +5,7 @@
 
 #include "app/text/overlay_text.h"
 
-namespace toile {
+namespace toile::app {
 
 ColourBar::ColourBar(QWidget* parent) : QWidget(parent) {
     setObjectName("colourBar");
@@ -47,4 +47,4 @@ void ColourBar::paintEvent(QPaintEvent*) {
     paintLegend(painter, legend_, size(), font(), palette());
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 
 #include "app/views/colour_legend.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Legend of the overlay below the views. Shows nothing of the garment itself.
 class ColourBar : public QWidget {
@@ -33,4 +33,4 @@ private:
     ColourLegend legend_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

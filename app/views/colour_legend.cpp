@@ -13,7 +13,7 @@
 #include "app/render/colour_map.h"
 #include "app/text/overlay_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -382,4 +382,4 @@ void paintLegend(QPainter& painter, const ColourLegend& legend, const QSize& siz
     painter.restore();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 
 class QPainter;
 
-namespace toile {
+namespace toile::app {
 
 /// What the colours of an overlay mean, in numbers, how much of the cloth has which, and the value
 /// under the pointer: what the colour bar shows and what pictures have below them. A value.
@@ -44,4 +44,4 @@ int legendHeight(const QFont& font);
 void paintLegend(QPainter& painter, const ColourLegend& legend, const QSize& size,
                  const QFont& font, const QPalette& palette);
 
-}  // namespace toile
+}  // namespace toile::app

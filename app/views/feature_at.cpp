@@ -11,7 +11,7 @@
 #include "app/views/sewn_run.h"
 #include "app/views/tool.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -139,4 +139,4 @@ bool selectRunAt(const ToolView& view, Document& document, const QPointF& at) {
     return true;
 }
 
-}  // namespace toile
+}  // namespace toile::app

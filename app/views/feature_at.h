@@ -6,7 +6,7 @@
 
 #include "app/document/feature.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class ToolView;
@@ -29,4 +29,4 @@ void selectPieceAt(const ToolView& view, Document& document, const Pointer& poin
 /// there is no line
 bool selectRunAt(const ToolView& view, Document& document, const QPointF& at);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "app/views/sewn_run.h"
 #include "core/mesh/sides.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -177,4 +177,4 @@ QString markedText(const Document& document) {
                : QString();
 }
 
-}  // namespace toile
+}  // namespace toile::app

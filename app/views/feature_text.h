@@ -7,7 +7,7 @@
 #include "app/document/feature.h"
 #include "app/render/overlay_values.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -28,4 +28,4 @@ QString markedText(const Document& document);
 /// Cost: linear in the pieces.
 std::optional<double> shownValueAt(const Document& document, const SurfaceHit& place);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 #include "app/render/scene.h"
 #include "app/text/overlay_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -187,4 +187,4 @@ void paintSpotFlags(QPainter& painter, const RenderStyle& style, const FlagRoom&
     paintFlags(painter, style, {room.view.adjusted(4, 4, -4, -4), room.taken}, flags);
 }
 
-}  // namespace toile
+}  // namespace toile::app

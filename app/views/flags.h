@@ -16,7 +16,7 @@
 
 class QPainter;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 struct RenderStyle;
@@ -68,4 +68,4 @@ void paintSpotFlags(QPainter& painter, const RenderStyle& style, const FlagRoom&
                     const Document& document, const FlaggedSpots& flagged,
                     const std::function<std::optional<SpotPlace>(const WorstSpot&)>& place);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -14,7 +14,7 @@
 #include "app/views/grain_arrow.h"
 #include "app/views/tool_view.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -86,4 +86,4 @@ void GarmentArrows::paint(QPainter& painter, const RenderStyle& style, const Too
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

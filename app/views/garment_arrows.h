@@ -9,7 +9,7 @@
 
 class QPainter;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class ToolView;
@@ -42,4 +42,4 @@ private:
     std::vector<std::optional<NamePlace>> namePlaces_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -15,7 +15,7 @@
 #include "app/views/flags.h"
 #include "app/views/view_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -138,4 +138,4 @@ void paintGarmentText(QPainter& painter, const RenderStyle& style, const Garment
     paintAxisCross(painter, style, axisCrossPlace(text.view), text.camera);
 }
 
-}  // namespace toile
+}  // namespace toile::app

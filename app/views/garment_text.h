@@ -11,7 +11,7 @@
 
 class QPainter;
 
-namespace toile {
+namespace toile::app {
 
 struct RenderStyle;
 
@@ -39,4 +39,4 @@ struct GarmentText {
 
 void paintGarmentText(QPainter& painter, const RenderStyle& style, const GarmentText& text);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -15,7 +15,7 @@
 #include "app/render/picking.h"
 #include "app/views/garment_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -336,4 +336,4 @@ void GarmentView::paintText(QPainter& painter, const RenderStyle& style) {
     paintGarmentText(painter, style, {document_, camera_, rect(), spots(), way_, covered});
 }
 
-}  // namespace toile
+}  // namespace toile::app

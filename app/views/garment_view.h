@@ -11,7 +11,7 @@
 #include "app/views/navigation.h"
 #include "app/views/scene_view.h"
 
-namespace toile {
+namespace toile::app {
 
 /// The garment in 3D: a drag turns it, with Shift moves it, the wheel zooms to the cursor, the keys
 /// of the number pad turn it to its sides. On its way to the pattern (`setMorph`) it is shown as
@@ -90,4 +90,4 @@ private:
     mutable std::optional<Motions> motions_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -13,7 +13,7 @@
 #include "app/text/error_text.h"
 #include "app/views/tool_view.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -106,4 +106,4 @@ void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolVie
     painter.restore();
 }
 
-}  // namespace toile
+}  // namespace toile::app

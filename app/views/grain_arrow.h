@@ -8,7 +8,7 @@
 
 class QPainter;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class SheetMap;
@@ -43,4 +43,4 @@ void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMa
 void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolView& view,
                       const GrainArrow& arrow);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "app/views/feature_text.h"
 #include "app/views/tool_view.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -151,4 +151,4 @@ void paintVertexDots(QPainter& painter, const RenderStyle& style, const ToolView
     paint(document.hover(), kDot - 0.5);
 }
 
-}  // namespace toile
+}  // namespace toile::app

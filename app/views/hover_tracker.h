@@ -14,7 +14,7 @@ class QPoint;
 class QRect;
 class QWidget;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class ToolView;
@@ -60,4 +60,4 @@ private:
 void paintVertexDots(QPainter& painter, const RenderStyle& style, const ToolView& view,
                      const Document& document);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -19,7 +19,7 @@
 #include "app/render/scene.h"
 #include "app/views/garment_view.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -167,4 +167,4 @@ void MorphBar::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(rect(), 7, 7);
 }
 
-}  // namespace toile
+}  // namespace toile::app

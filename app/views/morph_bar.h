@@ -7,7 +7,7 @@ class QSlider;
 class QToolButton;
 class QVariantAnimation;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class GarmentView;
@@ -39,4 +39,4 @@ private:
     QVariantAnimation* animation_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 
 #include "app/views/view_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -145,4 +145,4 @@ std::vector<NamePlate> namePlates(const QFont& font, const std::vector<NamedPiec
     return plates;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include <QString>
 #include <vector>
 
-namespace toile {
+namespace toile::app {
 
 /// A piece that is to have its name written on it. Logical pixels.
 struct NamedPiece {
@@ -32,4 +32,4 @@ struct NamePlate {
 std::vector<NamePlate> namePlates(const QFont& font, const std::vector<NamedPiece>& pieces,
                                   std::vector<QRectF> taken);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 
 #include "app/base/translate.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -125,4 +125,4 @@ std::optional<ViewKey> viewKey(int key, Qt::KeyboardModifiers modifiers, bool ar
     return modifiers.testFlag(Qt::ControlModifier) ? found->withCtrl : found->plain;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 
 #include "app/settings/choices.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What a drag does to the camera.
 enum class CameraMove { None, Turn, Pan, Zoom };
@@ -52,4 +52,4 @@ inline constexpr bool kArrowsAreKeypad = false;
 std::optional<ViewKey> viewKey(int key, Qt::KeyboardModifiers modifiers,
                                bool arrowsAreKeypad = kArrowsAreKeypad);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -93,4 +93,4 @@ void OverlayWatcher::take(Attempt<OverlayFigures> made) {
     start(questionOf(document_));
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 #include "app/document/document_change.h"
 #include "app/render/overlay_figures.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -48,4 +48,4 @@ private:
     bool isStale_ = false;
 };
 
-}  // namespace toile
+}  // namespace toile::app

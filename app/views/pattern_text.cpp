@@ -19,7 +19,7 @@
 #include "app/views/tool_view.h"
 #include "app/views/view_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -109,4 +109,4 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

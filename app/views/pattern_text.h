@@ -6,7 +6,7 @@
 #include "app/render/camera.h"
 #include "app/views/flags.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What the pattern view writes over the sheet, in the window and in pictures alike: caption, grain
 /// arrows, names, flags, scale bar and rulers.
@@ -21,4 +21,4 @@ struct PatternText {
 
 void paintPatternText(QPainter& painter, const RenderStyle& style, const PatternText& text);
 
-}  // namespace toile
+}  // namespace toile::app

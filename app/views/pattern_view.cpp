@@ -12,7 +12,7 @@
 #include "app/views/ruler.h"
 #include "app/views/tool.h"
 
-namespace toile {
+namespace toile::app {
 
 PatternView::PatternView(Document& document, ToolChoice& tools, QWidget* parent)
     : SceneView(document, tools, std::make_unique<PatternRenderer>(), parent) {
@@ -115,4 +115,4 @@ void PatternView::paintText(QPainter& painter, const RenderStyle& style) {
     paintPatternText(painter, style, {document_, places(), camera_, rect(), spots(), grain});
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -4,7 +4,7 @@
 #include "app/render/camera.h"
 #include "app/views/scene_view.h"
 
-namespace toile {
+namespace toile::app {
 
 /// The flat pieces at true proportions as they lie on the sheet, with rulers along two edges, grain
 /// arrows and names: a drag that no tool takes moves the sheet, the wheel zooms to the cursor.
@@ -42,4 +42,4 @@ private:
     Camera2D camera_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -16,7 +16,7 @@
 #include "app/views/tool_view.h"
 #include "core/base/length_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -111,7 +111,7 @@ QString rulerText(double millimetres, const RulerUnit& unit) {
     const double finest = value * kFinestFraction;
     if (unit.inFractions && std::abs(finest - std::round(finest)) < 1e-6) {
         return QString::fromStdString(
-                   lengthNumber(millimetres, {LengthUnit::Inch, kFinestFraction, "."}))
+                   toile::lengthNumber(millimetres, {LengthUnit::Inch, kFinestFraction, "."}))
             .replace('-', kMinus);
     }
     return QLocale().toString(std::abs(value) < 1e-9 ? 0.0 : value, 'g', 7).replace('-', kMinus);
@@ -195,4 +195,4 @@ void framePattern(Camera2D& camera, const Scene& scene, const SheetPlaces& place
     camera.frame(box, patternMargins(rulers));
 }
 
-}  // namespace toile
+}  // namespace toile::app

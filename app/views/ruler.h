@@ -14,7 +14,7 @@
 class QPainter;
 class QRect;
 
-namespace toile {
+namespace toile::app {
 
 class SheetMap;
 struct RenderStyle;
@@ -58,4 +58,4 @@ Camera2D::Margins patternMargins(bool rulers);
 void framePattern(Camera2D& camera, const Scene& scene, const SheetPlaces& places,
                   const std::set<int>& pieces, bool rulers);
 
-}  // namespace toile
+}  // namespace toile::app

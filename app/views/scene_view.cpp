@@ -19,7 +19,7 @@
 #include "app/views/tool.h"
 #include "app/views/view_text.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -423,4 +423,4 @@ void SceneView::resizeEvent(QResizeEvent* event) {
     QOpenGLWidget::resizeEvent(event);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -16,7 +16,7 @@
 
 class QPainter;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class SceneRenderer;
@@ -55,7 +55,7 @@ signals:
     /// The pointer has come into the view.
     void entered();
     /// What of the cloth the pointer is on; none: nothing, or it has left.
-    void pointed(const std::optional<toile::SurfaceHit>& hit);
+    void pointed(const std::optional<toile::app::SurfaceHit>& hit);
 
 protected:
     SceneView(Document& document, ToolChoice& tools, std::unique_ptr<SceneRenderer> renderer,
@@ -138,4 +138,4 @@ private:
     bool followsAll_ = true;
 };
 
-}  // namespace toile
+}  // namespace toile::app

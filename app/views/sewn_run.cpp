@@ -9,7 +9,7 @@
 #include "app/render/scene_builder.h"
 #include "core/seam/seam_measure.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -177,4 +177,4 @@ std::vector<Feature> markedFeatures(const Document& document) {
     return features;
 }
 
-}  // namespace toile
+}  // namespace toile::app

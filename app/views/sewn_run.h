@@ -7,7 +7,7 @@
 #include "app/document/feature.h"
 #include "core/pipeline/pipeline.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -40,4 +40,4 @@ RunLengths runLengths(const Garment& garment, const PieceResults& results, const
 /// whole edges.
 std::vector<Feature> markedFeatures(const Document& document);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -10,7 +10,7 @@
 class QKeyEvent;
 class QPainter;
 
-namespace toile {
+namespace toile::app {
 
 /// Which tool is meant.
 enum class ToolId { Select, Cut, Loop, Dart, Join, Measure, Grain };
@@ -84,7 +84,7 @@ public:
     Tool& current() const { return *current_; }
 
 signals:
-    void chosen(toile::ToolId id);
+    void chosen(toile::app::ToolId id);
     /// The chosen tool shows something else now.
     void changed();
 
@@ -92,4 +92,4 @@ protected:
     Tool* current_ = nullptr;
 };
 
-}  // namespace toile
+}  // namespace toile::app

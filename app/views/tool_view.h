@@ -14,7 +14,7 @@
 #include "app/render/picking.h"
 #include "app/render/render_style.h"
 
-namespace toile {
+namespace toile::app {
 
 /// A place on the screen to reckon with.
 inline Eigen::Vector2d pixels(const QPointF& at) {
@@ -79,4 +79,4 @@ private:
     double scale_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -16,7 +16,7 @@
 #include "app/views/overlay_watcher.h"
 #include "app/views/pattern_view.h"
 
-namespace toile {
+namespace toile::app {
 
 ViewArea::ViewArea(Document& document, ToolChoice& tools, QWidget* parent)
     : QWidget(parent),
@@ -129,4 +129,4 @@ void ViewArea::showPointedValue() {
     legend_->showValue(pointed_ ? shownValueAt(document_, *pointed_) : std::nullopt);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 
 class QSplitter;
 
-namespace toile {
+namespace toile::app {
 
 class ColourBar;
 class Document;
@@ -55,7 +55,7 @@ public:
 
 signals:
     /// The pointer has come into this view.
-    void entered(toile::ViewKind view);
+    void entered(toile::app::ViewKind view);
     /// The overlay's figures could not be worked out.
     void failed(const QString& sentence);
 
@@ -76,4 +76,4 @@ private:
     std::optional<SurfaceHit> pointed_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

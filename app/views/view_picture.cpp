@@ -16,7 +16,7 @@
 #include "app/views/ruler.h"
 #include "app/views/sewn_run.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -173,4 +173,4 @@ QImage drawViews(const Document& document, const PictureOptions& options, QStrin
     return picture;
 }
 
-}  // namespace toile
+}  // namespace toile::app

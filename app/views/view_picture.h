@@ -8,7 +8,7 @@
 
 #include "app/document/view_state.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -29,4 +29,4 @@ struct PictureOptions {
 /// @param problem  receives a sentence where a null image is returned
 QImage drawViews(const Document& document, const PictureOptions& options, QString& problem);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include "app/render/render_style.h"
 #include "app/settings/length_display.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -172,4 +172,4 @@ void paintProblem(QPainter& painter, const RenderStyle& style, const QRect& view
                      Qt::AlignCenter | Qt::TextWordWrap, problem);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@
 class QPainter;
 class QWidget;
 
-namespace toile {
+namespace toile::app {
 
 struct RenderStyle;
 
@@ -86,4 +86,4 @@ QSize devicePixels(const QWidget& widget);
 void paintProblem(QPainter& painter, const RenderStyle& style, const QRect& view,
                   const QString& problem);
 
-}  // namespace toile
+}  // namespace toile::app

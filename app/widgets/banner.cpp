@@ -8,7 +8,7 @@
 
 #include "app/widgets/icon.h"
 
-namespace toile {
+namespace toile::app {
 
 SentenceBar::SentenceBar(QWidget* parent)
     : QFrame(parent), label_(new QLabel(this)), row_(new QHBoxLayout(this)) {
@@ -62,4 +62,4 @@ RecoveryCard::RecoveryCard(QWidget* parent) : SentenceBar(parent) {
     row_->addWidget(discard, 0, Qt::AlignVCenter);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 class QHBoxLayout;
 class QLabel;
 
-namespace toile {
+namespace toile::app {
 
 /// One sentence across the window that waits for nobody; hidden at first.
 class SentenceBar : public QFrame {
@@ -43,4 +43,4 @@ signals:
     void discardWanted();
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -10,7 +10,7 @@
 #include <QPointer>
 #include <QStyledItemDelegate>
 
-namespace toile {
+namespace toile::app {
 
 /// Edits the cells of a list. Enter takes what was typed at once; Qt would do so with the next
 /// round of events, when the row may have gone already.
@@ -54,4 +54,4 @@ inline void closeEditorsBeforeReset(QAbstractItemView& view) {
     });
 }
 
-}  // namespace toile
+}  // namespace toile::app

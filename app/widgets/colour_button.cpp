@@ -5,7 +5,7 @@
 #include <QMenu>
 #include <QPixmap>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -46,4 +46,4 @@ void ColourButton::choose(const QColor& colour) {
     emit colourChosen(colour);
 }
 
-}  // namespace toile
+}  // namespace toile::app

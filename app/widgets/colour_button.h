@@ -4,7 +4,7 @@
 #include <QColor>
 #include <QToolButton>
 
-namespace toile {
+namespace toile::app {
 
 /// Shows a colour; a click chooses another, or the usual one again.
 class ColourButton : public QToolButton {
@@ -27,4 +27,4 @@ private:
     QColor colour_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

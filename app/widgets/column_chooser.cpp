@@ -5,7 +5,7 @@
 #include <QHeaderView>
 #include <QMenu>
 
-namespace toile {
+namespace toile::app {
 
 ColumnChooser::ColumnChooser(QHeaderView& header, QStringList names, QObject* parent)
     : QObject(parent), header_(header), names_(std::move(names)) {
@@ -41,4 +41,4 @@ void ColumnChooser::showMenu(const QPoint& at) {
     menu->popup(header_.mapToGlobal(at));
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -6,7 +6,7 @@
 
 class QHeaderView;
 
-namespace toile {
+namespace toile::app {
 
 /// Lets a person choose a table's columns by a right click on its headings. The first column always
 /// stays. Says what is chosen; the table hides the columns.
@@ -34,4 +34,4 @@ private:
     QStringList names_, hidden_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

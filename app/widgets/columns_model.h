@@ -5,7 +5,7 @@
 #include <QString>
 #include <vector>
 
-namespace toile {
+namespace toile::app {
 
 /// A table whose rows are told by what derives from it. Sorts by `SortRole`.
 class ColumnsModel : public QAbstractTableModel {
@@ -86,4 +86,4 @@ private:
     int columns_, rows_ = 0;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -297,4 +297,4 @@ void CommandPalette::closeAndGiveBack() {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -11,7 +11,7 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 
-namespace toile {
+namespace toile::app {
 
 /// A line to type into and the commands that fit, in the upper middle of the window. The keyboard
 /// stays in the line: arrows and page keys move through the list, Enter runs, Esc closes, as does
@@ -49,4 +49,4 @@ private:
     QPointer<QWidget> focusBefore_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

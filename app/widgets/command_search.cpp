@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -146,4 +146,4 @@ std::vector<FoundCommand> searchCommands(const std::vector<Command>& commands,
     return found;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace toile {
+namespace toile::app {
 
 /// One line of the command palette.
 struct Command {
@@ -47,4 +47,4 @@ std::optional<FuzzyMatch> fuzzyMatch(const QString& letters, const QString& text
 /// True where the letters begin a word of the text; case and accents do not count.
 bool beginsWord(const QString& letters, const QString& text);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -5,7 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-namespace toile {
+namespace toile::app {
 
 GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     setObjectName("garmentCard");
@@ -81,4 +81,4 @@ void GarmentCard::keep() {
     emit kept();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 
 class QLabel;
 
-namespace toile {
+namespace toile::app {
 
 /// An answer that the card offers.
 struct CardChoice {
@@ -59,4 +59,4 @@ private:
     Row unit_, up_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

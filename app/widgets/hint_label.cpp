@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QStringList>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -45,4 +45,4 @@ void HintLabel::paintEvent(QPaintEvent*) {
                      fittingClauses(text(), fontMetrics(), line.width()));
 }
 
-}  // namespace toile
+}  // namespace toile::app

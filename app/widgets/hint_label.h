@@ -4,7 +4,7 @@
 #include <QFontMetrics>
 #include <QLabel>
 
-namespace toile {
+namespace toile::app {
 
 /// As many whole clauses of "Click: select · Drag: turn · Wheel: zoom", from the first on, as fit
 /// into a width in pixels; an ellipsis stands for the rest.
@@ -25,4 +25,4 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include <QSvgRenderer>
 #include <utility>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -56,4 +56,4 @@ QIcon themedIcon(const QString& name, const QColor& colour) {
     return QIcon(new ThemedIconEngine(file.readAll(), colour));
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 #include "app/settings/length_display.h"
 #include "core/base/angle.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -129,4 +129,4 @@ bool FieldManners::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -4,7 +4,7 @@
 #include <QDoubleSpinBox>
 #include <optional>
 
-namespace toile {
+namespace toile::app {
 
 /// A field for a number that is shown rounded: what was not typed is not changed by that.
 class NumberEdit : public QDoubleSpinBox {
@@ -84,4 +84,4 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-}  // namespace toile
+}  // namespace toile::app

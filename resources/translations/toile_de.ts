@@ -492,1358 +492,6 @@
 <context>
     <name>toile</name>
     <message>
-        <source>&amp;Open…</source>
-        <translation>Ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>As &amp;SVG drawing…</source>
-        <translation>Als &amp;SVG-Zeichnung…</translation>
-    </message>
-    <message>
-        <source>Write the pattern at true scale for printing and drawing programs</source>
-        <translation>Das Schnittmuster maßstäblich schreiben, für Druck- und Zeichenprogramme</translation>
-    </message>
-    <message>
-        <source>As &amp;DXF drawing…</source>
-        <translation>Als &amp;DXF-Zeichnung…</translation>
-    </message>
-    <message>
-        <source>Write the pattern at true scale for pattern and cutting programs</source>
-        <translation>Das Schnittmuster maßstäblich schreiben, für Schnitt- und Zuschnittprogramme</translation>
-    </message>
-    <message>
-        <source>As &amp;OBJ with UV map…</source>
-        <translation>Als &amp;OBJ mit UV-Karte…</translation>
-    </message>
-    <message>
-        <source>Write the garment again with the pattern as its UV map</source>
-        <translation>Das Kleidungsstück noch einmal schreiben, mit dem Schnittmuster als UV-Karte</translation>
-    </message>
-    <message>
-        <source>&amp;Report (JSON)…</source>
-        <translation>&amp;Bericht (JSON)…</translation>
-    </message>
-    <message>
-        <source>Write every figure of every piece for other programs</source>
-        <translation>Alle Zahlen aller Schnittteile schreiben, für andere Programme</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>Close the window</source>
-        <translation>Das Fenster schließen</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>Take the last step back</source>
-        <translation>Den letzten Schritt zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Do again what was taken back</source>
-        <translation>Noch einmal tun, was zurückgenommen wurde</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>Select &amp;all</source>
-        <translation>&amp;Alles auswählen</translation>
-    </message>
-    <message>
-        <source>Select every piece</source>
-        <translation>Alle Schnittteile auswählen</translation>
-    </message>
-    <message>
-        <source>Select &amp;none</source>
-        <translation>&amp;Nichts auswählen</translation>
-    </message>
-    <message>
-        <source>Clear the selection of pieces and seams</source>
-        <translation>Die Auswahl von Schnittteilen und Nähten aufheben</translation>
-    </message>
-    <message>
-        <source>&amp;Frame</source>
-        <translation>Ein&amp;passen</translation>
-    </message>
-    <message>
-        <source>Show the selected pieces or seam, or everything where none is selected</source>
-        <translation>Die ausgewählten Schnittteile oder die ausgewählte Naht ganz zeigen; ohne Auswahl alles</translation>
-    </message>
-    <message>
-        <source>Frame</source>
-        <translation>Einpassen</translation>
-    </message>
-    <message>
-        <source>Piece &amp;colours</source>
-        <translation>Teile&amp;farben</translation>
-    </message>
-    <message>
-        <source>Every piece in its own colour</source>
-        <translation>Jedes Schnittteil in seiner eigenen Farbe</translation>
-    </message>
-    <message>
-        <source>Plain</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Check&amp;erboard</source>
-        <translation>&amp;Karos</translation>
-    </message>
-    <message>
-        <source>True-scale squares of 1 cm on the cloth</source>
-        <translation>Maßstäbliche Karos von 1 cm auf dem Stoff</translation>
-    </message>
-    <message>
-        <source>Checker</source>
-        <translation>Karos</translation>
-    </message>
-    <message>
-        <source>&amp;Area change</source>
-        <translation>Fl&amp;ächenänderung</translation>
-    </message>
-    <message>
-        <source>Area</source>
-        <translation>Fläche</translation>
-    </message>
-    <message>
-        <source>An&amp;gle change</source>
-        <translation>&amp;Winkeländerung</translation>
-    </message>
-    <message>
-        <source>How much the corners of the cloth have turned</source>
-        <translation>Wie weit sich die Ecken des Stoffes verdreht haben</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
-        <source>Edge &amp;strain</source>
-        <translation>&amp;Dehnung</translation>
-    </message>
-    <message>
-        <source>How far the cloth must stretch or gather to take its shape</source>
-        <translation>Wie weit sich der Stoff dehnen oder stauchen muss, um die Form anzunehmen</translation>
-    </message>
-    <message>
-        <source>Strain</source>
-        <translation>Dehnung</translation>
-    </message>
-    <message>
-        <source>Show &amp;wireframe</source>
-        <translation>&amp;Gitternetz zeigen</translation>
-    </message>
-    <message>
-        <source>Draw the triangles of the cloth</source>
-        <translation>Die Dreiecke des Stoffes zeichnen</translation>
-    </message>
-    <message>
-        <source>Wireframe</source>
-        <translation>Gitternetz</translation>
-    </message>
-    <message>
-        <source>&amp;Designer&apos;s outline</source>
-        <translation>&amp;Umriss des Entwurfs</translation>
-    </message>
-    <message>
-        <source>Draw the designer&apos;s own panels over the flat pieces, where the file carries them</source>
-        <translation>Die Schnittteile des Entwerfers über die flachen legen, wo die Datei sie enthält</translation>
-    </message>
-    <message>
-        <source>Least &amp;distortion</source>
-        <translation>Kleinste &amp;Verzerrung</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length; the cloth between them stretches as little as that allows, and no triangle is turned over</source>
-        <translation>Nahtlinien behalten genau ihre Länge; der Stoff dazwischen dehnt sich so wenig, wie das erlaubt, und kein Dreieck wird umgeklappt</translation>
-    </message>
-    <message>
-        <source>Angles follow the c&amp;urvature</source>
-        <translation>Winkel folgen der &amp;Krümmung</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length; the outline turns where the garment is curved</source>
-        <translation>Nahtlinien behalten genau ihre Länge; der Umriss dreht sich dort, wo das Kleidungsstück gekrümmt ist</translation>
-    </message>
-    <message>
-        <source>Angles spread &amp;evenly (Wang 2005)</source>
-        <translation>Winkel &amp;gleichmäßig verteilt (Wang 2005)</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length; the outline gives way alike all around</source>
-        <translation>Nahtlinien behalten genau ihre Länge; der Umriss gibt ringsum gleich viel nach</translation>
-    </message>
-    <message>
-        <source>Least &amp;stretch on a circle (Yoshizawa 2004)</source>
-        <translation>Kleinste Dehnung auf dem Krei&amp;s (Yoshizawa 2004)</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length on a round outline; the cloth inside is moved until it stretches least</source>
-        <translation>Nahtlinien behalten auf rundem Umriss genau ihre Länge; der Stoff innen wird verschoben, bis er sich am wenigsten dehnt</translation>
-    </message>
-    <message>
-        <source>On a ci&amp;rcle (Floater 2003)</source>
-        <translation>Auf dem K&amp;reis (Floater 2003)</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length on a round outline: no triangle is ever turned over, but it is no pattern</source>
-        <translation>Nahtlinien behalten auf rundem Umriss genau ihre Länge: kein Dreieck wird je umgeklappt, doch ein Schnittmuster ist es nicht</translation>
-    </message>
-    <message>
-        <source>&amp;Free outline (Desbrun 2002)</source>
-        <translation>&amp;Freier Umriss (Desbrun 2002)</translation>
-    </message>
-    <message>
-        <source>The cloth keeps its angles as well as it can; seam lines change their length</source>
-        <translation>Der Stoff behält seine Winkel, so gut er kann; Nahtlinien ändern ihre Länge</translation>
-    </message>
-    <message>
-        <source>Free outline, least squares (Lé&amp;vy 2002)</source>
-        <translation>Freier Umriss, kleinste &amp;Quadrate (Lévy 2002)</translation>
-    </message>
-    <message>
-        <source>Nearly the same by another way; seam lines change their length</source>
-        <translation>Fast dasselbe auf anderem Weg; Nahtlinien ändern ihre Länge</translation>
-    </message>
-    <message>
-        <source>Free outline, by an&amp;gles (Sheffer 2005)</source>
-        <translation>Freier Umriss, über die &amp;Winkel (Sheffer 2005)</translation>
-    </message>
-    <message>
-        <source>Every triangle keeps its angles as well as it can; seam lines change their length</source>
-        <translation>Jedes Dreieck behält seine Winkel, so gut es kann; Nahtlinien ändern ihre Länge</translation>
-    </message>
-    <message>
-        <source>&amp;Draft</source>
-        <translation>&amp;Entwurf</translation>
-    </message>
-    <message>
-        <source>Quick: within some percent of the least distortion</source>
-        <translation>Schnell: auf einige Prozent an der kleinsten Verzerrung</translation>
-    </message>
-    <message>
-        <source>&amp;Standard</source>
-        <translation>&amp;Standard</translation>
-    </message>
-    <message>
-        <source>Within about a thousandth of the least distortion</source>
-        <translation>Auf etwa ein Tausendstel an der kleinsten Verzerrung</translation>
-    </message>
-    <message>
-        <source>&amp;Fine</source>
-        <translation>&amp;Fein</translation>
-    </message>
-    <message>
-        <source>To the last digits: takes its time</source>
-        <translation>Bis auf die letzten Stellen: braucht seine Zeit</translation>
-    </message>
-    <message>
-        <source>Outline by &amp;Newton steps</source>
-        <translation>Umriss mit &amp;Newton-Schritten</translation>
-    </message>
-    <message>
-        <source>The fast way to the outline</source>
-        <translation>Der schnelle Weg zum Umriss</translation>
-    </message>
-    <message>
-        <source>Outline by &amp;linearly constrained steps</source>
-        <translation>Umriss mit &amp;linear gebundenen Schritten</translation>
-    </message>
-    <message>
-        <source>The published way to the same outline</source>
-        <translation>Der veröffentlichte Weg zum selben Umriss</translation>
-    </message>
-    <message>
-        <source>Flatten &amp;again</source>
-        <translation>&amp;Neu abwickeln</translation>
-    </message>
-    <message>
-        <source>Flatten every piece again</source>
-        <translation>Alle Schnittteile noch einmal abwickeln</translation>
-    </message>
-    <message>
-        <source>Flatten</source>
-        <translation>Abwickeln</translation>
-    </message>
-    <message>
-        <source>Flatten after every ed&amp;it</source>
-        <translation>Nach jeder Än&amp;derung abwickeln</translation>
-    </message>
-    <message>
-        <source>Flatten what an edit has changed at once; switch it off for heavy meshes</source>
-        <translation>Was eine Änderung betrifft, sofort abwickeln; bei schweren Netzen besser ausschalten</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop what is running</source>
-        <translation>Anhalten, was gerade läuft</translation>
-    </message>
-    <message>
-        <source>&amp;Reload</source>
-        <translation>Neu &amp;laden</translation>
-    </message>
-    <message>
-        <source>Read the garment&apos;s files again as they are now</source>
-        <translation>Die Dateien des Kleidungsstücks noch einmal lesen, wie sie jetzt sind</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic</source>
-        <translation>&amp;Automatisch</translation>
-    </message>
-    <message>
-        <source>Choose the unit that gives a garment of human size</source>
-        <translation>Die Einheit wählen, die ein Kleidungsstück in Menschengröße ergibt</translation>
-    </message>
-    <message>
-        <source>&amp;Millimetres</source>
-        <translation>&amp;Millimeter</translation>
-    </message>
-    <message>
-        <source>Read the file&apos;s numbers as millimetres</source>
-        <translation>Die Zahlen der Datei als Millimeter lesen</translation>
-    </message>
-    <message>
-        <source>&amp;Centimetres</source>
-        <translation>&amp;Zentimeter</translation>
-    </message>
-    <message>
-        <source>Read the file&apos;s numbers as centimetres</source>
-        <translation>Die Zahlen der Datei als Zentimeter lesen</translation>
-    </message>
-    <message>
-        <source>M&amp;etres</source>
-        <translation>M&amp;eter</translation>
-    </message>
-    <message>
-        <source>Read the file&apos;s numbers as metres</source>
-        <translation>Die Zahlen der Datei als Meter lesen</translation>
-    </message>
-    <message>
-        <source>&amp;Inches</source>
-        <translation>Z&amp;oll</translation>
-    </message>
-    <message>
-        <source>Read the file&apos;s numbers as inches</source>
-        <translation>Die Zahlen der Datei als Zoll lesen</translation>
-    </message>
-    <message>
-        <source>Choose the axis along which a garment would stand upright</source>
-        <translation>Die Achse wählen, an der das Kleidungsstück aufrecht stünde</translation>
-    </message>
-    <message>
-        <source>&amp;Y points up</source>
-        <translation>&amp;Y zeigt nach oben</translation>
-    </message>
-    <message>
-        <source>The garment stands along the file&apos;s y axis</source>
-        <translation>Das Kleidungsstück steht an der y-Achse der Datei</translation>
-    </message>
-    <message>
-        <source>&amp;Z points up</source>
-        <translation>&amp;Z zeigt nach oben</translation>
-    </message>
-    <message>
-        <source>The garment stands along the file&apos;s z axis</source>
-        <translation>Das Kleidungsstück steht an der z-Achse der Datei</translation>
-    </message>
-    <message>
-        <source>Divide the garment into pieces by what the file has</source>
-        <translation>Das Kleidungsstück nach dem teilen, was die Datei enthält</translation>
-    </message>
-    <message>
-        <source>&amp;Parts</source>
-        <translation>&amp;Zusammenhang</translation>
-    </message>
-    <message>
-        <source>Whatever hangs together is one piece</source>
-        <translation>Was zusammenhängt, ist ein Schnittteil</translation>
-    </message>
-    <message>
-        <source>&amp;Objects</source>
-        <translation>&amp;Objekten</translation>
-    </message>
-    <message>
-        <source>Each object of the file is one piece</source>
-        <translation>Jedes Objekt der Datei ist ein Schnittteil</translation>
-    </message>
-    <message>
-        <source>&amp;Groups</source>
-        <translation>&amp;Gruppen</translation>
-    </message>
-    <message>
-        <source>Each group of the file is one piece</source>
-        <translation>Jede Gruppe der Datei ist ein Schnittteil</translation>
-    </message>
-    <message>
-        <source>&amp;Materials</source>
-        <translation>&amp;Materialien</translation>
-    </message>
-    <message>
-        <source>Each material of the file is one piece</source>
-        <translation>Jedes Material der Datei ist ein Schnittteil</translation>
-    </message>
-    <message>
-        <source>&amp;UV islands</source>
-        <translation>&amp;UV-Inseln</translation>
-    </message>
-    <message>
-        <source>Each island of the file&apos;s UV map is one piece</source>
-        <translation>Jede Insel der UV-Karte der Datei ist ein Schnittteil</translation>
-    </message>
-    <message>
-        <source>&amp;Cuts only</source>
-        <translation>Nur &amp;Einschnitten</translation>
-    </message>
-    <message>
-        <source>One piece until a cut of the seams file parts it</source>
-        <translation>Ein Schnittteil, bis ein Einschnitt der Nahtdatei es trennt</translation>
-    </message>
-    <message>
-        <source>&amp;Cut open automatically</source>
-        <translation>Von selbst &amp;aufschneiden</translation>
-    </message>
-    <message>
-        <source>Cut open every piece that cannot lie flat as it is</source>
-        <translation>Jedes Schnittteil aufschneiden, das so nicht flach liegen kann</translation>
-    </message>
-    <message>
-        <source>&amp;Weld vertices</source>
-        <translation>Punkte &amp;verschmelzen</translation>
-    </message>
-    <message>
-        <source>Join vertices of an object that lie on each other</source>
-        <translation>Punkte eines Objekts verbinden, die aufeinander liegen</translation>
-    </message>
-    <message>
-        <source>&amp;Seams from file…</source>
-        <translation>&amp;Nähte aus Datei…</translation>
-    </message>
-    <message>
-        <source>Take cuts and ease from a seams file (JSON)</source>
-        <translation>Einschnitte und Einhalteweiten aus einer Nahtdatei (JSON) übernehmen</translation>
-    </message>
-    <message>
-        <source>Save sea&amp;ms file…</source>
-        <translation>Naht&amp;datei speichern…</translation>
-    </message>
-    <message>
-        <source>Write the cuts and the ease that were stated to a seams file (JSON)</source>
-        <translation>Die angegebenen Einschnitte und Einhalteweiten in eine Nahtdatei (JSON) schreiben</translation>
-    </message>
-    <message>
-        <source>State the &amp;ease…</source>
-        <translation>&amp;Einhalteweite angeben…</translation>
-    </message>
-    <message>
-        <source>Say how much longer the left edge of the selected seam is meant to be</source>
-        <translation>Angeben, wie viel länger die linke Kante der ausgewählten Naht sein soll</translation>
-    </message>
-    <message>
-        <source>Ease &amp;from the garment</source>
-        <translation>Einhalteweite aus dem &amp;Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Take the ease of the selected seam from its 3D lengths again</source>
-        <translation>Die Einhalteweite der ausgewählten Naht wieder aus ihren 3D-Längen nehmen</translation>
-    </message>
-    <message>
-        <source>Go to &amp;pieces</source>
-        <translation>Zu den &amp;Schnittteilen</translation>
-    </message>
-    <message>
-        <source>Show the list of pieces and move the keyboard there</source>
-        <translation>Die Liste der Schnittteile zeigen und mit der Tastatur dorthin gehen</translation>
-    </message>
-    <message>
-        <source>Go &amp;to seams</source>
-        <translation>Zu den &amp;Nähten</translation>
-    </message>
-    <message>
-        <source>Show the list of seams and move the keyboard there</source>
-        <translation>Die Liste der Nähte zeigen und mit der Tastatur dorthin gehen</translation>
-    </message>
-    <message>
-        <source>Go to &amp;history</source>
-        <translation>Zum &amp;Verlauf</translation>
-    </message>
-    <message>
-        <source>Show the steps done so far and move the keyboard there</source>
-        <translation>Die bisherigen Schritte zeigen und mit der Tastatur dorthin gehen</translation>
-    </message>
-    <message>
-        <source>Reset &amp;window layout</source>
-        <translation>Fenster&amp;aufteilung zurücksetzen</translation>
-    </message>
-    <message>
-        <source>&amp;Preferences…</source>
-        <translation>&amp;Einstellungen…</translation>
-    </message>
-    <message>
-        <source>Choose units, colours, language and how the mouse moves the view</source>
-        <translation>Einheiten, Farben, Sprache und die Bewegung mit der Maus wählen</translation>
-    </message>
-    <message>
-        <source>&amp;Find a command…</source>
-        <translation>&amp;Befehl suchen…</translation>
-    </message>
-    <message>
-        <source>Type a few letters to run a command or to find a piece or a seam</source>
-        <translation>Einige Buchstaben tippen, um einen Befehl auszuführen oder ein Schnittteil oder eine Naht zu finden</translation>
-    </message>
-    <message>
-        <source>&amp;Keyboard and mouse</source>
-        <translation>&amp;Tastatur und Maus</translation>
-    </message>
-    <message>
-        <source>What every key and every movement of the mouse does</source>
-        <translation>Was jede Taste und jede Bewegung der Maus bewirkt</translation>
-    </message>
-    <message>
-        <source>&amp;About Toile</source>
-        <translation>&amp;Über Toile</translation>
-    </message>
-    <message>
-        <source>Version, licence, and what Toile does</source>
-        <translation>Version, Lizenz und was Toile tut</translation>
-    </message>
-    <message>
-        <source>Piece: %1</source>
-        <translation>Schnittteil: %1</translation>
-    </message>
-    <message>
-        <source>Pieces</source>
-        <translation>Schnittteile</translation>
-    </message>
-    <message>
-        <source>Select the piece and show it in both views</source>
-        <translation>Das Schnittteil auswählen und in beiden Ansichten zeigen</translation>
-    </message>
-    <message>
-        <source>Seam %1: %2</source>
-        <translation>Naht %1: %2</translation>
-    </message>
-    <message>
-        <source>Seams</source>
-        <translation>Nähte</translation>
-    </message>
-    <message>
-        <source>Select the seam and show both its edges in both views</source>
-        <translation>Die Naht auswählen und ihre beiden Kanten in beiden Ansichten zeigen</translation>
-    </message>
-    <message>
-        <source>In the garment view</source>
-        <translation>In der Ansicht des Kleidungsstücks</translation>
-    </message>
-    <message>
-        <source>In the pattern view</source>
-        <translation>In der Ansicht des Schnittmusters</translation>
-    </message>
-    <message>
-        <source>In both views</source>
-        <translation>In beiden Ansichten</translation>
-    </message>
-    <message>
-        <source>In the lists</source>
-        <translation>In den Listen</translation>
-    </message>
-    <message>
-        <source>Drag</source>
-        <translation>Ziehen</translation>
-    </message>
-    <message>
-        <source>Shift+drag</source>
-        <translation>Umschalt+Ziehen</translation>
-    </message>
-    <message>
-        <source>Move the garment</source>
-        <translation>Das Kleidungsstück verschieben</translation>
-    </message>
-    <message>
-        <source>Move the sheet</source>
-        <translation>Den Bogen verschieben</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Mausrad</translation>
-    </message>
-    <message>
-        <source>Zoom towards the pointer</source>
-        <translation>Auf den Zeiger zu vergrößern</translation>
-    </message>
-    <message>
-        <source>Click</source>
-        <translation>Klick</translation>
-    </message>
-    <message>
-        <source>Ctrl+click</source>
-        <translation>Strg+Klick</translation>
-    </message>
-    <message>
-        <source>Add the piece to the selection, or take it out</source>
-        <translation>Das Schnittteil zur Auswahl nehmen oder aus ihr lösen</translation>
-    </message>
-    <message>
-        <source>Double click</source>
-        <translation>Doppelklick</translation>
-    </message>
-    <message>
-        <source>Select the piece or the seam in both views</source>
-        <translation>Das Schnittteil oder die Naht in beiden Ansichten auswählen</translation>
-    </message>
-    <message>
-        <source>Frame the piece or the seam in both views</source>
-        <translation>Das Schnittteil oder die Naht in beiden Ansichten einpassen</translation>
-    </message>
-    <message>
-        <source>Right click on the headings</source>
-        <translation>Rechtsklick auf die Überschriften</translation>
-    </message>
-    <message>
-        <source>Choose the columns of the list of pieces</source>
-        <translation>Die Spalten der Liste der Schnittteile wählen</translation>
-    </message>
-    <message>
-        <source>Click on a heading</source>
-        <translation>Klick auf eine Überschrift</translation>
-    </message>
-    <message>
-        <source>Sort by that column</source>
-        <translation>Nach dieser Spalte ordnen</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their length</source>
-        <translation>Nahtlinien behalten ihre Länge</translation>
-    </message>
-    <message>
-        <source>Seam lines may change</source>
-        <translation>Nahtlinien dürfen sich ändern</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <source>&amp;Export pattern</source>
-        <translation>Schnittmuster &amp;exportieren</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ow</source>
-        <translation>&amp;Zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Garment</source>
-        <translation>&amp;Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>&amp;Unit</source>
-        <translation>&amp;Einheit</translation>
-    </message>
-    <message>
-        <source>Up &amp;axis</source>
-        <translation>Achse nach &amp;oben</translation>
-    </message>
-    <message>
-        <source>&amp;Divide by</source>
-        <translation>Teilen &amp;nach</translation>
-    </message>
-    <message>
-        <source>F&amp;latten</source>
-        <translation>Ab&amp;wickeln</translation>
-    </message>
-    <message>
-        <source>&amp;Quality</source>
-        <translation>&amp;Güte</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>exact</source>
-        <translation>genau</translation>
-    </message>
-    <message>
-        <source>millimetres</source>
-        <translation>Millimeter</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>Zentimeter</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>Meter</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>Zoll</translation>
-    </message>
-    <message>
-        <source>by parts</source>
-        <translation>nach Zusammenhang</translation>
-    </message>
-    <message>
-        <source>by objects</source>
-        <translation>nach Objekten</translation>
-    </message>
-    <message>
-        <source>by groups</source>
-        <translation>nach Gruppen</translation>
-    </message>
-    <message>
-        <source>by materials</source>
-        <translation>nach Materialien</translation>
-    </message>
-    <message>
-        <source>by UV</source>
-        <translation>nach UV</translation>
-    </message>
-    <message>
-        <source>by cuts</source>
-        <translation>nach Einschnitten</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
-        <source>The garment measures %1 in height, read as %2 (largest extent %3). Is that right?</source>
-        <translation>Das Kleidungsstück ist %1 hoch, in %2 gelesen (größte Ausdehnung %3). Stimmt das?</translation>
-    </message>
-    <message>
-        <source>The garment was read as standing along y, but it may stand along z. Which axis points up?</source>
-        <translation>Das Kleidungsstück wurde an der y-Achse stehend gelesen, könnte aber an der z-Achse stehen. Welche Achse zeigt nach oben?</translation>
-    </message>
-    <message>
-        <source>The garment was read as standing along z, but it may stand along y. Which axis points up?</source>
-        <translation>Das Kleidungsstück wurde an der z-Achse stehend gelesen, könnte aber an der y-Achse stehen. Welche Achse zeigt nach oben?</translation>
-    </message>
-    <message>
-        <source>y up</source>
-        <translation>y oben</translation>
-    </message>
-    <message>
-        <source>z up</source>
-        <translation>z oben</translation>
-    </message>
-    <message>
-        <source>%1 (guessed)</source>
-        <translation>%1 (geschätzt)</translation>
-    </message>
-    <message>
-        <source>height %1 · %2 · %3 %4</source>
-        <translation>Höhe %1 · %2 · %3 %4</translation>
-    </message>
-    <message>
-        <source>1 piece</source>
-        <translation>1 Schnittteil</translation>
-    </message>
-    <message>
-        <source>%1 pieces</source>
-        <translation>%1 Schnittteile</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>%1, as stated</source>
-        <translation>%1, wie angegeben</translation>
-    </message>
-    <message>
-        <source>Up axis</source>
-        <translation>Achse nach oben</translation>
-    </message>
-    <message>
-        <source>y, as stated</source>
-        <translation>y, wie angegeben</translation>
-    </message>
-    <message>
-        <source>z, as stated</source>
-        <translation>z, wie angegeben</translation>
-    </message>
-    <message>
-        <source>1 seam</source>
-        <translation>1 Naht</translation>
-    </message>
-    <message>
-        <source>%1 seams</source>
-        <translation>%1 Nähte</translation>
-    </message>
-    <message>
-        <source>not measured yet</source>
-        <translation>noch nicht gemessen</translation>
-    </message>
-    <message>
-        <source>1 does not match</source>
-        <translation>1 passt nicht</translation>
-    </message>
-    <message>
-        <source>%1 do not match</source>
-        <translation>%1 passen nicht</translation>
-    </message>
-    <message>
-        <source>1 nearly matches</source>
-        <translation>1 passt fast</translation>
-    </message>
-    <message>
-        <source>%1 nearly match</source>
-        <translation>%1 passen fast</translation>
-    </message>
-    <message>
-        <source>worst %1 %2</source>
-        <translation>schlechteste %1 %2</translation>
-    </message>
-    <message>
-        <source>%1 not measured: a piece is not flat</source>
-        <translation>%1 nicht gemessen: ein Schnittteil ist nicht flach</translation>
-    </message>
-    <message>
-        <source>Open a project or a garment: one file, or several that belong together</source>
-        <translation>Ein Projekt oder ein Kleidungsstück öffnen: eine Datei, oder mehrere, die zusammengehören</translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
-    <message>
-        <source>Save everything done with this garment in its project file</source>
-        <translation>Alles, was mit diesem Kleidungsstück getan wurde, in seiner Projektdatei speichern</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Save &amp;as…</source>
-        <translation>Speichern &amp;unter…</translation>
-    </message>
-    <message>
-        <source>Save everything done with this garment in another project file</source>
-        <translation>Alles, was mit diesem Kleidungsstück getan wurde, in einer anderen Projektdatei speichern</translation>
-    </message>
-    <message>
-        <source>Strain along war&amp;p</source>
-        <translation>Dehnung längs der &amp;Kette</translation>
-    </message>
-    <message>
-        <source>How far the cloth must stretch or gather along the grain</source>
-        <translation>Wie weit sich der Stoff im Fadenlauf dehnen oder stauchen muss</translation>
-    </message>
-    <message>
-        <source>Warp</source>
-        <translation>Kette</translation>
-    </message>
-    <message>
-        <source>Strain along we&amp;ft</source>
-        <translation>Dehnung längs des Sch&amp;usses</translation>
-    </message>
-    <message>
-        <source>How far the cloth must stretch or gather across the grain</source>
-        <translation>Wie weit sich der Stoff quer zum Fadenlauf dehnen oder stauchen muss</translation>
-    </message>
-    <message>
-        <source>Weft</source>
-        <translation>Schuss</translation>
-    </message>
-    <message>
-        <source>Strain on the &amp;bias</source>
-        <translation>Dehnung im Sch&amp;rägen</translation>
-    </message>
-    <message>
-        <source>How far the cloth must stretch or gather at 45° to the grain, the worse of both diagonals</source>
-        <translation>Wie weit sich der Stoff unter 45° zum Fadenlauf dehnen oder stauchen muss, auf der schlechteren der beiden Diagonalen</translation>
-    </message>
-    <message>
-        <source>Bias</source>
-        <translation>Schräg</translation>
-    </message>
-    <message>
-        <source>Principal s&amp;train</source>
-        <translation>&amp;Hauptdehnung</translation>
-    </message>
-    <message>
-        <source>Crosses show in which directions the cloth stretches and gathers most, and how far</source>
-        <translation>Kreuze zeigen, in welchen Richtungen sich der Stoff am meisten dehnt und staucht, und wie weit</translation>
-    </message>
-    <message>
-        <source>Principal</source>
-        <translation>Haupt</translation>
-    </message>
-    <message>
-        <source>&amp;Distortion energy</source>
-        <translation>&amp;Verzerrungsenergie</translation>
-    </message>
-    <message>
-        <source>Symmetric Dirichlet energy: one number for stretch and surplus in all directions</source>
-        <translation>Symmetrische Dirichlet-Energie: eine Zahl für Dehnung und Zuviel in allen Richtungen</translation>
-    </message>
-    <message>
-        <source>Energy</source>
-        <translation>Energie</translation>
-    </message>
-    <message>
-        <source>&amp;Values per triangle</source>
-        <translation>Werte &amp;je Dreieck</translation>
-    </message>
-    <message>
-        <source>Paint every triangle in the colour of its own value, without smoothing</source>
-        <translation>Jedes Dreieck in der Farbe seines eigenen Wertes malen, ohne zu glätten</translation>
-    </message>
-    <message>
-        <source>Per triangle</source>
-        <translation>Je Dreieck</translation>
-    </message>
-    <message>
-        <source>Flag the w&amp;orst spots</source>
-        <translation>&amp;Schlimmste Stellen markieren</translation>
-    </message>
-    <message>
-        <source>Mark the places with the worst values with a number</source>
-        <translation>Die Stellen mit den schlimmsten Werten mit einer Zahl markieren</translation>
-    </message>
-    <message>
-        <source>Worst spots</source>
-        <translation>Schlimmste Stellen</translation>
-    </message>
-    <message>
-        <source>Show &amp;seams</source>
-        <translation>&amp;Nähte zeigen</translation>
-    </message>
-    <message>
-        <source>Draw the seam lines, both sides of a seam in one colour</source>
-        <translation>Die Nahtlinien zeichnen, beide Seiten einer Naht in einer Farbe</translation>
-    </message>
-    <message>
-        <source>&amp;X-ray</source>
-        <translation>&amp;Röntgenblick</translation>
-    </message>
-    <message>
-        <source>See through the cloth of the garment to what lies behind it</source>
-        <translation>Durch den Stoff des Kleidungsstücks auf das sehen, was dahinter liegt</translation>
-    </message>
-    <message>
-        <source>Light and s&amp;hade</source>
-        <translation>&amp;Licht und Schatten</translation>
-    </message>
-    <message>
-        <source>Let light fall on the garment; without it colours are as flat as in the pattern</source>
-        <translation>Licht auf das Kleidungsstück fallen lassen; ohne es sind die Farben so gleichmäßig wie im Schnittmuster</translation>
-    </message>
-    <message>
-        <source>Pieces &amp;in colour</source>
-        <translation>Schnittteile in &amp;Farbe</translation>
-    </message>
-    <message>
-        <source>Give every piece a colour of its own; else all cloth is plain cotton</source>
-        <translation>Jedem Schnittteil eine eigene Farbe geben; sonst ist aller Stoff schlichte Baumwolle</translation>
-    </message>
-    <message>
-        <source>From the &amp;front</source>
-        <translation>Von &amp;vorn</translation>
-    </message>
-    <message>
-        <source>Look at the garment&apos;s front (1 on the number pad)</source>
-        <translation>Das Kleidungsstück von vorn ansehen (1 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From the &amp;back</source>
-        <translation>Von &amp;hinten</translation>
-    </message>
-    <message>
-        <source>Look at the garment&apos;s back (Ctrl+1 on the number pad)</source>
-        <translation>Das Kleidungsstück von hinten ansehen (Strg+1 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From the &amp;right</source>
-        <translation>Von &amp;rechts</translation>
-    </message>
-    <message>
-        <source>Look at the garment from the right of the picture (3 on the number pad)</source>
-        <translation>Das Kleidungsstück von der rechten Seite des Bildes ansehen (3 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From the &amp;left</source>
-        <translation>Von &amp;links</translation>
-    </message>
-    <message>
-        <source>Look at the garment from the left of the picture (Ctrl+3 on the number pad)</source>
-        <translation>Das Kleidungsstück von der linken Seite des Bildes ansehen (Strg+3 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From &amp;above</source>
-        <translation>Von &amp;oben</translation>
-    </message>
-    <message>
-        <source>Look down at the garment (7 on the number pad)</source>
-        <translation>Auf das Kleidungsstück hinabsehen (7 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From b&amp;elow</source>
-        <translation>Von &amp;unten</translation>
-    </message>
-    <message>
-        <source>Look up at the garment (Ctrl+7 on the number pad)</source>
-        <translation>Zum Kleidungsstück hinaufsehen (Strg+7 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>Without &amp;perspective</source>
-        <translation>Ohne &amp;Perspektive</translation>
-    </message>
-    <message>
-        <source>Draw the garment so that parallel lines stay parallel (5 on the number pad)</source>
-        <translation>Das Kleidungsstück so zeichnen, dass parallele Linien parallel bleiben (5 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>Play from garment to pa&amp;ttern</source>
-        <translation>Vom Kleidungsstück zum Schnittmuster &amp;abspielen</translation>
-    </message>
-    <message>
-        <source>Watch the garment flatten, or the pattern close to the garment again</source>
-        <translation>Zusehen, wie sich das Kleidungsstück abwickelt oder das Schnittmuster wieder zum Kleidungsstück schließt</translation>
-    </message>
-    <message>
-        <source>&amp;Select</source>
-        <translation>&amp;Auswählen</translation>
-    </message>
-    <message>
-        <source>Select</source>
-        <translation>Auswählen</translation>
-    </message>
-    <message>
-        <source>&amp;Cut</source>
-        <translation>&amp;Einschneiden</translation>
-    </message>
-    <message>
-        <source>Cut a piece along the shortest way through points on it</source>
-        <translation>Ein Schnittteil auf dem kürzesten Weg durch Punkte darauf einschneiden</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Einschneiden</translation>
-    </message>
-    <message>
-        <source>Closed &amp;loop</source>
-        <translation>&amp;Geschlossener Schnitt</translation>
-    </message>
-    <message>
-        <source>Cut a part out along a closed line through points on it</source>
-        <translation>Einen Teil entlang einer geschlossenen Linie durch Punkte darauf ausschneiden</translation>
-    </message>
-    <message>
-        <source>Loop</source>
-        <translation>Rundschnitt</translation>
-    </message>
-    <message>
-        <source>&amp;Dart</source>
-        <translation>A&amp;bnäher</translation>
-    </message>
-    <message>
-        <source>Cut from an edge to a tip inside the cloth</source>
-        <translation>Von einer Kante bis zu einer Spitze im Stoff einschneiden</translation>
-    </message>
-    <message>
-        <source>Dart</source>
-        <translation>Abnäher</translation>
-    </message>
-    <message>
-        <source>&amp;Join</source>
-        <translation>&amp;Verbinden</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>Measure on the garment and in the pattern, straight and along edges</source>
-        <translation>Am Kleidungsstück und im Schnittmuster messen, gerade und entlang von Kanten</translation>
-    </message>
-    <message>
-        <source>Measure</source>
-        <translation>Messen</translation>
-    </message>
-    <message>
-        <source>&amp;Grain</source>
-        <translation>&amp;Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Turn the grain of a piece by its arrow in the pattern view</source>
-        <translation>Den Fadenlauf eines Schnittteils an seinem Pfeil in der Schnittansicht drehen</translation>
-    </message>
-    <message>
-        <source>Grain</source>
-        <translation>Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Turn &amp;left</source>
-        <translation>Nach &amp;links drehen</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces anti-clockwise by a right angle</source>
-        <translation>Die ausgewählten Schnittteile um einen rechten Winkel gegen den Uhrzeigersinn drehen</translation>
-    </message>
-    <message>
-        <source>Turn &amp;right</source>
-        <translation>Nach &amp;rechts drehen</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces clockwise by a right angle</source>
-        <translation>Die ausgewählten Schnittteile um einen rechten Winkel im Uhrzeigersinn drehen</translation>
-    </message>
-    <message>
-        <source>&amp;Mirror left to right</source>
-        <translation>&amp;Seitlich spiegeln</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces over from left to right: their wrong side faces you then</source>
-        <translation>Die ausgewählten Schnittteile seitlich umwenden: dann liegt ihre linke Stoffseite oben</translation>
-    </message>
-    <message>
-        <source>Mirror &amp;upside down</source>
-        <translation>Nach &amp;oben spiegeln</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces over from top to bottom: their wrong side faces you then</source>
-        <translation>Die ausgewählten Schnittteile von oben nach unten umwenden: dann liegt ihre linke Stoffseite oben</translation>
-    </message>
-    <message>
-        <source>&amp;Left edges</source>
-        <translation>&amp;Linke Kanten</translation>
-    </message>
-    <message>
-        <source>Line the selected pieces up along their left edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren linken Kanten ausrichten</translation>
-    </message>
-    <message>
-        <source>&amp;Right edges</source>
-        <translation>&amp;Rechte Kanten</translation>
-    </message>
-    <message>
-        <source>Line the selected pieces up along their right edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren rechten Kanten ausrichten</translation>
-    </message>
-    <message>
-        <source>&amp;Upper edges</source>
-        <translation>&amp;Obere Kanten</translation>
-    </message>
-    <message>
-        <source>Line the selected pieces up along their upper edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren oberen Kanten ausrichten</translation>
-    </message>
-    <message>
-        <source>Lo&amp;wer edges</source>
-        <translation>&amp;Untere Kanten</translation>
-    </message>
-    <message>
-        <source>Line the selected pieces up along their lower edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren unteren Kanten ausrichten</translation>
-    </message>
-    <message>
-        <source>&amp;Middles, one above the other</source>
-        <translation>&amp;Mitten übereinander</translation>
-    </message>
-    <message>
-        <source>Centre the selected pieces on one upright line</source>
-        <translation>Die ausgewählten Schnittteile auf einer senkrechten Linie mitteln</translation>
-    </message>
-    <message>
-        <source>Middles, si&amp;de by side</source>
-        <translation>Mitten &amp;nebeneinander</translation>
-    </message>
-    <message>
-        <source>Centre the selected pieces on one level line</source>
-        <translation>Die ausgewählten Schnittteile auf einer waagerechten Linie mitteln</translation>
-    </message>
-    <message>
-        <source>Same gaps &amp;across</source>
-        <translation>Gleiche Abstände &amp;quer</translation>
-    </message>
-    <message>
-        <source>Move the selected pieces between the leftmost and the rightmost until their gaps are the same</source>
-        <translation>Die ausgewählten Schnittteile zwischen dem linken und dem rechten verschieben, bis ihre Abstände gleich sind</translation>
-    </message>
-    <message>
-        <source>Same gaps u&amp;pwards</source>
-        <translation>Gleiche Abstände &amp;hoch</translation>
-    </message>
-    <message>
-        <source>Move the selected pieces between the lowest and the highest until their gaps are the same</source>
-        <translation>Die ausgewählten Schnittteile zwischen dem untersten und dem obersten verschieben, bis ihre Abstände gleich sind</translation>
-    </message>
-    <message>
-        <source>Lay &amp;out again</source>
-        <translation>Neu aus&amp;legen</translation>
-    </message>
-    <message>
-        <source>Put the selected pieces, or all where none is selected, in rows side by side</source>
-        <translation>Die ausgewählten Schnittteile, ohne Auswahl alle, in Reihen nebeneinander legen</translation>
-    </message>
-    <message>
-        <source>Turn &amp;grain upwards</source>
-        <translation>&amp;Fadenlauf nach oben drehen</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces, or all where none is selected, so that their grain runs upwards</source>
-        <translation>Die ausgewählten Schnittteile, ohne Auswahl alle, so drehen, dass ihr Fadenlauf nach oben zeigt</translation>
-    </message>
-    <message>
-        <source>&amp;Best grain</source>
-        <translation>&amp;Bester Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Let the grain of the selected pieces, or of all, run where it strains the fabric least</source>
-        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, so legen, dass er den Stoff am wenigsten dehnt</translation>
-    </message>
-    <message>
-        <source>Best</source>
-        <translation>Bester</translation>
-    </message>
-    <message>
-        <source>&amp;Forget the grain</source>
-        <translation>Fadenlauf &amp;vergessen</translation>
-    </message>
-    <message>
-        <source>Leave it open how the grain of the selected pieces, or of all, runs</source>
-        <translation>Offen lassen, wie der Fadenlauf der ausgewählten Schnittteile, sonst aller, liegt</translation>
-    </message>
-    <message>
-        <source>Forget</source>
-        <translation>Vergessen</translation>
-    </message>
-    <message>
-        <source>&amp;Rulers</source>
-        <translation>&amp;Lineale</translation>
-    </message>
-    <message>
-        <source>Show rulers along the edges of the pattern view</source>
-        <translation>Lineale an den Rändern der Schnittansicht zeigen</translation>
-    </message>
-    <message>
-        <source>Gri&amp;d</source>
-        <translation>&amp;Raster</translation>
-    </message>
-    <message>
-        <source>Show a grid on the sheet of the pattern</source>
-        <translation>Ein Raster auf dem Bogen des Schnittmusters zeigen</translation>
-    </message>
-    <message>
-        <source>Sna&amp;pping</source>
-        <translation>&amp;Einrasten</translation>
-    </message>
-    <message>
-        <source>Let pieces catch at the grid and at each other while they are moved; Alt turns it the other way round</source>
-        <translation>Schnittteile beim Verschieben am Raster und aneinander einrasten lassen; Alt kehrt es um</translation>
-    </message>
-    <message>
-        <source>&amp;Place…</source>
-        <translation>&amp;Lage…</translation>
-    </message>
-    <message>
-        <source>Type where the selected pieces lie, how far they are turned and how the grain runs</source>
-        <translation>Eingeben, wo die ausgewählten Schnittteile liegen, wie weit sie gedreht sind und wie der Fadenlauf liegt</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>&amp;Overlay</source>
-        <translation>Ü&amp;berlagerung</translation>
-    </message>
-    <message>
-        <source>Loo&amp;k</source>
-        <translation>&amp;Blick</translation>
-    </message>
-    <message>
-        <source>&amp;Tools</source>
-        <translation>&amp;Werkzeuge</translation>
-    </message>
-    <message>
-        <source>La&amp;yout</source>
-        <translation>Aus&amp;legen</translation>
-    </message>
-    <message>
-        <source>&amp;Line up</source>
-        <translation>Aus&amp;richten</translation>
-    </message>
-    <message>
-        <source>Grain upwards</source>
-        <translation>Fadenlauf nach oben</translation>
-    </message>
-    <message>
-        <source>Alignment</source>
-        <translation>Ausrichten</translation>
-    </message>
-    <message>
-        <source>Distribution</source>
-        <translation>Verteilen</translation>
-    </message>
-    <message>
-        <source>Layout</source>
-        <translation>Auslegen</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>%1 · %2 / %3 on the garment</source>
-        <translation>%1 · %2 / %3 am Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>%1 · %2 / %3, Δ %4</source>
-        <translation>%1 · %2 / %3, Δ %4</translation>
-    </message>
-    <message>
-        <source>Vertex %1</source>
-        <translation>Punkt %1</translation>
-    </message>
-    <message>
-        <source>%1 · strain %2 %</source>
-        <translation>%1 · Dehnung %2 %</translation>
-    </message>
-    <message>
-        <source>%1 · %2 of its outline</source>
-        <translation>%1 · %2 seines Umrisses</translation>
-    </message>
-    <message>
         <source>the file cannot be read</source>
         <translation>die Datei lässt sich nicht lesen</translation>
     </message>
@@ -2232,427 +880,8 @@
         <translation>abgebrochen</translation>
     </message>
     <message>
-        <source>Read&amp;y to cut?</source>
-        <translation>&amp;Bereit zum Zuschneiden?</translation>
-    </message>
-    <message>
-        <source>Show whether the pattern can be cut as it is, and every fault with its place</source>
-        <translation>Zeigen, ob das Schnittmuster so zugeschnitten werden kann, und jeden Fehler mit seiner Stelle</translation>
-    </message>
-    <message>
-        <source>How much area the cloth must gain by stretching, or has too much</source>
-        <translation>Wie viel Fläche der Stoff durch Dehnen gewinnen muss oder zu viel hat</translation>
-    </message>
-    <message>
-        <source>C&amp;ompare methods…</source>
-        <translation>Verfahren &amp;vergleichen…</translation>
-    </message>
-    <message>
-        <source>See one piece flattened by up to four methods side by side, with a table of figures</source>
-        <translation>Ein Schnittteil nach bis zu vier Verfahren nebeneinander sehen, mit einer Tabelle der Zahlen</translation>
-    </message>
-    <message>
-        <source>Select pieces, seams and vertices; move pieces in the pattern</source>
-        <translation>Schnittteile, Nähte und Punkte auswählen; Schnittteile im Schnittmuster verschieben</translation>
-    </message>
-    <message>
-        <source>Fa&amp;bric…</source>
-        <translation>&amp;Material…</translation>
-    </message>
-    <message>
-        <source>Choose what the garment is cut from, and type how far it gives way</source>
-        <translation>Wählen, woraus das Kleidungsstück geschnitten wird, und eingeben, wie weit es nachgibt</translation>
-    </message>
-    <message>
-        <source>Go to proble&amp;ms</source>
-        <translation>Zu den &amp;Problemen</translation>
-    </message>
-    <message>
-        <source>Show what stands against cutting and move the keyboard there</source>
-        <translation>Zeigen, was gegen das Zuschneiden spricht, und mit der Tastatur dorthin gehen</translation>
-    </message>
-    <message>
-        <source>Put every list back below the views and every panel beside them, as at the first start</source>
-        <translation>Alle Listen wieder unter die Ansichten und alle Felder neben sie legen, wie beim ersten Start</translation>
-    </message>
-    <message>
-        <source>In the garment view, as Preferences choose</source>
-        <translation>In der Ansicht des Kleidungsstücks, wie in den Einstellungen gewählt</translation>
-    </message>
-    <message>
-        <source>With the Select tool</source>
-        <translation>Mit dem Werkzeug Auswählen</translation>
-    </message>
-    <message>
-        <source>With the Cut tool</source>
-        <translation>Mit dem Werkzeug Einschneiden</translation>
-    </message>
-    <message>
-        <source>With the Closed loop tool</source>
-        <translation>Mit dem Werkzeug Geschlossener Schnitt</translation>
-    </message>
-    <message>
-        <source>With the Dart tool</source>
-        <translation>Mit dem Werkzeug Abnäher</translation>
-    </message>
-    <message>
-        <source>With the Join tool</source>
-        <translation>Mit dem Werkzeug Verbinden</translation>
-    </message>
-    <message>
-        <source>With the Measure tool</source>
-        <translation>Mit dem Werkzeug Messen</translation>
-    </message>
-    <message>
-        <source>With the Grain tool</source>
-        <translation>Mit dem Werkzeug Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Turn the garment, where the tool does not take the drag</source>
-        <translation>Das Kleidungsstück drehen, wo das Werkzeug das Ziehen nicht braucht</translation>
-    </message>
-    <message>
-        <source>Number pad 1, 3, 7</source>
-        <translation>Ziffernblock 1, 3, 7</translation>
-    </message>
-    <message>
-        <source>Show the front, the right side, the top; with Ctrl the side opposite to it</source>
-        <translation>Vorderseite, rechte Seite, Oberseite zeigen; mit Strg die Seite gegenüber</translation>
-    </message>
-    <message>
-        <source>Number pad 9</source>
-        <translation>Ziffernblock 9</translation>
-    </message>
-    <message>
-        <source>Show the opposite side</source>
-        <translation>Die Seite gegenüber zeigen</translation>
-    </message>
-    <message>
-        <source>Number pad 2, 4, 6, 8</source>
-        <translation>Ziffernblock 2, 4, 6, 8</translation>
-    </message>
-    <message>
-        <source>Turn the garment by 15°</source>
-        <translation>Das Kleidungsstück um 15° drehen</translation>
-    </message>
-    <message>
-        <source>Number pad 5</source>
-        <translation>Ziffernblock 5</translation>
-    </message>
-    <message>
-        <source>Show it with perspective or without</source>
-        <translation>Es mit oder ohne Perspektive zeigen</translation>
-    </message>
-    <message>
-        <source>Click on the axis cross</source>
-        <translation>Klick auf das Achsenkreuz</translation>
-    </message>
-    <message>
-        <source>Show the garment from that side</source>
-        <translation>Das Kleidungsstück von dieser Seite zeigen</translation>
-    </message>
-    <message>
-        <source>Toile</source>
-        <translation>Toile</translation>
-    </message>
-    <message>
-        <source>Middle or right drag: turn; with Shift: move; with Ctrl: zoom</source>
-        <translation>Mit mittlerer oder rechter Taste ziehen: drehen; mit Umschalt: verschieben; mit Strg: vergrößern</translation>
-    </message>
-    <message>
-        <source>Blender</source>
-        <translation>Blender</translation>
-    </message>
-    <message>
-        <source>Middle drag or Alt+drag: turn; with Shift: move; with Ctrl: zoom</source>
-        <translation>Mit mittlerer Taste oder Alt ziehen: drehen; mit Umschalt: verschieben; mit Strg: vergrößern</translation>
-    </message>
-    <message>
-        <source>CLO</source>
-        <translation>CLO</translation>
-    </message>
-    <message>
-        <source>Right drag: turn; middle drag: move</source>
-        <translation>Mit rechter Taste ziehen: drehen; mit mittlerer: verschieben</translation>
-    </message>
-    <message>
-        <source>Rhino</source>
-        <translation>Rhino</translation>
-    </message>
-    <message>
-        <source>Right drag: turn; with Shift: move; with Ctrl: zoom</source>
-        <translation>Mit rechter Taste ziehen: drehen; mit Umschalt: verschieben; mit Strg: vergrößern</translation>
-    </message>
-    <message>
-        <source>Space+drag, middle drag</source>
-        <translation>Leertaste+Ziehen, mittlere Taste</translation>
-    </message>
-    <message>
-        <source>Select the piece, the seam or, from near by, the vertex; beside all: select nothing</source>
-        <translation>Das Schnittteil, die Naht oder aus der Nähe den Punkt auswählen; neben allem: nichts auswählen</translation>
-    </message>
-    <message>
-        <source>Ctrl+click, Shift+click</source>
-        <translation>Strg+Klick, Umschalt+Klick</translation>
-    </message>
-    <message>
-        <source>Frame the piece; on an edge: select it from corner to corner; beside all pieces: frame everything</source>
-        <translation>Das Schnittteil einpassen; auf einer Kante: sie von Ecke zu Ecke auswählen; neben allen: alles einpassen</translation>
-    </message>
-    <message>
-        <source>Drag a piece in the pattern view</source>
-        <translation>Schnittteil in der Schnittansicht ziehen</translation>
-    </message>
-    <message>
-        <source>Move the selected pieces</source>
-        <translation>Die ausgewählten Schnittteile verschieben</translation>
-    </message>
-    <message>
-        <source>Drag the sheet</source>
-        <translation>Bogen ziehen</translation>
-    </message>
-    <message>
-        <source>Select what a box touches; with Ctrl or Shift: besides what is selected</source>
-        <translation>Auswählen, was ein Rahmen berührt; mit Strg oder Umschalt: zusätzlich</translation>
-    </message>
-    <message>
-        <source>Drag the handle above the selection</source>
-        <translation>Am Griff über der Auswahl ziehen</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces; with Shift: in steps of 15°</source>
-        <translation>Die ausgewählten Schnittteile drehen; mit Umschalt: in Schritten von 15°</translation>
-    </message>
-    <message>
-        <source>Alt while dragging</source>
-        <translation>Alt beim Ziehen</translation>
-    </message>
-    <message>
-        <source>Snap where snapping is off, and the other way round</source>
-        <translation>Einrasten, wo es ausgeschaltet ist, und umgekehrt</translation>
-    </message>
-    <message>
-        <source>Arrow keys</source>
-        <translation>Pfeiltasten</translation>
-    </message>
-    <message>
-        <source>Move the selected pieces by 1 mm, with Shift by 10 mm</source>
-        <translation>Die ausgewählten Schnittteile um 1 mm verschieben, mit Umschalt um 10 mm</translation>
-    </message>
-    <message>
-        <source>Esc while dragging</source>
-        <translation>Esc beim Ziehen</translation>
-    </message>
-    <message>
-        <source>Take the drag back</source>
-        <translation>Das Ziehen zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Set the next point; begin on an edge to open the piece there</source>
-        <translation>Den nächsten Punkt setzen; an einer Kante begonnen, öffnet der Einschnitt sie</translation>
-    </message>
-    <message>
-        <source>Go there along the edges of the mesh</source>
-        <translation>Entlang der Netzkanten dorthin gehen</translation>
-    </message>
-    <message>
-        <source>Double click, Enter</source>
-        <translation>Doppelklick, Eingabe</translation>
-    </message>
-    <message>
-        <source>Backspace</source>
-        <translation>Rücktaste</translation>
-    </message>
-    <message>
-        <source>Take the last point back</source>
-        <translation>Den letzten Punkt zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Throw the cut away; without one: back to selecting</source>
-        <translation>Den Einschnitt verwerfen; ohne einen: zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>Set the next point, of three or more</source>
-        <translation>Den nächsten Punkt setzen, von dreien oder mehr</translation>
-    </message>
-    <message>
-        <source>Click on the first point, double click, Enter</source>
-        <translation>Klick auf den ersten Punkt, Doppelklick, Eingabe</translation>
-    </message>
-    <message>
-        <source>Cut the part out</source>
-        <translation>Den Teil ausschneiden</translation>
-    </message>
-    <message>
-        <source>Drag from an edge</source>
-        <translation>Von einer Kante ziehen</translation>
-    </message>
-    <message>
-        <source>Cut a dart to where the drag ends</source>
-        <translation>Einen Abnäher bis dorthin schneiden, wo das Ziehen endet</translation>
-    </message>
-    <message>
-        <source>Click an edge, then the tip</source>
-        <translation>Kante anklicken, dann die Spitze</translation>
-    </message>
-    <message>
-        <source>The same, by two clicks</source>
-        <translation>Dasselbe mit zwei Klicks</translation>
-    </message>
-    <message>
-        <source>Cut along the edges of the mesh</source>
-        <translation>Entlang der Netzkanten schneiden</translation>
-    </message>
-    <message>
-        <source>Backspace, Esc</source>
-        <translation>Rücktaste, Esc</translation>
-    </message>
-    <message>
-        <source>Throw the dart away; Esc without one: back to selecting</source>
-        <translation>Den Abnäher verwerfen; Esc ohne einen: zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>Click a seam</source>
-        <translation>Naht anklicken</translation>
-    </message>
-    <message>
-        <source>Back to selecting</source>
-        <translation>Zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>Measure from here, and on to the next place</source>
-        <translation>Von hier messen und weiter zur nächsten Stelle</translation>
-    </message>
-    <message>
-        <source>End here</source>
-        <translation>Hier enden</translation>
-    </message>
-    <message>
-        <source>Take the last place back</source>
-        <translation>Die letzte Stelle zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Ctrl+C</source>
-        <translation>Strg+C</translation>
-    </message>
-    <message>
-        <source>Copy what is measured</source>
-        <translation>Das Gemessene kopieren</translation>
-    </message>
-    <message>
-        <source>Forget the measure; without one: back to selecting</source>
-        <translation>Das Maß vergessen; ohne eines: zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>Drag on a piece in the pattern view</source>
-        <translation>Auf einem Schnittteil in der Schnittansicht ziehen</translation>
-    </message>
-    <message>
-        <source>Turn its grain</source>
-        <translation>Seinen Fadenlauf drehen</translation>
-    </message>
-    <message>
-        <source>Select the piece</source>
-        <translation>Das Schnittteil auswählen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>%n Schnittteil</numerusform>
-            <numerusform>%n Schnittteile</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Quantity of %1: %2</source>
-        <translation>Anzahl von %1: %2</translation>
-    </message>
-    <message>
-        <source>Mirrored pair: %1</source>
-        <translation>Gespiegeltes Paar: %1</translation>
-    </message>
-    <message>
-        <source>No mirrored pair: %1</source>
-        <translation>Kein gespiegeltes Paar: %1</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>no faults</source>
-        <translation>keine Fehler</translation>
-    </message>
-    <message>
-        <source>1 fault</source>
-        <translation>1 Fehler</translation>
-    </message>
-    <message>
-        <source>%1 faults</source>
-        <translation>%1 Fehler</translation>
-    </message>
-    <message>
-        <source>no doubts</source>
-        <translation>keine Zweifel</translation>
-    </message>
-    <message>
-        <source>1 doubt</source>
-        <translation>1 Zweifel</translation>
-    </message>
-    <message>
-        <source>%1 doubts</source>
-        <translation>%1 Zweifel</translation>
-    </message>
-    <message>
-        <source>no notes</source>
-        <translation>keine Hinweise</translation>
-    </message>
-    <message>
-        <source>1 note</source>
-        <translation>1 Hinweis</translation>
-    </message>
-    <message>
-        <source>%1 notes</source>
-        <translation>%1 Hinweise</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Not flattened yet</source>
-        <translation>Noch nicht abgewickelt</translation>
-    </message>
-    <message>
-        <source>Ready to cut</source>
-        <translation>Bereit zum Zuschneiden</translation>
-    </message>
-    <message>
-        <source>Middle drag or Space+drag: move the view · Wheel: zoom</source>
-        <translation>Mittlere Taste oder Leertaste+Ziehen: Ansicht bewegen · Mausrad: vergrößern</translation>
-    </message>
-    <message>
-        <source>Drag: turn · Shift+drag: move · Wheel: zoom</source>
-        <translation>Ziehen: drehen · Umschalt+Ziehen: verschieben · Mausrad: vergrößern</translation>
-    </message>
-    <message>
-        <source>Middle drag: turn · Shift+middle drag: move · Wheel: zoom</source>
-        <translation>Mittlere Taste: drehen · Umschalt+mittlere Taste: verschieben · Mausrad: vergrößern</translation>
-    </message>
-    <message>
-        <source>Right drag: turn · Middle drag: move · Wheel: zoom</source>
-        <translation>Rechte Taste: drehen · Mittlere Taste: verschieben · Mausrad: vergrößern</translation>
-    </message>
-    <message>
-        <source>Right drag or Space+drag: move the view · Wheel: zoom</source>
-        <translation>Rechte Taste oder Leertaste+Ziehen: Ansicht bewegen · Mausrad: vergrößern</translation>
-    </message>
-    <message>
-        <source>Right drag: turn · Shift+right drag: move · Wheel: zoom</source>
-        <translation>Rechte Taste: drehen · Umschalt+rechte Taste: verschieben · Mausrad: vergrößern</translation>
     </message>
     <message>
         <source>Not flattened</source>
@@ -2789,38 +1018,6 @@
     <message>
         <source>Messages</source>
         <translation>Meldungen</translation>
-    </message>
-    <message>
-        <source>Join the cloth on both sides of a seam, so that it becomes one</source>
-        <translation>Den Stoff auf beiden Seiten einer Naht verbinden, sodass er eins wird</translation>
-    </message>
-    <message>
-        <source>Select nothing; while something runs: stop it</source>
-        <translation>Nichts auswählen; während etwas läuft: es anhalten</translation>
-    </message>
-    <message>
-        <source>Join the cloth on both sides of it, so that it becomes one</source>
-        <translation>Den Stoff auf beiden Seiten verbinden, sodass er eins wird</translation>
-    </message>
-    <message>
-        <source>Take the drag back; without one: back to selecting</source>
-        <translation>Das Ziehen zurücknehmen; ohne eines: zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>%1, from corner to corner · %2 / %3, Δ %4</source>
-        <translation>%1, von Ecke zu Ecke · %2 / %3, Δ %4</translation>
-    </message>
-    <message>
-        <source>%1, from corner to corner · %2 / %3 on the garment</source>
-        <translation>%1, von Ecke zu Ecke · %2 / %3 am Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>%1 · %2 not sewn</source>
-        <translation>%1 · %2 nicht vernäht</translation>
-    </message>
-    <message>
-        <source>%1 (limit %2)</source>
-        <translation>%1 (Grenze %2)</translation>
     </message>
     <message>
         <source>The isometric method keeps the lengths of their rims; the others measure them only</source>
@@ -3400,21 +1597,1831 @@
     </message>
 </context>
 <context>
-    <name>toile::Banner</name>
+    <name>toile::app</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a project or a garment: one file, or several that belong together</source>
+        <translation>Ein Projekt oder ein Kleidungsstück öffnen: eine Datei, oder mehrere, die zusammengehören</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save everything done with this garment in its project file</source>
+        <translation>Alles, was mit diesem Kleidungsstück getan wurde, in seiner Projektdatei speichern</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save everything done with this garment in another project file</source>
+        <translation>Alles, was mit diesem Kleidungsstück getan wurde, in einer anderen Projektdatei speichern</translation>
+    </message>
+    <message>
+        <source>As &amp;SVG drawing…</source>
+        <translation>Als &amp;SVG-Zeichnung…</translation>
+    </message>
+    <message>
+        <source>Write the pattern at true scale for printing and drawing programs</source>
+        <translation>Das Schnittmuster maßstäblich schreiben, für Druck- und Zeichenprogramme</translation>
+    </message>
+    <message>
+        <source>As &amp;DXF drawing…</source>
+        <translation>Als &amp;DXF-Zeichnung…</translation>
+    </message>
+    <message>
+        <source>Write the pattern at true scale for pattern and cutting programs</source>
+        <translation>Das Schnittmuster maßstäblich schreiben, für Schnitt- und Zuschnittprogramme</translation>
+    </message>
+    <message>
+        <source>As &amp;OBJ with UV map…</source>
+        <translation>Als &amp;OBJ mit UV-Karte…</translation>
+    </message>
+    <message>
+        <source>Write the garment again with the pattern as its UV map</source>
+        <translation>Das Kleidungsstück noch einmal schreiben, mit dem Schnittmuster als UV-Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Report (JSON)…</source>
+        <translation>&amp;Bericht (JSON)…</translation>
+    </message>
+    <message>
+        <source>Write every figure of every piece for other programs</source>
+        <translation>Alle Zahlen aller Schnittteile schreiben, für andere Programme</translation>
+    </message>
+    <message>
+        <source>Read&amp;y to cut?</source>
+        <translation>&amp;Bereit zum Zuschneiden?</translation>
+    </message>
+    <message>
+        <source>Show whether the pattern can be cut as it is, and every fault with its place</source>
+        <translation>Zeigen, ob das Schnittmuster so zugeschnitten werden kann, und jeden Fehler mit seiner Stelle</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Das Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last step back</source>
+        <translation>Den letzten Schritt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>Noch einmal tun, was zurückgenommen wurde</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Select every piece</source>
+        <translation>Alle Schnittteile auswählen</translation>
+    </message>
+    <message>
+        <source>Select &amp;none</source>
+        <translation>&amp;Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Clear the selection of pieces and seams</source>
+        <translation>Die Auswahl von Schnittteilen und Nähten aufheben</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>Ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Show the selected pieces or seam, or everything where none is selected</source>
+        <translation>Die ausgewählten Schnittteile oder die ausgewählte Naht ganz zeigen; ohne Auswahl alles</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Piece &amp;colours</source>
+        <translation>Teile&amp;farben</translation>
+    </message>
+    <message>
+        <source>Every piece in its own colour</source>
+        <translation>Jedes Schnittteil in seiner eigenen Farbe</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Check&amp;erboard</source>
+        <translation>&amp;Karos</translation>
+    </message>
+    <message>
+        <source>True-scale squares of 1 cm on the cloth</source>
+        <translation>Maßstäbliche Karos von 1 cm auf dem Stoff</translation>
+    </message>
+    <message>
+        <source>Checker</source>
+        <translation>Karos</translation>
+    </message>
+    <message>
+        <source>&amp;Area change</source>
+        <translation>Fl&amp;ächenänderung</translation>
+    </message>
+    <message>
+        <source>How much area the cloth must gain by stretching, or has too much</source>
+        <translation>Wie viel Fläche der Stoff durch Dehnen gewinnen muss oder zu viel hat</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>An&amp;gle change</source>
+        <translation>&amp;Winkeländerung</translation>
+    </message>
+    <message>
+        <source>How much the corners of the cloth have turned</source>
+        <translation>Wie weit sich die Ecken des Stoffes verdreht haben</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Edge &amp;strain</source>
+        <translation>&amp;Dehnung</translation>
+    </message>
+    <message>
+        <source>How far the cloth must stretch or gather to take its shape</source>
+        <translation>Wie weit sich der Stoff dehnen oder stauchen muss, um die Form anzunehmen</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Strain along war&amp;p</source>
+        <translation>Dehnung längs der &amp;Kette</translation>
+    </message>
+    <message>
+        <source>How far the cloth must stretch or gather along the grain</source>
+        <translation>Wie weit sich der Stoff im Fadenlauf dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Warp</source>
+        <translation>Kette</translation>
+    </message>
+    <message>
+        <source>Strain along we&amp;ft</source>
+        <translation>Dehnung längs des Sch&amp;usses</translation>
+    </message>
+    <message>
+        <source>How far the cloth must stretch or gather across the grain</source>
+        <translation>Wie weit sich der Stoff quer zum Fadenlauf dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Weft</source>
+        <translation>Schuss</translation>
+    </message>
+    <message>
+        <source>Strain on the &amp;bias</source>
+        <translation>Dehnung im Sch&amp;rägen</translation>
+    </message>
+    <message>
+        <source>How far the cloth must stretch or gather at 45° to the grain, the worse of both diagonals</source>
+        <translation>Wie weit sich der Stoff unter 45° zum Fadenlauf dehnen oder stauchen muss, auf der schlechteren der beiden Diagonalen</translation>
+    </message>
+    <message>
+        <source>Bias</source>
+        <translation>Schräg</translation>
+    </message>
+    <message>
+        <source>Principal s&amp;train</source>
+        <translation>&amp;Hauptdehnung</translation>
+    </message>
+    <message>
+        <source>Crosses show in which directions the cloth stretches and gathers most, and how far</source>
+        <translation>Kreuze zeigen, in welchen Richtungen sich der Stoff am meisten dehnt und staucht, und wie weit</translation>
+    </message>
+    <message>
+        <source>Principal</source>
+        <translation>Haupt</translation>
+    </message>
+    <message>
+        <source>&amp;Distortion energy</source>
+        <translation>&amp;Verzerrungsenergie</translation>
+    </message>
+    <message>
+        <source>Symmetric Dirichlet energy: one number for stretch and surplus in all directions</source>
+        <translation>Symmetrische Dirichlet-Energie: eine Zahl für Dehnung und Zuviel in allen Richtungen</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>&amp;Values per triangle</source>
+        <translation>Werte &amp;je Dreieck</translation>
+    </message>
+    <message>
+        <source>Paint every triangle in the colour of its own value, without smoothing</source>
+        <translation>Jedes Dreieck in der Farbe seines eigenen Wertes malen, ohne zu glätten</translation>
+    </message>
+    <message>
+        <source>Per triangle</source>
+        <translation>Je Dreieck</translation>
+    </message>
+    <message>
+        <source>Flag the w&amp;orst spots</source>
+        <translation>&amp;Schlimmste Stellen markieren</translation>
+    </message>
+    <message>
+        <source>Mark the places with the worst values with a number</source>
+        <translation>Die Stellen mit den schlimmsten Werten mit einer Zahl markieren</translation>
+    </message>
+    <message>
+        <source>Worst spots</source>
+        <translation>Schlimmste Stellen</translation>
+    </message>
+    <message>
+        <source>Show &amp;wireframe</source>
+        <translation>&amp;Gitternetz zeigen</translation>
+    </message>
+    <message>
+        <source>Draw the triangles of the cloth</source>
+        <translation>Die Dreiecke des Stoffes zeichnen</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>Gitternetz</translation>
+    </message>
+    <message>
+        <source>&amp;Designer&apos;s outline</source>
+        <translation>&amp;Umriss des Entwurfs</translation>
+    </message>
+    <message>
+        <source>Draw the designer&apos;s own panels over the flat pieces, where the file carries them</source>
+        <translation>Die Schnittteile des Entwerfers über die flachen legen, wo die Datei sie enthält</translation>
+    </message>
+    <message>
+        <source>Show &amp;seams</source>
+        <translation>&amp;Nähte zeigen</translation>
+    </message>
+    <message>
+        <source>Draw the seam lines, both sides of a seam in one colour</source>
+        <translation>Die Nahtlinien zeichnen, beide Seiten einer Naht in einer Farbe</translation>
+    </message>
+    <message>
+        <source>&amp;X-ray</source>
+        <translation>&amp;Röntgenblick</translation>
+    </message>
+    <message>
+        <source>See through the cloth of the garment to what lies behind it</source>
+        <translation>Durch den Stoff des Kleidungsstücks auf das sehen, was dahinter liegt</translation>
+    </message>
+    <message>
+        <source>Light and s&amp;hade</source>
+        <translation>&amp;Licht und Schatten</translation>
+    </message>
+    <message>
+        <source>Let light fall on the garment; without it colours are as flat as in the pattern</source>
+        <translation>Licht auf das Kleidungsstück fallen lassen; ohne es sind die Farben so gleichmäßig wie im Schnittmuster</translation>
+    </message>
+    <message>
+        <source>Pieces &amp;in colour</source>
+        <translation>Schnittteile in &amp;Farbe</translation>
+    </message>
+    <message>
+        <source>Give every piece a colour of its own; else all cloth is plain cotton</source>
+        <translation>Jedem Schnittteil eine eigene Farbe geben; sonst ist aller Stoff schlichte Baumwolle</translation>
+    </message>
+    <message>
+        <source>From the &amp;front</source>
+        <translation>Von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>Look at the garment&apos;s front (1 on the number pad)</source>
+        <translation>Das Kleidungsstück von vorn ansehen (1 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>From the &amp;back</source>
+        <translation>Von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>Look at the garment&apos;s back (Ctrl+1 on the number pad)</source>
+        <translation>Das Kleidungsstück von hinten ansehen (Strg+1 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>From the &amp;right</source>
+        <translation>Von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Look at the garment from the right of the picture (3 on the number pad)</source>
+        <translation>Das Kleidungsstück von der rechten Seite des Bildes ansehen (3 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>From the &amp;left</source>
+        <translation>Von &amp;links</translation>
+    </message>
+    <message>
+        <source>Look at the garment from the left of the picture (Ctrl+3 on the number pad)</source>
+        <translation>Das Kleidungsstück von der linken Seite des Bildes ansehen (Strg+3 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>From &amp;above</source>
+        <translation>Von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Look down at the garment (7 on the number pad)</source>
+        <translation>Auf das Kleidungsstück hinabsehen (7 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>From b&amp;elow</source>
+        <translation>Von &amp;unten</translation>
+    </message>
+    <message>
+        <source>Look up at the garment (Ctrl+7 on the number pad)</source>
+        <translation>Zum Kleidungsstück hinaufsehen (Strg+7 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>Without &amp;perspective</source>
+        <translation>Ohne &amp;Perspektive</translation>
+    </message>
+    <message>
+        <source>Draw the garment so that parallel lines stay parallel (5 on the number pad)</source>
+        <translation>Das Kleidungsstück so zeichnen, dass parallele Linien parallel bleiben (5 auf dem Ziffernblock)</translation>
+    </message>
+    <message>
+        <source>Play from garment to pa&amp;ttern</source>
+        <translation>Vom Kleidungsstück zum Schnittmuster &amp;abspielen</translation>
+    </message>
+    <message>
+        <source>Watch the garment flatten, or the pattern close to the garment again</source>
+        <translation>Zusehen, wie sich das Kleidungsstück abwickelt oder das Schnittmuster wieder zum Kleidungsstück schließt</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length; the cloth between them stretches as little as that allows, and no triangle is turned over</source>
+        <translation>Nahtlinien behalten genau ihre Länge; der Stoff dazwischen dehnt sich so wenig, wie das erlaubt, und kein Dreieck wird umgeklappt</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length; the outline turns where the garment is curved</source>
+        <translation>Nahtlinien behalten genau ihre Länge; der Umriss dreht sich dort, wo das Kleidungsstück gekrümmt ist</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length; the outline gives way alike all around</source>
+        <translation>Nahtlinien behalten genau ihre Länge; der Umriss gibt ringsum gleich viel nach</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length on a round outline; the cloth inside is moved until it stretches least</source>
+        <translation>Nahtlinien behalten auf rundem Umriss genau ihre Länge; der Stoff innen wird verschoben, bis er sich am wenigsten dehnt</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length on a round outline: no triangle is ever turned over, but it is no pattern</source>
+        <translation>Nahtlinien behalten auf rundem Umriss genau ihre Länge: kein Dreieck wird je umgeklappt, doch ein Schnittmuster ist es nicht</translation>
+    </message>
+    <message>
+        <source>The cloth keeps its angles as well as it can; seam lines change their length</source>
+        <translation>Der Stoff behält seine Winkel, so gut er kann; Nahtlinien ändern ihre Länge</translation>
+    </message>
+    <message>
+        <source>Nearly the same by another way; seam lines change their length</source>
+        <translation>Fast dasselbe auf anderem Weg; Nahtlinien ändern ihre Länge</translation>
+    </message>
+    <message>
+        <source>Every triangle keeps its angles as well as it can; seam lines change their length</source>
+        <translation>Jedes Dreieck behält seine Winkel, so gut es kann; Nahtlinien ändern ihre Länge</translation>
+    </message>
+    <message>
+        <source>&amp;Draft</source>
+        <translation>&amp;Entwurf</translation>
+    </message>
+    <message>
+        <source>Quick: within some percent of the least distortion</source>
+        <translation>Schnell: auf einige Prozent an der kleinsten Verzerrung</translation>
+    </message>
+    <message>
+        <source>&amp;Standard</source>
+        <translation>&amp;Standard</translation>
+    </message>
+    <message>
+        <source>Within about a thousandth of the least distortion</source>
+        <translation>Auf etwa ein Tausendstel an der kleinsten Verzerrung</translation>
+    </message>
+    <message>
+        <source>&amp;Fine</source>
+        <translation>&amp;Fein</translation>
+    </message>
+    <message>
+        <source>To the last digits: takes its time</source>
+        <translation>Bis auf die letzten Stellen: braucht seine Zeit</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;Newton steps</source>
+        <translation>Umriss mit &amp;Newton-Schritten</translation>
+    </message>
+    <message>
+        <source>The fast way to the outline</source>
+        <translation>Der schnelle Weg zum Umriss</translation>
+    </message>
+    <message>
+        <source>Outline by &amp;linearly constrained steps</source>
+        <translation>Umriss mit &amp;linear gebundenen Schritten</translation>
+    </message>
+    <message>
+        <source>The published way to the same outline</source>
+        <translation>Der veröffentlichte Weg zum selben Umriss</translation>
+    </message>
+    <message>
+        <source>C&amp;ompare methods…</source>
+        <translation>Verfahren &amp;vergleichen…</translation>
+    </message>
+    <message>
+        <source>See one piece flattened by up to four methods side by side, with a table of figures</source>
+        <translation>Ein Schnittteil nach bis zu vier Verfahren nebeneinander sehen, mit einer Tabelle der Zahlen</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>&amp;Auswählen</translation>
+    </message>
+    <message>
+        <source>Select pieces, seams and vertices; move pieces in the pattern</source>
+        <translation>Schnittteile, Nähte und Punkte auswählen; Schnittteile im Schnittmuster verschieben</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>&amp;Einschneiden</translation>
+    </message>
+    <message>
+        <source>Cut a piece along the shortest way through points on it</source>
+        <translation>Ein Schnittteil auf dem kürzesten Weg durch Punkte darauf einschneiden</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Einschneiden</translation>
+    </message>
+    <message>
+        <source>Closed &amp;loop</source>
+        <translation>&amp;Geschlossener Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut a part out along a closed line through points on it</source>
+        <translation>Einen Teil entlang einer geschlossenen Linie durch Punkte darauf ausschneiden</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Rundschnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Dart</source>
+        <translation>A&amp;bnäher</translation>
+    </message>
+    <message>
+        <source>Cut from an edge to a tip inside the cloth</source>
+        <translation>Von einer Kante bis zu einer Spitze im Stoff einschneiden</translation>
+    </message>
+    <message>
+        <source>Dart</source>
+        <translation>Abnäher</translation>
+    </message>
+    <message>
+        <source>&amp;Join</source>
+        <translation>&amp;Verbinden</translation>
+    </message>
+    <message>
+        <source>Join the cloth on both sides of a seam, so that it becomes one</source>
+        <translation>Den Stoff auf beiden Seiten einer Naht verbinden, sodass er eins wird</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Measure on the garment and in the pattern, straight and along edges</source>
+        <translation>Am Kleidungsstück und im Schnittmuster messen, gerade und entlang von Kanten</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Flatten &amp;again</source>
+        <translation>&amp;Neu abwickeln</translation>
+    </message>
+    <message>
+        <source>Flatten every piece again</source>
+        <translation>Alle Schnittteile noch einmal abwickeln</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>Abwickeln</translation>
+    </message>
+    <message>
+        <source>Flatten after every ed&amp;it</source>
+        <translation>Nach jeder Än&amp;derung abwickeln</translation>
+    </message>
+    <message>
+        <source>Flatten what an edit has changed at once; switch it off for heavy meshes</source>
+        <translation>Was eine Änderung betrifft, sofort abwickeln; bei schweren Netzen besser ausschalten</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop what is running</source>
+        <translation>Anhalten, was gerade läuft</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the garment&apos;s files again as they are now</source>
+        <translation>Die Dateien des Kleidungsstücks noch einmal lesen, wie sie jetzt sind</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>Choose the unit that gives a garment of human size</source>
+        <translation>Die Einheit wählen, die ein Kleidungsstück in Menschengröße ergibt</translation>
+    </message>
+    <message>
+        <source>&amp;Millimetres</source>
+        <translation>&amp;Millimeter</translation>
+    </message>
+    <message>
+        <source>Read the file&apos;s numbers as millimetres</source>
+        <translation>Die Zahlen der Datei als Millimeter lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Centimetres</source>
+        <translation>&amp;Zentimeter</translation>
+    </message>
+    <message>
+        <source>Read the file&apos;s numbers as centimetres</source>
+        <translation>Die Zahlen der Datei als Zentimeter lesen</translation>
+    </message>
+    <message>
+        <source>M&amp;etres</source>
+        <translation>M&amp;eter</translation>
+    </message>
+    <message>
+        <source>Read the file&apos;s numbers as metres</source>
+        <translation>Die Zahlen der Datei als Meter lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Inches</source>
+        <translation>Z&amp;oll</translation>
+    </message>
+    <message>
+        <source>Read the file&apos;s numbers as inches</source>
+        <translation>Die Zahlen der Datei als Zoll lesen</translation>
+    </message>
+    <message>
+        <source>Choose the axis along which a garment would stand upright</source>
+        <translation>Die Achse wählen, an der das Kleidungsstück aufrecht stünde</translation>
+    </message>
+    <message>
+        <source>&amp;Y points up</source>
+        <translation>&amp;Y zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>The garment stands along the file&apos;s y axis</source>
+        <translation>Das Kleidungsstück steht an der y-Achse der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Z points up</source>
+        <translation>&amp;Z zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>The garment stands along the file&apos;s z axis</source>
+        <translation>Das Kleidungsstück steht an der z-Achse der Datei</translation>
+    </message>
+    <message>
+        <source>Divide the garment into pieces by what the file has</source>
+        <translation>Das Kleidungsstück nach dem teilen, was die Datei enthält</translation>
+    </message>
+    <message>
+        <source>&amp;Parts</source>
+        <translation>&amp;Zusammenhang</translation>
+    </message>
+    <message>
+        <source>Whatever hangs together is one piece</source>
+        <translation>Was zusammenhängt, ist ein Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;Objects</source>
+        <translation>&amp;Objekten</translation>
+    </message>
+    <message>
+        <source>Each object of the file is one piece</source>
+        <translation>Jedes Objekt der Datei ist ein Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;Groups</source>
+        <translation>&amp;Gruppen</translation>
+    </message>
+    <message>
+        <source>Each group of the file is one piece</source>
+        <translation>Jede Gruppe der Datei ist ein Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;Materials</source>
+        <translation>&amp;Materialien</translation>
+    </message>
+    <message>
+        <source>Each material of the file is one piece</source>
+        <translation>Jedes Material der Datei ist ein Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;UV islands</source>
+        <translation>&amp;UV-Inseln</translation>
+    </message>
+    <message>
+        <source>Each island of the file&apos;s UV map is one piece</source>
+        <translation>Jede Insel der UV-Karte der Datei ist ein Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;Cuts only</source>
+        <translation>Nur &amp;Einschnitten</translation>
+    </message>
+    <message>
+        <source>One piece until a cut of the seams file parts it</source>
+        <translation>Ein Schnittteil, bis ein Einschnitt der Nahtdatei es trennt</translation>
+    </message>
+    <message>
+        <source>&amp;Cut open automatically</source>
+        <translation>Von selbst &amp;aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cut open every piece that cannot lie flat as it is</source>
+        <translation>Jedes Schnittteil aufschneiden, das so nicht flach liegen kann</translation>
+    </message>
+    <message>
+        <source>&amp;Weld vertices</source>
+        <translation>Punkte &amp;verschmelzen</translation>
+    </message>
+    <message>
+        <source>Join vertices of an object that lie on each other</source>
+        <translation>Punkte eines Objekts verbinden, die aufeinander liegen</translation>
+    </message>
+    <message>
+        <source>&amp;Seams from file…</source>
+        <translation>&amp;Nähte aus Datei…</translation>
+    </message>
+    <message>
+        <source>Take cuts and ease from a seams file (JSON)</source>
+        <translation>Einschnitte und Einhalteweiten aus einer Nahtdatei (JSON) übernehmen</translation>
+    </message>
+    <message>
+        <source>Save sea&amp;ms file…</source>
+        <translation>Naht&amp;datei speichern…</translation>
+    </message>
+    <message>
+        <source>Write the cuts and the ease that were stated to a seams file (JSON)</source>
+        <translation>Die angegebenen Einschnitte und Einhalteweiten in eine Nahtdatei (JSON) schreiben</translation>
+    </message>
+    <message>
+        <source>State the &amp;ease…</source>
+        <translation>&amp;Einhalteweite angeben…</translation>
+    </message>
+    <message>
+        <source>Say how much longer the left edge of the selected seam is meant to be</source>
+        <translation>Angeben, wie viel länger die linke Kante der ausgewählten Naht sein soll</translation>
+    </message>
+    <message>
+        <source>Ease &amp;from the garment</source>
+        <translation>Einhalteweite aus dem &amp;Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Take the ease of the selected seam from its 3D lengths again</source>
+        <translation>Die Einhalteweite der ausgewählten Naht wieder aus ihren 3D-Längen nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Grain</source>
+        <translation>&amp;Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Turn the grain of a piece by its arrow in the pattern view</source>
+        <translation>Den Fadenlauf eines Schnittteils an seinem Pfeil in der Schnittansicht drehen</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Turn &amp;left</source>
+        <translation>Nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces anti-clockwise by a right angle</source>
+        <translation>Die ausgewählten Schnittteile um einen rechten Winkel gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;right</source>
+        <translation>Nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces clockwise by a right angle</source>
+        <translation>Die ausgewählten Schnittteile um einen rechten Winkel im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror left to right</source>
+        <translation>&amp;Seitlich spiegeln</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces over from left to right: their wrong side faces you then</source>
+        <translation>Die ausgewählten Schnittteile seitlich umwenden: dann liegt ihre linke Stoffseite oben</translation>
+    </message>
+    <message>
+        <source>Mirror &amp;upside down</source>
+        <translation>Nach &amp;oben spiegeln</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces over from top to bottom: their wrong side faces you then</source>
+        <translation>Die ausgewählten Schnittteile von oben nach unten umwenden: dann liegt ihre linke Stoffseite oben</translation>
+    </message>
+    <message>
+        <source>&amp;Left edges</source>
+        <translation>&amp;Linke Kanten</translation>
+    </message>
+    <message>
+        <source>Line the selected pieces up along their left edges</source>
+        <translation>Die ausgewählten Schnittteile an ihren linken Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>&amp;Right edges</source>
+        <translation>&amp;Rechte Kanten</translation>
+    </message>
+    <message>
+        <source>Line the selected pieces up along their right edges</source>
+        <translation>Die ausgewählten Schnittteile an ihren rechten Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>&amp;Upper edges</source>
+        <translation>&amp;Obere Kanten</translation>
+    </message>
+    <message>
+        <source>Line the selected pieces up along their upper edges</source>
+        <translation>Die ausgewählten Schnittteile an ihren oberen Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>Lo&amp;wer edges</source>
+        <translation>&amp;Untere Kanten</translation>
+    </message>
+    <message>
+        <source>Line the selected pieces up along their lower edges</source>
+        <translation>Die ausgewählten Schnittteile an ihren unteren Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>&amp;Middles, one above the other</source>
+        <translation>&amp;Mitten übereinander</translation>
+    </message>
+    <message>
+        <source>Centre the selected pieces on one upright line</source>
+        <translation>Die ausgewählten Schnittteile auf einer senkrechten Linie mitteln</translation>
+    </message>
+    <message>
+        <source>Middles, si&amp;de by side</source>
+        <translation>Mitten &amp;nebeneinander</translation>
+    </message>
+    <message>
+        <source>Centre the selected pieces on one level line</source>
+        <translation>Die ausgewählten Schnittteile auf einer waagerechten Linie mitteln</translation>
+    </message>
+    <message>
+        <source>Same gaps &amp;across</source>
+        <translation>Gleiche Abstände &amp;quer</translation>
+    </message>
+    <message>
+        <source>Move the selected pieces between the leftmost and the rightmost until their gaps are the same</source>
+        <translation>Die ausgewählten Schnittteile zwischen dem linken und dem rechten verschieben, bis ihre Abstände gleich sind</translation>
+    </message>
+    <message>
+        <source>Same gaps u&amp;pwards</source>
+        <translation>Gleiche Abstände &amp;hoch</translation>
+    </message>
+    <message>
+        <source>Move the selected pieces between the lowest and the highest until their gaps are the same</source>
+        <translation>Die ausgewählten Schnittteile zwischen dem untersten und dem obersten verschieben, bis ihre Abstände gleich sind</translation>
+    </message>
+    <message>
+        <source>Lay &amp;out again</source>
+        <translation>Neu aus&amp;legen</translation>
+    </message>
+    <message>
+        <source>Put the selected pieces, or all where none is selected, in rows side by side</source>
+        <translation>Die ausgewählten Schnittteile, ohne Auswahl alle, in Reihen nebeneinander legen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;grain upwards</source>
+        <translation>&amp;Fadenlauf nach oben drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces, or all where none is selected, so that their grain runs upwards</source>
+        <translation>Die ausgewählten Schnittteile, ohne Auswahl alle, so drehen, dass ihr Fadenlauf nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Best grain</source>
+        <translation>&amp;Bester Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Let the grain of the selected pieces, or of all, run where it strains the fabric least</source>
+        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, so legen, dass er den Stoff am wenigsten dehnt</translation>
+    </message>
+    <message>
+        <source>Best</source>
+        <translation>Bester</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the grain</source>
+        <translation>Fadenlauf &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>Leave it open how the grain of the selected pieces, or of all, runs</source>
+        <translation>Offen lassen, wie der Fadenlauf der ausgewählten Schnittteile, sonst aller, liegt</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>&amp;Rulers</source>
+        <translation>&amp;Lineale</translation>
+    </message>
+    <message>
+        <source>Show rulers along the edges of the pattern view</source>
+        <translation>Lineale an den Rändern der Schnittansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Gri&amp;d</source>
+        <translation>&amp;Raster</translation>
+    </message>
+    <message>
+        <source>Show a grid on the sheet of the pattern</source>
+        <translation>Ein Raster auf dem Bogen des Schnittmusters zeigen</translation>
+    </message>
+    <message>
+        <source>Sna&amp;pping</source>
+        <translation>&amp;Einrasten</translation>
+    </message>
+    <message>
+        <source>Let pieces catch at the grid and at each other while they are moved; Alt turns it the other way round</source>
+        <translation>Schnittteile beim Verschieben am Raster und aneinander einrasten lassen; Alt kehrt es um</translation>
+    </message>
+    <message>
+        <source>&amp;Place…</source>
+        <translation>&amp;Lage…</translation>
+    </message>
+    <message>
+        <source>Type where the selected pieces lie, how far they are turned and how the grain runs</source>
+        <translation>Eingeben, wo die ausgewählten Schnittteile liegen, wie weit sie gedreht sind und wie der Fadenlauf liegt</translation>
+    </message>
+    <message>
+        <source>Fa&amp;bric…</source>
+        <translation>&amp;Material…</translation>
+    </message>
+    <message>
+        <source>Choose what the garment is cut from, and type how far it gives way</source>
+        <translation>Wählen, woraus das Kleidungsstück geschnitten wird, und eingeben, wie weit es nachgibt</translation>
+    </message>
+    <message>
+        <source>Go to &amp;pieces</source>
+        <translation>Zu den &amp;Schnittteilen</translation>
+    </message>
+    <message>
+        <source>Show the list of pieces and move the keyboard there</source>
+        <translation>Die Liste der Schnittteile zeigen und mit der Tastatur dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Go &amp;to seams</source>
+        <translation>Zu den &amp;Nähten</translation>
+    </message>
+    <message>
+        <source>Show the list of seams and move the keyboard there</source>
+        <translation>Die Liste der Nähte zeigen und mit der Tastatur dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Go to proble&amp;ms</source>
+        <translation>Zu den &amp;Problemen</translation>
+    </message>
+    <message>
+        <source>Show what stands against cutting and move the keyboard there</source>
+        <translation>Zeigen, was gegen das Zuschneiden spricht, und mit der Tastatur dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Go to &amp;history</source>
+        <translation>Zum &amp;Verlauf</translation>
+    </message>
+    <message>
+        <source>Show the steps done so far and move the keyboard there</source>
+        <translation>Die bisherigen Schritte zeigen und mit der Tastatur dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Reset &amp;window layout</source>
+        <translation>Fenster&amp;aufteilung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put every list back below the views and every panel beside them, as at the first start</source>
+        <translation>Alle Listen wieder unter die Ansichten und alle Felder neben sie legen, wie beim ersten Start</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Choose units, colours, language and how the mouse moves the view</source>
+        <translation>Einheiten, Farben, Sprache und die Bewegung mit der Maus wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>&amp;Befehl suchen…</translation>
+    </message>
+    <message>
+        <source>Type a few letters to run a command or to find a piece or a seam</source>
+        <translation>Einige Buchstaben tippen, um einen Befehl auszuführen oder ein Schnittteil oder eine Naht zu finden</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard and mouse</source>
+        <translation>&amp;Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>What every key and every movement of the mouse does</source>
+        <translation>Was jede Taste und jede Bewegung der Maus bewirkt</translation>
+    </message>
+    <message>
+        <source>&amp;About Toile</source>
+        <translation>&amp;Über Toile</translation>
+    </message>
+    <message>
+        <source>Version, licence, and what Toile does</source>
+        <translation>Version, Lizenz und was Toile tut</translation>
+    </message>
+    <message>
+        <source>Piece: %1</source>
+        <translation>Schnittteil: %1</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>Select the piece and show it in both views</source>
+        <translation>Das Schnittteil auswählen und in beiden Ansichten zeigen</translation>
+    </message>
+    <message>
+        <source>Seam %1: %2</source>
+        <translation>Naht %1: %2</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>Select the seam and show both its edges in both views</source>
+        <translation>Die Naht auswählen und ihre beiden Kanten in beiden Ansichten zeigen</translation>
+    </message>
+    <message>
+        <source>In the garment view</source>
+        <translation>In der Ansicht des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>In the garment view, as Preferences choose</source>
+        <translation>In der Ansicht des Kleidungsstücks, wie in den Einstellungen gewählt</translation>
+    </message>
+    <message>
+        <source>In the pattern view</source>
+        <translation>In der Ansicht des Schnittmusters</translation>
+    </message>
+    <message>
+        <source>In both views</source>
+        <translation>In beiden Ansichten</translation>
+    </message>
+    <message>
+        <source>With the Select tool</source>
+        <translation>Mit dem Werkzeug Auswählen</translation>
+    </message>
+    <message>
+        <source>With the Cut tool</source>
+        <translation>Mit dem Werkzeug Einschneiden</translation>
+    </message>
+    <message>
+        <source>With the Closed loop tool</source>
+        <translation>Mit dem Werkzeug Geschlossener Schnitt</translation>
+    </message>
+    <message>
+        <source>With the Dart tool</source>
+        <translation>Mit dem Werkzeug Abnäher</translation>
+    </message>
+    <message>
+        <source>With the Join tool</source>
+        <translation>Mit dem Werkzeug Verbinden</translation>
+    </message>
+    <message>
+        <source>With the Measure tool</source>
+        <translation>Mit dem Werkzeug Messen</translation>
+    </message>
+    <message>
+        <source>With the Grain tool</source>
+        <translation>Mit dem Werkzeug Fadenlauf</translation>
+    </message>
+    <message>
+        <source>In the lists</source>
+        <translation>In den Listen</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Turn the garment, where the tool does not take the drag</source>
+        <translation>Das Kleidungsstück drehen, wo das Werkzeug das Ziehen nicht braucht</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>Move the garment</source>
+        <translation>Das Kleidungsstück verschieben</translation>
+    </message>
+    <message>
+        <source>Number pad 1, 3, 7</source>
+        <translation>Ziffernblock 1, 3, 7</translation>
+    </message>
+    <message>
+        <source>Show the front, the right side, the top; with Ctrl the side opposite to it</source>
+        <translation>Vorderseite, rechte Seite, Oberseite zeigen; mit Strg die Seite gegenüber</translation>
+    </message>
+    <message>
+        <source>Number pad 9</source>
+        <translation>Ziffernblock 9</translation>
+    </message>
+    <message>
+        <source>Show the opposite side</source>
+        <translation>Die Seite gegenüber zeigen</translation>
+    </message>
+    <message>
+        <source>Number pad 2, 4, 6, 8</source>
+        <translation>Ziffernblock 2, 4, 6, 8</translation>
+    </message>
+    <message>
+        <source>Turn the garment by 15°</source>
+        <translation>Das Kleidungsstück um 15° drehen</translation>
+    </message>
+    <message>
+        <source>Number pad 5</source>
+        <translation>Ziffernblock 5</translation>
+    </message>
+    <message>
+        <source>Show it with perspective or without</source>
+        <translation>Es mit oder ohne Perspektive zeigen</translation>
+    </message>
+    <message>
+        <source>Click on the axis cross</source>
+        <translation>Klick auf das Achsenkreuz</translation>
+    </message>
+    <message>
+        <source>Show the garment from that side</source>
+        <translation>Das Kleidungsstück von dieser Seite zeigen</translation>
+    </message>
+    <message>
+        <source>Toile</source>
+        <translation>Toile</translation>
+    </message>
+    <message>
+        <source>Middle or right drag: turn; with Shift: move; with Ctrl: zoom</source>
+        <translation>Mit mittlerer oder rechter Taste ziehen: drehen; mit Umschalt: verschieben; mit Strg: vergrößern</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>Middle drag or Alt+drag: turn; with Shift: move; with Ctrl: zoom</source>
+        <translation>Mit mittlerer Taste oder Alt ziehen: drehen; mit Umschalt: verschieben; mit Strg: vergrößern</translation>
+    </message>
+    <message>
+        <source>CLO</source>
+        <translation>CLO</translation>
+    </message>
+    <message>
+        <source>Right drag: turn; middle drag: move</source>
+        <translation>Mit rechter Taste ziehen: drehen; mit mittlerer: verschieben</translation>
+    </message>
+    <message>
+        <source>Rhino</source>
+        <translation>Rhino</translation>
+    </message>
+    <message>
+        <source>Right drag: turn; with Shift: move; with Ctrl: zoom</source>
+        <translation>Mit rechter Taste ziehen: drehen; mit Umschalt: verschieben; mit Strg: vergrößern</translation>
+    </message>
+    <message>
+        <source>Space+drag, middle drag</source>
+        <translation>Leertaste+Ziehen, mittlere Taste</translation>
+    </message>
+    <message>
+        <source>Move the sheet</source>
+        <translation>Den Bogen verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>Zoom towards the pointer</source>
+        <translation>Auf den Zeiger zu vergrößern</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Select the piece, the seam or, from near by, the vertex; beside all: select nothing</source>
+        <translation>Das Schnittteil, die Naht oder aus der Nähe den Punkt auswählen; neben allem: nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+click, Shift+click</source>
+        <translation>Strg+Klick, Umschalt+Klick</translation>
+    </message>
+    <message>
+        <source>Add the piece to the selection, or take it out</source>
+        <translation>Das Schnittteil zur Auswahl nehmen oder aus ihr lösen</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>Frame the piece; on an edge: select it from corner to corner; beside all pieces: frame everything</source>
+        <translation>Das Schnittteil einpassen; auf einer Kante: sie von Ecke zu Ecke auswählen; neben allen: alles einpassen</translation>
+    </message>
+    <message>
+        <source>Drag a piece in the pattern view</source>
+        <translation>Schnittteil in der Schnittansicht ziehen</translation>
+    </message>
+    <message>
+        <source>Move the selected pieces</source>
+        <translation>Die ausgewählten Schnittteile verschieben</translation>
+    </message>
+    <message>
+        <source>Drag the sheet</source>
+        <translation>Bogen ziehen</translation>
+    </message>
+    <message>
+        <source>Select what a box touches; with Ctrl or Shift: besides what is selected</source>
+        <translation>Auswählen, was ein Rahmen berührt; mit Strg oder Umschalt: zusätzlich</translation>
+    </message>
+    <message>
+        <source>Drag the handle above the selection</source>
+        <translation>Am Griff über der Auswahl ziehen</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces; with Shift: in steps of 15°</source>
+        <translation>Die ausgewählten Schnittteile drehen; mit Umschalt: in Schritten von 15°</translation>
+    </message>
+    <message>
+        <source>Alt while dragging</source>
+        <translation>Alt beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Snap where snapping is off, and the other way round</source>
+        <translation>Einrasten, wo es ausgeschaltet ist, und umgekehrt</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Move the selected pieces by 1 mm, with Shift by 10 mm</source>
+        <translation>Die ausgewählten Schnittteile um 1 mm verschieben, mit Umschalt um 10 mm</translation>
+    </message>
+    <message>
+        <source>Esc while dragging</source>
+        <translation>Esc beim Ziehen</translation>
+    </message>
+    <message>
+        <source>Take the drag back</source>
+        <translation>Das Ziehen zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Select nothing; while something runs: stop it</source>
+        <translation>Nichts auswählen; während etwas läuft: es anhalten</translation>
+    </message>
+    <message>
+        <source>Set the next point; begin on an edge to open the piece there</source>
+        <translation>Den nächsten Punkt setzen; an einer Kante begonnen, öffnet der Einschnitt sie</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Strg+Klick</translation>
+    </message>
+    <message>
+        <source>Go there along the edges of the mesh</source>
+        <translation>Entlang der Netzkanten dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Double click, Enter</source>
+        <translation>Doppelklick, Eingabe</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Take the last point back</source>
+        <translation>Den letzten Punkt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Throw the cut away; without one: back to selecting</source>
+        <translation>Den Einschnitt verwerfen; ohne einen: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Set the next point, of three or more</source>
+        <translation>Den nächsten Punkt setzen, von dreien oder mehr</translation>
+    </message>
+    <message>
+        <source>Click on the first point, double click, Enter</source>
+        <translation>Klick auf den ersten Punkt, Doppelklick, Eingabe</translation>
+    </message>
+    <message>
+        <source>Cut the part out</source>
+        <translation>Den Teil ausschneiden</translation>
+    </message>
+    <message>
+        <source>Drag from an edge</source>
+        <translation>Von einer Kante ziehen</translation>
+    </message>
+    <message>
+        <source>Cut a dart to where the drag ends</source>
+        <translation>Einen Abnäher bis dorthin schneiden, wo das Ziehen endet</translation>
+    </message>
+    <message>
+        <source>Click an edge, then the tip</source>
+        <translation>Kante anklicken, dann die Spitze</translation>
+    </message>
+    <message>
+        <source>The same, by two clicks</source>
+        <translation>Dasselbe mit zwei Klicks</translation>
+    </message>
+    <message>
+        <source>Cut along the edges of the mesh</source>
+        <translation>Entlang der Netzkanten schneiden</translation>
+    </message>
+    <message>
+        <source>Backspace, Esc</source>
+        <translation>Rücktaste, Esc</translation>
+    </message>
+    <message>
+        <source>Throw the dart away; Esc without one: back to selecting</source>
+        <translation>Den Abnäher verwerfen; Esc ohne einen: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Click a seam</source>
+        <translation>Naht anklicken</translation>
+    </message>
+    <message>
+        <source>Join the cloth on both sides of it, so that it becomes one</source>
+        <translation>Den Stoff auf beiden Seiten verbinden, sodass er eins wird</translation>
+    </message>
+    <message>
+        <source>Back to selecting</source>
+        <translation>Zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Measure from here, and on to the next place</source>
+        <translation>Von hier messen und weiter zur nächsten Stelle</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>Hier enden</translation>
+    </message>
+    <message>
+        <source>Take the last place back</source>
+        <translation>Die letzte Stelle zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Ctrl+C</source>
+        <translation>Strg+C</translation>
+    </message>
+    <message>
+        <source>Copy what is measured</source>
+        <translation>Das Gemessene kopieren</translation>
+    </message>
+    <message>
+        <source>Forget the measure; without one: back to selecting</source>
+        <translation>Das Maß vergessen; ohne eines: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Drag on a piece in the pattern view</source>
+        <translation>Auf einem Schnittteil in der Schnittansicht ziehen</translation>
+    </message>
+    <message>
+        <source>Turn its grain</source>
+        <translation>Seinen Fadenlauf drehen</translation>
+    </message>
+    <message>
+        <source>Select the piece</source>
+        <translation>Das Schnittteil auswählen</translation>
+    </message>
+    <message>
+        <source>Take the drag back; without one: back to selecting</source>
+        <translation>Das Ziehen zurücknehmen; ohne eines: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Select the piece or the seam in both views</source>
+        <translation>Das Schnittteil oder die Naht in beiden Ansichten auswählen</translation>
+    </message>
+    <message>
+        <source>Frame the piece or the seam in both views</source>
+        <translation>Das Schnittteil oder die Naht in beiden Ansichten einpassen</translation>
+    </message>
+    <message>
+        <source>Right click on the headings</source>
+        <translation>Rechtsklick auf die Überschriften</translation>
+    </message>
+    <message>
+        <source>Choose the columns of the list of pieces</source>
+        <translation>Die Spalten der Liste der Schnittteile wählen</translation>
+    </message>
+    <message>
+        <source>Click on a heading</source>
+        <translation>Klick auf eine Überschrift</translation>
+    </message>
+    <message>
+        <source>Sort by that column</source>
+        <translation>Nach dieser Spalte ordnen</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their length</source>
+        <translation>Nahtlinien behalten ihre Länge</translation>
+    </message>
+    <message>
+        <source>Seam lines may change</source>
+        <translation>Nahtlinien dürfen sich ändern</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Export pattern</source>
+        <translation>Schnittmuster &amp;exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Overlay</source>
+        <translation>Ü&amp;berlagerung</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k</source>
+        <translation>&amp;Blick</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ow</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>La&amp;yout</source>
+        <translation>Aus&amp;legen</translation>
+    </message>
+    <message>
+        <source>&amp;Line up</source>
+        <translation>Aus&amp;richten</translation>
+    </message>
+    <message>
+        <source>&amp;Garment</source>
+        <translation>&amp;Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Einheit</translation>
+    </message>
+    <message>
+        <source>Up &amp;axis</source>
+        <translation>Achse nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>&amp;Divide by</source>
+        <translation>Teilen &amp;nach</translation>
+    </message>
+    <message>
+        <source>F&amp;latten</source>
+        <translation>Ab&amp;wickeln</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Güte</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Grain upwards</source>
+        <translation>Fadenlauf nach oben</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilen</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Auslegen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n Schnittteil</numerusform>
+            <numerusform>%n Schnittteile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Quantity of %1: %2</source>
+        <translation>Anzahl von %1: %2</translation>
+    </message>
+    <message>
+        <source>Mirrored pair: %1</source>
+        <translation>Gespiegeltes Paar: %1</translation>
+    </message>
+    <message>
+        <source>No mirrored pair: %1</source>
+        <translation>Kein gespiegeltes Paar: %1</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>by parts</source>
+        <translation>nach Zusammenhang</translation>
+    </message>
+    <message>
+        <source>by objects</source>
+        <translation>nach Objekten</translation>
+    </message>
+    <message>
+        <source>by groups</source>
+        <translation>nach Gruppen</translation>
+    </message>
+    <message>
+        <source>by materials</source>
+        <translation>nach Materialien</translation>
+    </message>
+    <message>
+        <source>by UV</source>
+        <translation>nach UV</translation>
+    </message>
+    <message>
+        <source>by cuts</source>
+        <translation>nach Einschnitten</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>The garment measures %1 in height, read as %2 (largest extent %3). Is that right?</source>
+        <translation>Das Kleidungsstück ist %1 hoch, in %2 gelesen (größte Ausdehnung %3). Stimmt das?</translation>
+    </message>
+    <message>
+        <source>The garment was read as standing along y, but it may stand along z. Which axis points up?</source>
+        <translation>Das Kleidungsstück wurde an der y-Achse stehend gelesen, könnte aber an der z-Achse stehen. Welche Achse zeigt nach oben?</translation>
+    </message>
+    <message>
+        <source>The garment was read as standing along z, but it may stand along y. Which axis points up?</source>
+        <translation>Das Kleidungsstück wurde an der z-Achse stehend gelesen, könnte aber an der y-Achse stehen. Welche Achse zeigt nach oben?</translation>
+    </message>
+    <message>
+        <source>y up</source>
+        <translation>y oben</translation>
+    </message>
+    <message>
+        <source>z up</source>
+        <translation>z oben</translation>
+    </message>
+    <message>
+        <source>%1 (guessed)</source>
+        <translation>%1 (geschätzt)</translation>
+    </message>
+    <message>
+        <source>height %1 · %2 · %3 %4</source>
+        <translation>Höhe %1 · %2 · %3 %4</translation>
+    </message>
+    <message>
+        <source>1 piece</source>
+        <translation>1 Schnittteil</translation>
+    </message>
+    <message>
+        <source>%1 pieces</source>
+        <translation>%1 Schnittteile</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>%1, as stated</source>
+        <translation>%1, wie angegeben</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>y, as stated</source>
+        <translation>y, wie angegeben</translation>
+    </message>
+    <message>
+        <source>z, as stated</source>
+        <translation>z, wie angegeben</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>no faults</source>
+        <translation>keine Fehler</translation>
+    </message>
+    <message>
+        <source>1 fault</source>
+        <translation>1 Fehler</translation>
+    </message>
+    <message>
+        <source>%1 faults</source>
+        <translation>%1 Fehler</translation>
+    </message>
+    <message>
+        <source>no doubts</source>
+        <translation>keine Zweifel</translation>
+    </message>
+    <message>
+        <source>1 doubt</source>
+        <translation>1 Zweifel</translation>
+    </message>
+    <message>
+        <source>%1 doubts</source>
+        <translation>%1 Zweifel</translation>
+    </message>
+    <message>
+        <source>no notes</source>
+        <translation>keine Hinweise</translation>
+    </message>
+    <message>
+        <source>1 note</source>
+        <translation>1 Hinweis</translation>
+    </message>
+    <message>
+        <source>%1 notes</source>
+        <translation>%1 Hinweise</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Not flattened yet</source>
+        <translation>Noch nicht abgewickelt</translation>
+    </message>
+    <message>
+        <source>Ready to cut</source>
+        <translation>Bereit zum Zuschneiden</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>genau</translation>
+    </message>
+    <message>
+        <source>Least &amp;distortion</source>
+        <translation>Kleinste &amp;Verzerrung</translation>
+    </message>
+    <message>
+        <source>Angles follow the c&amp;urvature</source>
+        <translation>Winkel folgen der &amp;Krümmung</translation>
+    </message>
+    <message>
+        <source>Angles spread &amp;evenly (Wang 2005)</source>
+        <translation>Winkel &amp;gleichmäßig verteilt (Wang 2005)</translation>
+    </message>
+    <message>
+        <source>Least &amp;stretch on a circle (Yoshizawa 2004)</source>
+        <translation>Kleinste Dehnung auf dem Krei&amp;s (Yoshizawa 2004)</translation>
+    </message>
+    <message>
+        <source>&amp;Free outline (Desbrun 2002)</source>
+        <translation>&amp;Freier Umriss (Desbrun 2002)</translation>
+    </message>
+    <message>
+        <source>Free outline, least squares (Lé&amp;vy 2002)</source>
+        <translation>Freier Umriss, kleinste &amp;Quadrate (Lévy 2002)</translation>
+    </message>
+    <message>
+        <source>Free outline, by an&amp;gles (Sheffer 2005)</source>
+        <translation>Freier Umriss, über die &amp;Winkel (Sheffer 2005)</translation>
+    </message>
+    <message>
+        <source>On a ci&amp;rcle (Floater 2003)</source>
+        <translation>Auf dem K&amp;reis (Floater 2003)</translation>
+    </message>
+    <message>
+        <source>1 seam</source>
+        <translation>1 Naht</translation>
+    </message>
+    <message>
+        <source>%1 seams</source>
+        <translation>%1 Nähte</translation>
+    </message>
+    <message>
+        <source>not measured yet</source>
+        <translation>noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>1 does not match</source>
+        <translation>1 passt nicht</translation>
+    </message>
+    <message>
+        <source>%1 do not match</source>
+        <translation>%1 passen nicht</translation>
+    </message>
+    <message>
+        <source>1 nearly matches</source>
+        <translation>1 passt fast</translation>
+    </message>
+    <message>
+        <source>%1 nearly match</source>
+        <translation>%1 passen fast</translation>
+    </message>
+    <message>
+        <source>worst %1 %2</source>
+        <translation>schlechteste %1 %2</translation>
+    </message>
+    <message>
+        <source>%1 not measured: a piece is not flat</source>
+        <translation>%1 nicht gemessen: ein Schnittteil ist nicht flach</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2 / %3 on the garment</source>
+        <translation>%1 · %2 / %3 am Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>%1 · %2 / %3, Δ %4</source>
+        <translation>%1 · %2 / %3, Δ %4</translation>
+    </message>
+    <message>
+        <source>%1 · %2 of its outline</source>
+        <translation>%1 · %2 seines Umrisses</translation>
+    </message>
+    <message>
+        <source>%1, from corner to corner · %2 / %3, Δ %4</source>
+        <translation>%1, von Ecke zu Ecke · %2 / %3, Δ %4</translation>
+    </message>
+    <message>
+        <source>%1, from corner to corner · %2 / %3 on the garment</source>
+        <translation>%1, von Ecke zu Ecke · %2 / %3 am Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>%1 · %2 not sewn</source>
+        <translation>%1 · %2 nicht vernäht</translation>
+    </message>
+    <message>
+        <source>%1 (limit %2)</source>
+        <translation>%1 (Grenze %2)</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>%1 · strain %2 %</source>
+        <translation>%1 · Dehnung %2 %</translation>
+    </message>
+    <message>
+        <source>Right drag or Space+drag: move the view · Wheel: zoom</source>
+        <translation>Rechte Taste oder Leertaste+Ziehen: Ansicht bewegen · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Middle drag or Space+drag: move the view · Wheel: zoom</source>
+        <translation>Mittlere Taste oder Leertaste+Ziehen: Ansicht bewegen · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Drag: turn · Shift+drag: move · Wheel: zoom</source>
+        <translation>Ziehen: drehen · Umschalt+Ziehen: verschieben · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Middle drag: turn · Shift+middle drag: move · Wheel: zoom</source>
+        <translation>Mittlere Taste: drehen · Umschalt+mittlere Taste: verschieben · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Right drag: turn · Middle drag: move · Wheel: zoom</source>
+        <translation>Rechte Taste: drehen · Mittlere Taste: verschieben · Mausrad: vergrößern</translation>
+    </message>
+    <message>
+        <source>Right drag: turn · Shift+right drag: move · Wheel: zoom</source>
+        <translation>Rechte Taste: drehen · Umschalt+rechte Taste: verschieben · Mausrad: vergrößern</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::Banner</name>
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
     </message>
 </context>
 <context>
-    <name>toile::ColourBar</name>
+    <name>toile::app::ColourBar</name>
     <message>
         <source>%1; %2</source>
         <translation>%1; %2</translation>
     </message>
 </context>
 <context>
-    <name>toile::ColourButton</name>
+    <name>toile::app::ColourButton</name>
     <message>
         <source>As usual</source>
         <translation>Wie üblich</translation>
@@ -3425,7 +3432,7 @@
     </message>
 </context>
 <context>
-    <name>toile::CommandPalette</name>
+    <name>toile::app::CommandPalette</name>
     <message>
         <source>Type a command, a piece or a seam</source>
         <translation>Befehl, Schnittteil oder Naht eingeben</translation>
@@ -3444,7 +3451,7 @@
     </message>
 </context>
 <context>
-    <name>toile::CompareControls</name>
+    <name>toile::app::CompareControls</name>
     <message>
         <source>&amp;Piece</source>
         <translation>&amp;Schnittteil</translation>
@@ -3483,7 +3490,7 @@
     </message>
 </context>
 <context>
-    <name>toile::CompareWindow</name>
+    <name>toile::app::CompareWindow</name>
     <message>
         <source>Compare methods</source>
         <translation>Verfahren vergleichen</translation>
@@ -3498,7 +3505,7 @@
     </message>
 </context>
 <context>
-    <name>toile::ComparedColumn</name>
+    <name>toile::app::ComparedColumn</name>
     <message>
         <source>Use this method</source>
         <translation>Dieses Verfahren nehmen</translation>
@@ -3533,7 +3540,7 @@
     </message>
 </context>
 <context>
-    <name>toile::CutTool</name>
+    <name>toile::app::CutTool</name>
     <message>
         <source>Click: go on · Double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
         <translation>Klick: weiter · Doppelklick oder Eingabe: einschneiden · Rücktaste: letzten Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
@@ -3548,7 +3555,7 @@
     </message>
 </context>
 <context>
-    <name>toile::CutsPanel</name>
+    <name>toile::app::CutsPanel</name>
     <message>
         <source>Cuts</source>
         <translation>Einschnitte</translation>
@@ -3607,7 +3614,7 @@
     </message>
 </context>
 <context>
-    <name>toile::DartTool</name>
+    <name>toile::app::DartTool</name>
     <message>
         <source>Click: the dart&apos;s tip · Ctrl+click: along the mesh&apos;s edges · Backspace or Esc: throw the dart away</source>
         <translation>Klick: Spitze des Abnähers · Strg+Klick: entlang der Netzkanten · Rücktaste oder Esc: Abnäher verwerfen</translation>
@@ -3622,7 +3629,7 @@
     </message>
 </context>
 <context>
-    <name>toile::Document</name>
+    <name>toile::app::Document</name>
     <message numerus="yes">
         <source>%1 and %n more</source>
         <translation>
@@ -3640,7 +3647,7 @@
     </message>
 </context>
 <context>
-    <name>toile::FabricPanel</name>
+    <name>toile::app::FabricPanel</name>
     <message>
         <source>&lt; %1 %</source>
         <translation>&lt; %1 %</translation>
@@ -3783,7 +3790,7 @@
     </message>
 </context>
 <context>
-    <name>toile::FigureTable</name>
+    <name>toile::app::FigureTable</name>
     <message>
         <source>Figures of the methods</source>
         <translation>Zahlen der Verfahren</translation>
@@ -3798,7 +3805,7 @@
     </message>
 </context>
 <context>
-    <name>toile::GarmentActions</name>
+    <name>toile::app::GarmentActions</name>
     <message>
         <source>&amp;Undo: %1</source>
         <translation>&amp;Rückgängig: %1</translation>
@@ -3853,7 +3860,7 @@
     </message>
 </context>
 <context>
-    <name>toile::GarmentCard</name>
+    <name>toile::app::GarmentCard</name>
     <message>
         <source>&amp;Keep</source>
         <translation>&amp;Behalten</translation>
@@ -3864,7 +3871,7 @@
     </message>
 </context>
 <context>
-    <name>toile::GrainTool</name>
+    <name>toile::app::GrainTool</name>
     <message>
         <source>Grain</source>
         <translation>Fadenlauf</translation>
@@ -3883,7 +3890,7 @@
     </message>
 </context>
 <context>
-    <name>toile::HelpPage</name>
+    <name>toile::app::HelpPage</name>
     <message>
         <source>Keyboard and mouse</source>
         <translation>Tastatur und Maus</translation>
@@ -3902,14 +3909,14 @@
     </message>
 </context>
 <context>
-    <name>toile::JoinTool</name>
+    <name>toile::app::JoinTool</name>
     <message>
         <source>Click a seam: join the cloth on both sides of it, so that it becomes one · Esc: back to selecting</source>
         <translation>Naht anklicken: den Stoff auf beiden Seiten verbinden, sodass er eins wird · Esc: zurück zum Auswählen</translation>
     </message>
 </context>
 <context>
-    <name>toile::LoopTool</name>
+    <name>toile::app::LoopTool</name>
     <message>
         <source>Click: go on · Click the first point, double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
         <translation>Klick: weiter · Klick auf den ersten Punkt, Doppelklick oder Eingabe: schneiden · Rücktaste: letzten Punkt zurücknehmen · Esc: Schnitt verwerfen</translation>
@@ -3924,7 +3931,7 @@
     </message>
 </context>
 <context>
-    <name>toile::MainWindow</name>
+    <name>toile::app::MainWindow</name>
     <message>
         <source>A heavy garment: edits are flattened when you ask for it, %1</source>
         <translation>Ein schweres Kleidungsstück: Änderungen werden erst abgewickelt, wenn Sie es verlangen, %1</translation>
@@ -3943,7 +3950,7 @@
     </message>
 </context>
 <context>
-    <name>toile::MeasureTool</name>
+    <name>toile::app::MeasureTool</name>
     <message>
         <source>the same</source>
         <translation>gleich</translation>
@@ -3986,14 +3993,14 @@
     </message>
 </context>
 <context>
-    <name>toile::MethodComparison</name>
+    <name>toile::app::MethodComparison</name>
     <message>
         <source>Comparing methods</source>
         <translation>Verfahren werden verglichen</translation>
     </message>
 </context>
 <context>
-    <name>toile::MorphBar</name>
+    <name>toile::app::MorphBar</name>
     <message>
         <source>From the garment to the pattern</source>
         <translation>Vom Kleidungsstück zum Schnittmuster</translation>
@@ -4020,21 +4027,21 @@
     </message>
 </context>
 <context>
-    <name>toile::PathTool</name>
+    <name>toile::app::PathTool</name>
     <message>
         <source>another piece: a cut stays on one</source>
         <translation>ein anderes Schnittteil: ein Einschnitt bleibt auf einem</translation>
     </message>
 </context>
 <context>
-    <name>toile::PercentEdit</name>
+    <name>toile::app::PercentEdit</name>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
 </context>
 <context>
-    <name>toile::PiecesModel</name>
+    <name>toile::app::PiecesModel</name>
     <message>
         <source>Not flat: %1</source>
         <translation>Nicht flach: %1</translation>
@@ -4193,7 +4200,7 @@
     </message>
 </context>
 <context>
-    <name>toile::PiecesPanel</name>
+    <name>toile::app::PiecesPanel</name>
     <message>
         <source>Not flattened yet.</source>
         <translation>Noch nicht abgewickelt.</translation>
@@ -4280,7 +4287,7 @@
     </message>
 </context>
 <context>
-    <name>toile::PositionPanel</name>
+    <name>toile::app::PositionPanel</name>
     <message>
         <source>Left edge</source>
         <translation>Linke Kante</translation>
@@ -4370,7 +4377,7 @@
     </message>
 </context>
 <context>
-    <name>toile::PreferencesDialog</name>
+    <name>toile::app::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
         <translation>Einstellungen</translation>
@@ -4513,7 +4520,7 @@
     </message>
 </context>
 <context>
-    <name>toile::ProblemsModel</name>
+    <name>toile::app::ProblemsModel</name>
     <message>
         <source>Where</source>
         <translation>Wo</translation>
@@ -4540,7 +4547,7 @@
     </message>
 </context>
 <context>
-    <name>toile::ProblemsPanel</name>
+    <name>toile::app::ProblemsPanel</name>
     <message>
         <source>Ready to cut?</source>
         <translation>Bereit zum Zuschneiden?</translation>
@@ -4571,7 +4578,7 @@
     </message>
 </context>
 <context>
-    <name>toile::ProjectSession</name>
+    <name>toile::app::ProjectSession</name>
     <message numerus="yes">
         <source>And %n more of this kind.</source>
         <translation>
@@ -4581,7 +4588,7 @@
     </message>
 </context>
 <context>
-    <name>toile::RecentFiles</name>
+    <name>toile::app::RecentFiles</name>
     <message numerus="yes">
         <source>%1 and %n more</source>
         <translation>
@@ -4611,14 +4618,14 @@
     </message>
 </context>
 <context>
-    <name>toile::Recovery</name>
+    <name>toile::app::Recovery</name>
     <message>
         <source>Toile ended without saving your changes to %1. They were last kept on %2 at %3.</source>
         <translation>Toile endete, ohne Ihre Änderungen an %1 zu speichern. Zuletzt gesichert wurden sie am %2 um %3.</translation>
     </message>
 </context>
 <context>
-    <name>toile::RecoveryCard</name>
+    <name>toile::app::RecoveryCard</name>
     <message>
         <source>&amp;Restore</source>
         <translation>&amp;Wiederherstellen</translation>
@@ -4637,7 +4644,7 @@
     </message>
 </context>
 <context>
-    <name>toile::SeamsModel</name>
+    <name>toile::app::SeamsModel</name>
     <message>
         <source>seam</source>
         <translation>Naht</translation>
@@ -4752,7 +4759,7 @@
     </message>
 </context>
 <context>
-    <name>toile::SeamsPanel</name>
+    <name>toile::app::SeamsPanel</name>
     <message>
         <source>Show free edges</source>
         <translation>Freie Kanten zeigen</translation>
@@ -4775,7 +4782,7 @@
     </message>
 </context>
 <context>
-    <name>toile::SelectTool</name>
+    <name>toile::app::SelectTool</name>
     <message>
         <source>Nudge</source>
         <translation>Anstoßen</translation>
@@ -4790,7 +4797,7 @@
     </message>
 </context>
 <context>
-    <name>toile::WelcomePage</name>
+    <name>toile::app::WelcomePage</name>
     <message>
         <source>Open a garment…</source>
         <translation>Kleidungsstück öffnen…</translation>
@@ -4817,14 +4824,14 @@
     </message>
 </context>
 <context>
-    <name>toile::WindowCentre</name>
+    <name>toile::app::WindowCentre</name>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
 </context>
 <context>
-    <name>toile::WindowDialogs</name>
+    <name>toile::app::WindowDialogs</name>
     <message>
         <source>About Toile</source>
         <translation>Über Toile</translation>
@@ -4839,7 +4846,7 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
-    <name>toile::WindowDocks</name>
+    <name>toile::app::WindowDocks</name>
     <message>
         <source>As opened</source>
         <translation>Wie geöffnet</translation>
@@ -4874,7 +4881,7 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
-    <name>toile::WindowStatus</name>
+    <name>toile::app::WindowStatus</name>
     <message>
         <source>%1: cancelled</source>
         <translation>%1: abgebrochen</translation>
@@ -4893,7 +4900,7 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     </message>
 </context>
 <context>
-    <name>toile::Workspace</name>
+    <name>toile::app::Workspace</name>
     <message>
         <source>Reload</source>
         <translation>Neu laden</translation>

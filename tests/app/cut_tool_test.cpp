@@ -8,6 +8,7 @@
 #include "tests/app/support/tool_bench.h"
 
 using namespace toile;
+using namespace toile::app;
 
 using test::click;
 using test::doubleClick;

@@ -7,6 +7,7 @@
 #include "tests/app/support/tool_bench.h"
 
 using namespace toile;
+using namespace toile::app;
 
 using test::click;
 using test::drag;

@@ -9,6 +9,7 @@
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
+using namespace toile::app;
 
 class FirstStepsTest : public QObject {
     Q_OBJECT

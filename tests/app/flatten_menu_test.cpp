@@ -9,6 +9,7 @@
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
+using namespace toile::app;
 
 class FlattenMenuTest : public test::PairBench {
     Q_OBJECT

@@ -14,6 +14,7 @@
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include "tests/app/support/sheet_bench.h"
 
 using namespace toile;
+using namespace toile::app;
 
 namespace {
 

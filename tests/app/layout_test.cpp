@@ -15,6 +15,7 @@
 #include "tests/app/support/sheet_bench.h"
 
 using namespace toile;
+using namespace toile::app;
 
 namespace {
 

@@ -18,6 +18,7 @@
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
+using namespace toile::app;
 
 class MainWindowTest : public test::PairBench {
     Q_OBJECT

@@ -7,10 +7,11 @@
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
+using namespace toile::app;
 
-Q_DECLARE_METATYPE(toile::Navigation)
-Q_DECLARE_METATYPE(toile::CameraMove)
-Q_DECLARE_METATYPE(toile::ViewKey)
+Q_DECLARE_METATYPE(toile::app::Navigation)
+Q_DECLARE_METATYPE(toile::app::CameraMove)
+Q_DECLARE_METATYPE(toile::app::ViewKey)
 
 /// Which drag and which key does what, in every way of moving the view.
 class NavigationTest : public QObject {

@@ -9,6 +9,7 @@
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 
 /// On a computer without OpenGL 3.3 the window says so and does all its other work.
 class NoGlTest : public QObject {

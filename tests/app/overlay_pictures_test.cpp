@@ -20,6 +20,7 @@
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 
 namespace {
 
@@ -62,7 +63,7 @@ private:
         derived.garment = garment;
         derived.results = {result};
         Progress progress;
-        toile::draw(derived, progress);
+        toile::app::draw(derived, progress);
         PieceSettings& settings = state.settings[result->piece->id];
         settings.placement = Placement{};
         settings.grain = kUpwards;

@@ -24,6 +24,7 @@
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
+using namespace toile::app;
 
 namespace {
 
@@ -50,7 +51,7 @@ struct BuiltScene {
 };
 
 /// One result per piece as the solver would give it, with points of the test's choice.
-BuiltScene buildScene(std::vector<std::pair<std::string, MeshArrays>> pieces,
+BuiltScene builtScene(std::vector<std::pair<std::string, MeshArrays>> pieces,
                       const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& flatten) {
     BuiltScene built;
     built.garment = test::makeGarment(std::move(pieces));
@@ -75,7 +76,7 @@ BuiltScene buildScene(std::vector<std::pair<std::string, MeshArrays>> pieces,
 
 /// A sheet of 100 x 60 mm as worn, whose cloth is stretched by 5 % sideways.
 BuiltScene stretchedSheet() {
-    return buildScene({{"front", test::makeSheet(100, 60, 10, 6)}},
+    return builtScene({{"front", test::makeSheet(100, 60, 10, 6)}},
                       [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
                           return {worn.x() / 1.05, worn.y()};
                       });
@@ -119,7 +120,7 @@ private slots:
 
     void clothThatIsTurnedOverIsSeenEverywhere() {
         // All edges keep their lengths.
-        const BuiltScene sheet = buildScene({{"front", test::makeSheet(100, 60, 10, 6)}},
+        const BuiltScene sheet = builtScene({{"front", test::makeSheet(100, 60, 10, 6)}},
                                             [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
                                                 return {-worn.x(), worn.y()};
                                             });
@@ -134,7 +135,7 @@ private slots:
     }
 
     void stretchOneWayAndSurplusTheOtherDoNotCancel() {
-        const BuiltScene sheet = buildScene({{"front", test::makeSheet(100, 60, 10, 6)}},
+        const BuiltScene sheet = builtScene({{"front", test::makeSheet(100, 60, 10, 6)}},
                                             [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
                                                 return {worn.x() / 1.05, worn.y() / 0.95};
                                             });
@@ -146,7 +147,7 @@ private slots:
 
     void whileATriangleIsBeyondNothingSaysThatAllIsWithin() {
         // One point of many moved by a tenth of a square: a handful of triangles.
-        const BuiltScene sheet = buildScene({{"front", test::makeSheet(1000, 1000, 100, 100)}},
+        const BuiltScene sheet = builtScene({{"front", test::makeSheet(1000, 1000, 100, 100)}},
                                             [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
                                                 const bool moved =
                                                     (worn - Eigen::Vector2d(500, 500)).norm() < 1;
@@ -303,7 +304,7 @@ private slots:
     void histogramCountsClothByItsArea() {
         // The left half of the sheet as it is, the right half stretched by 5 %.
         const BuiltScene sheet =
-            buildScene({{"front", test::makeSheet(100, 60, 10, 6)}},
+            builtScene({{"front", test::makeSheet(100, 60, 10, 6)}},
                        [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
                            const double beyond = std::max(0.0, worn.x() - 50);
                            return {worn.x() - beyond + beyond / 1.05, worn.y()};
@@ -333,7 +334,7 @@ private slots:
         const auto hill = [](double x, double middle) {
             return std::exp(-(x - middle) * (x - middle) / 100);
         };
-        const BuiltScene sheet = buildScene({{"front", test::makeSheet(200, 60, 80, 24)}},
+        const BuiltScene sheet = builtScene({{"front", test::makeSheet(200, 60, 80, 24)}},
                                             [&](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
                                                 const double along = 1 - 0.08 * hill(worn.x(), 30) -
                                                                      0.12 * hill(worn.x(), 150);
@@ -360,7 +361,7 @@ private slots:
     }
 
     void clothWithoutTroubleHasNoWorstSpots() {
-        const BuiltScene sheet = buildScene({{"front", test::makeSheet(100, 60, 10, 6)}},
+        const BuiltScene sheet = builtScene({{"front", test::makeSheet(100, 60, 10, 6)}},
                                             [](const Eigen::Vector2d& worn) { return worn; });
         for (int i = 0; i < kOverlayCount; ++i) {
             const auto overlay = static_cast<Overlay>(i);
@@ -384,7 +385,7 @@ private slots:
     }
 
     void crossesStandEvenlyWhateverTheScale() {
-        const BuiltScene sheet = buildScene({{"front", test::makeSheet(400, 400, 60, 60)}},
+        const BuiltScene sheet = builtScene({{"front", test::makeSheet(400, 400, 60, 60)}},
                                             [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
                                                 return {worn.x() / 1.05, worn.y()};
                                             });

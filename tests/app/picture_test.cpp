@@ -15,6 +15,7 @@
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 using namespace toile::test;
 
 class PictureTest : public QObject, private PictureBench {
@@ -163,7 +164,7 @@ private slots:
     void bothSidesOfASeamHaveItsColourAndNothingElseHas() {
         openFlattened(test::makeSewnCap());
         document().setOverlay(Overlay::None);
-        toile::setGrain(document(), "Grain", {{0, 0.0}, {1, 0.0}});  // no arrow along the seam
+        toile::app::setGrain(document(), "Grain", {{0, 0.0}, {1, 0.0}});  // no arrow along the seam
         const Scene& scene = *document().scene();
         const std::vector<int> colours = seamColours(document().garment()->seams);
         Camera2D camera;

@@ -16,6 +16,7 @@
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 
 class PiecesColumnsTest : public QObject {
     Q_OBJECT

@@ -20,6 +20,7 @@
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 
 /// "Ready to cut?" in the window: every kind of finding on a garment that has it, and the way to
 /// it.

@@ -12,6 +12,7 @@
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
+using namespace toile::app;
 
 class ProjectOverwriteTest : public test::ProjectBench {
     Q_OBJECT

@@ -15,6 +15,7 @@
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
+using namespace toile::app;
 
 class ProjectSaveTest : public test::ProjectBench {
     Q_OBJECT

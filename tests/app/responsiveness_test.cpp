@@ -11,6 +11,7 @@
 #include "tests/core/support/shapes.h"
 
 using namespace toile;
+using namespace toile::app;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "tests/app/support/sheet_bench.h"
 
 using namespace toile;
+using namespace toile::app;
 
 class RulerTest : public test::SheetBench {
     Q_OBJECT

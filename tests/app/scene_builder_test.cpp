@@ -13,6 +13,7 @@
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
+using namespace toile::app;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
+using namespace toile::app;
 
 /// `toile FILE --screenshot`, the built program on the display of the test.
 class ScreenshotTest : public QObject {

@@ -21,6 +21,7 @@
 #include "tests/app/support/window_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 
 /// The ledger in the window: a cap of two parts, freely flattened, so that its seam does not match.
 class SeamLedgerTest : public QObject {

@@ -10,6 +10,7 @@
 #include "tests/app/support/sheet_bench.h"
 
 using namespace toile;
+using namespace toile::app;
 
 namespace {
 

@@ -14,6 +14,7 @@
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
+using namespace toile::app;
 
 class ViewsTest : public test::PairBench {
     Q_OBJECT

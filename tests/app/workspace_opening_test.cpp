@@ -4,6 +4,7 @@
 #include "tests/app/support/workspace_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 
 /// What is on its way to become the open garment, and what is done meanwhile.
 class WorkspaceOpeningTest : public QObject, public test::WorkspaceFixture {

@@ -5,6 +5,7 @@
 #include "tests/app/support/workspace_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 
 /// Edits that take a job: how they follow one another, and what is flattened after them.
 class WorkspaceTest : public QObject, public test::WorkspaceFixture {

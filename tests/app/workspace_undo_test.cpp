@@ -7,6 +7,7 @@
 #include "tests/app/support/workspace_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 
 /// Steps back and forth: what they bring back at once, and what has to be made again.
 class WorkspaceUndoTest : public QObject, public test::WorkspaceFixture {

@@ -5,6 +5,7 @@
 #include "tests/app/support/workspace_fixture.h"
 
 using namespace toile;
+using namespace toile::app;
 
 /// Exports beside everything else.
 class WorkspaceWritingTest : public QObject, public test::WorkspaceFixture {

@@ -7,7 +7,7 @@
 
 #include "app/cli/command_line.h"
 
-namespace toile {
+namespace toile::app {
 namespace {
 
 using Command = Arguments::Command;
@@ -228,4 +228,4 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
 }
 
 }  // namespace
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/render/piece_values.h"
 #include "core/geometry/segment.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -162,4 +162,4 @@ std::optional<ClothPoint> ClothSnapper::find(const ToolView& view, const Garment
     return best.rank > 0 ? std::optional(best.point) : std::nullopt;
 }
 
-}  // namespace toile
+}  // namespace toile::app

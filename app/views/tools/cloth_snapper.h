@@ -12,7 +12,7 @@
 #include "core/cut/surface_point.h"
 #include "core/garment/garment.h"
 
-namespace toile {
+namespace toile::app {
 
 /// A place on the garment that a person points at.
 struct ClothPoint {
@@ -61,4 +61,4 @@ private:
     std::map<std::shared_ptr<const Piece>, PieceRim> rims_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/actions/workspace.h"
 #include "core/geometry/segment.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -115,4 +115,4 @@ UserCut::Kind DartTool::kindFor(const std::vector<ClothPoint>& points) {
     return isAtRim ? UserCut::Kind::Dart : UserCut::Kind::Path;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -3,7 +3,7 @@
 
 #include "app/views/tools/path_tool.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Cuts a piece along the shortest way through places on it.
 class CutTool : public PathTool {
@@ -55,4 +55,4 @@ private:
     QPointF pressed_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

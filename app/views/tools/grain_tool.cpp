@@ -16,7 +16,7 @@
 #include "core/geometry/segment.h"
 #include "core/layout/snapping.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -199,4 +199,4 @@ void GrainTool::paint(const ToolView& view, QPainter& painter, const RenderStyle
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

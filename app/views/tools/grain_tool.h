@@ -13,7 +13,7 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 
-namespace toile {
+namespace toile::app {
 
 /// Turns the grain of a piece: a drag on it in the pattern view turns its arrow about the arrow's
 /// middle. Where snapping is on it catches at the sheet's axes and diagonals and along the piece's
@@ -67,4 +67,4 @@ private:
     mutable GarmentArrows garmentArrows_;  ///< remembers places for painting alone
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -9,7 +9,7 @@
 #include "app/text/figures.h"
 #include "app/views/tools/tool_paint.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -95,4 +95,4 @@ void JoinTool::paint(const ToolView& view, QPainter& painter, const RenderStyle&
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -5,7 +5,7 @@
 
 #include "app/views/tool.h"
 
-namespace toile {
+namespace toile::app {
 
 class Workspace;
 
@@ -46,4 +46,4 @@ private:
     ViewKind pointerView_ = ViewKind::Garment;
 };
 
-}  // namespace toile
+}  // namespace toile::app

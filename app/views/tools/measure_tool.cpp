@@ -12,7 +12,7 @@
 #include "app/text/figures.h"
 #include "app/views/tools/tool_paint.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -208,4 +208,4 @@ void MeasureTool::paint(const ToolView& view, QPainter& painter, const RenderSty
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

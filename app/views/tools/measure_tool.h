@@ -6,7 +6,7 @@
 #include "app/views/tools/measurement.h"
 #include "app/views/tools/path_draft.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -52,4 +52,4 @@ private:
     ViewKind pointerView_ = ViewKind::Garment;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -102,4 +102,4 @@ std::optional<MeasuredLength> alongOutline(const Piece& piece, const Points2* Q,
     return std::nullopt;
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 #include "core/garment/piece.h"
 #include "core/mesh/mesh_arrays.h"
 
-namespace toile {
+namespace toile::app {
 
 /// A length on the garment and in the pattern, mm.
 struct MeasuredLength {
@@ -31,4 +31,4 @@ double flatDistance(const Piece& piece, const Points2& Q, const SurfacePoint& fr
 std::optional<MeasuredLength> alongOutline(const Piece& piece, const Points2* Q,
                                            const SurfacePoint& from, const SurfacePoint& to);
 
-}  // namespace toile
+}  // namespace toile::app

@@ -8,7 +8,7 @@
 #include "app/render/render_style.h"
 #include "app/views/tools/tool_paint.h"
 
-namespace toile {
+namespace toile::app {
 
 PathDraft::PathDraft(PathFinder& finder, QObject* parent) : QObject(parent), finder_(finder) {}
 
@@ -152,4 +152,4 @@ void PathDraft::paint(const ToolView& view, QPainter& painter, const RenderStyle
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

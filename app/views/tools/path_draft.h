@@ -13,7 +13,7 @@
 class QColor;
 class QPainter;
 
-namespace toile {
+namespace toile::app {
 
 /// A line over one piece that a person is about to draw: the places set so far, one that follows
 /// the pointer, and the shortest ways between them, which come a moment later from the path finder.
@@ -79,4 +79,4 @@ private:
     bool alongEdges_ = false;
 };
 
-}  // namespace toile
+}  // namespace toile::app

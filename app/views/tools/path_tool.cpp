@@ -9,7 +9,7 @@
 #include "app/text/figures.h"
 #include "app/views/tools/tool_paint.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -205,4 +205,4 @@ void PathTool::paint(const ToolView& view, QPainter& painter, const RenderStyle&
     paintNote(painter, style, pointer_, note);
 }
 
-}  // namespace toile
+}  // namespace toile::app

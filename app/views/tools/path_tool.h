@@ -6,7 +6,7 @@
 #include "app/views/tools/path_draft.h"
 #include "core/cut/user_cuts.h"
 
-namespace toile {
+namespace toile::app {
 
 class Workspace;
 
@@ -69,4 +69,4 @@ private:
     QString remark_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -15,7 +15,7 @@
 #include "app/views/tools/sheet_gestures.h"
 #include "app/views/tools/tool_paint.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -244,4 +244,4 @@ void SelectTool::paint(const ToolView& view, QPainter& painter, const RenderStyl
     }
 }
 
-}  // namespace toile
+}  // namespace toile::app

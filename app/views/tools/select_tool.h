@@ -6,7 +6,7 @@
 
 #include "app/views/tool.h"
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 class SheetGesture;
@@ -56,4 +56,4 @@ private:
     int nudging_ = -1;  ///< number of the nudges while a key is held
 };
 
-}  // namespace toile
+}  // namespace toile::app

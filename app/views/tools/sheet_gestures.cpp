@@ -17,7 +17,7 @@
 #include "app/views/tools/tool_paint.h"
 #include "core/base/angle.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -227,4 +227,4 @@ void RotateGesture::paint(const ToolView& view, QPainter& painter, const RenderS
     paintNote(painter, style, pointer_, {angleWithUnit(turn_)});
 }
 
-}  // namespace toile
+}  // namespace toile::app

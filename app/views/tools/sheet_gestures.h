@@ -8,7 +8,7 @@
 #include "app/views/tool.h"
 #include "core/layout/snapping.h"
 
-namespace toile {
+namespace toile::app {
 
 /// What a drag in the pattern view does, from the press to the release. What it changes is one step
 /// of the history; taken back it leaves none.
@@ -115,4 +115,4 @@ private:
     std::vector<double> good_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

@@ -10,7 +10,7 @@
 #include "app/views/tools/measure_tool.h"
 #include "app/views/tools/select_tool.h"
 
-namespace toile {
+namespace toile::app {
 
 ToolBox::ToolBox(Workspace& workspace, QObject* parent) : ToolChoice(parent) {
     add(std::make_unique<SelectTool>(workspace));
@@ -56,4 +56,4 @@ void ToolBox::choose(ToolId id) {
     emit changed();
 }
 
-}  // namespace toile
+}  // namespace toile::app

@@ -7,7 +7,7 @@
 #include "app/jobs/path_finder.h"
 #include "app/views/tool.h"
 
-namespace toile {
+namespace toile::app {
 
 class Workspace;
 
@@ -31,4 +31,4 @@ private:
     std::map<ToolId, std::unique_ptr<Tool>> tools_;
 };
 
-}  // namespace toile
+}  // namespace toile::app

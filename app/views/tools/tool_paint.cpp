@@ -13,7 +13,7 @@
 #include "app/text/figures.h"
 #include "app/views/tool_view.h"
 
-namespace toile {
+namespace toile::app {
 
 namespace {
 
@@ -171,4 +171,4 @@ void paintSelectionFrame(QPainter& painter, const RenderStyle& style, const Docu
     painter.restore();
 }
 
-}  // namespace toile
+}  // namespace toile::app

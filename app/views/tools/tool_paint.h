@@ -12,7 +12,7 @@
 
 class QPainter;
 
-namespace toile {
+namespace toile::app {
 
 class Document;
 
@@ -52,4 +52,4 @@ bool isOnTurnHandle(const Document& document, const ToolView& view, const QPoint
 void paintSelectionFrame(QPainter& painter, const RenderStyle& style, const Document& document,
                          const ToolView& view, bool handleHovered);
 
-}  // namespace toile
+}  // namespace toile::app

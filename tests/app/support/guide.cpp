@@ -16,6 +16,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 namespace {
 
 QRegularExpressionMatch match(const char* pattern, const QString& sentence) {

@@ -9,6 +9,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// A page of the manual that can be followed word by word. What is to be done stands in list items
 /// with one sentence each:
 ///

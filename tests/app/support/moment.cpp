@@ -7,6 +7,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 void setGarment(Document& document, std::shared_ptr<const Garment> garment,
                 std::shared_ptr<const Scene> scene) {
     DocumentState state;

@@ -7,6 +7,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// A document at one moment: what was decided, and what was shown of it.
 struct Moment {
     DocumentState state{};

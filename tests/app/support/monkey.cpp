@@ -17,6 +17,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 namespace {
 
 constexpr std::size_t kRemembered = 30;

@@ -13,12 +13,14 @@
 
 class QWidget;
 
-namespace toile {
+namespace toile::app {
 class MainWindow;
 class SceneView;
-}  // namespace toile
+}  // namespace toile::app
 
 namespace toile::test {
+
+using namespace app;
 
 /// Does what a person might do with a window and a garment in it, at random and without sense:
 /// mouse and keys in the views, actions, numbers in the panels, wishes to the workspace, any of it

@@ -19,6 +19,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 template <class Widget>
 Widget* Monkey::someVisible(const char* name) {
     std::vector<Widget*> found;

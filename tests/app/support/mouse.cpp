@@ -7,6 +7,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 namespace {
 
 constexpr int kMoves = 8;       ///< of a drag

@@ -6,6 +6,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 namespace {
 
 // Of the X protocol, section 11; its headers are not asked for here.

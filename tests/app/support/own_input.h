@@ -5,6 +5,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// While it lives, a program under test hears of no pointer, keyboard and focus but those that the
 /// test sends it: not of where the display's own pointer happens to rest, and on a desktop not of
 /// what somebody does there meanwhile.

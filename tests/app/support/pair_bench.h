@@ -10,6 +10,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// A window as a person meets it, 1200 x 800, still empty; and the file of a garment of two pieces,
 /// a bent strip and a cap.
 class PairBench : public QObject {

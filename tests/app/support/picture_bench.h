@@ -23,6 +23,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 inline constexpr int kSameColour = 6;
 /// Of a line, whose rim is blended with what is beside it.
 inline constexpr int kLineColour = 20;
@@ -127,7 +129,7 @@ protected:
         derived.garment = garment;
         derived.results = std::move(results);
         Progress progress;
-        toile::draw(derived, progress);
+        toile::app::draw(derived, progress);
         for (const auto& [piece, placement] : inRows(*garment, derived.results).marker.copies) {
             state.settings[garment->pieces[static_cast<std::size_t>(piece)]->id].placement =
                 placement;

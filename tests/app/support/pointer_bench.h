@@ -12,6 +12,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 inline const QColor kLit(255, 214, 10);  ///< of a seam that is lit up
 
 /// A window with two parts of a cap, sewn together, and a pointer in it.

@@ -5,6 +5,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// That this thread has had of the processor, milliseconds: what other threads and programs do
 /// meanwhile does not count.
 inline double processorTime() {

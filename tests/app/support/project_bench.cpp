@@ -10,6 +10,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 namespace {
 
 /// What a person has done, without what follows from it, and without what depends on the pieces'

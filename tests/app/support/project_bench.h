@@ -11,6 +11,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// To this a place is the same: it is found by anchors of which not every digit is written, mm.
 inline constexpr double kSameShape = 1e-6;
 

@@ -12,6 +12,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 namespace {
 
 constexpr char kLimit[] = "QTEST_FUNCTION_TIMEOUT";

@@ -9,6 +9,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// How long a test waits for what is sure to come, milliseconds: long for a slow machine that does
 /// much else.
 inline constexpr int kPatience = 60000;
@@ -40,10 +42,10 @@ bool add(std::string_view file, int (*run)(int argc, char** argv));
         toile::test::add(__FILE__, toile::test::run<Test __VA_OPT__(, ) __VA_ARGS__>);
 
 /// Skips a test by name where no OpenGL 3.3 context can be made.
-#define SKIP_WITHOUT_GL()                           \
-    do {                                            \
-        const QString problem = toile::glProblem(); \
-        if (!problem.isEmpty()) {                   \
-            QSKIP(qPrintable(problem));             \
-        }                                           \
+#define SKIP_WITHOUT_GL()                                \
+    do {                                                 \
+        const QString problem = toile::app::glProblem(); \
+        if (!problem.isEmpty()) {                        \
+            QSKIP(qPrintable(problem));                  \
+        }                                                \
     } while (false)

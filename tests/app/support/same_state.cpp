@@ -8,6 +8,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 namespace {
 
 template <class Value>

@@ -7,6 +7,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// What of two moments is not the same to the last bit, a word or two; empty where all is: what was
 /// decided, pieces and results by their positions and errors, scenes by their buffers.
 QString difference(const Moment& one, const Moment& other);

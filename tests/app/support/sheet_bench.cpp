@@ -8,6 +8,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 void SheetBench::initTestCase() {
     SKIP_WITHOUT_GL();
     writeObj(fixture_.path("three.obj").toStdString(),

@@ -10,6 +10,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// Three pieces on the sheet of the pattern view, and a mouse there: two strips, "left" and
 /// "middle", and a rectangle of 120 x 80 mm, "sheet". Nothing snaps at first.
 class SheetBench : public QObject {

@@ -10,6 +10,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 void ToolBench::initTestCase() {
     SKIP_WITHOUT_GL();
 }

@@ -11,6 +11,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// A window with a garment for the tools that work on it, in both views.
 class ToolBench : public QObject {
     Q_OBJECT

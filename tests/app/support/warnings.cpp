@@ -6,6 +6,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 namespace {
 
 QMutex guard;

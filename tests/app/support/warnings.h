@@ -5,6 +5,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// Collects what Qt warns of while it lives; one at a time. What the platform says of itself (the
 /// display, its fonts, the driver) does not count.
 class Warnings {

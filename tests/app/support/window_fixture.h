@@ -18,6 +18,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// A window on the screen that remembers nothing, and a folder for its files.
 class WindowFixture {
 public:

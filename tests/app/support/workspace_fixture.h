@@ -16,6 +16,8 @@
 
 namespace toile::test {
 
+using namespace app;
+
 /// Takes the place of a job that reads a project.
 class ReadingJob : public Job {
 public:
