@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/action_table.h"
 
+#include <QCoreApplication>
 #include <QUndoStack>
 #include <algorithm>
 #include <numbers>
@@ -91,7 +92,9 @@ ActionWork steps(void (QUndoStack::*step)(), bool (QUndoStack::*canStep)() const
 
 /// @param filter  to be translated, of the dialog
 ActionWork exports(const char* suffix, const char* filter) {
-    return {[=](GarmentActions& on, bool) { on.askAndExport(suffix, GarmentActions::tr(filter)); },
+    return {[=](GarmentActions& on, bool) {
+                on.askAndExport(suffix, QCoreApplication::translate("GarmentActions", filter));
+            },
             &Workspace::canExport};
 }
 

@@ -110,6 +110,9 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
         progress.setShare(0, kSettlingShare);
         GarmentFlattener flattener;
         settle(made, flattener, progress);
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
         progress.setShare(kSettlingShare, 1);
         SettingsById settings = settingsAfter(made, said, {});
         std::vector<PieceSettings> ofPieces;

@@ -178,7 +178,7 @@ std::optional<double> valueAt(const Scene& scene, const SheetPlaces& places,
         return std::nullopt;
     }
     const PieceScene& piece = scene.pieces[static_cast<std::size_t>(place.piece)];
-    if (!piece.flat || place.face >= static_cast<int>(piece.patternRun.count)) {
+    if (!piece.flat || place.face < 0 || place.face >= static_cast<int>(piece.patternRun.count)) {
         return std::nullopt;
     }
     const std::size_t face = piece.patternRun.first + static_cast<std::size_t>(place.face);

@@ -16,7 +16,8 @@ namespace toile {
 ///                     coordinates are equal
 /// @param millimetres  per unit of the file, for the message
 /// @return a VerticesWelded note where anything was joined
-/// Cost: linear on average; for a file that needs nothing one count of its corners.
+/// Cost: linear on average; for a file that needs nothing its triangles and one count of their
+/// corners.
 Problems weldSoup(std::shared_ptr<const PolygonSoup>& soup, bool wanted, double millimetres,
                   const std::string& name);
 

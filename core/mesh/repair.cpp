@@ -120,7 +120,7 @@ void collapseNeedles(MeshPart& part, RepairNotes& notes) {
 EdgeTable dropDuplicates(MeshPart& part, RepairNotes& notes) {
     const Triangles& F = part.mesh.F;
     const int vertexCount = static_cast<int>(part.mesh.V.rows());
-    const EdgeTable table = buildEdgeTable(F, vertexCount);
+    EdgeTable table = buildEdgeTable(F, vertexCount);
     std::vector<char> erased(F.rows(), 0);
     for (int e = 0; e < table.edges.rows(); ++e) {
         for (const int face : doubledFaces(F, table, e)) {
@@ -129,7 +129,10 @@ EdgeTable dropDuplicates(MeshPart& part, RepairNotes& notes) {
                       part.mesh.V.row(table.edges(e, 0)));
         }
     }
-    return eraseFaces(part, erased) ? buildEdgeTable(F, vertexCount) : table;
+    if (eraseFaces(part, erased)) {
+        table = buildEdgeTable(F, vertexCount);
+    }
+    return table;
 }
 
 namespace {

@@ -52,6 +52,9 @@ Result<void> exportFile(const std::filesystem::path& path, const Garment& garmen
         return Error{ErrorCode::UnknownFormat, Subject::file(path.string()),
                      "ending \"" + lowerCaseEnding(path) + "\""};
     }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled};
+    }
     const std::string bytes = bytesOf(lowerCaseEnding(path), garment, results, laid, words);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};

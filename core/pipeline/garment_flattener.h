@@ -17,7 +17,7 @@ namespace toile {
 /// what has changed since is solved again, from what it was.
 ///
 /// A piece that is the same pointer as before, with the same options, gets the same result by
-/// pointer. A changed piece goes on from what it was before (`predecessors`; piece_flattener.h says
+/// pointer. A changed piece goes on from what it was before (`predecessors`; flatten.h says
 /// what the result promises after an edit); two pieces that were one both go on from it. Another
 /// method begins anew.
 ///
