@@ -11,7 +11,7 @@
 #include "core/flatten/base/flat_piece.h"
 #include "core/project/project.h"
 
-namespace toile {
+namespace toile::project_fields {
 
 /// What a project file says of each thing; included in one file.
 
@@ -169,4 +169,4 @@ void describe(Fields& at, SomeProject& project, std::vector<LabelOfPiece>& label
     at.object("view", project.view, kView);
 }
 
-}  // namespace toile
+}  // namespace toile::project_fields

@@ -75,8 +75,8 @@ Project readCurrent(const JsonDocument& json, const fs::path& folder, JsonFaults
     }
     readFiles(fields, folder, project);
     FieldReader at(fields);
-    std::vector<LabelOfPiece> labels;
-    describe(at, project, labels);
+    std::vector<project_fields::LabelOfPiece> labels;
+    project_fields::describe(at, project, labels);
     for (auto& [piece, label] : labels) {
         project.labels[piece] = std::move(label);
     }
@@ -160,8 +160,8 @@ std::string projectText(const Project& project, const fs::path& folder) {
     at.field("version", kProjectVersion);
     at.field("program", "Toile " + std::string(version()));
     json["files"] = filesOf(project, folder);
-    std::vector<LabelOfPiece> labels(project.labels.begin(), project.labels.end());
-    describe(at, project, labels);
+    std::vector<project_fields::LabelOfPiece> labels(project.labels.begin(), project.labels.end());
+    project_fields::describe(at, project, labels);
     if (project.recoveryOf) {
         json["recoveryOf"] = pathText(*project.recoveryOf);
     }
