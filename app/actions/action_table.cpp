@@ -5,6 +5,7 @@
 #include <QUndoStack>
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "app/actions/garment_actions.h"
 #include "app/actions/project_actions.h"
@@ -78,11 +79,11 @@ ActionWork whenOpen(ActionGroup group = ActionGroup::None) {
 }
 
 ActionWork asks(void (GarmentActions::*wish)(), When when = nullptr) {
-    return {[wish](GarmentActions& on, bool) { (on.*wish)(); }, when};
+    return {[wish](GarmentActions& on, bool) { (on.*wish)(); }, std::move(when)};
 }
 
 ActionWork asks(void (Workspace::*wish)(), When when) {
-    return {[wish](GarmentActions& on, bool) { (on.workspace().*wish)(); }, when};
+    return {[wish](GarmentActions& on, bool) { (on.workspace().*wish)(); }, std::move(when)};
 }
 
 ActionWork steps(void (QUndoStack::*step)(), bool (QUndoStack::*canStep)() const) {
@@ -107,7 +108,8 @@ ActionWork overlays(Overlay overlay) {
 ActionWork switches(bool ViewState::*field, When when = isOpen) {
     return {
         [field](GarmentActions& on, bool isOn) { on.workspace().document().setView(field, isOn); },
-        when, [field](Workspace& on) { return on.document().view().*field; }, ActionGroup::Toggle};
+        std::move(when), [field](Workspace& on) { return on.document().view().*field; },
+        ActionGroup::Toggle};
 }
 
 ActionWork flattens(Method method) {

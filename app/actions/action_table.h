@@ -169,9 +169,6 @@ struct ActionSpec {
     const char* shortText = "";  ///< for the toolbar
 };
 
-/// The action that chooses a method.
-ActionId actionOf(Method method);
-
 /// Everything that is said of actions but where they are in the menus (menu_table.h).
 const std::vector<ActionSpec>& actionTable();
 

@@ -28,6 +28,11 @@ public:
     void need(std::string_view key) { fields_.need(key); }
     void fail(std::string_view key, std::string_view what) { fields_.fail(key, what); }
     JsonFields& fields() { return fields_; }
+    /// What a field to come is where it is not there.
+    template <class Value>
+    void unlessSaid(Value& value, const Value& usual) {
+        value = usual;
+    }
 
     /// @param limits  as of JsonFields::read
     template <class Value, class... Limits>
@@ -102,6 +107,8 @@ public:
     void need(std::string_view) {}
     void fail(std::string_view, std::string_view) {}
     OrderedJson& json() { return json_; }
+    template <class Value>
+    void unlessSaid(const Value&, const Value&) {}
 
     template <class Value, class... Limits>
     void field(const char* key, const Value& value, Limits...) {

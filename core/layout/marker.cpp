@@ -100,6 +100,7 @@ double largestSide(std::span<const Box> boxes) {
 void placeTheRest(const Pattern& pattern, const std::vector<std::size_t>& rest, const Box& placed,
                   Marker& marker) {
     std::vector<Box> boxes;
+    boxes.reserve(rest.size());
     for (const std::size_t copy : rest) {
         boxes.push_back(outlineBox(
             pattern.pieces[static_cast<std::size_t>(marker.copies[copy].piece)].outline, {}));

@@ -232,9 +232,10 @@ private:
 DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name,
                     std::optional<EdgeTable> soundTable) {
     DiskCheck result;
-    result.table = soundTable ? *std::move(soundTable)
-                              : buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
-    Checker(mesh, name, result).run(soundTable || isSoundSurface(mesh, result.table));
+    const bool isSound = soundTable.has_value();
+    result.table =
+        isSound ? *std::move(soundTable) : buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+    Checker(mesh, name, result).run(isSound || isSoundSurface(mesh, result.table));
     return result;
 }
 

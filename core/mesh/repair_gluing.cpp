@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include <Eigen/Geometry>
 
@@ -28,7 +29,10 @@ struct Pair {
     int a, b;  ///< sides
     int turn;  ///< 1 where their windings disagree
 
-    auto operator<=>(const Pair&) const = default;
+    bool operator<(const Pair& other) const {
+        return std::tie(cost, edge, a, b, turn) <
+               std::tie(other.cost, other.edge, other.a, other.b, other.turn);
+    }
 };
 
 class Gluer {

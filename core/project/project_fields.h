@@ -107,9 +107,7 @@ inline constexpr auto kPiece = [](auto& at, auto& piece) {
         in.point("offset", placement.offset, kFarthestOnSheet);
         in.field("turn", placement.turn, -kMostTurn, kMostTurn);
         in.field("mirrored", placement.mirrored);
-        if constexpr (std::decay_t<decltype(in)>::kReads) {
-            settings.placedByHand = true;  // older files do not say
-        }
+        in.unlessSaid(settings.placedByHand, true);  // older files do not say
         in.field("byHand", settings.placedByHand);
     });
     at.field("grain", settings.grain, -kMostTurn, kMostTurn);

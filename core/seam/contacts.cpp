@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include <Eigen/Geometry>
 
@@ -23,7 +24,9 @@ struct FileEdge {
     int edge;
     bool upwards;  ///< from the smaller to the larger position
 
-    auto operator<=>(const FileEdge&) const = default;
+    bool operator<(const FileEdge& other) const {
+        return std::tie(key, edge, upwards) < std::tie(other.key, other.edge, other.upwards);
+    }
 };
 
 std::vector<FileEdge> fileEdges(const std::vector<std::shared_ptr<const Piece>>& pieces,
