@@ -325,6 +325,7 @@ void GuideWalker::settle() {
     if (fixture_.document().garment()) {
         (void)fixture_.waitForResults();
     }
+    (void)fixture_.waitUntilIdle();  // files are written beside everything else
     QApplication::processEvents();
 }
 
