@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Longer than a file mostly is: it is one table, read from top to bottom, and before it stand the
+// few words for work and conditions that its entries share and nobody else speaks.
 #include "app/actions/action_table.h"
 
 #include <QCoreApplication>
