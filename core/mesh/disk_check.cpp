@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/disk_check.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -28,19 +29,30 @@ struct Fault {
 
 class Checker {
 public:
-    Checker(const MeshArrays& mesh, const std::string& name, DiskCheck& result)
-        : mesh_(mesh), name_(name), table_(result.table), result_(result) {}
+    Checker(const MeshArrays& mesh, const EdgeTable& table, const std::string& name,
+            DiskCheck& result)
+        : mesh_(mesh), name_(name), table_(table), result_(result) {}
 
     /// @param sound  the surface is known to be, but for its loops and its outline's edges
     void run(bool sound) {
-        const bool surface =
-            sound || (checkFinite() && checkFaces() && checkOrientation() && checkFans());
-        if (surface && checkLoops() && (sound || checkShapes())) {
+        if ((sound || isSurface()) && checkLoops() && (sound || hasShapes())) {
             checkOutlineEdges();
         }
         if (result_.defect) {
             result_.boundary.clear();
         }
+    }
+
+    bool isSurface() { return checkFinite() && checkFaces() && checkOrientation() && checkFans(); }
+
+    bool hasShapes() {
+        Fault flat;
+        for (int f = 0; f < faceCount(); ++f) {
+            if (shapeOf(mesh_, f).flat) {
+                flat.see(mesh_.F(f, 0));
+            }
+        }
+        return flat.count == 0 || fail(ErrorCode::DegenerateFace, flat, "triangle");
     }
 
 private:
@@ -194,16 +206,6 @@ private:
         return true;
     }
 
-    bool checkShapes() {
-        Fault flat;
-        for (int f = 0; f < faceCount(); ++f) {
-            if (shapeOf(mesh_, f).flat) {
-                flat.see(mesh_.F(f, 0));
-            }
-        }
-        return flat.count == 0 || fail(ErrorCode::DegenerateFace, flat, "triangle");
-    }
-
     bool checkOutlineEdges() {
         const std::vector<int>& loop = result_.boundary;
         std::vector<double> lengths;
@@ -235,8 +237,16 @@ DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name,
     const bool isSound = soundTable.has_value();
     result.table =
         isSound ? *std::move(soundTable) : buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
-    Checker(mesh, name, result).run(isSound || isSoundSurface(mesh, result.table));
+    Checker(mesh, result.table, name, result).run(isSound);
     return result;
+}
+
+bool isSoundSurface(const MeshArrays& mesh, const EdgeTable& table) {
+    const std::string nobody;
+    DiskCheck unread;
+    Checker checker(mesh, table, nobody, unread);
+    return checker.isSurface() && checker.hasShapes() &&
+           std::ranges::count(usedVertices(mesh.F, mesh.V.rows()), 0) == 0;
 }
 
 }  // namespace toile

@@ -29,12 +29,9 @@ struct DiskCheck {
 DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name,
                     std::optional<EdgeTable> soundTable = std::nullopt);
 
-/// True where a mesh is plainly an oriented manifold with boundary: every vertex is used and
-/// finite; every triangle has three sides and a height, well above rounding; every edge has one
-/// face, or two different ones that run along it in opposite directions; the faces around each
-/// vertex hang together. Then `repair` has nothing to do, and `checkDisk` only loops to count. Most
-/// meshes are, and this is many times faster than either.
-/// False where there is doubt: that says nothing about which of it fails.
+/// True where a mesh is an oriented manifold with boundary whose vertices are all used and whose
+/// triangles all have a height: `repair` then has nothing to do, and `checkDisk` only loops to
+/// count.
 /// @param table  the edges of `mesh`
 /// Cost: linear, a few passes. Pure.
 bool isSoundSurface(const MeshArrays& mesh, const EdgeTable& table);
