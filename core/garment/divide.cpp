@@ -147,7 +147,7 @@ private:
             nameInFile(*file_.soup, divided_.split.mode, part.sourceFace.front());
         std::string name = uniqueName(wanted);
         if (options_.repair) {
-            RepairResult mended = repair(std::move(part), RepairOptions{}, prefix_ + name);
+            RepairResult mended = repair(std::move(part), prefix_ + name);
             part = std::move(mended.part);
             if (mended.soundTable) {
                 add(makePiece(prefix_ + name, std::move(part.mesh), *std::move(mended.soundTable)),

@@ -164,7 +164,7 @@ void noteFlatsLeft(const MeshPart& part, RepairNotes& notes) {
 
 }  // namespace
 
-RepairResult repair(MeshPart part, const RepairOptions& options, const std::string& name) {
+RepairResult repair(MeshPart part, const std::string& name) {
     EdgeTable table = buildEdgeTable(part.mesh.F, static_cast<int>(part.mesh.V.rows()));
     if (isSoundSurface(part.mesh, table)) {
         return {std::move(part), {}, std::move(table)};
@@ -177,11 +177,9 @@ RepairResult repair(MeshPart part, const RepairOptions& options, const std::stri
     for (int round = 0; again && round < kMostRounds; ++round) {
         collapseNeedles(part, notes);
         const EdgeTable edges = dropDuplicates(part, notes);
-        Gluing gluing = glue(part.mesh, edges, options.turnWindings, notes);
+        Gluing gluing = glue(part.mesh, edges, notes);
         again = removeFlats(part, gluing, notes);
-        if (options.turnWindings) {
-            turnWindings(part, gluing, notes);
-        }
+        turnWindings(part, gluing, notes);
         separateFans(part, gluing, notes);
         again = splitDoubledEdges(part, gluing, notes) || again;
     }

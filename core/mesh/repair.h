@@ -64,10 +64,6 @@ struct ConnectedPart {
 /// all along: then it comes back untouched. Linear.
 std::vector<ConnectedPart> connectedParts(MeshPart part);
 
-struct RepairOptions {
-    bool turnWindings = true;  ///< turn faces over; else opposed neighbours stay for checkDisk
-};
-
 struct RepairResult {
     MeshPart part;     ///< may have fallen apart into several components, or be empty
     Problems repairs;  ///< one note per kind, with count and first place; none: nothing was done
@@ -94,10 +90,10 @@ struct RepairResult {
 /// A copied vertex keeps its source, an added one has source -1; a divided triangle keeps its
 /// source in both halves.
 /// @param part  mm; indices in range; any number of components
-/// Left over, for checkDisk to name: one-sided surfaces, opposed windings where `turnWindings` is
-/// off, and flat triangles whose neighbourhood is as flat within rounding.
+/// Left over, for checkDisk to name: one-sided surfaces, and flat triangles whose neighbourhood is
+/// as flat within rounding.
 /// Cost: n log n, in the faces, linear where nothing is to do; no recursion. Pure, re-entrant; same
 /// input, same output.
-RepairResult repair(MeshPart part, const RepairOptions& options, const std::string& name);
+RepairResult repair(MeshPart part, const std::string& name);
 
 }  // namespace toile

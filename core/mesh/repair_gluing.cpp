@@ -37,8 +37,8 @@ struct Pair {
 
 class Gluer {
 public:
-    Gluer(const MeshArrays& mesh, const EdgeTable& table, bool mayTurn, RepairNotes& notes)
-        : mesh_(mesh), notes_(notes), table_(table), mayTurn_(mayTurn) {}
+    Gluer(const MeshArrays& mesh, const EdgeTable& table, RepairNotes& notes)
+        : mesh_(mesh), notes_(notes), table_(table) {}
 
     Gluing run() {
         gluing_.twin.assign(mesh_.F.size(), -1);
@@ -101,18 +101,15 @@ private:
         }
         const auto isForward = [&](int side) {
             const bool runs = tailOf(mesh_.F, side) == table_.edges(e, 0);
-            return runs != (mayTurn_ && sides.turn[side / 3] != 0);
+            return runs != (sides.turn[side / 3] != 0);
         };
         for (std::size_t i = 0; i < uses.size(); ++i) {
             for (std::size_t j = i + 1; j < uses.size(); ++j) {
                 const int a = uses[i], b = uses[j];
                 const int turn = isForward(a) == isForward(b) ? 1 : 0;
-                if (turn == 0 || mayTurn_) {
-                    const int strange = sides.component[a / 3] == sides.component[b / 3] ? 0 : 1;
-                    const double cost = bend(e, a, b) + (turn + strange) * kHandicap;
-                    pairs.push_back(
-                        {static_cast<int>(std::lround(cost / kAngleStep)), e, a, b, turn});
-                }
+                const int strange = sides.component[a / 3] == sides.component[b / 3] ? 0 : 1;
+                const double cost = bend(e, a, b) + (turn + strange) * kHandicap;
+                pairs.push_back({static_cast<int>(std::lround(cost / kAngleStep)), e, a, b, turn});
             }
         }
     }
@@ -139,14 +136,13 @@ private:
     const MeshArrays& mesh_;
     RepairNotes& notes_;
     const EdgeTable& table_;
-    bool mayTurn_;
     Gluing gluing_;
 };
 
 }  // namespace
 
-Gluing glue(const MeshArrays& mesh, const EdgeTable& table, bool mayTurn, RepairNotes& notes) {
-    return Gluer(mesh, table, mayTurn, notes).run();
+Gluing glue(const MeshArrays& mesh, const EdgeTable& table, RepairNotes& notes) {
+    return Gluer(mesh, table, notes).run();
 }
 
 namespace {

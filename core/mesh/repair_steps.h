@@ -72,11 +72,11 @@ Sides findSides(const MeshArrays& mesh, const std::vector<int>& twin);
 
 /// Joins the two faces of every edge that has two. Where more meet, joins pairs from the best on:
 /// the less a pair bends, the better. A pair that is joined nowhere else, by edges of two faces,
-/// counts as bent by a right angle more, and so does one whose windings disagree (that one is not
-/// joined at all where faces may not be turned). No pair is joined that would make a surface
-/// one-sided that is not, apart from such edges. What finds no partner becomes border.
+/// counts as bent by a right angle more, and so does one whose windings disagree. No pair is joined
+/// that would make a surface one-sided that is not, apart from such edges. What finds no partner
+/// becomes border.
 /// @param table  the edges of `mesh`
-Gluing glue(const MeshArrays& mesh, const EdgeTable& table, bool mayTurn, RepairNotes& notes);
+Gluing glue(const MeshArrays& mesh, const EdgeTable& table, RepairNotes& notes);
 
 /// Turns the faces that look away from most of their component.
 void turnWindings(MeshPart& part, Gluing& gluing, RepairNotes& notes);

@@ -63,7 +63,7 @@ TEST_P(RepairData, ComesOutAsAnOrientedManifold) {
     const auto path = test::sharedFile(GetParam().file);
     TOILE_NEEDS_SHARED(path);
     const MeshPart part = readPart(path);
-    const RepairResult result = repair(part, {}, "piece");
+    const RepairResult result = repair(part, "piece");
     EXPECT_EQ(test::kindsOf(result.repairs), GetParam().repairs);
     EXPECT_EQ(outcomes(result.part.mesh), GetParam().outcomes);
     test::expectOrientedManifold(result.part.mesh);
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RepairFiles, AllDegenLeavesNothing) {
     const auto path = test::sharedFile("nasty/all_degen.off");
     TOILE_NEEDS_SHARED(path);
-    const RepairResult result = repair(readPart(path), {}, "piece");
+    const RepairResult result = repair(readPart(path), "piece");
     EXPECT_EQ(test::kindsOf(result.repairs), "edges-collapsed flat-faces-removed");
     EXPECT_EQ(result.part.mesh.F.rows(), 0);
     EXPECT_EQ(result.part.mesh.V.rows(), 0);
@@ -122,7 +122,7 @@ TEST(RepairFiles, AllDegenLeavesNothing) {
 TEST(RepairFiles, TheBunnyKeepsItsFiveHoles) {
     const auto path = test::sharedFile("nasty/bunny_holes.ply");
     TOILE_NEEDS_SHARED(path);
-    const RepairResult result = repair(readPart(path), {}, "bunny");
+    const RepairResult result = repair(readPart(path), "bunny");
     const auto components = test::componentsOf(result.part.mesh);
     EXPECT_GT(components[0].F.rows(), 16000);
     EXPECT_TRUE(checkDisk(components[0], "bunny").defect->detail.starts_with("5 loops"));
@@ -135,7 +135,7 @@ TEST(RepairFiles, TheWeldedCapsuleIsClosed) {
     const double area = test::areaOf(part.mesh);
     const Weld weld = findWeld(part.mesh.F, part.mesh.V, {});
     EXPECT_EQ(weld.merged, indexEntry("nasty/capsule.obj").value("duplicate_positions", 0));
-    const RepairResult result = repair(test::applyWeld(std::move(part), weld), {}, "capsule");
+    const RepairResult result = repair(test::applyWeld(std::move(part), weld), "capsule");
     test::expectOrientedManifold(result.part.mesh);
     EXPECT_EQ(outcomes(result.part.mesh), (Outcomes{{"closed-surface", 1}}));
     EXPECT_EQ(result.part.mesh.F.rows(), 10000);
@@ -151,7 +151,7 @@ TEST(RepairFiles, WeldingFindsTheDoubledPositions) {
         const Weld weld = findWeld(part.mesh.F, part.mesh.V, {.borderOnly = false});
         EXPECT_EQ(weld.merged, indexEntry(file).value("duplicate_positions", -1)) << file;
         EXPECT_FALSE(looksUnwelded(part.mesh.F, part.mesh.V)) << file;
-        const RepairResult result = repair(test::applyWeld(part, weld), {}, file);
+        const RepairResult result = repair(test::applyWeld(part, weld), file);
         test::expectOrientedManifold(result.part.mesh);
     }
 }

@@ -36,7 +36,7 @@ MeshArrays book(std::initializer_list<Leaf> leaves) {
 
 /// Which leaves are still joined, as text: "02 1" for the first with the third, the second alone.
 std::string joined(const MeshArrays& mesh) {
-    const RepairResult result = repair(test::asPart(mesh), {}, "book");
+    const RepairResult result = repair(test::asPart(mesh), "book");
     test::expectOrientedManifold(result.part.mesh);
     test::expectSources(result.part, mesh);
     EXPECT_NEAR(test::areaOf(result.part.mesh), test::areaOf(mesh), 1e-9);
@@ -69,13 +69,6 @@ TEST(RepairEdges, CrossingSheetsComeApart) {
     EXPECT_EQ(joined(book({{0, true}, {90, true}, {180, false}, {270, false}})), "02 13");
 }
 
-TEST(RepairEdges, NothingIsJoinedAgainstTheWindingsWhereTurningIsOff) {
-    const MeshArrays mesh = book({{0, true}, {120, true}, {240, true}});
-    const RepairResult result = repair(test::asPart(mesh), {.turnWindings = false}, "book");
-    EXPECT_EQ(test::kindsOf(result.repairs), "edges-cut-apart");
-    EXPECT_EQ(test::componentsOf(result.part.mesh).size(), 3U);
-}
-
 TEST(RepairEdges, ManyFacesOnOneEdgeComeFree) {
     MeshArrays mesh{Points3(202, 3), Triangles(200, 3)};
     mesh.V.row(0) << 0, 0, 0;
@@ -84,7 +77,7 @@ TEST(RepairEdges, ManyFacesOnOneEdgeComeFree) {
         mesh.V.row(f + 2) << std::cos(0.01 * f), 4, std::sin(0.01 * f);
         mesh.F.row(f) << f % 2, 1 - f % 2, f + 2;
     }
-    const RepairResult result = repair(test::asPart(mesh), {}, "brush");
+    const RepairResult result = repair(test::asPart(mesh), "brush");
     test::expectOrientedManifold(result.part.mesh);
     EXPECT_EQ(result.part.mesh.V.rows(), 600);
 }
@@ -100,7 +93,7 @@ TEST(RepairEdges, AFinLeavesTheSurfaceWhole) {
     mesh.V.row(rows) << 30, 15, 10;
     mesh.F.conservativeResize(mesh.F.rows() + 1, 3);
     mesh.F.bottomRows(1) << 12, 7, static_cast<int>(rows);
-    const RepairResult result = repair(test::asPart(mesh), {}, "fin");
+    const RepairResult result = repair(test::asPart(mesh), "fin");
     EXPECT_EQ(test::kindsOf(result.repairs), "edges-cut-apart");
     const auto components = test::componentsOf(result.part.mesh);
     ASSERT_EQ(components.size(), 2U);
@@ -128,7 +121,7 @@ TEST(RepairEdges, SolidsThatTouchAlongAnEdgeStayTwo) {
     for (int f = 0; f < 8; ++f) {
         mesh.F.row(8 + f) << image[one.F(f, 0)], image[one.F(f, 1)], image[one.F(f, 2)];
     }
-    const RepairResult result = repair(test::asPart(mesh), {}, "solids");
+    const RepairResult result = repair(test::asPart(mesh), "solids");
     EXPECT_EQ(test::kindsOf(result.repairs), "edges-cut-apart");
     const auto components = test::componentsOf(result.part.mesh);
     ASSERT_EQ(components.size(), 2U);
@@ -158,7 +151,7 @@ TEST(RepairEdges, AOneSidedSurfaceTakesNoSheetWithIt) {
     mesh.V.bottomRows(2) << middle + on, middle + aside;
     mesh.F.conservativeResize(mesh.F.rows() + 2, 3);
     mesh.F.bottomRows(2) << a, b, first, b, a, first + 1;
-    const RepairResult result = repair(test::asPart(mesh), {}, "ribbon");
+    const RepairResult result = repair(test::asPart(mesh), "ribbon");
     EXPECT_EQ(test::kindsOf(result.repairs), "edges-cut-apart");
     const auto components = test::componentsOf(result.part.mesh);
     ASSERT_EQ(components.size(), 2U);
@@ -173,7 +166,7 @@ TEST(RepairEdges, ASurfaceThatComesBackToTheSameEndsGetsAVertexInBetween) {
     // a vertex to be an edge of its own.
     const MeshArrays mesh = meshOf({{0, 0, 0}, {0, 8, 0}, {8, 4, 0}, {-8, 4, 0}, {8, 4, 3}},
                                    {{0, 1, 2}, {1, 0, 3}, {1, 0, 4}, {0, 2, 4}, {1, 4, 2}});
-    const RepairResult result = repair(test::asPart(mesh), {}, "wedge");
+    const RepairResult result = repair(test::asPart(mesh), "wedge");
     test::expectOrientedManifold(result.part.mesh);
     test::expectSources(result.part, mesh);
     EXPECT_EQ(test::kindsOf(result.repairs), "edges-cut-apart vertices-added");

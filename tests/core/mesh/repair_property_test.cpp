@@ -132,7 +132,7 @@ TEST(RepairProperty, WhateverTheDamageTheResultIsAnOrientedManifoldOfTheSameArea
         SCOPED_TRACE(seed);
         const MeshArrays damaged =
             Vandal(shapeFor(seed), seed).damage(1 + static_cast<int>(seed % 23));
-        const RepairResult result = repair(test::asPart(damaged), {}, "damaged");
+        const RepairResult result = repair(test::asPart(damaged), "damaged");
         test::expectOrientedManifold(result.part.mesh);
         test::expectSources(result.part, damaged);
         const double area = areaWithoutDuplicates(damaged);
@@ -148,8 +148,8 @@ TEST(RepairProperty, ARepairedMeshNeedsNoRepair) {
     for (unsigned seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
         const MeshArrays damaged = Vandal(shapeFor(seed), seed).damage(12);
-        const RepairResult once = repair(test::asPart(damaged), {}, "damaged");
-        const RepairResult twice = repair(once.part, {}, "damaged");
+        const RepairResult once = repair(test::asPart(damaged), "damaged");
+        const RepairResult twice = repair(once.part, "damaged");
         EXPECT_EQ(test::kindsOf(twice.repairs), "");
         EXPECT_EQ(twice.part.mesh.F, once.part.mesh.F);
         EXPECT_EQ(twice.part.mesh.V, once.part.mesh.V);
@@ -160,11 +160,11 @@ TEST(RepairProperty, ScaleDoesNotMatter) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(seed);
         const MeshArrays damaged = Vandal(shapeFor(seed), seed).damage(12);
-        const RepairResult plain = repair(test::asPart(damaged), {}, "damaged");
+        const RepairResult plain = repair(test::asPart(damaged), "damaged");
         for (const int exponent : {-24, 20}) {  // powers of two: the same digits
             MeshArrays scaled = damaged;
             scaled.V *= std::ldexp(1.0, exponent);
-            const RepairResult result = repair(test::asPart(scaled), {}, "damaged");
+            const RepairResult result = repair(test::asPart(scaled), "damaged");
             EXPECT_EQ(result.part.mesh.F, plain.part.mesh.F);
             EXPECT_EQ(test::kindsOf(result.repairs), test::kindsOf(plain.repairs));
         }
@@ -176,7 +176,7 @@ TEST(RepairProperty, FarFromTheOriginTheResultIsStillAManifold) {
         SCOPED_TRACE(seed);
         MeshArrays damaged = Vandal(shapeFor(seed), seed).damage(12);
         damaged.V.rowwise() += Eigen::RowVector3d(1e6, -2e6, 3e6);
-        const RepairResult result = repair(test::asPart(damaged), {}, "far");
+        const RepairResult result = repair(test::asPart(damaged), "far");
         test::expectOrientedManifold(result.part.mesh);
         test::expectSources(result.part, damaged);
     }

@@ -59,7 +59,7 @@ TEST(SoundSurface, ComesBackFromRepairAsItWasWithItsEdges) {
     const MeshArrays mesh = test::randomPiece(3);
     MeshPart part{mesh, std::vector<int>(static_cast<std::size_t>(mesh.V.rows()), 1),
                   std::vector<int>(static_cast<std::size_t>(mesh.F.rows()), 2)};
-    const RepairResult result = repair(part, {}, "piece");
+    const RepairResult result = repair(part, "piece");
     EXPECT_TRUE(result.repairs.empty());
     EXPECT_EQ(result.part.mesh.V, mesh.V);
     EXPECT_EQ(result.part.mesh.F, mesh.F);

@@ -32,7 +32,7 @@ TEST(Weld, JoinsLooseTrianglesAgain) {
         EXPECT_EQ(checkDisk(part.mesh, "").defect.has_value(),
                   checkDisk(mesh, "").defect.has_value());
         EXPECT_DOUBLE_EQ(test::areaOf(part.mesh), test::areaOf(mesh));
-        EXPECT_TRUE(repair(part, {}, "").repairs.empty());
+        EXPECT_TRUE(repair(part, "").repairs.empty());
         for (int v = 0; v < part.mesh.V.rows(); ++v) {
             EXPECT_EQ(weld.target[part.sourceVertex[v]], part.sourceVertex[v]);
         }
