@@ -24,9 +24,10 @@ std::optional<Error> whyNotCuttable(const SurfaceLinks& links) {
 }
 
 /// The path's vertices once it is part of the mesh.
-Result<std::vector<int>> embed(const FaceParts& parts, FaceSplitter& splitter,
-                               const PathPolyline& path, const Progress& progress) {
+Result<std::vector<int>> embed(FaceParts& parts, double snap, const PathPolyline& path,
+                               const Progress& progress) {
     const SurfaceLinks& links = parts.links();
+    FaceSplitter splitter(parts, snap);
     std::vector<int> vertices;
     int face = -1;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
@@ -228,17 +229,16 @@ Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolylin
         return *error;
     }
     FaceParts parts(links);
-    FaceSplitter splitter(parts, options.snap);
     std::vector<std::vector<int>> ways;
     std::vector<std::optional<Error>> errors;
     for (const PathPolyline& path : paths) {
-        parts.mark();
-        auto way = embed(parts, splitter, path, progress);
+        FaceParts tried = parts;
+        auto way = embed(tried, options.snap, path, progress);
         if (!way && (!options.leavesOut || progress.isCancelled())) {
             return way.error();
         }
-        if (!way) {
-            parts.takeBack();
+        if (way) {
+            parts = std::move(tried);
         }
         errors.push_back(way ? std::nullopt : std::optional(way.error()));
         ways.push_back(way ? std::move(*way) : std::vector<int>{});

@@ -27,7 +27,7 @@ bool holdsBoth(const FaceParts::Part& part, int a, int b) {
 
 }  // namespace
 
-FaceParts::FaceParts(const SurfaceLinks& links) : links_(links), slot_(links.faceCount(), -1) {
+FaceParts::FaceParts(const SurfaceLinks& links) : links_(&links), slot_(links.faceCount(), -1) {
     const Triangles& F = links.mesh().F;
     whole_.reserve(slot_.size());
     for (int f = 0; f < links.faceCount(); ++f) {
@@ -41,9 +41,7 @@ std::vector<FaceParts::Part>& FaceParts::parts(int face) {
         split_.push_back({whole_[face]});
         splitFace_.push_back(face);
     }
-    std::vector<Part>& list = split_[slot_[face]];
-    before_.parts.try_emplace(slot_[face], list);
-    return list;
+    return split_[slot_[face]];
 }
 
 std::span<const FaceParts::Part> FaceParts::partsOf(int face) const {
@@ -54,41 +52,26 @@ bool FaceParts::isCrowded(int face) const {
     return partsOf(face).size() > kMaxPartsOfFace || places_.size() > kMaxNewVertices;
 }
 
-void FaceParts::mark() {
-    before_ = {places_.size(), {}, {}};
-}
-
-void FaceParts::takeBack() {
-    places_.resize(before_.places);
-    for (auto& [slot, list] : before_.parts) {
-        split_[slot] = std::move(list);
-    }
-    for (const VertexPair& edge : before_.middles) {
-        middle_.erase(edge);
-    }
-    mark();
-}
-
 SurfacePoint FaceParts::placeOf(int vertex) const {
-    if (vertex < links_.vertexCount()) {
-        return links_.cornersAt(vertex).empty() ? SurfacePoint{} : links_.atVertex(vertex);
+    if (vertex < links().vertexCount()) {
+        return links().cornersAt(vertex).empty() ? SurfacePoint{} : links().atVertex(vertex);
     }
-    const Place& place = places_[vertex - links_.vertexCount()];
-    return place.edge >= 0 ? links_.onEdge(place.edge, place.weights[1])
+    const Place& place = places_[vertex - links().vertexCount()];
+    return place.edge >= 0 ? links().onEdge(place.edge, place.weights[1])
                            : SurfacePoint{place.face, place.weights};
 }
 
 Eigen::Vector3d FaceParts::weightsIn(int face, int vertex) const {
-    if (vertex < links_.vertexCount()) {
-        return Eigen::Vector3d::Unit(links_.cornerIn(face, vertex));
+    if (vertex < links().vertexCount()) {
+        return Eigen::Vector3d::Unit(links().cornerIn(face, vertex));
     }
-    const Place& place = places_[vertex - links_.vertexCount()];
+    const Place& place = places_[vertex - links().vertexCount()];
     if (place.edge < 0) {
         return place.weights;
     }
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();
-    weights[links_.cornerIn(face, links_.table().edges(place.edge, 0))] = place.weights[0];
-    weights[links_.cornerIn(face, links_.table().edges(place.edge, 1))] = place.weights[1];
+    weights[links().cornerIn(face, links().table().edges(place.edge, 0))] = place.weights[0];
+    weights[links().cornerIn(face, links().table().edges(place.edge, 1))] = place.weights[1];
     return weights;
 }
 
@@ -130,17 +113,16 @@ int FaceParts::splitEdge(int face, int a, int b, double t) {
     const Eigen::Vector3d wb = weightsIn(face, b);
     const Eigen::Vector3d weights = (1 - t) * wa + t * wb;
     const int side = sharedSide(face, a, b);
-    before_.middles.emplace_back(std::minmax(a, b));
-    middle_[before_.middles.back()] = vertex;
+    middle_[std::minmax(a, b)] = vertex;
     if (side < 0) {
         places_.push_back({-1, face, weights / weights.sum()});
         replaceEdge(face, a, b, vertex);
         return vertex;
     }
-    const int edge = links_.table().faceEdges(face, side);
-    const double along = weights[links_.cornerIn(face, links_.table().edges(edge, 1))];
+    const int edge = links().table().faceEdges(face, side);
+    const double along = weights[links().cornerIn(face, links().table().edges(edge, 1))];
     places_.push_back({edge, -1, {1 - along, along, 0}});
-    for (const int f : links_.facesOf({Carrier::Kind::Edge, edge})) {
+    for (const int f : links().facesOf({Carrier::Kind::Edge, edge})) {
         replaceEdge(f, a, b, vertex);
     }
     return vertex;

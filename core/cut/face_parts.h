@@ -23,10 +23,10 @@ public:
 
     explicit FaceParts(const SurfaceLinks& links);
 
-    const SurfaceLinks& links() const { return links_; }
+    const SurfaceLinks& links() const { return *links_; }
 
     /// Vertices of the source keep their numbers, new ones follow.
-    int vertexCount() const { return links_.vertexCount() + static_cast<int>(places_.size()); }
+    int vertexCount() const { return links().vertexCount() + static_cast<int>(places_.size()); }
 
     SurfacePoint placeOf(int vertex) const;
     /// Parts of a source triangle: itself where it was not split. Until the next split.
@@ -36,10 +36,6 @@ public:
     /// Weights in a source triangle that the vertex touches; zeros are exact.
     Eigen::Vector3d weightsIn(int face, int vertex) const;
     bool hasEdge(int face, int a, int b) const;
-
-    /// From here on `takeBack` undoes all splits.
-    void mark();
-    void takeBack();
 
     /// Splits an edge of the parts of `face`, on both sides. @return the new vertex
     int splitEdge(int face, int a, int b, double t);
@@ -67,20 +63,13 @@ private:
     void replaceEdge(int face, int a, int b, int middle);
     void relaxFace(int face, std::vector<Part>& list, const std::set<VertexPair>& kept) const;
 
-    const SurfaceLinks& links_;
+    const SurfaceLinks* links_;
     std::vector<Part> whole_;  ///< the source triangles
     std::vector<int> slot_;    ///< per source triangle: index into split_, or -1
     std::vector<std::vector<Part>> split_;
     std::vector<int> splitFace_;        ///< source triangle of each entry of split_
     std::vector<Place> places_;         ///< of new vertices
     std::map<VertexPair, int> middle_;  ///< of edges that are no more
-
-    /// As it was at the mark.
-    struct {
-        std::size_t places = 0;
-        std::map<int, std::vector<Part>> parts;  ///< of the triangles split since, by slot
-        std::vector<VertexPair> middles;         ///< of the edges split since
-    } before_;
 };
 
 /// Makes curves into edges of the parts of triangles. Decides on a reference triangle of equal
