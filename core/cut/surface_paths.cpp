@@ -18,22 +18,18 @@ std::vector<double> edgeLengths(const MeshArrays& mesh, const Edges& edges) {
     return lengths;
 }
 
-Result<EdgePath> edgePath(const MeshArrays& mesh, const EdgeTable& table, int from, int to,
-                          const std::vector<double>& weights, const Progress& progress) {
+Result<PathPolyline> edgePath(const SurfaceLinks& links, int from, int to,
+                              const Progress& progress) {
+    const Edges& edges = links.table().edges;
     const ShortestForest forest = shortestForest(
-        table.edges, static_cast<int>(mesh.V.rows()),
-        weights.empty() ? edgeLengths(mesh, table.edges) : weights, {{from}}, to, progress);
+        edges, links.vertexCount(), edgeLengths(links.mesh(), edges), {{from}}, to, progress);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
     if (forest.source[to] < 0) {
         return cutError({}, worded("the points lie on parts that are not connected"));
     }
-    EdgePath path{forest.pathTo(to, table.edges), 0};
-    for (std::size_t i = 1; i < path.vertices.size(); ++i) {
-        path.length += (mesh.V.row(path.vertices[i]) - mesh.V.row(path.vertices[i - 1])).norm();
-    }
-    return path;
+    return polylineOf(links, forest.pathTo(to, edges));
 }
 
 PathPolyline polylineOf(const SurfaceLinks& links, const std::vector<int>& vertices) {

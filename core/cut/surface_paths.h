@@ -13,20 +13,12 @@ namespace toile {
 /// Lengths of all edges.
 std::vector<double> edgeLengths(const MeshArrays& mesh, const Edges& edges);
 
-/// A way along edges.
-struct EdgePath {
-    std::vector<int> vertices;
-    double length = 0;  ///< true length, whatever the weights
-};
-
-/// The way along edges of least total weight.
-/// @param weights  one per edge, not negative; empty: the lengths
+/// The shortest way along edges.
 /// @errors  a cut error where the vertices are not connected; Cancelled
-Result<EdgePath> edgePath(const MeshArrays& mesh, const EdgeTable& table, int from, int to,
-                          const std::vector<double>& weights = {},
-                          const Progress& progress = Progress());
+Result<PathPolyline> edgePath(const SurfaceLinks& links, int from, int to,
+                              const Progress& progress = Progress());
 
-/// The same curve as surface points. Precondition: neighbours share an edge.
+/// A way of vertices as surface points. Precondition: neighbours share an edge.
 PathPolyline polylineOf(const SurfaceLinks& links, const std::vector<int>& vertices);
 
 /// Short ways across the surface, through the insides of triangles: A* on a graph of vertices and

@@ -103,16 +103,9 @@ void giveIds(std::vector<UserCut>& cuts) {
 
 Result<PathPolyline> wayOfCut(const SurfaceLinks& links, const SurfacePoint& from,
                               const SurfacePoint& to, bool alongEdges, const Progress& progress) {
-    if (!alongEdges) {
-        return geodesicPath(links, from, to, progress);
-    }
-    const MeshArrays& mesh = links.mesh();
-    const auto path = edgePath(mesh, links.table(), nearestVertex(mesh, from),
-                               nearestVertex(mesh, to), {}, progress);
-    if (!path) {
-        return path.error();
-    }
-    return polylineOf(links, path->vertices);
+    return alongEdges ? edgePath(links, nearestVertex(links.mesh(), from),
+                                 nearestVertex(links.mesh(), to), progress)
+                      : geodesicPath(links, from, to, progress);
 }
 
 Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,

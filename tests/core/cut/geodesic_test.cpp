@@ -178,12 +178,12 @@ TEST(Geodesic, IsNeverLongerThanTheWayAlongEdges) {
         for (int i = 0; i < 40; ++i) {
             const int a = static_cast<int>(random() % static_cast<unsigned>(s.mesh.V.rows()));
             const int b = static_cast<int>(random() % static_cast<unsigned>(s.mesh.V.rows()));
-            const auto edges = edgePath(s.mesh, s.table, a, b);
+            const auto edges = edgePath(s.links, a, b);
             const auto path = geodesicPath(s.links, s.links.atVertex(a), s.links.atVertex(b));
             ASSERT_TRUE(edges);
             ASSERT_TRUE(path);
             EXPECT_LE(path->length, edges->length * (1 + 1e-12));
-            const PathPolyline tight = straightened(s.links, polylineOf(s.links, edges->vertices));
+            const PathPolyline tight = straightened(s.links, *edges);
             EXPECT_LE(tight.length, edges->length * (1 + 1e-12));
             EXPECT_LE(path->length, tight.length * (1 + 1e-3));  // which side of a bump to pass
             expectSoundPath(s, *path);
@@ -219,7 +219,7 @@ TEST(Geodesic, SaysWhereThereIsNoWay) {
     two.F.bottomRows(faces) = two.F.topRows(faces).eval().array() + count;
     const Surface s(two);
     EXPECT_FALSE(geodesicPath(s.links, s.links.atVertex(0), s.links.atVertex(count)));
-    EXPECT_FALSE(edgePath(s.mesh, s.table, 0, count));
+    EXPECT_FALSE(edgePath(s.links, 0, count));
 }
 
 TEST(Geodesic, FromAPointToItselfIsNothing) {

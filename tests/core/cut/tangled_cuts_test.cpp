@@ -121,7 +121,7 @@ TEST(TangledCuts, EveryStepCanBeCancelled) {
     EXPECT_EQ(codeOf(cutAlong(s.mesh, {column(s, 6, 6, 3)}, {}, cancelled)), ErrorCode::Cancelled);
     EXPECT_EQ(codeOf(cutAlong(s.mesh, {column(s, 6, 6, 3)}, {.leavesOut = true}, cancelled)),
               ErrorCode::Cancelled);
-    EXPECT_EQ(codeOf(edgePath(s.mesh, s.table, 0, 48, {}, cancelled)), ErrorCode::Cancelled);
+    EXPECT_EQ(codeOf(edgePath(s.links, 0, 48, cancelled)), ErrorCode::Cancelled);
     for (const bool alongEdges : {false, true}) {
         EXPECT_EQ(codeOf(wayOfCut(s.links, s.links.atVertex(0), s.links.atVertex(48), alongEdges,
                                   cancelled)),
