@@ -5,6 +5,8 @@
 #include <charconv>
 #include <span>
 
+#include "core/geometry/buckets.h"
+
 namespace toile {
 namespace {
 
@@ -16,53 +18,19 @@ struct PieceTriangle {
     int piece, triangle;
 };
 
-/// The triangles that came of each face, all in one array.
-class FaceTriangles {
-public:
-    FaceTriangles(const Garment& garment, int file, int faceCount)
-        : start_(static_cast<std::size_t>(faceCount) + 1, 0) {
-        visit(garment, file, [this](int face, PieceTriangle) {
-            if (face >= 0) {
-                ++start_[face + 1];
-            }
-        });
-        for (std::size_t i = 1; i < start_.size(); ++i) {
-            start_[i] += start_[i - 1];
-        }
-        triangles_.resize(start_.back());
-        std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-        visit(garment, file, [&](int face, PieceTriangle triangle) {
-            if (face >= 0) {
-                triangles_[next[face]++] = triangle;
-            } else {
-                added_.push_back(triangle);
-            }
-        });
-    }
-
-    std::span<const PieceTriangle> of(int face) const {
-        return {triangles_.data() + start_[face], start_[face + 1] - start_[face]};
-    }
-
-    std::span<const PieceTriangle> added() const { return added_; }
-
-private:
-    template <class Use>
-    static void visit(const Garment& garment, int file, Use use) {
-        for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
-            const Piece& piece = *garment.pieces[p];
-            if (piece.file != file) {
-                continue;
-            }
-            for (std::size_t t = 0; t < piece.sourceFace.size(); ++t) {
-                use(piece.sourceFace[t], {static_cast<int>(p), static_cast<int>(t)});
-            }
-        }
-    }
-
-    std::vector<std::size_t> start_;
-    std::vector<PieceTriangle> triangles_, added_;
-};
+/// The triangles of a file by the face that they came of; before them all those of none.
+Buckets<PieceTriangle> trianglesByFace(const Garment& garment, int file, int faceCount) {
+    return {faceCount + 1, [&garment, file](auto add) {
+                for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+                    const Piece& piece = *garment.pieces[p];
+                    for (std::size_t t = 0; piece.file == file && t < piece.sourceFace.size();
+                         ++t) {
+                        add(std::max(piece.sourceFace[t], -1) + 1,
+                            PieceTriangle{static_cast<int>(p), static_cast<int>(t)});
+                    }
+                }
+            }};
+}
 
 /// The vertex of these triangles of one piece that stands for a position of the file, or -1.
 int vertexFor(const Piece& piece, std::span<const PieceTriangle> triangles, int position) {
@@ -206,14 +174,14 @@ private:
 FaceChanges appendFaces(std::string& out, const Garment& garment, int file,
                         const ObjIndices& indices) {
     const PolygonSoup& soup = *garment.files[file]->soup;
-    const FaceTriangles triangles(garment, file, soup.faceCount());
+    const Buckets<PieceTriangle> triangles = trianglesByFace(garment, file, soup.faceCount());
     FaceWriter writer(out, garment, file, indices);
     for (int face = 0; face < soup.faceCount(); ++face) {
         const std::span corners(soup.corners.data() + soup.faceStart[face],
                                 static_cast<std::size_t>(soup.cornerCount(face)));
-        writer.face(corners, triangles.of(face));
+        writer.face(corners, triangles[face + 1]);
     }
-    for (const PieceTriangle& added : triangles.added()) {
+    for (const PieceTriangle& added : triangles[0]) {
         writer.triangle(added);
     }
     return writer.changes();
