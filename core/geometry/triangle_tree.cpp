@@ -23,25 +23,6 @@ std::uint32_t spread(std::uint32_t bits) {
     }
 }
 
-/// By their upper halves, which are Morton places; the lower halves go along.
-void sortByPlace(std::vector<std::uint64_t>& entries) {
-    constexpr int kBits = 11, kDigits = 1 << kBits;
-    std::vector<std::uint64_t> sorted(entries.size());
-    for (int shift = 32; shift < 64; shift += kBits) {
-        std::array<std::size_t, kDigits + 1> starts{};
-        for (const std::uint64_t entry : entries) {
-            ++starts[(entry >> shift & (kDigits - 1)) + 1];
-        }
-        for (std::size_t d = 1; d <= kDigits; ++d) {
-            starts[d] += starts[d - 1];
-        }
-        for (const std::uint64_t entry : entries) {
-            sorted[starts[entry >> shift & (kDigits - 1)]++] = entry;
-        }
-        entries.swap(sorted);
-    }
-}
-
 template <class Box>
 Box emptyBox() {
     Box box;
@@ -95,7 +76,7 @@ TriangleTree<Dim, Scalar>::TriangleTree(const Scalar* points, std::size_t stride
         }
         entries[t] = std::uint64_t{place} << 32 | t;
     }
-    sortByPlace(entries);
+    std::ranges::sort(entries);
 
     order_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
