@@ -24,10 +24,10 @@ std::optional<Error> whyNotCuttable(const SurfaceLinks& links) {
 }
 
 /// The path's vertices once it is part of the mesh.
-Result<std::vector<int>> embed(FaceParts& parts, double snap, const PathPolyline& path,
+Result<std::vector<int>> embed(FaceParts& parts, const PathPolyline& path,
                                const Progress& progress) {
     const SurfaceLinks& links = parts.links();
-    FaceSplitter splitter(parts, snap);
+    FaceSplitter splitter(parts);
     std::vector<int> vertices;
     int face = -1;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
@@ -233,7 +233,7 @@ Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolylin
     std::vector<std::optional<Error>> errors;
     for (const PathPolyline& path : paths) {
         FaceParts tried = parts;
-        auto way = embed(tried, options.snap, path, progress);
+        auto way = embed(tried, path, progress);
         if (!way && (!options.leavesOut || progress.isCancelled())) {
             return way.error();
         }

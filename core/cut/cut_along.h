@@ -11,9 +11,6 @@
 namespace toile {
 
 struct CutOptions {
-    /// A point nearer to a vertex or an edge than this fraction of a triangle's size moves onto
-    /// it, so that slivers are rare. Vertices never move; the cut does, by so much.
-    double snap = 0.02;
     /// A path that cannot be made is left out, and its `OpenedCut` says why; else the first of
     /// them is the error of all.
     bool leavesOut = false;

@@ -76,8 +76,7 @@ private:
 /// sides, so that the shape of the source does not matter and parts never overlap.
 class FaceSplitter {
 public:
-    /// @param snap  see CutOptions
-    FaceSplitter(FaceParts& parts, double snap) : parts_(parts), snap_(snap) {}
+    explicit FaceSplitter(FaceParts& parts) : parts_(parts) {}
 
     /// The vertex at a point, new if none is near. It touches all triangles that the point touches.
     int insert(const SurfacePoint& point);
@@ -91,7 +90,6 @@ private:
     int step(int face, int from, int to);
 
     FaceParts& parts_;
-    double snap_;
 };
 
 }  // namespace toile

@@ -9,6 +9,9 @@
 namespace toile {
 namespace {
 
+/// A point nearer to a vertex or an edge than this fraction of a triangle's size moves onto it, so
+/// that slivers are rare. Vertices never move; the cut does, by so much.
+constexpr double kSnap = 0.02;
 /// Where snapping would not bring the walk nearer to its end, it still takes a vertex this near.
 constexpr double kTouching = 1e-9;
 
@@ -51,15 +54,15 @@ int FaceSplitter::insert(const SurfacePoint& point) {
     int most = 0;
     local.minCoeff(&least);
     local.maxCoeff(&most);
-    if (local[most] >= 1 - snap_) {
+    if (local[most] >= 1 - kSnap) {
         return part[most];
     }
-    if (local[least] < snap_) {
+    if (local[least] < kSnap) {
         const int a = (least + 1) % 3;
         const int b = (least + 2) % 3;
         const double t = local[b] / (local[a] + local[b]);
-        if (t < snap_ || t > 1 - snap_) {
-            return part[t < snap_ ? a : b];
+        if (t < kSnap || t > 1 - kSnap) {
+            return part[t < kSnap ? a : b];
         }
         return parts_.splitEdge(face, part[a], part[b], t);
     }
@@ -105,7 +108,7 @@ int FaceSplitter::step(int face, int from, int to) {
     const int nearer = t < 0.5 ? x : y;
     const double gap = std::min(t, 1 - t);
     const bool approaches = (goal - flatIn(parts_, face, nearer)).norm() < direction.norm();
-    if ((gap < snap_ && approaches) || gap < kTouching) {
+    if ((gap < kSnap && approaches) || gap < kTouching) {
         return nearer;
     }
     return parts_.splitEdge(face, x, y, t);
