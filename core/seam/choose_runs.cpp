@@ -143,6 +143,8 @@ constexpr double kLeastCertain = 1e-9;
 // gap is below this many times the garment's own, or below this fraction of the edge length.
 constexpr double kGapTimesMedian = 10;
 constexpr double kGapAlways = 0.05;
+// A run found by nearness that is shorter than this many local edges is not believed.
+constexpr double kShortest = 0.9;
 // Sides closer than this many local edges coincide.
 constexpr double kCoincident = 1e-4;
 // A third layer must lie this close, relative to the local edge length.
@@ -150,12 +152,8 @@ constexpr double kStackedGap = 0.05;
 
 class Chooser {
 public:
-    Chooser(const Outlines& outlines, const std::vector<Run>& candidates,
-            const SeamOptions& options)
-        : outlines_(outlines),
-          candidates_(candidates),
-          options_(options),
-          parts_(cutIntoParts(outlines, candidates)) {
+    Chooser(const Outlines& outlines, const std::vector<Run>& candidates)
+        : outlines_(outlines), candidates_(candidates), parts_(cutIntoParts(outlines, candidates)) {
         retake({});
     }
 
@@ -260,7 +258,7 @@ private:
         std::erase_if(runs, [&](const Run& run) {
             // One whole edge that coincides with another is no accident; nearness needs more.
             const double gap = gapOf(run);
-            const double least = gap < kCoincident ? kLeastRest : options_.shortest;
+            const double least = gap < kCoincident ? kLeastRest : kShortest;
             const double length = std::min(run.length(), run.lengthB());
             return !run.certain && (length < least * run.spacing(outlines_) || gap > widest_);
         });
@@ -278,7 +276,6 @@ private:
 
     const Outlines& outlines_;
     const std::vector<Run>& candidates_;
-    SeamOptions options_;
     std::vector<Part> parts_;
     std::vector<ArcSet> taken_;
     double widest_ = -1;  ///< largest believable gap in local edge lengths; negative: not yet known
@@ -286,9 +283,8 @@ private:
 
 }  // namespace
 
-std::vector<Run> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates,
-                            const SeamOptions& options) {
-    return Chooser(outlines, candidates, options).choose();
+std::vector<Run> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates) {
+    return Chooser(outlines, candidates).choose();
 }
 
 }  // namespace toile

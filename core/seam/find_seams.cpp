@@ -112,7 +112,7 @@ SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
     if (!goesOnAt(0.8)) {
         return {};
     }
-    for (Run& run : chooseRuns(outlines, runs, options)) {
+    for (Run& run : chooseRuns(outlines, runs)) {
         graph.seams.push_back(finishSeam(outlines, std::move(run)));
     }
     addFreeEdges(outlines, graph.seams);

@@ -15,8 +15,6 @@ struct SeamOptions {
     /// Never more than a small part of the garment (kGapOfGarment), and where the garment's seams
     /// are closed more tightly than that, looser ones are not believed.
     double gap = 0.25;
-    /// Length below which a seam found by nearness is not believed, in local edge lengths.
-    double shortest = 0.9;
 };
 
 /// Finds which outlines are sewn to which, in three ways that share one machinery:

@@ -80,8 +80,7 @@ std::vector<Run> chainContacts(const Outlines& outlines, const std::vector<Conta
 /// most (but for stacked layers). Runs are cut where others begin and end; the parts are taken in
 /// order of their gap, then of what their run has undisputed, then of length; parts of a run that
 /// follow each other are one again. Cost: n log n where few runs lie on one place.
-std::vector<Run> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates,
-                            const SeamOptions& options);
+std::vector<Run> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates);
 
 /// Makes runs one that follow each other on both outlines, with nothing or only a few free edges
 /// between them. `taken` are the places of all runs per piece; bridges are added to it.
