@@ -62,22 +62,7 @@ std::vector<RimLoop> rimLoops(const SurfaceLinks& links) {
             next[links.tail(use)] = links.head(use);
         }
     }
-    std::vector<RimLoop> loops;
-    for (int v = 0; v < links.vertexCount(); ++v) {
-        if (next[v] < 0) {
-            continue;
-        }
-        RimLoop loop;
-        for (int w = v; next[w] >= 0;) {
-            loop.vertices.push_back(w);
-            const int ahead = next[w];
-            next[w] = -1;
-            loop.perimeter += (links.mesh().V.row(ahead) - links.mesh().V.row(w)).norm();
-            w = ahead;
-        }
-        loops.push_back(std::move(loop));
-    }
-    return loops;
+    return followRims(std::move(next), links.mesh().V);
 }
 
 MeshArrays fillHoles(const MeshArrays& mesh, const std::vector<RimLoop>& holes) {

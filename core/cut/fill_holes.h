@@ -7,12 +7,6 @@
 
 namespace toile {
 
-/// A boundary loop of vertices, surface on its left, starting at its least index.
-struct RimLoop {
-    std::vector<int> vertices;
-    double perimeter = 0;
-};
-
 /// All loops, in order of their least vertex. Precondition: manifold and oriented. Linear.
 std::vector<RimLoop> rimLoops(const SurfaceLinks& links);
 

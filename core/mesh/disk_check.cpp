@@ -13,7 +13,7 @@
 namespace toile {
 namespace {
 
-constexpr int kNamedLoops = 4;
+constexpr std::size_t kNamedLoops = 4;
 
 /// Counts a fault over the mesh and remembers where it was seen first.
 struct Fault {
@@ -163,42 +163,31 @@ private:
 
     bool checkLoops() {
         std::vector<int> next(vertexCount(), -1);
-        int boundaryEdges = 0;
         for (int e = 0; e < edgeCount(); ++e) {
             if (table_.isBorder(e)) {
                 next[tailOf(mesh_.F, uses(e)[0])] = headOf(mesh_.F, uses(e)[0]);
-                ++boundaryEdges;
             }
         }
-        if (boundaryEdges == 0) {
+        std::vector<RimLoop> loops = followRims(std::move(next), mesh_.V);
+        if (loops.empty()) {
             return fail(ErrorCode::ClosedSurface, countWording(faceCount(), "face"));
         }
-        std::vector<char> seen(vertexCount(), 0);
-        int loops = 0;
+        result_.boundary = std::move(loops.front().vertices);
+        if (loops.size() == 1) {
+            return hasNoHandle();
+        }
         Wording places;
-        for (int v = 0; v < vertexCount(); ++v) {
-            if (next[v] < 0 || seen[v] != 0) {
-                continue;
-            }
-            ++loops;
-            double length = 0;
-            for (int w = v; seen[w] == 0; w = next[w]) {
-                seen[w] = 1;
-                length += (mesh_.V.row(next[w]) - mesh_.V.row(w)).norm();
-                if (loops == 1) {
-                    result_.boundary.push_back(w);
-                }
-            }
-            if (loops <= kNamedLoops) {
-                places += loops > 1 ? "; " : "";
-                places += toile::worded("%1 mm %2", {figure(length), place(v)});
-            }
+        for (std::size_t k = 0; k < std::min(loops.size(), kNamedLoops); ++k) {
+            const int first = k == 0 ? result_.boundary.front() : loops[k].vertices.front();
+            places += k > 0 ? "; " : "";
+            places += toile::worded("%1 mm %2", {figure(loops[k].perimeter), place(first)});
         }
-        if (loops > 1) {
-            return fail(ErrorCode::SeveralLoops,
-                        toile::worded("%1: %2%3", {countWording(loops, "loop"), places,
-                                                   loops > kNamedLoops ? "; ..." : ""}));
-        }
+        return fail(ErrorCode::SeveralLoops,
+                    toile::worded("%1: %2%3", {countWording(std::ssize(loops), "loop"), places,
+                                               loops.size() > kNamedLoops ? "; ..." : ""}));
+    }
+
+    bool hasNoHandle() {
         if (vertexCount() - edgeCount() + faceCount() != 1) {
             const int handles = (1 - (vertexCount() - edgeCount() + faceCount())) / 2;
             return fail(ErrorCode::Handle, countWording(handles, "handle"));
