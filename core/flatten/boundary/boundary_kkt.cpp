@@ -8,16 +8,6 @@
 
 namespace toile::detail {
 
-Vector DirectionProblem::directions(const Vector& theta) const {
-    Vector phi(unknowns_);
-    double turned = 0;
-    for (int i = 0; i < unknowns_; ++i) {
-        turned += std::numbers::pi - theta[i];
-        phi[i] = turned;
-    }
-    return phi;
-}
-
 Vector DirectionProblem::withLast(const Vector& phi) const {
     Vector all(unknowns_ + 1);
     all << phi, 2 * std::numbers::pi;

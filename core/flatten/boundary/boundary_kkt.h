@@ -26,7 +26,7 @@ public:
         : problem_(problem), unknowns_(static_cast<int>(problem.lengths.size()) - 1) {}
 
     /// The directions of an outline with these inner angles, which sum to (n - 2) pi.
-    Vector directions(const Vector& theta) const;
+    Vector directions(const Vector& theta) const { return directionsOf(theta).head(unknowns_); }
     Vector withLast(const Vector& phi) const;
     /// theta_i - alpha_i for i = 1 .. n.
     Vector residual(const Vector& phi) const;

@@ -20,6 +20,16 @@ Eigen::VectorXd spreadDeficit(const Eigen::VectorXd& angles) {
     return angles.array() + ((n - 2) * std::numbers::pi - angles.sum()) / n;
 }
 
+Eigen::VectorXd directionsOf(const Eigen::VectorXd& theta) {
+    Eigen::VectorXd phi(theta.size());
+    double turned = 0;
+    for (int i = 0; i < theta.size(); ++i) {
+        turned += std::numbers::pi - theta[i];
+        phi[i] = turned;
+    }
+    return phi;
+}
+
 FlatBoundary closeOutline(const BoundaryProblem& problem, const Eigen::VectorXd& directions,
                           int iterations) {
     const int n = static_cast<int>(directions.size());
@@ -59,18 +69,6 @@ constexpr double kProgramTolerance = 1e-11;
 using Constraints = Eigen::Vector3d;
 using Jacobian = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
-/// phi_i = sum over k <= i of (pi - theta_k): summing the turns instead of i*pi - sum theta keeps
-/// the digits of long outlines.
-Eigen::VectorXd directionsOf(const Eigen::VectorXd& theta) {
-    Eigen::VectorXd phi(theta.size());
-    double turned = 0;
-    for (int i = 0; i < theta.size(); ++i) {
-        turned += std::numbers::pi - theta[i];
-        phi[i] = turned;
-    }
-    return phi;
-}
-
 /// Eq. (10) to (12): turning once, and closing in x and y.
 Constraints constraintsAt(const BoundaryProblem& problem, const Eigen::VectorXd& phi) {
     const int n = static_cast<int>(phi.size());
@@ -103,7 +101,7 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }
-        const Eigen::VectorXd phi = directionsOf(theta);
+        const Eigen::VectorXd phi = detail::directionsOf(theta);
         const Constraints c = constraintsAt(problem, phi);
         const Jacobian A = jacobianAt(problem, phi);
         const Eigen::VectorXd gradient =

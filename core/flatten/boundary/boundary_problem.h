@@ -70,6 +70,10 @@ namespace detail {
 /// both solvers work on strongly curved pieces too.
 Eigen::VectorXd spreadDeficit(const Eigen::VectorXd& angles);
 
+/// phi_i = sum over k <= i of (pi - theta_k): summing the turns instead of i*pi - sum theta keeps
+/// the digits of long outlines.
+Eigen::VectorXd directionsOf(const Eigen::VectorXd& theta);
+
 /// Newton's steps from given inner angles theta; else as `solveBoundaryNewton`.
 Result<FlatBoundary> newtonFrom(const BoundaryProblem& problem, const Eigen::VectorXd& theta,
                                 const Progress& progress);
