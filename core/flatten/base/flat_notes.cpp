@@ -10,6 +10,8 @@
 
 #include "core/base/text.h"
 #include "core/garment/piece.h"
+#include "core/mesh/repair.h"
+#include "core/mesh/sides.h"
 #include "core/quality/measures.h"
 
 namespace toile {
@@ -30,6 +32,10 @@ Wording place(const Eigen::RowVector3d& p) {
 
 Wording flatPlace(const Eigen::RowVector2d& p) {
     return worded("(%1, %2)", {figure(p.x(), 1), figure(p.y(), 1)});
+}
+
+Eigen::RowVector3d middleOf(const MeshArrays& mesh, Eigen::Index face) {
+    return mesh.V(mesh.F.row(face), Eigen::all).colwise().mean();
 }
 
 Wording crossingCount(int count) {
@@ -75,10 +81,8 @@ void noteFlips(const Piece& piece, const Points2& Q, Problems& notes) {
     }
     Eigen::Index worst = 0;
     areas.minCoeff(&worst);
-    const Eigen::RowVector3d middle =
-        piece.mesh.V(piece.mesh.F.row(worst), Eigen::all).colwise().mean();
     const std::vector<Wording> words{figure(flipped), countWording(areas.size(), "triangle"),
-                                     place(middle)};
+                                     place(middleOf(piece.mesh, worst))};
     Wording detail = flipped > 1 ? worded("%1 of %2, the worst at %3 mm", words)
                                  : worded("%1 of %2, at %3 mm", words);
     std::erase_if(notes, [&detail](const Error& note) {
@@ -119,25 +123,15 @@ std::optional<Error> degenerateNote(const Piece& piece) {
     int count = 0;
     Wording named;
     for (int f = 0; f < piece.mesh.F.rows(); ++f) {
-        const Eigen::RowVector3d a = piece.mesh.V.row(piece.mesh.F(f, 0));
-        const Eigen::RowVector3d b = piece.mesh.V.row(piece.mesh.F(f, 1));
-        const Eigen::RowVector3d c = piece.mesh.V.row(piece.mesh.F(f, 2));
-        const double longest2 =
-            std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-        const double height2 = 4 * kSliverHeight * kSliverHeight * longest2;
-        if ((b - a).cross(c - a).squaredNorm() > height2 * longest2) {
-            continue;  // plainly none, as nearly all
-        }
-        const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-        const double doubledArea = (b - a).cross(c - a).norm();
-        if (doubledArea >= kSliverHeight * longest * longest) {
+        const double longest = shapeOf(piece.mesh, f).longest;
+        if (doubleAreaNormal(piece.mesh, f).norm() >= kSliverHeight * longest * longest) {
             continue;
         }
         if (count++ < kNamedFaces) {
             const bool hasSource = f < static_cast<int>(piece.sourceFace.size());
             const int face = hasSource ? piece.sourceFace[f] : f;
             named += named.empty() ? ": " : ", ";
-            const Wording at = place(Eigen::RowVector3d((a + b + c) / 3));
+            const Wording at = place(middleOf(piece.mesh, f));
             named += face >= 0 ? worded("face %1 at %2 mm", {std::to_string(face), at})
                                : worded("a filled-in face at %1 mm", {at});
         }
