@@ -62,6 +62,11 @@ Result<JsonDocument> parseJson(std::string_view text, const std::string& name,
     }
 }
 
+std::string jsonText(const OrderedJson& json) {
+    constexpr int kIndent = 2;
+    return json.dump(kIndent, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
 Problems JsonFaults::notes(const std::string& name) const {
     if (unknown.empty()) {
         return {};

@@ -26,6 +26,9 @@ using OrderedJson = nlohmann::ordered_json;
 /// @param name, malformed  of the file and of what is wrong with it, for the error
 Result<JsonDocument> parseJson(std::string_view text, const std::string& name, ErrorCode malformed);
 
+/// A document as text. Names come from files: bytes that are no UTF-8 become U+FFFD.
+std::string jsonText(const OrderedJson& json);
+
 /// The numbers of a list; none where it is anything but so many finite numbers.
 std::optional<std::vector<double>> numbersOf(const JsonDocument& json, std::size_t count);
 

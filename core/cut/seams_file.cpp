@@ -9,7 +9,6 @@ namespace toile {
 namespace {
 
 constexpr int kVersion = 1;
-constexpr int kIndent = 2;
 constexpr double kPercent = 100;
 constexpr Word<UserCut::Kind> kKinds[] = {
     {UserCut::Kind::Path, "path"}, {UserCut::Kind::Loop, "loop"}, {UserCut::Kind::Dart, "dart"}};
@@ -145,7 +144,7 @@ std::string writeSeamsFile(const SeamsFile& file) {
     if (!file.ease.empty()) {
         json["ease"] = easeJson(file, kPercent);
     }
-    return json.dump(kIndent, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+    return jsonText(json);
 }
 
 std::string_view name(UserCut::Kind kind) {

@@ -24,12 +24,8 @@ void addFigures(Json& json, const ComparedFigures& figures) {
 Json pieceJson(const PieceResult& result, const ComparedFigures& figures) {
     Json json{{"name", result.piece->name},
               {"status", text(statusOf(result))},
-              {"error", nullptr},
+              {"error", result.error ? errorJson(*result.error) : Json(nullptr)},
               {"triangles", result.piece->mesh.F.rows()}};
-    if (result.error) {
-        json["error"] = {{"code", text(name(result.error->code))},
-                         {"message", sentence(*result.error)}};
-    }
     addFigures(json, figures);
     return json;
 }

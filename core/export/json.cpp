@@ -12,8 +12,6 @@
 namespace toile {
 namespace {
 
-constexpr int kIndent = 2;
-
 /// Why a piece is not flat, or will not be.
 const Error* errorOf(const Garment& garment, const PieceResults& results, std::size_t index) {
     const auto& error = results.empty() ? garment.pieces[index]->defect : results[index]->error;
@@ -95,6 +93,10 @@ Json text(std::string_view words) {
     return Json(std::string(words));
 }
 
+Json errorJson(const Error& error) {
+    return {{"code", text(name(error.code))}, {"message", sentence(error)}};
+}
+
 Json textOrNull(const std::string& words) {
     return words.empty() ? Json(nullptr) : Json(words);
 }
@@ -145,10 +147,6 @@ Json problemsJson(const Garment& garment) {
         problems.push_back(problemJson(error));
     }
     return problems;
-}
-
-std::string jsonText(const Json& json) {
-    return json.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace toile

@@ -5,8 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
+#include "core/base/json_fields.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 
@@ -14,12 +13,13 @@
 /// JSON library takes a second to compile.
 namespace toile {
 
-using Json = nlohmann::ordered_json;  // fields in the order of docs/report.md
+using Json = OrderedJson;  // fields in the order of docs/report.md
 
 /// The one way of a number into a file: JSON has no NaN and no infinity.
 Json number(double value);
 Json number(const std::optional<double>& value);
 Json text(std::string_view words);
+Json errorJson(const Error& error);
 /// The text, or null where there is none.
 Json textOrNull(const std::string& words);
 
@@ -29,8 +29,5 @@ Json cutsJson(const Garment& garment);
 Json seamsJson(const Garment& garment, const PieceResults& results);
 /// What there is to say about the garment beyond its files.
 Json problemsJson(const Garment& garment);
-
-/// The document as text. Names come from files: bytes that are no UTF-8 become U+FFFD.
-std::string jsonText(const Json& json);
 
 }  // namespace toile

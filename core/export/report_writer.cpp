@@ -63,7 +63,7 @@ Json notesJson(const PieceResult& result) {
     Json notes = Json::array();
     if (result.flat) {
         for (const Error& note : result.flat->notes) {
-            notes.push_back({{"code", text(name(note.code))}, {"message", sentence(note)}});
+            notes.push_back(errorJson(note));
         }
     }
     return notes;
@@ -100,17 +100,10 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
                                                                  : result.options.boundarySolver))
                                          : Json(nullptr)},
               {"status", text(statusOf(result))},
-              {"error", nullptr},
+              {"error", result.error ? errorJson(*result.error) : Json(nullptr)},
               {"vertices", piece.mesh.V.rows()},
               {"triangles", piece.mesh.F.rows()},
-              {"boundary_edges", nullptr}};
-    if (result.error) {
-        json["error"] = {{"code", text(name(result.error->code))},
-                         {"message", sentence(*result.error)}};
-    }
-    if (!piece.defect) {
-        json["boundary_edges"] = piece.boundary.size();
-    }
+              {"boundary_edges", piece.defect ? Json(nullptr) : Json(piece.boundary.size())}};
     addQuality(json, result.flat && result.quality ? &*result.quality : nullptr);
     addDiagnostics(json, result);
     json["notes"] = notesJson(result);

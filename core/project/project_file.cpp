@@ -16,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto kFormat = "toile-project";
-constexpr int kIndent = 2;
 /// Empty where it is not there.
 fs::path readPath(JsonFields& fields, std::string_view key) {
     std::string text;
@@ -165,7 +164,7 @@ std::string projectText(const Project& project, const fs::path& folder) {
     if (project.recoveryOf) {
         json["recoveryOf"] = pathText(*project.recoveryOf);
     }
-    return json.dump(kIndent, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+    return jsonText(json);
 }
 
 Result<std::uint64_t> writeProject(const fs::path& path, const Project& project) {
