@@ -2,6 +2,7 @@
 #include "core/cut/cut_along.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "core/cut/face_parts.h"
@@ -232,13 +233,16 @@ Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolylin
     std::vector<std::vector<int>> ways;
     std::vector<std::optional<Error>> errors;
     for (const PathPolyline& path : paths) {
-        FaceParts tried = parts;
-        auto way = embed(tried, path, progress);
-        if (!way && (!options.leavesOut || progress.isCancelled())) {
+        std::optional<FaceParts> before;  // where the path may be taken back
+        if (options.leavesOut) {
+            before = parts;
+        }
+        auto way = embed(parts, path, progress);
+        if (!way && (!before || progress.isCancelled())) {
             return way.error();
         }
-        if (way) {
-            parts = std::move(tried);
+        if (!way) {
+            parts = *std::move(before);
         }
         errors.push_back(way ? std::nullopt : std::optional(way.error()));
         ways.push_back(way ? std::move(*way) : std::vector<int>{});

@@ -51,8 +51,8 @@ struct CutResult {
 /// @param progress  polled, nothing is reported
 /// @errors  NonManifoldEdge, OpposedWinding; a cut error where neighbouring points of a path share
 ///          no triangle, or where it would leave a triangle in thousands of parts; Cancelled
-/// Cost: linear in the mesh, plus the square of the parts of each crossed triangle; those are
-/// bounded. Pure.
+/// Cost: linear in the mesh, with `leavesOut` for each path, plus the square of the parts of each
+/// crossed triangle; those are bounded. Pure.
 Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolyline>& paths,
                            const CutOptions& options = {}, const Progress& progress = Progress());
 

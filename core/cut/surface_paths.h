@@ -13,8 +13,11 @@ namespace toile {
 /// Lengths of all edges.
 std::vector<double> edgeLengths(const MeshArrays& mesh, const Edges& edges);
 
-/// The shortest way along edges.
+/// The shortest way along edges, from one vertex to another. Equal ways are decided by index, so
+/// that the same mesh gives the same way. Where the two vertices are one it has no length.
+/// @param progress  polled while the way is looked for, nothing is reported
 /// @errors  a cut error where the vertices are not connected; Cancelled
+/// Cost: linear, and O(n log n) in the edges nearer to `from` than the way is long. Re-entrant.
 Result<PathPolyline> edgePath(const SurfaceLinks& links, int from, int to,
                               const Progress& progress = Progress());
 

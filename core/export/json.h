@@ -19,6 +19,7 @@ using Json = OrderedJson;  // fields in the order of docs/report.md
 Json number(double value);
 Json number(const std::optional<double>& value);
 Json text(std::string_view words);
+/// A fault as programs and people read it: its code, which never changes, and its sentence.
 Json errorJson(const Error& error);
 /// The text, or null where there is none.
 Json textOrNull(const std::string& words);

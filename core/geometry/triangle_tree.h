@@ -27,7 +27,7 @@ public:
     TriangleTree() = default;
     /// @param points     coordinates of vertex 0, finite; of vertex i `stride` numbers further each
     /// @param triangles  three vertices each
-    /// Cost: linear.
+    /// Cost: n log n.
     TriangleTree(const Scalar* points, std::size_t stride,
                  std::span<const std::uint32_t> triangles);
 

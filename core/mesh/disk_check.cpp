@@ -231,9 +231,9 @@ DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name,
 }
 
 bool isSoundSurface(const MeshArrays& mesh, const EdgeTable& table) {
-    const std::string nobody;
+    const std::string unnamed;
     DiskCheck unread;
-    Checker checker(mesh, table, nobody, unread);
+    Checker checker(mesh, table, unnamed, unread);
     return checker.isSurface() && checker.hasShapes() &&
            std::ranges::count(usedVertices(mesh.F, mesh.V.rows()), 0) == 0;
 }

@@ -70,11 +70,12 @@ void appendCopies(MeshPart& part, const std::vector<int>& originals) {
 
 std::vector<int> doubledFaces(const Triangles& F, const EdgeTable& table, Eigen::Index edge) {
     std::vector<int> doubled;
-    if (table.usesOf(edge).size() < 2) {
-        return doubled;
+    const auto uses = table.usesOf(edge);
+    if (uses.size() < 2 || (uses.size() == 2 && apexOf(F, uses[0]) != apexOf(F, uses[1]))) {
+        return doubled;  // most edges
     }
     std::vector<std::pair<int, int>> apexes;  // third vertex, face
-    for (const int side : table.usesOf(edge)) {
+    for (const int side : uses) {
         if (apexOf(F, side) > table.edges(edge, 1)) {
             apexes.emplace_back(apexOf(F, side), side / 3);
         }

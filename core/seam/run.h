@@ -80,6 +80,8 @@ std::vector<Run> chainContacts(const Outlines& outlines, const std::vector<Conta
 /// most (but for stacked layers). Runs are cut where others begin and end; the parts are taken in
 /// order of their gap, then of what their run has undisputed, then of length; parts of a run that
 /// follow each other are one again. Cost: n log n where few runs lie on one place.
+/// Of what was found by nearness alone runs are left out that are shorter than nine tenths of a
+/// local edge, or that gape far more than this garment's seams do: an accident, and no seam.
 std::vector<Run> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates);
 
 /// Makes runs one that follow each other on both outlines, with nothing or only a few free edges
