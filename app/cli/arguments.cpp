@@ -17,18 +17,17 @@
 namespace toile::app {
 namespace {
 
-/// The strings CLI11 fills, before they become typed values.
+/// What becomes of it is known only when all is parsed.
 struct Typed {
-    std::vector<std::string> inputs, windowFiles, outputs, methods;
-    std::string unit, up, split = "auto", seams, method{name(FlattenOptions{}.method)}, report,
-                          screenshot, overlay, panel, views = "both", size, look, picture, fabric;
-    std::string seamsShown = "on", bar;
-    std::string solver = "newton", quality = "standard", freeBoundary = "pinned",
-                stretchOutline = "circle";
+    std::vector<std::filesystem::path> windowFiles;
+    std::vector<std::string> methods;
+    std::string report, picture, size, look;
 };
 
 constexpr Word<ViewsShown> kViewWords[] = {
     {ViewsShown::Garment, "garment"}, {ViewsShown::Pattern, "pattern"}, {ViewsShown::Both, "both"}};
+
+constexpr Word<bool> kSwitchWords[] = {{true, "on"}, {false, "off"}};
 
 constexpr Word<Panel> kPanelWords[] = {{Panel::Pieces, "pieces"},
                                        {Panel::Seams, "seams"},
@@ -44,8 +43,12 @@ std::vector<std::string> namesOf(const Word<Value> (&words)[n]) {
     return names;
 }
 
-std::string alternatives(const std::vector<std::string>& words) {
-    return CLI::detail::join(words, "|");
+std::vector<std::string> methodNames() {
+    std::vector<std::string> names;
+    for (const MethodTraits& method : allMethods()) {
+        names.emplace_back(method.name);
+    }
+    return names;
 }
 
 /// One of these words; the help lists them as the option's type already.
@@ -55,33 +58,49 @@ CLI::Validator oneOf(const std::vector<std::string>& words) {
     return member;
 }
 
-CLI::Option* addChoice(CLI::App& command, const std::string& option, std::string& typed,
-                       const std::vector<std::string>& words, const std::string& help) {
-    return command.add_option(option, typed, help)
-        ->type_name(alternatives(words))
+/// An option that takes one of these words.
+/// @param parse  gives the value for each of them
+template <class Value, class Parse>
+CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& value,
+                       const std::vector<std::string>& words, const Parse& parse,
+                       const std::string& help) {
+    return command
+        .add_option_function<std::string>(
+            option, [&value, parse](const std::string& word) { value = *parse(word); }, help)
+        ->type_name(CLI::detail::join(words, "|"))
         ->check(oneOf(words));
 }
 
-void addInputs(CLI::App& command, Typed& typed) {
+template <class Value, class Choice, std::size_t n>
+CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& value,
+                       const Word<Choice> (&words)[n], const std::string& help) {
+    return addChoice(
+        command, option, value, namesOf(words),
+        [&words](const std::string& word) { return parseWord(words, word); }, help);
+}
+
+void addInputs(CLI::App& command, Arguments& arguments) {
     command
-        .add_option("INPUT", typed.inputs,
+        .add_option("INPUT", arguments.inputs,
                     "Garment mesh: .obj, .off, .ply or .stl; or a project: .toile")
         ->required()
         ->type_name("FILE...");
 }
 
 /// How files are read, divided and cut: the commands and the window alike.
-void addReading(CLI::App& command, Typed& typed, LoadOptions& load) {
-    addChoice(command, "--split", typed.split,
+void addReading(CLI::App& command, Arguments& arguments) {
+    LoadOptions& load = arguments.load;
+    addChoice(command, "--split", load.split,
               {"auto", "components", "objects", "groups", "materials", "uv", "seams"},
-              "By what files are divided into pieces")
-        ->capture_default_str();
-    addChoice(command, "--unit", typed.unit, {"mm", "cm", "m", "in"},
+              parseSplitMode, "By what files are divided into pieces")
+        ->default_str(std::string(name(load.split)));
+    addChoice(command, "--unit", load.unit, {"mm", "cm", "m", "in"}, parseLengthUnit,
               "Unit of the input's coordinates");
-    addChoice(command, "--up", typed.up, {"y", "z"}, "Axis of the input that points up");
+    addChoice(command, "--up", load.up, {"y", "z"}, parseUpAxis,
+              "Axis of the input that points up");
     command
         .add_option(
-            "--seams", typed.seams,
+            "--seams", arguments.seams,
             "Cut and join the garment along the lines of this file, and take the ease of its "
             "seams from it (docs/seams.md)")
         ->type_name("FILE.json");
@@ -91,54 +110,48 @@ void addReading(CLI::App& command, Typed& typed, LoadOptions& load) {
                      "Refuse a file in which anything has to be left out or mended");
 }
 
-std::vector<std::string> methodNames() {
-    std::vector<std::string> names;
-    for (const MethodTraits& method : allMethods()) {
-        names.emplace_back(method.name);
+/// By which method, and how it goes about it, each option for the methods that have the choice: the
+/// commands and the window alike.
+void addMethodOptions(CLI::App& command, StatedOptions& stated, bool isOne = true) {
+    const FlattenOptions usual;
+    if (isOne) {
+        addChoice(command, "--method", stated.method, methodNames(), parseMethod,
+                  "Flattening method")
+            ->default_str(std::string(name(usual.method)));
     }
-    return names;
-}
-
-/// How a method goes about it, each option for the methods that have the choice: the commands and
-/// the window alike.
-void addMethodOptions(CLI::App& command, Typed& typed, FlattenOptions& options) {
-    addChoice(command, "--boundary-solver", typed.solver, {"newton", "slcp"},
-              "Solver of the boundary problem (wang2005, curvature, stretch)")
-        ->capture_default_str();
-    addChoice(command, "--quality", typed.quality, namesOf(kQualityWords),
-              "How much time isometric takes for how little distortion")
-        ->capture_default_str();
-    addChoice(command, "--free-boundary", typed.freeBoundary, namesOf(kFreeBoundaryWords),
-              "How natural holds its outline: two vertices pinned, or none")
-        ->capture_default_str();
-    addChoice(command, "--stretch-outline", typed.stretchOutline, namesOf(kStretchOutlineWords),
-              "Outline in which stretch works: a circle as published, or that of curvature")
-        ->capture_default_str();
+    const auto add = [&command](const std::string& option, auto& value, const auto& words,
+                                auto otherwise, const std::string& help) {
+        addChoice(command, option, value, words, help)
+            ->default_str(std::string(wordOf(words, otherwise)));
+    };
+    add("--boundary-solver", stated.boundarySolver, kBoundarySolverWords, usual.boundarySolver,
+        "Solver of the boundary problem (wang2005, curvature, stretch)");
+    add("--quality", stated.quality, kQualityWords, usual.quality,
+        "How much time isometric takes for how little distortion");
+    add("--free-boundary", stated.freeBoundary, kFreeBoundaryWords, usual.freeBoundary,
+        "How natural holds its outline: two vertices pinned, or none");
+    add("--stretch-outline", stated.stretchOutline, kStretchOutlineWords, usual.stretchOutline,
+        "Outline in which stretch works: a circle as published, or that of curvature");
     command
-        .add_option("--authalic", options.authalic,
-                    "From 0, keep angles, to 1, keep areas: the interior of wang2005 and curvature")
+        .add_option_function<double>(
+            "--authalic", [&stated](double mu) { stated.authalic = mu; },
+            "From 0, keep angles, to 1, keep areas: the interior of wang2005 and curvature")
         ->type_name("MU")
         ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
-}
-
-void addMethod(CLI::App& command, Typed& typed) {
-    addChoice(command, "--method", typed.method, methodNames(), "Flattening method")
-        ->capture_default_str();
+        ->default_str("0");
 }
 
 CLI::App* addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App* flatten = app.add_subcommand("flatten", "Flatten every piece of a garment");
-    addInputs(*flatten, typed);
+    addInputs(*flatten, arguments);
     flatten
-        ->add_option("-o,--output", typed.outputs,
+        ->add_option("-o,--output", arguments.outputs,
                      "File to write, by its ending: .svg, .dxf, .obj (input with the pattern as "
                      "its UV map) or .json (report). May be given several times")
         ->type_name("FILE")
         ->allow_extra_args(false);  // so that inputs may follow
-    addMethod(*flatten, typed);
-    addMethodOptions(*flatten, typed, arguments.options);
-    addReading(*flatten, typed, arguments.load);
+    addMethodOptions(*flatten, arguments.stated);
+    addReading(*flatten, arguments);
     flatten->add_flag("--ledger", arguments.ledger,
                       "Print every seam with the lengths of its two sides");
     flatten
@@ -150,37 +163,33 @@ CLI::App* addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
 CLI::App* addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App* compare =
         app.add_subcommand("compare", "Flatten a garment by several methods and compare them");
-    addInputs(*compare, typed);
+    addInputs(*compare, arguments);
     const std::vector<std::string> names = methodNames();
     compare->add_option("--methods", typed.methods, "Methods to compare; all where none is named")
         ->type_name(CLI::detail::join(names, ","))
         ->delimiter(',')
         ->check(oneOf(names))
         ->allow_extra_args(false);  // so that inputs may follow
-    addMethodOptions(*compare, typed, arguments.options);
-    addReading(*compare, typed, arguments.load);
+    addMethodOptions(*compare, arguments.stated, false);
+    addReading(*compare, arguments);
     compare->add_flag("--per-piece", arguments.perPiece, "Print a table for each piece too");
     CLI::Option* json = compare->add_flag("--json", arguments.json, "Print as JSON");
     compare->add_flag("--markdown", arguments.markdown, "Print tables as Markdown")->excludes(json);
     return compare;
 }
 
-void addOverlay(CLI::App& command, Typed& typed, const std::string& help) {
-    addChoice(command, "--overlay", typed.overlay, namesOf(kOverlayWords), help);
-}
-
 CLI::App* addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App* render =
         app.add_subcommand("render", "Draw a garment and its pattern as the window shows them");
-    addInputs(*render, typed);
+    addInputs(*render, arguments);
     render->add_option("-o,--output", typed.picture, "Picture to write")
         ->required()
         ->type_name("FILE.png");
-    addChoice(*render, "--view", typed.views, namesOf(kViewWords),
-              "What to draw; both lie side by side")
-        ->capture_default_str();
-    addOverlay(*render, typed,
-               "What is painted on the cloth [what the project says, else checker]");
+    PictureArguments& picture = arguments.picture;
+    addChoice(*render, "--view", picture.views, kViewWords, "What to draw; both lie side by side")
+        ->default_str("both");
+    addChoice(*render, "--overlay", arguments.overlay, kOverlayWords,
+              "What is painted on the cloth [what the project says, else checker]");
     render->add_option("--size", typed.size, "Width and height in pixels [1600x800]")
         ->type_name("WxH");
     render
@@ -188,47 +197,45 @@ CLI::App* addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
                      "From where the garment is seen, a side or degrees around and upwards")
         ->type_name("front|back|left|right|top|bottom|YAW,PITCH");
     render
-        ->add_option("--morph", arguments.picture.morph,
+        ->add_option("--morph", picture.morph,
                      "The garment on its way to the pattern: 0 as it is worn, 1 flat")
         ->type_name("SHARE")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
-    render->add_flag("--wireframe", arguments.picture.wireframe, "Draw the mesh's edges");
-    render->add_flag("--xray", arguments.picture.xray, "Let cloth show what is behind it");
-    addChoice(*render, "--seams-shown", typed.seamsShown, {"on", "off"},
+    render->add_flag("--wireframe", picture.wireframe, "Draw the mesh's edges");
+    render->add_flag("--xray", picture.xray, "Let cloth show what is behind it");
+    addChoice(*render, "--seams-shown", picture.seams, kSwitchWords,
               "Seam lines, each pair in one colour")
-        ->capture_default_str();
-    addChoice(*render, "--bar", typed.bar, {"on", "off"},
+        ->default_str("on");
+    addChoice(*render, "--bar", picture.bar, kSwitchWords,
               "The colour bar below [on where the overlay is measured]");
-    render->add_flag("--dark", arguments.picture.dark, "On a dark ground");
-    addMethod(*render, typed);
-    addMethodOptions(*render, typed, arguments.options);
-    addReading(*render, typed, arguments.load);
+    render->add_flag("--dark", picture.dark, "On a dark ground");
+    addMethodOptions(*render, arguments.stated);
+    addReading(*render, arguments);
     return render;
 }
 
-CLI::App* addCheck(CLI::App& app, Typed& typed, Arguments& arguments) {
+CLI::App* addCheck(CLI::App& app, Arguments& arguments) {
     CLI::App* check =
         app.add_subcommand("check", "Flatten a garment and tell whether it is ready to cut");
-    addInputs(*check, typed);
+    addInputs(*check, arguments);
     std::vector<std::string> fabrics;
     for (const Fabric& fabric : fabricPresets()) {
         fabrics.push_back(fabric.id);
     }
-    addChoice(*check, "--fabric", typed.fabric, fabrics,
+    addChoice(*check, "--fabric", arguments.fabric, fabrics, fabricPreset,
               "What the garment is cut from: " + fabrics.front() +
                   " where neither this nor a project says so");
-    addMethod(*check, typed);
-    addMethodOptions(*check, typed, arguments.options);
-    addReading(*check, typed, arguments.load);
+    addMethodOptions(*check, arguments.stated);
+    addReading(*check, arguments);
     check->add_flag("--json", arguments.json, "Print as JSON");
     return check;
 }
 
-CLI::App* addInfo(CLI::App& app, Typed& typed, Arguments& arguments) {
+CLI::App* addInfo(CLI::App& app, Arguments& arguments) {
     CLI::App* info = app.add_subcommand("info", "Tell what a garment file holds");
-    addInputs(*info, typed);
-    addReading(*info, typed, arguments.load);
+    addInputs(*info, arguments);
+    addReading(*info, arguments);
     info->add_flag("--json", arguments.json, "Print as JSON");
     return info;
 }
@@ -261,11 +268,6 @@ Arguments wrongUsage(const std::string& what) {
 /// @return what is wrong, or nothing
 std::string readPicture(const Typed& typed, Arguments& arguments) {
     PictureArguments& picture = arguments.picture;
-    picture.views = *parseWord(kViewWords, typed.views);
-    picture.seams = typed.seamsShown == "on";
-    if (!typed.bar.empty()) {
-        picture.bar = typed.bar == "on";
-    }
     if (std::isnan(picture.morph)) {  // which is neither below nor above a limit
         return "--morph must be a number from 0 to 1";
     }
@@ -297,20 +299,6 @@ const std::filesystem::path* overwrittenInput(const Arguments& arguments) {
         }
     }
     return nullptr;
-}
-
-/// @param options  as parsed, those included that were not typed
-StatedOptions statedOptions(const CLI::App& command, const FlattenOptions& options) {
-    const auto ifTyped = [&command](const char* option, auto value) {
-        const CLI::Option* known = command.get_option_no_throw(option);
-        return known && known->count() > 0 ? std::optional(value) : std::nullopt;
-    };
-    return {ifTyped("--method", options.method),
-            ifTyped("--quality", options.quality),
-            ifTyped("--boundary-solver", options.boundarySolver),
-            ifTyped("--free-boundary", options.freeBoundary),
-            ifTyped("--stretch-outline", options.stretchOutline),
-            ifTyped("--authalic", options.authalic)};
 }
 
 /// CLI11's own wording for help, version and usage errors.
@@ -352,23 +340,21 @@ Arguments parseArguments(int argc, const char* const* argv) {
     Arguments arguments;
     const CLI::App* flatten = addFlatten(app, typed, arguments);
     const CLI::App* compare = addCompare(app, typed, arguments);
-    const CLI::App* check = addCheck(app, typed, arguments);
-    const CLI::App* info = addInfo(app, typed, arguments);
+    const CLI::App* check = addCheck(app, arguments);
+    const CLI::App* info = addInfo(app, arguments);
     const CLI::App* render = addRender(app, typed, arguments);
     // A window's files stand where a command could: `toile dress.obj`.
     app.add_option("FILE", typed.windowFiles, "Garment or project to open in the window")
         ->type_name("FILE...");
-    app.add_option("--screenshot", typed.screenshot,
+    app.add_option("--screenshot", arguments.screenshot,
                    "Open the window, save a picture of it as PNG and end")
         ->type_name("FILE.png");
-    addOverlay(
-        app, typed,
-        "What the window paints on the cloth at first [what the project says, else checker]");
-    addChoice(app, "--panel", typed.panel, namesOf(kPanelWords),
+    addChoice(app, "--overlay", arguments.overlay, kOverlayWords,
+              "What the window paints on the cloth at first [what the project says, else checker]");
+    addChoice(app, "--panel", arguments.panel, kPanelWords,
               "The list that the window shows in front at first");
-    addMethod(app, typed);
-    addMethodOptions(app, typed, arguments.options);
-    addReading(app, typed, arguments.load);
+    addMethodOptions(app, arguments.stated);
+    addReading(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -381,40 +367,22 @@ Arguments parseArguments(int argc, const char* const* argv) {
                         : info->parsed()    ? Arguments::Command::Info
                         : render->parsed()  ? Arguments::Command::Render
                                             : Arguments::Command::Window;
-    if (arguments.command != Arguments::Command::Window && !typed.windowFiles.empty()) {
-        return wrongUsage("\"" + typed.windowFiles.front() + "\" stands before the command");
+    if (arguments.command == Arguments::Command::Window) {
+        arguments.inputs = typed.windowFiles;
+    } else if (!typed.windowFiles.empty()) {
+        return wrongUsage("\"" + typed.windowFiles.front().string() +
+                          "\" stands before the command");
     }
-    const auto& inputs =
-        arguments.command == Arguments::Command::Window ? typed.windowFiles : typed.inputs;
-    arguments.inputs.assign(inputs.begin(), inputs.end());
-    arguments.outputs.assign(typed.outputs.begin(), typed.outputs.end());
     if (arguments.command == Arguments::Command::Render) {
         arguments.outputs.emplace_back(typed.picture);
     }
-    arguments.screenshot = typed.screenshot;
-    arguments.overlay = parseWord(kOverlayWords, typed.overlay);
-    arguments.panel = parseWord(kPanelWords, typed.panel);
-    if (const Fabric* fabric = fabricPreset(typed.fabric)) {
-        arguments.fabric = *fabric;
-    }
-    arguments.load.unit = parseLengthUnit(typed.unit);
-    arguments.load.up = parseUpAxis(typed.up);
-    arguments.load.split = parseSplitMode(typed.split).value_or(SplitMode::Auto);
-    arguments.seams = typed.seams;
     if (arguments.load.split == SplitMode::Seams && arguments.seams.empty()) {
         return wrongUsage("--split seams divides by the cuts of a file: give it with --seams");
     }
-    arguments.options.method = parseMethod(typed.method).value_or(FlattenOptions{}.method);
-    arguments.options.boundarySolver =
-        parseBoundarySolver(typed.solver).value_or(BoundarySolver::Newton);
+    arguments.options = arguments.stated.over({});
     if (std::isnan(arguments.options.authalic)) {  // which is neither below nor above a limit
         return wrongUsage("--authalic must be a number from 0 to 1");
     }
-    arguments.options.quality = *parseWord(kQualityWords, typed.quality);
-    arguments.options.freeBoundary = *parseWord(kFreeBoundaryWords, typed.freeBoundary);
-    arguments.options.stretchOutline = *parseWord(kStretchOutlineWords, typed.stretchOutline);
-    const std::vector<CLI::App*> chosen = app.get_subcommands();
-    arguments.stated = statedOptions(chosen.empty() ? app : *chosen.front(), arguments.options);
     arguments.methods = methodsOf(typed);
     if (!typed.report.empty()) {
         if (!typed.report.ends_with(".json") && !typed.report.ends_with(".JSON")) {
