@@ -32,6 +32,10 @@ QIcon swatch(Rgb colour) {
 /// Legible on light and dark alike.
 const QColor kTrouble(214, 72, 40);
 
+/// Of a figure that is not known.
+constexpr QChar kUnknown(0x2013);
+constexpr double kUnknownSort = -1;
+
 }  // namespace
 
 PiecesModel::PiecesModel(const Document& document, QObject* parent)
@@ -130,31 +134,33 @@ QVariant PiecesModel::decoration(int row) const {
     return swatch(known && known->flat ? pieceColour(document_.colourOf(row)) : neutralColour());
 }
 
-QString PiecesModel::text(int row, int column) const {
+PiecesModel::Cell PiecesModel::cell(int row, int column) const {
     const Piece& piece = *document_.garment()->pieces[static_cast<std::size_t>(row)];
     const PieceResult* known = document_.result(row);
+    const auto triangles = static_cast<qlonglong>(piece.mesh.F.rows());
     switch (column) {
         case Name:
-            return QString::fromStdString(piece.name);
+            return {QString::fromStdString(piece.name)};
         case Triangles:
-            return QLocale().toString(static_cast<qlonglong>(piece.mesh.F.rows()));
+            return {QLocale().toString(triangles), triangles};
         case Quantity:
-            return QLocale().toString(settings(row).quantity);
+            return {QLocale().toString(settings(row).quantity), settings(row).quantity};
         case Pair:
-            return {};  // a box to check
+            return {{}, settings(row).mirroredPair ? 1 : 0};  // a box to check
         case Method:
-            return known ? methodName(known->options.method) : QString(QChar(0x2013));
+            return {known ? methodName(known->options.method) : QString(kUnknown)};
         case Status:
             if (known && known->error) {
                 // Short enough for a table; the whole sentence is in the tool tip and the details.
                 const std::string_view reason = name(known->error->code);
-                return tr("Not flat: %1").arg(QString::fromUtf8(reason).replace('-', ' '));
+                return {tr("Not flat: %1").arg(QString::fromUtf8(reason).replace('-', ' '))};
             }
-            return !known                       ? tr("Waiting")
-                   : statusOf(*known) == "flat" ? tr("Flat")
-                                                : tr("Partly turned over");
+            return {!known                       ? tr("Waiting")
+                    : statusOf(*known) == "flat" ? tr("Flat")
+                                                 : tr("Partly turned over")};
         default:
-            return figure(row, column).text;
+            return known && known->quality ? figure(*known->quality, column)
+                                           : Cell{kUnknown, kUnknownSort};
     }
 }
 
@@ -162,7 +168,7 @@ QString PiecesModel::toolTip(int row, int column) const {
     const PieceResult* known = document_.result(row);
     switch (column) {
         case Status:
-            return known && known->error ? errorText(*known->error) : text(row, column);
+            return known && known->error ? errorText(*known->error) : cell(row, column).text;
         case Quantity:
             return tr(
                 "How many are cut. Double-click or F2 to change it, of all selected pieces "
@@ -181,7 +187,7 @@ QString PiecesModel::toolTip(int row, int column) const {
                                       .arg(methodName(known->options.method))
                                 : methodName(known->options.method);
         default:
-            return text(row, column);
+            return cell(row, column).text;
     }
 }
 
@@ -201,59 +207,35 @@ bool PiecesModel::isStale(int row) const {
                      !(known->options == document_.options()));
 }
 
-PiecesModel::Figure PiecesModel::figure(int row, int column) const {
-    const QString unknown(QChar(0x2013));
-    const PieceResult* known = document_.result(row);
-    if (!known || !known->quality) {
-        return {{}, unknown};
-    }
-    const PieceQuality& quality = *known->quality;
+PiecesModel::Cell PiecesModel::figure(const PieceQuality& quality, int column) {
+    const auto count = [](int number) -> Cell { return {QLocale().toString(number), number}; };
+    const auto distance = [](const auto& reference, auto which) -> Cell {
+        return reference ? Cell{fineLength((*reference).*which), (*reference).*which}
+                         : Cell{kUnknown, kUnknownSort};
+    };
     switch (column) {
         case Area:
-            return {quality.area2d, areaNumber(quality.area2d)};
+            return {areaNumber(quality.area2d), quality.area2d};
         case Outline:
-            return {quality.perimeter2d, lengthNumber(quality.perimeter2d)};
+            return {lengthNumber(quality.perimeter2d), quality.perimeter2d};
         case OutlineError:
-            return {quality.maxBoundaryLengthError, boundaryError(quality.maxBoundaryLengthError)};
+            return {boundaryError(quality.maxBoundaryLengthError), quality.maxBoundaryLengthError};
         case StrainMean:
-            return {quality.strainMeanAbs,
-                    quality.strainMeanAbs ? percent(*quality.strainMeanAbs) : unknown};
+            return {quality.strainMeanAbs ? percent(*quality.strainMeanAbs) : QString(kUnknown),
+                    quality.strainMeanAbs.value_or(kUnknownSort)};
         case StrainRange:
-            return {quality.strainMax.value_or(-1.0) - quality.strainMin.value_or(0.0),
-                    strainRange(quality)};
+            return {strainRange(quality),
+                    quality.strainMax.value_or(-1.0) - quality.strainMin.value_or(0.0)};
         case Flips:
-            return {quality.flippedTriangles, QLocale().toString(quality.flippedTriangles)};
+            return count(quality.flippedTriangles);
         case Crossings:
-            return {quality.outlineCrossings, QLocale().toString(quality.outlineCrossings)};
+            return count(quality.outlineCrossings);
         case DesignerRms:
-        case DesignerMax: {
-            if (!quality.reference) {
-                return {{}, unknown};
-            }
-            const double value =
-                column == DesignerRms ? quality.reference->rms : quality.reference->max;
-            return {value, fineLength(value)};
-        }
+            return distance(quality.reference, &ReferenceFit::rms);
+        case DesignerMax:
+            return distance(quality.reference, &ReferenceFit::max);
         default:
             return {};
-    }
-}
-
-QVariant PiecesModel::sortValue(int row, int column) const {
-    switch (column) {
-        case Quantity:
-            return settings(row).quantity;
-        case Pair:
-            return settings(row).mirroredPair ? 1 : 0;
-        case Triangles:
-            return static_cast<qlonglong>(
-                document_.garment()->pieces[static_cast<std::size_t>(row)]->mesh.F.rows());
-        case Name:
-        case Status:
-        case Method:
-            return text(row, column);
-        default:
-            return figure(row, column).value.value_or(-1.0);
     }
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-
 #include "app/document/document_change.h"
 #include "app/widgets/columns_model.h"
 
 namespace toile {
+struct PieceQuality;
 struct PieceSettings;
 }  // namespace toile
 
@@ -61,19 +60,13 @@ protected:
     bool isWords(int column) const override {
         return column == Name || column == Status || column == Pair || column == Method;
     }
-    QString text(int row, int column) const override;
-    QVariant sortValue(int row, int column) const override;
+    Cell cell(int row, int column) const override;
 
 private:
-    /// A figure of a flat piece, for people and to sort by; none where it is not known.
-    struct Figure {
-        std::optional<double> value;
-        QString text;
-    };
-
     void onChanged(DocumentChanges what);
     const PieceSettings& settings(int row) const;
-    Figure figure(int row, int column) const;
+    /// A figure of a flat piece.
+    static Cell figure(const PieceQuality& quality, int column);
     QVariant decoration(int row) const;
     QString toolTip(int row, int column) const;
     QVariant foreground(int row, int column) const;

@@ -107,7 +107,7 @@ QVariant SeamsModel::data(const QModelIndex& index, int role) const {
     const bool stated = column == Ease && seam(row).ease.has_value();
     switch (role) {
         case Qt::EditRole:
-            return stated ? text(row, column) : QString();
+            return stated ? cell(row, column).text : QString();
         case Qt::ToolTipRole:
             return tip(row, column);
         case Qt::DecorationRole:
@@ -142,47 +142,41 @@ QVariant SeamsModel::background(int row, int column) const {
     return QBrush(tint);
 }
 
-QString SeamsModel::text(int row, int column) const {
-    const Seam& asked = seam(row);
-    switch (column) {
-        case Number:
-            return QString::number(row + 1);
-        case Name:
-            return QString::fromStdString(asked.name);
-        case Kind:
-            return kindWord(asked.kind);
-        case Length3d: {
-            const QString left = lengthNumber(asked.length3d[0]);
-            const QString right = lengthNumber(asked.length3d[1]);
-            return asked.kind == SeamKind::Free || left == right ? left
-                                                                 : tr("%1 / %2").arg(left, right);
-        }
-        default:
-            return measuredText(row, column);
-    }
-}
-
-QString SeamsModel::measuredText(int row, int column) const {
+SeamsModel::Cell SeamsModel::cell(int row, int column) const {
     const Seam& asked = seam(row);
     const auto& measure = measures_[static_cast<std::size_t>(row)];
     const bool sewn = asked.kind != SeamKind::Free;
-    if (column == Ease) {
-        return sewn ? signedNumber(100 * easeOf(asked), 1) : QString(kDash);
-    }
-    if (!measure || (column > FlatLeft && !sewn)) {
-        return column == Fit ? QString() : QString(kDash);
-    }
+    const SeamMeasure known = measure.value_or(SeamMeasure{});
+    const auto figure = [&](const QString& text, double sort) -> Cell {
+        return {measure && (sewn || column == FlatLeft) ? text : QString(kDash), sort};
+    };
+    // As shown, so that rounding noise does not shuffle seams that all match.
+    const double misfit = measure && sewn ? std::round(100 * std::abs(known.errorMm)) : -1;
     switch (column) {
+        case Number:
+            return {QString::number(row + 1), row};
+        case Name:
+            return {QString::fromStdString(asked.name)};
+        case Kind:
+            return {kindWord(asked.kind)};
+        case Length3d: {
+            const QString left = lengthNumber(asked.length3d[0]);
+            const QString right = lengthNumber(asked.length3d[1]);
+            return {!sewn || left == right ? left : tr("%1 / %2").arg(left, right),
+                    asked.length3d[0]};
+        }
         case FlatLeft:
-            return lengthNumber(measure->length2dLeft);
+            return figure(lengthNumber(known.length2dLeft), measure ? known.length2dLeft : -1);
         case FlatRight:
-            return lengthNumber(measure->length2dRight);
+            return figure(lengthNumber(known.length2dRight), measure ? known.length2dRight : -1);
         case Difference:
-            return signedFineLength(measure->deltaMm);
+            return figure(signedFineLength(known.deltaMm), known.deltaMm);
+        case Ease:
+            return {sewn ? signedNumber(100 * easeOf(asked), 1) : QString(kDash), easeOf(asked)};
         case Error:
-            return signedFineLength(measure->errorMm);
+            return figure(signedFineLength(known.errorMm), misfit);
         case Fit:
-            return fitWord(seamFit(asked, measure));
+            return {measure && sewn ? fitWord(seamFit(asked, measure)) : QString(), misfit};
         default:
             return {};
     }
@@ -192,39 +186,12 @@ QString SeamsModel::tip(int row, int column) const {
     const Seam& asked = seam(row);
     if (column != Ease || asked.kind == SeamKind::Free) {
         return column == Name && asked.stacked
-                   ? tr("%1: a third layer in a seam of two").arg(text(row, column))
-                   : text(row, column);
+                   ? tr("%1: a third layer in a seam of two").arg(cell(row, column).text)
+                   : cell(row, column).text;
     }
     return asked.ease
                ? tr("Stated by you. Delete takes the ease from the 3D lengths again.")
                : tr("From the 3D lengths. Double click or press F2 to state the ease you want.");
-}
-
-QVariant SeamsModel::sortValue(int row, int column) const {
-    const Seam& asked = seam(row);
-    const auto& measure = measures_[static_cast<std::size_t>(row)];
-    switch (column) {
-        case Number:
-            return row;
-        case Length3d:
-            return asked.length3d[0];
-        case FlatLeft:
-            return measure ? measure->length2dLeft : -1;
-        case FlatRight:
-            return measure ? measure->length2dRight : -1;
-        case Difference:
-            return measure ? measure->deltaMm : 0;
-        case Ease:
-            return easeOf(asked);
-        case Error:
-        case Fit:
-            // As shown, so that rounding noise does not shuffle seams that all match.
-            return measure && asked.kind != SeamKind::Free
-                       ? std::round(100 * std::abs(measure->errorMm))
-                       : -1;
-        default:
-            return text(row, column);
-    }
 }
 
 QString SeamsModel::summary() const {

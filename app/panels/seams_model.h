@@ -57,8 +57,7 @@ protected:
     bool isWords(int column) const override {
         return column == Name || column == Kind || column == Fit;
     }
-    QString text(int row, int column) const override;
-    QVariant sortValue(int row, int column) const override;
+    Cell cell(int row, int column) const override;
 
 private:
     void onChanged(DocumentChanges what);
@@ -66,7 +65,6 @@ private:
     /// Whether the rows are still of the same seams, in the same order.
     bool hasTheSameRows() const;
     const Seam& seam(int row) const;
-    QString measuredText(int row, int column) const;
     QString tip(int row, int column) const;
     QVariant background(int row, int column) const;
 

@@ -39,11 +39,11 @@ public:
     QVariant data(const QModelIndex& index, int role) const override {
         switch (role) {
             case Qt::DisplayRole:
-                return text(index.row(), index.column());
+                return cell(index.row(), index.column()).text;
             case Qt::TextAlignmentRole:
                 return alignment(index.column());
             case SortRole:
-                return sortValue(index.row(), index.column());
+                return cell(index.row(), index.column()).sort;
             default:
                 return {};
         }
@@ -54,16 +54,19 @@ protected:
         QString title, tip;
     };
 
+    /// What is said, and by what its row is sorted: a number, or the text.
+    struct Cell {
+        QString text;
+        QVariant sort = text;
+    };
+
     ColumnsModel(int columns, QObject* parent) : QAbstractTableModel(parent), columns_(columns) {}
 
     /// One per column, in the person's language and unit, as they are now.
     virtual std::vector<Heading> headings() const = 0;
     /// Whether words stand in a column, and not numbers.
     virtual bool isWords(int column) const = 0;
-    /// What a cell says.
-    virtual QString text(int row, int column) const = 0;
-    /// By what its row is sorted: a number, or the text.
-    virtual QVariant sortValue(int row, int column) const = 0;
+    virtual Cell cell(int row, int column) const = 0;
 
     /// Between a reset's beginning and its end.
     void setRows(int rows) { rows_ = rows; }
