@@ -98,4 +98,53 @@ private:
     std::unique_ptr<Running> running_;
 };
 
+/// Answers questions on another thread, the last one asked first: those that come while one is
+/// worked on replace each other. `isSameQuestion` says which have one answer. GUI thread only.
+template <class Question, class Answer>
+class Answerer {
+public:
+    using Work = std::function<Answer(const Question&)>;
+    /// @param isLast  nothing else has been asked since
+    using Take = std::function<void(Attempt<Answer>, const Question&, bool isLast)>;
+
+    /// @param isSmall  whether a question is answered at once, where nothing is worked on
+    Answerer(Work work, std::function<bool(const Question&)> isSmall, Take take)
+        : work_(std::move(work)), isSmall_(std::move(isSmall)), take_(std::move(take)) {}
+
+    bool isBusy() const { return worker_.isBusy(); }
+
+    void ask(Question question) {
+        if (asked_ && isSameQuestion(question, *asked_)) {
+            next_.reset();  // what is worked on counts again
+        } else if (isBusy()) {
+            next_ = std::move(question);
+        } else {
+            start(std::move(question));
+        }
+    }
+
+private:
+    void start(Question question) {
+        asked_ = std::move(question);
+        if (isSmall_(*asked_)) {
+            take_(attempt([this] { return work_(*asked_); }), *asked_, true);
+            return;
+        }
+        worker_.start([work = work_, of = *asked_](Progress&) { return work(of); },
+                      [this](Attempt<Answer> made, const Progress&) {
+                          std::optional<Question> next = std::exchange(next_, std::nullopt);
+                          take_(std::move(made), *asked_, !next);
+                          if (next) {
+                              ask(*std::move(next));
+                          }
+                      });
+    }
+
+    Work work_;
+    std::function<bool(const Question&)> isSmall_;
+    Take take_;
+    std::optional<Question> asked_, next_;
+    Worker<Answer> worker_;
+};
+
 }  // namespace toile::app

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/panels/fabric_watcher.h"
+#include "app/text/error_text.h"
 #include "app/widgets/number_edits.h"
 
 namespace toile::app {
@@ -23,11 +23,17 @@ namespace {
 constexpr double kPercentPerShare = 100;
 constexpr double kLeast = -50, kMost = 200;  // percent
 constexpr const char* kCustom = "custom";
-constexpr int kAir = 10;
+constexpr int kPanelAir = 10;
+/// Triangles whose figures take a millisecond or two, in three directions.
+constexpr std::size_t kSmall = 10000;
 
 constexpr Overlay kDirections[] = {Overlay::Warp, Overlay::Weft, Overlay::Bias};
 constexpr const char* kLinks[] = {"warp", "weft", "bias"};
 constexpr const char* kPieceLink = "piece";
+
+bool isSmall(const FabricQuestion& question) {
+    return !question.scene || question.scene->faces.size() < kSmall;
+}
 
 /// Place among the presets; their number for one that is none of them.
 int presetOf(const Fabric& fabric) {
@@ -85,19 +91,25 @@ QString fabricName(const Fabric& fabric) {
     return FabricPanel::tr("custom");
 }
 
-FabricPanel::FabricPanel(Document& document, QWidget* parent)
+FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& work)
     : QWidget(parent),
       document_(document),
       manners_(*new FieldManners(this)),
-      watcher_(new FabricWatcher(document, this)),
       pages_(new QStackedWidget(this)),
       preset_(new QComboBox(this)),
       all_(new QLabel(this)),
-      worst_(new QLabel(this)) {
+      worst_(new QLabel(this)),
+      answerer_(work, isSmall, [this](const auto& made, const FabricQuestion& question, bool) {
+          // Of an earlier fabric or grain it is shown all the same, so that a long drag shows
+          // something.
+          if (question.scene == document_.scene()) {
+              made.answer ? setFit(*made.answer) : setFit(std::nullopt, faultText(made.fault));
+          }
+      }) {
     auto* empty = makeNote(tr("Open a garment to say what it is cut from."));
     empty->setObjectName("fabricEmpty");
     empty->setAlignment(Qt::AlignCenter);
-    empty->setContentsMargins(kAir, kAir, kAir, kAir);
+    empty->setContentsMargins(kPanelAir, kPanelAir, kPanelAir, kPanelAir);
     auto* scroll = new QScrollArea(pages_);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
@@ -110,8 +122,8 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(pages_);
     connect(&document_, &Document::changed, this, &FabricPanel::onChanged);
-    connect(watcher_, &FabricWatcher::changed, this, &FabricPanel::showFit);
     refresh();
+    askForFit();
 }
 
 QWidget& FabricPanel::firstField() const {
@@ -128,7 +140,7 @@ QLabel* FabricPanel::makeNote(const QString& text) {
 QWidget* FabricPanel::makeContents() {
     auto* contents = new QWidget(this);
     auto* grid = new QGridLayout(contents);
-    grid->setContentsMargins(kAir, 6, kAir, 6);
+    grid->setContentsMargins(kPanelAir, 6, kPanelAir, 6);
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(5);
     grid->setColumnStretch(1, 1);
@@ -286,6 +298,25 @@ void FabricPanel::onChanged(DocumentChanges what) {
     if (what & DocumentChange::Garment) {
         showFit();  // other names, perhaps the same figures
     }
+    if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::View |
+                DocumentChange::Fabric | DocumentChange::Settings)) {
+        askForFit();
+    }
+}
+
+void FabricPanel::askForFit() {
+    if (!document_.scene()) {
+        setFit(std::nullopt);  // nothing of a garment that is gone
+    }
+    answerer_.ask({document_.scene(), placesOf(document_.settings()), document_.fabric()});
+}
+
+void FabricPanel::setFit(const std::optional<FabricFit>& fit, const QString& problem) {
+    if (fit != fit_ || problem != problem_) {
+        fit_ = fit;
+        problem_ = problem;
+        showFit();
+    }
 }
 
 void FabricPanel::refresh() {
@@ -300,26 +331,24 @@ void FabricPanel::refresh() {
 }
 
 void FabricPanel::showFit() {
-    const std::optional<FabricFit>& fit = watcher_->fit();
     const QString unknown(QChar(0x2013));
-    const double shares[] = {fit ? fit->warp : 0, fit ? fit->weft : 0, fit ? fit->bias : 0};
+    const double shares[] = {fit_ ? fit_->warp : 0, fit_ ? fit_->weft : 0, fit_ ? fit_->bias : 0};
     for (std::size_t k = 0; k < shares_.size(); ++k) {
-        shares_[k]->setText(fit ? shareText(shares[k]) : unknown);
+        shares_[k]->setText(fit_ ? shareText(shares[k]) : unknown);
     }
-    all_->setText(fit ? shareText(fit->any) : unknown);
-    if (!fit || !document_.garment()) {
-        worst_->setText(watcher_->problem().isEmpty() ? tr("Nothing is flat yet.")
-                                                      : watcher_->problem().toHtmlEscaped());
+    all_->setText(fit_ ? shareText(fit_->any) : unknown);
+    if (!fit_ || !document_.garment()) {
+        worst_->setText(problem_.isEmpty() ? tr("Nothing is flat yet.") : problem_.toHtmlEscaped());
         return;
     }
-    if (!fit->worst || fit->worst->piece >= document_.pieceCount()) {
+    if (!fit_->worst || fit_->worst->piece >= document_.pieceCount()) {
         worst_->setText(tr("The fabric can do all that is asked of it."));
         return;
     }
-    const auto piece = static_cast<std::size_t>(fit->worst->piece);
+    const auto piece = static_cast<std::size_t>(fit_->worst->piece);
     const QString name = QString::fromStdString(document_.garment()->pieces[piece]->name);
     worst_->setText(
-        tr("Worst: %1, %2 of it").arg(linked(name, kPieceLink), shareText(fit->worst->share)));
+        tr("Worst: %1, %2 of it").arg(linked(name, kPieceLink), shareText(fit_->worst->share)));
 }
 
 void FabricPanel::choosePreset(int index) {
@@ -352,8 +381,8 @@ void FabricPanel::setLimit(const Limit& limit, double percent) {
 
 void FabricPanel::follow(const QString& link) {
     if (link == kPieceLink) {
-        if (const auto& fit = watcher_->fit(); fit && fit->worst) {
-            document_.setSelection({fit->worst->piece});
+        if (fit_ && fit_->worst) {
+            document_.setSelection({fit_->worst->piece});
             emit pieceActivated();
         }
         return;

@@ -4,8 +4,9 @@
 #include <QWidget>
 #include <array>
 
+#include "app/base/worker.h"
 #include "app/document/document_change.h"
-#include "core/garment/fabric.h"
+#include "app/render/overlay_values.h"
 
 class QComboBox;
 class QGridLayout;
@@ -15,21 +16,27 @@ class QStackedWidget;
 namespace toile::app {
 
 class Document;
-class FabricWatcher;
 class FieldManners;
 class PercentEdit;
 
 /// What the garment is cut from: a preset, or limits that are typed. Below it, how much of the
-/// garment goes beyond them. A change is a step of the history; nothing is flattened again.
+/// garment goes beyond them: of a small one at once; that of a large one is worked out on another
+/// thread and comes a moment later. A change is a step of the history; nothing is flattened again.
 class FabricPanel : public QWidget {
     Q_OBJECT
 
 public:
+    using FitWork = std::function<std::optional<FabricFit>(const FabricQuestion&)>;
+
     /// `document` must outlive the panel.
-    explicit FabricPanel(Document& document, QWidget* parent = nullptr);
+    explicit FabricPanel(Document& document, QWidget* parent = nullptr,
+                         const FitWork& work = fabricFit);
 
     /// Where the keyboard goes.
     QWidget& firstField() const;
+    /// None where nothing is flat; of an earlier fabric or grain while `isUpToDate` is false.
+    const std::optional<FabricFit>& fit() const { return fit_; }
+    bool isUpToDate() const { return !answerer_.isBusy(); }
 
 signals:
     /// A piece is selected and to be shown.
@@ -55,6 +62,8 @@ private:
     void onChanged(DocumentChanges what);
     void refresh();
     void showDirections();
+    void askForFit();
+    void setFit(const std::optional<FabricFit>& fit, const QString& problem = {});
     void showFit();
     void choosePreset(int index);
     void setLimit(const Limit& limit, double percent);
@@ -62,13 +71,15 @@ private:
 
     Document& document_;
     FieldManners& manners_;
-    FabricWatcher* watcher_;
     QStackedWidget* pages_;
     QComboBox* preset_;
     std::array<Limit, 6> limits_{};
     std::array<QLabel*, 3> directions_{}, shares_{};  ///< of warp, weft, bias
     QLabel *all_, *worst_;
     int gesture_ = -1;  ///< what is typed into one field, one after the other, is one step
+    std::optional<FabricFit> fit_;
+    QString problem_;  ///< why the fit could not be worked out
+    Answerer<FabricQuestion, std::optional<FabricFit>> answerer_;
 };
 
 /// What a fabric is called within a sentence: "jersey"; "custom" for one that is no preset.

@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "app/base/worker.h"
-#include "app/document/document_change.h"
 #include "app/render/overlay_figures.h"
 
 namespace toile::app {
@@ -21,12 +20,12 @@ public:
     using Work = std::function<OverlayFigures(const OverlayQuestion&)>;
 
     explicit OverlayWatcher(Document& document, QObject* parent = nullptr,
-                            Work work = overlayFigures);
+                            const Work& work = overlayFigures);
 
     /// Overlay and scale are the document's; histogram and spots may be of an earlier grain, or not
     /// there yet, while `isUpToDate` is false.
     const OverlayFigures& figures() const { return figures_; }
-    bool isUpToDate() const { return !worker_.isBusy(); }
+    bool isUpToDate() const { return !answerer_.isBusy(); }
 
 signals:
     void changed();
@@ -34,18 +33,14 @@ signals:
     void failed(const QString& sentence);
 
 private:
-    void onChanged(DocumentChanges what);
-    void start(OverlayQuestion question);
-    /// Overlay and scale at once, where they are others.
-    void showFirst(const OverlayQuestion& question);
-    void take(Attempt<OverlayFigures> made);
+    void ask();
+    void show(OverlayFigures figures);
+    /// Nothing but the grain has been turned since those that are shown.
+    bool isOfTheSame(const OverlayFigures& other) const;
 
     Document& document_;
-    Work work_;
-    OverlayQuestion asked_;  ///< last
     OverlayFigures figures_;
-    Worker<OverlayFigures> worker_;
-    bool isStale_ = false;
+    Answerer<OverlayQuestion, OverlayFigures> answerer_;
 };
 
 }  // namespace toile::app

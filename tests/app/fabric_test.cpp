@@ -9,7 +9,6 @@
 
 #include "app/document/project_state.h"
 #include "app/panels/fabric_panel.h"
-#include "app/panels/fabric_watcher.h"
 #include "app/render/overlay_figures.h"
 #include "app/render/overlay_values.h"
 #include "app/views/colour_bar.h"
@@ -246,28 +245,29 @@ private slots:
         test::writeObj(fixture_.path("large.obj").toStdString(),
                        {{"sheet", test::makeSheet(400, 300, 100, 80)}});
         QVERIFY(fixture_.openAndWait(fixture_.path("large.obj")));
-        auto* watcher = fixture_.window().findChild<FabricWatcher*>();
-        QTRY_VERIFY_WITH_TIMEOUT(watcher->isUpToDate(), test::kPatience);
-        QVERIFY(watcher->fit());
+        auto* panel = fixture_.window().findChild<FabricPanel*>();
+        QTRY_VERIFY_WITH_TIMEOUT(panel->isUpToDate(), test::kPatience);
+        QVERIFY(panel->fit());
         DocumentState next = document().state();
         next.fabric = *fabricPreset("denim");
         document().edit("Test", std::move(next));
-        QVERIFY(!watcher->isUpToDate());
-        QTRY_VERIFY_WITH_TIMEOUT(watcher->isUpToDate(), test::kPatience);
-        QVERIFY(*watcher->fit() == *fabricFit(question()));
+        QVERIFY(!panel->isUpToDate());
+        QTRY_VERIFY_WITH_TIMEOUT(panel->isUpToDate(), test::kPatience);
+        QVERIFY(*panel->fit() == *fabricFit(question()));
     }
 
     void lackOfMemoryIsSaidWhereTheFiguresWouldBe() {
         test::writeObj(fixture_.path("large.obj").toStdString(),
                        {{"sheet", test::makeSheet(400, 300, 100, 80)}});
         QVERIFY(fixture_.openAndWait(fixture_.path("large.obj")));
-        FabricWatcher watcher(
+        FabricPanel panel(
             document(), nullptr,
             [](const FabricQuestion&) -> std::optional<FabricFit> { throw std::bad_alloc(); });
-        QVERIFY(!watcher.isUpToDate());
-        QTRY_VERIFY_WITH_TIMEOUT(watcher.isUpToDate(), test::kPatience);
-        QVERIFY(!watcher.fit());
-        QVERIFY2(watcher.problem().contains("not enough memory"), qPrintable(watcher.problem()));
+        QVERIFY(!panel.isUpToDate());
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isUpToDate(), test::kPatience);
+        QVERIFY(!panel.fit());
+        const QString said = panel.findChild<QLabel*>("fabricWorst")->text();
+        QVERIFY2(said.contains("not enough memory"), qPrintable(said));
     }
 
     void theWindowSaysWhatTheOverlayCouldNotWorkOut() {
