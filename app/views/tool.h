@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QKeyEvent>
 #include <QObject>
 #include <QPointF>
 #include <QString>
 
 #include "app/views/tool_view.h"
 
-class QKeyEvent;
 class QPainter;
 
 namespace toile::app {
@@ -59,8 +59,9 @@ public:
     /// True where the tool writes beside the pointer itself what there is to say.
     virtual bool speaks() const { return false; }
     /// True where the key means something to the tool now: it is asked before any shortcut.
-    virtual bool wants(const QKeyEvent&) const { return false; }
-    virtual void key(ToolView&, const QKeyEvent&) {}
+    /// Escape is what leads back to selecting.
+    virtual bool wants(const QKeyEvent& event) const { return event.key() == Qt::Key_Escape; }
+    virtual void key(ToolView&, const QKeyEvent&) { emit finished(); }
     /// Throws away what has been begun.
     virtual void cancel() {}
 

@@ -2,7 +2,6 @@
 #include "app/views/tools/grain_tool.h"
 
 #include <QApplication>
-#include <QKeyEvent>
 #include <cmath>
 #include <numbers>
 
@@ -146,14 +145,7 @@ void GrainTool::leave(ToolView&) {
     }
 }
 
-bool GrainTool::wants(const QKeyEvent& event) const {
-    return event.key() == Qt::Key_Escape;
-}
-
-void GrainTool::key(ToolView&, const QKeyEvent& event) {
-    if (!wants(event)) {
-        return;
-    }
+void GrainTool::key(ToolView&, const QKeyEvent&) {
     if (turning_) {
         cancel();
     } else {

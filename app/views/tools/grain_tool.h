@@ -33,7 +33,6 @@ public:
     void click(ToolView& view, const Pointer& pointer) override;
     void hover(ToolView& view, const Pointer& pointer) override;
     void leave(ToolView& view) override;
-    bool wants(const QKeyEvent& event) const override;
     void key(ToolView& view, const QKeyEvent& event) override;
     void cancel() override;
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;

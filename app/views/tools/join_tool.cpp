@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/tools/join_tool.h"
 
-#include <QKeyEvent>
 #include <QPainter>
 
 #include "app/actions/workspace.h"
@@ -61,14 +60,6 @@ void JoinTool::click(ToolView& view, const Pointer& pointer) {
     if (const auto seam = seamAt(view, pointer)) {
         workspace_.joinSeam(*seam);
     }
-}
-
-bool JoinTool::wants(const QKeyEvent& event) const {
-    return event.key() == Qt::Key_Escape;
-}
-
-void JoinTool::key(ToolView&, const QKeyEvent&) {
-    emit finished();
 }
 
 QStringList JoinTool::note() const {

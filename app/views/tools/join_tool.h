@@ -27,8 +27,6 @@ public:
     void hover(ToolView& view, const Pointer& pointer) override;
     void leave(ToolView& view) override;
     bool speaks() const override { return true; }
-    bool wants(const QKeyEvent& event) const override;
-    void key(ToolView& view, const QKeyEvent& event) override;
     void cancel() override { show(std::nullopt); }
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
 
