@@ -62,7 +62,8 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
     fillMenuBar(*this, actions_, docks_->all(), garmentActions_->project().recent());
     app::addToolBar(*this, actions_);
     connectParts();
-    connectPreferences();
+    connect(&preferences_, &Preferences::choicesChanged, this, &MainWindow::followChoices);
+    followChoices(preferences_.choices());
     addActions(actions_.all());  // shortcuts work whichever menu is hidden
     // The window's own frame takes its part of the screen.
     resize(QSize(1600, 1000).boundedTo(screen()->availableSize() * kPartOfTheScreen));
@@ -94,20 +95,20 @@ void MainWindow::connectParts() {
     actions_.on(ActionId::Quit, this, &QWidget::close);
 }
 
-void MainWindow::connectPreferences() {
-    connect(&preferences_, &Preferences::lengthUnitChanged, this, &MainWindow::followLengthUnit);
-    connect(&preferences_, &Preferences::themeChanged, this,
-            [this] { applyTheme(preferences_.theme()); });
-    connect(&preferences_, &Preferences::coloursChanged, this, &MainWindow::followColours);
-    connect(&preferences_, &Preferences::navigationChanged, this, [this] {
-        views().setNavigation(preferences_.navigation());
-        updateHint();
-    });
-    connect(&preferences_, &Preferences::autoFlattenTrianglesChanged, this,
-            &MainWindow::adaptToWeight);
-    views().setNavigation(preferences_.navigation());
-    followLengthUnit();
-    followColours();
+void MainWindow::followChoices(const Choices& before) {
+    const Choices& now = preferences_.choices();
+    LengthDisplay::instance().choose(now.lengthUnit,
+                                     now.lengthUnit == LengthUnit::Inch ? now.inchDenominator : 0);
+    if (now.theme != before.theme) {
+        applyTheme(now.theme);
+    }
+    views().setNavigation(now.navigation);
+    updateHint();
+    setMarkColours(now.selectionColour, now.seamColour);
+    views().repaintViews();
+    if (now.autoFlattenTriangles != before.autoFlattenTriangles) {
+        adaptToWeight();
+    }
 }
 
 void MainWindow::goTo(Panel panel) {
@@ -147,7 +148,7 @@ void MainWindow::adaptToWeight() {
     for (const auto& piece : workspace_.document().garment()->pieces) {
         triangles += piece->mesh.F.rows();
     }
-    const bool light = triangles <= preferences_.autoFlattenTriangles();
+    const bool light = triangles <= preferences_.choices().autoFlattenTriangles;
     workspace_.setAutoFlatten(light);
     actions_[ActionId::AutoFlatten].setChecked(light);
     if (!light) {
@@ -155,17 +156,6 @@ void MainWindow::adaptToWeight() {
                          .arg(actions_[ActionId::FlattenAgain].shortcut().toString(
                              QKeySequence::NativeText)));
     }
-}
-
-void MainWindow::followLengthUnit() {
-    const Choices& choices = preferences_.choices();
-    LengthDisplay::instance().choose(
-        choices.lengthUnit, choices.lengthUnit == LengthUnit::Inch ? choices.inchDenominator : 0);
-}
-
-void MainWindow::followColours() {
-    setMarkColours(preferences_.choices().selectionColour, preferences_.choices().seamColour);
-    views().repaintViews();
 }
 
 void MainWindow::showGarmentParts(bool shown) {
@@ -185,10 +175,14 @@ void MainWindow::updateTitle() {
 }
 
 Recovery& MainWindow::keepRecoveryFiles(const QString& folder) {
-    const auto wanted = [this] { return autosaveTimes(preferences_.autosaveMinutes()); };
-    Recovery& recovery = startRecovery(folder, wanted());
-    connect(&preferences_, &Preferences::autosaveMinutesChanged, &recovery,
-            [&recovery, wanted] { recovery.autosave().setTimes(wanted()); });
+    const Choices& choices = preferences_.choices();
+    Recovery& recovery = startRecovery(folder, autosaveTimes(choices.autosaveMinutes));
+    connect(&preferences_, &Preferences::choicesChanged, &recovery,
+            [&recovery, &choices](const Choices& before) {
+                if (choices.autosaveMinutes != before.autosaveMinutes) {
+                    recovery.autosave().setTimes(autosaveTimes(choices.autosaveMinutes));
+                }
+            });
     return recovery;
 }
 

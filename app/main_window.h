@@ -16,6 +16,7 @@ namespace toile::app {
 class GarmentActions;
 class WindowDialogs;
 class WindowStatus;
+struct Choices;
 
 /// Puts the parts together, each of which owns what it does: the centre with the views, the docks,
 /// the status bar, the dialogs; menus and toolbar. Holds no garment state.
@@ -54,15 +55,14 @@ protected:
 
 private:
     void connectParts();
-    void connectPreferences();
     void onChanged(DocumentChanges what);
     void showGarmentParts(bool shown);
     void updateTitle();
     void updateHint();
     /// Heavy garments begin without flattening after every edit.
     void adaptToWeight();
-    void followLengthUnit();
-    void followColours();
+    /// Takes the person's choices over. @param before  what is another than these
+    void followChoices(const Choices& before);
     /// Asks where changes would be lost, and waits for files that are being written.
     bool mayClose();
     Recovery& startRecovery(const QString& folder, const std::optional<AutosaveTimes>& times);

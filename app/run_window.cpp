@@ -137,9 +137,10 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     // A picture must not depend on, nor change, what a person has set.
     Preferences forgetful{QString()};
     Preferences own;
-    useLanguage((photograph ? forgetful : own).language());
-    applyTheme((photograph ? forgetful : own).theme());
-    MainWindow window(photograph ? forgetful : own);
+    Preferences& preferences = photograph ? forgetful : own;
+    useLanguage(preferences.choices().language);
+    applyTheme(preferences.choices().theme);
+    MainWindow window(preferences);
     if (photograph) {
         window.resize(options.width, options.height);
         // Nor on where the pointer rests, nor on which window the desktop has made the active one.

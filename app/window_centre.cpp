@@ -157,7 +157,7 @@ void WindowCentre::showViews(bool shown) {
 QString WindowCentre::hint() const {
     return QString("%1 · %2").arg(
         tools_.current().hint(viewInUse_),
-        cameraHint(preferences_.navigation(), viewInUse_ == ViewKind::Pattern));
+        cameraHint(preferences_.choices().navigation, viewInUse_ == ViewKind::Pattern));
 }
 
 }  // namespace toile::app

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/words.h"
+
 namespace toile::app {
 
 namespace {
@@ -17,62 +19,65 @@ constexpr auto kRecent = "files/recent";
 constexpr auto kGeometry = "window/geometry";
 constexpr auto kState = "window/state";
 constexpr auto kHiddenColumns = "columns/%1";
-constexpr auto kLengthUnit = "choices/lengthUnit";
-constexpr auto kInchDenominator = "choices/inchDenominator";
-constexpr auto kTheme = "choices/theme";
-constexpr auto kLanguage = "choices/language";
-constexpr auto kNavigation = "choices/navigation";
-constexpr auto kSelectionColour = "choices/selectionColour";
-constexpr auto kSeamColour = "choices/seamColour";
-constexpr auto kAutosaveMinutes = "choices/autosaveMinutes";
-constexpr auto kAutoFlattenTriangles = "choices/autoFlattenTriangles";
+constexpr auto kChoice = "choices/%1";
 
-/// Words for enumerators, so that a settings file can be read and enumerators can be moved.
-template <class Value>
-using Words = std::initializer_list<std::pair<const char*, Value>>;
+// Words for enumerators, so that a settings file can be read and enumerators can be moved.
+constexpr Word<LengthUnit> kLengthUnits[] = {
+    {LengthUnit::Millimetre, "mm"}, {LengthUnit::Centimetre, "cm"}, {LengthUnit::Inch, "in"}};
+constexpr Word<int> kDenominators[] = {{0, "0"}, {8, "8"}, {16, "16"}, {32, "32"}};
+constexpr Word<Theme> kThemes[] = {
+    {Theme::System, "system"}, {Theme::Light, "light"}, {Theme::Dark, "dark"}};
+constexpr Word<Language> kLanguages[] = {
+    {Language::System, "system"}, {Language::English, "en"}, {Language::German, "de"}};
+constexpr Word<Navigation> kNavigations[] = {{Navigation::Toile, "toile"},
+                                             {Navigation::Blender, "blender"},
+                                             {Navigation::Clo, "clo"},
+                                             {Navigation::Rhino, "rhino"}};
 
-const Words<LengthUnit> kLengthUnits = {
-    {"mm", LengthUnit::Millimetre}, {"cm", LengthUnit::Centimetre}, {"in", LengthUnit::Inch}};
-const Words<Theme> kThemes = {
-    {"system", Theme::System}, {"light", Theme::Light}, {"dark", Theme::Dark}};
-const Words<Language> kLanguages = {
-    {"system", Language::System}, {"en", Language::English}, {"de", Language::German}};
-const Words<Navigation> kNavigations = {{"toile", Navigation::Toile},
-                                        {"blender", Navigation::Blender},
-                                        {"clo", Navigation::Clo},
-                                        {"rhino", Navigation::Rhino}};
-constexpr int kDenominators[] = {0, 8, 16, 32};
+/// Numbers from 0 on.
+struct UpTo {
+    int most;
+};
+struct AnyColour {};
 
-template <class Value>
-Value valueOf(const Words<Value>& words, const QVariant& word, Value otherwise) {
-    for (const auto& [known, value] : words) {
-        if (word.toString() == QLatin1String(known)) {
-            return value;
-        }
-    }
-    return otherwise;
+/// Every choice: what settings files call it, and what may stand there.
+template <class Some, class Visit>
+void forEachChoice(Some& choices, const Visit& visit) {
+    visit("lengthUnit", choices.lengthUnit, kLengthUnits);
+    visit("inchDenominator", choices.inchDenominator, kDenominators);
+    visit("theme", choices.theme, kThemes);
+    visit("language", choices.language, kLanguages);
+    visit("navigation", choices.navigation, kNavigations);
+    visit("selectionColour", choices.selectionColour, AnyColour{});
+    visit("seamColour", choices.seamColour, AnyColour{});
+    visit("autosaveMinutes", choices.autosaveMinutes, UpTo{Choices::kMostAutosaveMinutes});
+    visit("autoFlattenTriangles", choices.autoFlattenTriangles,
+          UpTo{std::numeric_limits<int>::max()});
 }
 
-template <class Value>
-QString wordOf(const Words<Value>& words, Value value) {
-    for (const auto& [word, known] : words) {
-        if (known == value) {
-            return QString::fromLatin1(word);
-        }
-    }
-    return {};
+template <class Value, std::size_t n>
+QVariant keptForm(Value value, const Word<Value> (&words)[n]) {
+    return QString::fromUtf8(wordOf(words, value));
 }
-
-QVariant colourWord(const QColor& colour) {
+QVariant keptForm(const QColor& colour, AnyColour) {
     return colour.isValid() ? colour.name() : QString();
 }
+QVariant keptForm(int number, UpTo) {
+    return number;
+}
 
-/// A number that a settings file may have wrong.
-int bounded(const QVariant& value, int otherwise, int least,
-            int most = std::numeric_limits<int>::max()) {
+// What a settings file has wrong stays as it was.
+template <class Value, std::size_t n>
+void take(const QVariant& kept, Value& value, const Word<Value> (&words)[n]) {
+    value = parseWord(words, kept.toString().toStdString()).value_or(value);
+}
+void take(const QVariant& kept, QColor& colour, AnyColour) {
+    colour = QColor(kept.toString());
+}
+void take(const QVariant& kept, int& number, UpTo limit) {
     bool isNumber = false;
-    const int number = value.toInt(&isNumber);
-    return isNumber && number >= least ? std::min(number, most) : otherwise;
+    const int read = kept.toInt(&isNumber);
+    number = isNumber && read >= 0 ? std::min(read, limit.most) : number;
 }
 
 }  // namespace
@@ -103,32 +108,9 @@ void Preferences::write(const QString& key, const QVariant& value) {
 }
 
 void Preferences::readChoices() {
-    const Choices first;
-    choices_.lengthUnit = valueOf(kLengthUnits, read(kLengthUnit), first.lengthUnit);
-    const int denominator = bounded(read(kInchDenominator), first.inchDenominator, 0);
-    const bool known = std::count(std::begin(kDenominators), std::end(kDenominators), denominator);
-    choices_.inchDenominator = known ? denominator : first.inchDenominator;
-    choices_.theme = valueOf(kThemes, read(kTheme), first.theme);
-    choices_.language = valueOf(kLanguages, read(kLanguage), first.language);
-    choices_.navigation = valueOf(kNavigations, read(kNavigation), first.navigation);
-    choices_.selectionColour = QColor(read(kSelectionColour).toString());
-    choices_.seamColour = QColor(read(kSeamColour).toString());
-    choices_.autosaveMinutes =
-        bounded(read(kAutosaveMinutes), first.autosaveMinutes, 0, Choices::kMostAutosaveMinutes);
-    choices_.autoFlattenTriangles =
-        bounded(read(kAutoFlattenTriangles), first.autoFlattenTriangles, 0);
-}
-
-void Preferences::writeChoices() {
-    write(kLengthUnit, wordOf(kLengthUnits, choices_.lengthUnit));
-    write(kInchDenominator, choices_.inchDenominator);
-    write(kTheme, wordOf(kThemes, choices_.theme));
-    write(kLanguage, wordOf(kLanguages, choices_.language));
-    write(kNavigation, wordOf(kNavigations, choices_.navigation));
-    write(kSelectionColour, colourWord(choices_.selectionColour));
-    write(kSeamColour, colourWord(choices_.seamColour));
-    write(kAutosaveMinutes, choices_.autosaveMinutes);
-    write(kAutoFlattenTriangles, choices_.autoFlattenTriangles);
+    forEachChoice(choices_, [this](const char* name, auto& value, const auto& allowed) {
+        take(read(QString(kChoice).arg(name)), value, allowed);
+    });
 }
 
 void Preferences::setChoices(const Choices& choices) {
@@ -136,27 +118,10 @@ void Preferences::setChoices(const Choices& choices) {
         return;
     }
     const Choices before = std::exchange(choices_, choices);
-    writeChoices();
-    if (before.lengthUnit != choices.lengthUnit ||
-        before.inchDenominator != choices.inchDenominator) {
-        emit lengthUnitChanged();
-    }
-    if (before.theme != choices.theme) {
-        emit themeChanged();
-    }
-    if (before.navigation != choices.navigation) {
-        emit navigationChanged();
-    }
-    if (before.selectionColour != choices.selectionColour ||
-        before.seamColour != choices.seamColour) {
-        emit coloursChanged();
-    }
-    if (before.autosaveMinutes != choices.autosaveMinutes) {
-        emit autosaveMinutesChanged();
-    }
-    if (before.autoFlattenTriangles != choices.autoFlattenTriangles) {
-        emit autoFlattenTrianglesChanged();
-    }
+    forEachChoice(choices_, [this](const char* name, const auto& value, const auto& allowed) {
+        write(QString(kChoice).arg(name), keptForm(value, allowed));
+    });
+    emit choicesChanged(before);
 }
 
 QString Preferences::openFolder() const {

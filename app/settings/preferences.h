@@ -27,13 +27,8 @@ public:
 
     /// What the preferences dialog is about. Values that no version ever wrote read as the default.
     const Choices& choices() const { return choices_; }
-    /// Takes hold at once: emits a signal for everything that is another now.
+    /// Takes hold at once.
     void setChoices(const Choices& choices);
-    Navigation navigation() const { return choices_.navigation; }
-    Theme theme() const { return choices_.theme; }
-    Language language() const { return choices_.language; }
-    int autosaveMinutes() const { return choices_.autosaveMinutes; }
-    int autoFlattenTriangles() const { return choices_.autoFlattenTriangles; }
 
     /// Where the last garment was opened; the home folder at first.
     QString openFolder() const;
@@ -55,17 +50,12 @@ public:
     void setHiddenColumns(const QString& table, const QStringList& columns);
 
 signals:
-    void lengthUnitChanged();
-    void themeChanged();
-    void navigationChanged();
-    void coloursChanged();
-    void autosaveMinutesChanged();
-    void autoFlattenTrianglesChanged();
+    /// They are others than these.
+    void choicesChanged(const toile::app::Choices& before);
     void recentFilesChanged();
 
 private:
     void readChoices();
-    void writeChoices();
     QVariant read(const QString& key, const QVariant& atFirst = {}) const;
     void write(const QString& key, const QVariant& value);
 

@@ -103,20 +103,21 @@ private slots:
         QTemporaryDir folder;
         const QString file = folder.filePath("settings.ini");
         QSettings(file, QSettings::IniFormat).setValue("choices/autosaveMinutes", 2147483647);
-        const int minutes = Preferences(file).autosaveMinutes();
+        const int minutes = Preferences(file).choices().autosaveMinutes;
         QCOMPARE(minutes, Choices::kMostAutosaveMinutes);
         QCOMPARE(autosaveTimes(minutes)->apart, 60 * 60'000);  // and no overflow
     }
 
     void onlyWhatChangesIsSaid() {
         Preferences preferences{QString()};
-        const QSignalSpy unit(&preferences, &Preferences::lengthUnitChanged);
-        const QSignalSpy theme(&preferences, &Preferences::themeChanged);
-        const QSignalSpy navigation(&preferences, &Preferences::navigationChanged);
+        std::vector<Choices> before;
+        connect(&preferences, &Preferences::choicesChanged, this,
+                [&before](const Choices& choices) { before.push_back(choices); });
         preferences.setChoices({.navigation = Navigation::Rhino});
         preferences.setChoices({.navigation = Navigation::Rhino});
-        QCOMPARE(navigation.size(), 1);
-        QCOMPARE(unit.size() + theme.size(), 0);
+        QCOMPARE(before, std::vector{Choices{}});
+        preferences.setChoices({.theme = Theme::Dark});
+        QCOMPARE(before.back(), Choices{.navigation = Navigation::Rhino});
     }
 
     void dialogAppliesAtOnceAndCancelPutsBack() {
@@ -131,12 +132,12 @@ private slots:
         QCOMPARE(preferences.choices().lengthUnit, LengthUnit::Inch);
         QCOMPARE(preferences.choices().inchDenominator, 32);
         QTest::keyClick(&in<QComboBox>(dialog, "themeChoice"), Qt::Key_End);
-        QCOMPARE(preferences.theme(), Theme::Dark);
+        QCOMPARE(preferences.choices().theme, Theme::Dark);
         QTest::keyClick(&in<QSpinBox>(dialog, "autosaveMinutes"), Qt::Key_Down);
-        QCOMPARE(preferences.autosaveMinutes(), 8);
+        QCOMPARE(preferences.choices().autosaveMinutes, 8);
         QVERIFY(!in<QWidget>(dialog, "restartNote").isVisible());
         QTest::keyClick(&in<QComboBox>(dialog, "languageChoice"), Qt::Key_End);
-        QCOMPARE(preferences.language(), Language::German);
+        QCOMPARE(preferences.choices().language, Language::German);
         QVERIFY(in<QWidget>(dialog, "restartNote").isVisible());
         QTest::keyClick(&dialog, Qt::Key_Escape);
         QVERIFY(!dialog.isVisible());
@@ -155,7 +156,7 @@ private slots:
         QTest::keyClick(&in<QComboBox>(dialog, "navigationChoice"), Qt::Key_End);
         QTest::mouseClick(buttons.button(QDialogButtonBox::Ok), Qt::LeftButton);
         QVERIFY(!dialog.isVisible());
-        QCOMPARE(preferences.navigation(), Navigation::Rhino);
+        QCOMPARE(preferences.choices().navigation, Navigation::Rhino);
     }
 
     void bothPalettesAreLegible() {
