@@ -38,8 +38,7 @@ Autosave::Autosave(const Document& document, Session session, QString folder,
       document_(document),
       session_(std::move(session)),
       folder_(std::move(folder)),
-      times_(times),
-      jobs_(document) {
+      times_(times) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &Autosave::writeNow);
     connect(&jobs_, &JobRunner::failed, this, [this](const QString&, const QString& sentence) {

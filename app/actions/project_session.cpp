@@ -16,7 +16,7 @@ constexpr int kMostSentences = 4;  ///< that are read when a project is opened
 }  // namespace
 
 ProjectSession::ProjectSession(Workspace& workspace, QObject* parent)
-    : QObject(parent), workspace_(workspace), saves_(workspace.document()) {
+    : QObject(parent), workspace_(workspace) {
     connect(&workspace.document(), &Document::changed, this, &ProjectSession::onChanged);
     connect(&workspace.document().history(), &QUndoStack::cleanChanged, this,
             &ProjectSession::changed);

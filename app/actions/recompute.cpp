@@ -99,7 +99,11 @@ void Recompute::catchUp() {
             Qt::QueuedConnection);
     };
     auto job = recomputeJob(document_, order_.extent, flattener_, onGarment,
-                            [this](Derivation made) { take(std::move(made)); });
+                            [this, of = order_.revision](Derivation made) {
+                                if (of == document_.revision()) {  // else it is stale
+                                    take(std::move(made));
+                                }
+                            });
     const bool isUrgent = !document_.isCurrent() || order_.extent.flatten;
     ticket_ = isUrgent ? jobs_.replace(std::move(job)) : jobs_.start(std::move(job));
     *isWanted = ticket_;

@@ -148,8 +148,7 @@ private:
     void onStopped(bool failed);
 
     Document document_;
-    JobRunner jobs_{document_};
-    JobRunner writing_{document_};
+    JobRunner jobs_, writing_;
     std::function<void()> afterWriting_;
     Recompute recompute_{document_, jobs_};
     Opening opening_;

@@ -74,7 +74,7 @@ Result<Compared> carriedOut(const CompareOrder& order, Progress& progress) {
 
 MethodComparison::MethodComparison(const Document& document, const JobRunner& ordinary,
                                    QObject* parent)
-    : QObject(parent), document_(document), ordinary_(ordinary), runner_(document, this) {
+    : QObject(parent), document_(document), ordinary_(ordinary), runner_(this) {
     pause_.setSingleShot(true);
     pause_.setInterval(kPauseMilliseconds);
     connect(&pause_, &QTimer::timeout, this, &MethodComparison::refresh);

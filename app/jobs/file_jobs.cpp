@@ -158,7 +158,7 @@ std::unique_ptr<Job> saveJob(const Document& document, SaveTarget target,
         return SaveOutcome::Written;
     };
     return makeJob(QCoreApplication::translate("SaveJob", "Saving %1").arg(name), std::move(work),
-                   std::move(done), {.isCancellable = false});
+                   std::move(done), false);
 }
 
 std::unique_ptr<Job> projectJob(

@@ -81,7 +81,7 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
                           : order.flatten || order.settle
                               ? QCoreApplication::translate("RecomputeJob", "Flattening the pieces")
                               : QCoreApplication::translate("RecomputeJob", "Drawing the pieces");
-    return makeJob(title, std::move(work), std::move(done), {.revision = document.revision()});
+    return makeJob(title, std::move(work), std::move(done));
 }
 
 std::unique_ptr<Job> grainJob(const Document& document, const std::vector<int>& pieces,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QString>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -21,9 +20,6 @@ public:
 
     /// For the status bar, for example "Reading tee.obj".
     virtual QString title() const = 0;
-    /// Document revision the result belongs to; a result of an older one is dropped. None: the
-    /// result is good whatever has changed since.
-    virtual std::optional<std::uint64_t> revision() const { return std::nullopt; }
     /// False where the work is short and half of it is worse than all: cancelling passes it by.
     virtual bool isCancellable() const { return true; }
     /// The work. On a worker: touches no widget and no document. Polls `progress` for cancelling
@@ -33,25 +29,18 @@ public:
     virtual void finalize() = 0;
 };
 
-/// What is unusual about a job; see there.
-struct JobTraits {
-    std::optional<std::uint64_t> revision{};
-    bool isCancellable = true;
-};
-
 /// A job of two functions; see `makeJob`.
 template <class Work, class Done>
 class FunctionJob : public Job {
 public:
-    FunctionJob(QString title, Work work, Done done, const JobTraits& traits)
+    FunctionJob(QString title, Work work, Done done, bool isCancellable)
         : title_(std::move(title)),
           work_(std::move(work)),
           done_(std::move(done)),
-          traits_(traits) {}
+          isCancellable_(isCancellable) {}
 
     QString title() const override { return title_; }
-    std::optional<std::uint64_t> revision() const override { return traits_.revision; }
-    bool isCancellable() const override { return traits_.isCancellable; }
+    bool isCancellable() const override { return isCancellable_; }
     Result<void> process(Progress& progress) override {
         auto made = work_(progress);
         if (!made) {
@@ -71,7 +60,7 @@ private:
     QString title_;
     Work work_;
     Done done_;
-    JobTraits traits_;
+    bool isCancellable_;
     std::optional<std::decay_t<decltype(std::declval<Outcome&>().value())>> made_;
 };
 
@@ -79,9 +68,9 @@ private:
 ///              cancelled it may return anything
 /// @param done  `void(Made)`: takes over what was made
 template <class Work, class Done>
-std::unique_ptr<Job> makeJob(QString title, Work work, Done done, const JobTraits& traits = {}) {
+std::unique_ptr<Job> makeJob(QString title, Work work, Done done, bool isCancellable = true) {
     return std::make_unique<FunctionJob<Work, Done>>(std::move(title), std::move(work),
-                                                     std::move(done), traits);
+                                                     std::move(done), isCancellable);
 }
 
 }  // namespace toile::app

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/job_runner.h"
 
+#include <QSignalBlocker>
 #include <algorithm>
 #include <utility>
 
-#include "app/document/document.h"
 #include "app/text/error_text.h"
 
 namespace toile::app {
@@ -22,8 +22,7 @@ struct JobRunner::Running {
     bool replaced = false;
 };
 
-JobRunner::JobRunner(const Document& document, QObject* parent)
-    : QObject(parent), document_(document) {
+JobRunner::JobRunner(QObject* parent) : QObject(parent) {
     poll_.setInterval(kPollMilliseconds);
     connect(&poll_, &QTimer::timeout, this, [this] {
         if (current_) {
@@ -99,19 +98,13 @@ void JobRunner::cancelAll(bool replaced) {
 }
 
 void JobRunner::shutdown() {
-    const bool wasBlocked = blockSignals(true);
+    const QSignalBlocker quiet(this);
     cancel();
-    doTheRest();
-    blockSignals(wasBlocked);
+    finish();
 }
 
 void JobRunner::finish() {
-    const bool wasBlocked = blockSignals(true);
-    doTheRest();
-    blockSignals(wasBlocked);
-}
-
-void JobRunner::doTheRest() {
+    const QSignalBlocker quiet(this);
     poll_.stop();
     worker_.stop(false);
     current_.reset();
@@ -163,10 +156,7 @@ void JobRunner::settle(const Running& done, const Attempt<Result<void>>& made, b
         emit failed(job.title(), errorText(outcome.error()), done.replaced);
         return;
     }
-    const bool stale = job.revision() && *job.revision() != document_.revision();
-    if (!stale) {
-        job.finalize();
-    }
+    job.finalize();
 }
 
 }  // namespace toile::app

@@ -12,15 +12,13 @@
 
 namespace toile::app {
 
-class Document;
-
 /// Runs jobs one after the other on one worker thread. Progress is polled, not posted, so that a
 /// job that reports a million times costs the window nothing. GUI thread only.
 class JobRunner : public QObject {
     Q_OBJECT
 
 public:
-    explicit JobRunner(const Document& document, QObject* parent = nullptr);
+    explicit JobRunner(QObject* parent = nullptr);
     /// Cancels and waits.
     ~JobRunner() override;
 
@@ -70,11 +68,9 @@ private:
     };
 
     void startNext();
-    void doTheRest();
     void cancelAll(bool replaced);
     void settle(const Running& done, const Attempt<Result<void>>& made, bool isCancelled);
 
-    const Document& document_;
     QTimer poll_;
     Worker<Result<void>> worker_;  ///< jobs never overlap
     std::unique_ptr<Running> current_;

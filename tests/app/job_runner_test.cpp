@@ -32,11 +32,9 @@ class TestJob : public Job {
 public:
     std::function<Result<void>(Progress&)> work = [](Progress&) { return Result<void>(); };
     std::function<void()> done = [] {};
-    std::optional<std::uint64_t> madeAt;
     bool cancellable = true;
 
     QString title() const override { return "test"; }
-    std::optional<std::uint64_t> revision() const override { return madeAt; }
     bool isCancellable() const override { return cancellable; }
     Result<void> process(Progress& progress) override { return work(progress); }
     void finalize() override { done(); }
@@ -64,8 +62,7 @@ class JobRunnerTest : public QObject {
 
 private slots:
     void worksElsewhereAndFinishesHere() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         const QThread* here = QThread::currentThread();
         const QThread *worked = nullptr, *finished = nullptr;
         auto job = std::make_unique<TestJob>();
@@ -83,8 +80,7 @@ private slots:
     /// A progress bar paints the window as it is set. Where a job starts while a change is still
     /// being told, the views would paint what is no more.
     void aJobThatStartsDoesNotPaint() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         QWidget window;
         auto* canvas = new Canvas;
         canvas->setMinimumSize(50, 50);
@@ -121,8 +117,7 @@ private slots:
     }
 
     void reportsProgressWhileTheWorkerWorks() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         std::atomic<bool> seen = false;
         auto job = std::make_unique<TestJob>();
         job->work = [&](Progress& progress) {
@@ -145,8 +140,7 @@ private slots:
     }
 
     void cancelledJobIsNotFinalized() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         bool finalized = false;
         auto job = std::make_unique<TestJob>();
         job->work = untilCancelled;
@@ -161,8 +155,7 @@ private slots:
     }
 
     void cancelComingTooLateStillDropsTheResult() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         bool finalized = false;
         std::atomic<bool> started = false;
         auto job = std::make_unique<TestJob>();
@@ -182,37 +175,8 @@ private slots:
         QVERIFY(!finalized);
     }
 
-    void resultOfAnOlderRevisionIsDropped() {
-        Document document;
-        JobRunner runner(document);
-        std::atomic<bool> go = false;
-        int finalized = 0;
-        for (const bool stale : {true, false}) {
-            go = false;
-            auto job = std::make_unique<TestJob>();
-            job->madeAt = document.revision();
-            job->work = [&](Progress&) {
-                while (!go) {
-                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                }
-                return Result<void>();
-            };
-            job->done = [&] { ++finalized; };
-            QSignalSpy idle(&runner, &JobRunner::idle);
-            runner.start(std::move(job));
-            if (stale) {
-                test::setGarment(document, test::makeGarment({{"a", test::makeSheet(1, 1, 1, 1)}}),
-                                 nullptr);
-            }
-            go = true;
-            QTRY_COMPARE_WITH_TIMEOUT(idle.count(), 1, test::kPatience);
-            QCOMPARE(finalized, stale ? 0 : 1);
-        }
-    }
-
     void errorBecomesASentence() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         auto job = std::make_unique<TestJob>();
         job->work = [](Progress&) {
             return Result<void>(
@@ -225,8 +189,7 @@ private slots:
     }
 
     void faultOfTheProgramIsCaughtAndNamed() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         auto job = std::make_unique<TestJob>();
         job->work = [](Progress&) -> Result<void> { throw std::runtime_error("broken"); };
         QSignalSpy failed(&runner, &JobRunner::failed);
@@ -236,8 +199,7 @@ private slots:
     }
 
     void lackOfMemoryIsNoFaultToReport() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         auto job = std::make_unique<TestJob>();
         job->work = [](Progress&) -> Result<void> { throw std::bad_alloc(); };
         QSignalSpy failed(&runner, &JobRunner::failed);
@@ -250,8 +212,7 @@ private slots:
     }
 
     void jobsRunOneAfterTheOther() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         std::vector<int> order;
         for (int i = 0; i < 3; ++i) {
             auto job = std::make_unique<TestJob>();
@@ -264,8 +225,7 @@ private slots:
     }
 
     void replacingCancelsWhatRanAndWaited() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         std::vector<QString> order;
         const auto make = [&order](const QString& name, bool endless) {
             auto job = std::make_unique<TestJob>();
@@ -287,8 +247,7 @@ private slots:
     }
 
     void aJobSaysWhetherAnotherHasTakenItsPlace() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         const auto endless = [] {
             auto job = std::make_unique<TestJob>();
             job->work = untilCancelled;
@@ -317,8 +276,7 @@ private slots:
     }
 
     void oneJobIsDroppedAndTheOthersAreDone() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         std::vector<int> done;
         const auto make = [&done](int number, bool endless) {
             auto job = std::make_unique<TestJob>();
@@ -354,8 +312,7 @@ private slots:
     }
 
     void finishingDoesAllThereIs() {
-        Document document;
-        JobRunner runner(document);
+        JobRunner runner;
         std::atomic<int> done = 0;
         bool finalized = false;
         for (int i = 0; i < 3; ++i) {
@@ -374,11 +331,10 @@ private slots:
     }
 
     void endingTheRunnerDoesWhatIsBetterWholeThanHalf() {
-        Document document;
         std::atomic<int> done = 0;
         bool finalized = false;
         {
-            JobRunner runner(document);
+            JobRunner runner;
             auto first = std::make_unique<TestJob>();
             first->work = untilCancelled;
             runner.start(std::move(first));
@@ -395,10 +351,9 @@ private slots:
     }
 
     void endingTheRunnerWaitsForTheWorker() {
-        Document document;
         std::atomic<bool> begun = false, over = false;
         {
-            JobRunner runner(document);
+            JobRunner runner;
             auto job = std::make_unique<TestJob>();
             job->work = [&](Progress& progress) {
                 begun = true;
