@@ -93,10 +93,8 @@ void ComparedPicture::releaseGl() {
 void ComparedPicture::setPiece(std::shared_ptr<const Scene> scene, const SheetPlace& place,
                                const PictureLook& look) {
     view_ = look.view;
-    renderer_.setScene(std::move(scene));
-    renderer_.setPlaces({place});
-    renderer_.setFabric(look.fabric);
-    renderer_.setScale(look.scale);
+    renderer_.show(
+        {.scene = std::move(scene), .places = {place}, .fabric = look.fabric, .scale = look.scale});
     update();
 }
 

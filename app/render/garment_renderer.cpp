@@ -66,9 +66,10 @@ void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const
     synchronizeMorph(morph);
     xray_ = view.xray;
     const glm::dmat4 eye = camera.view();
-    Eigen::AlignedBox3d box = scene_->box;
+    Eigen::AlignedBox3d box = content_.scene->box;
     if (morph.way > 0) {
-        for (const Eigen::AlignedBox3d& piece : morphBoxes(*scene_, places(), morph)) {
+        for (const Eigen::AlignedBox3d& piece :
+             morphBoxes(*content_.scene, content_.places, morph)) {
             box.extend(piece);
         }
     }
@@ -138,7 +139,7 @@ void GarmentRenderer::synchronizeMorph(const Morph& morph) {
     if (morphTable_ == 0) {
         morphTable_ = makeTableTexture();
     }
-    const std::vector<SpaceMotion> motions = morphMotions(*scene_, places(), morph);
+    const std::vector<SpaceMotion> motions = morphMotions(*content_.scene, content_.places, morph);
     const int count = static_cast<int>(motions.size());
     const int height = std::max(1, (3 * count + kPieceTableWidth - 1) / kPieceTableWidth);
     std::vector<float> texels(static_cast<std::size_t>(4) * kPieceTableWidth *

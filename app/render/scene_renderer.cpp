@@ -91,7 +91,7 @@ QString SceneRenderer::initialize() {
     pieceTable_ = makeTexture(GL_NEAREST);
     divergingMap_ = makeColourMapTexture(divergingMap());
     sequentialMap_ = makeColourMapTexture(sequentialMap());
-    sceneChanged_ = tableChanged_ = scene_ != nullptr;
+    sceneChanged_ = tableChanged_ = content_.scene != nullptr;
     return {};
 }
 
@@ -117,49 +117,38 @@ void SceneRenderer::release() {
     cross_.reset();
 }
 
-void SceneRenderer::setScene(std::shared_ptr<const Scene> scene) {
-    if (scene == scene_) {
-        return;
-    }
-    scene_ = std::move(scene);
-    ++sceneNumber_;
-    sceneChanged_ = tableChanged_ = true;
-    ++contentNumber_;
-}
-
-void SceneRenderer::setSelection(std::set<int> selection) {
-    selection_ = std::move(selection);
-    tableChanged_ = true;
-}
-
-void SceneRenderer::setPlaces(SheetPlaces places) {
-    if (places == places_) {
-        return;
-    }
-    places_ = std::move(places);
-    tableChanged_ = true;
-    ++contentNumber_;
+void SceneRenderer::show(SceneContent content) {
+    const bool isOtherScene = content.scene != content_.scene;
+    const bool liesElsewhere = content.places != content_.places;
+    sceneNumber_ += isOtherScene ? 1 : 0;
+    contentNumber_ += isOtherScene || liesElsewhere ? 1 : 0;
+    sceneChanged_ = sceneChanged_ || isOtherScene;
+    tableChanged_ =
+        tableChanged_ || isOtherScene || liesElsewhere || content.selection != content_.selection;
+    content_ = std::move(content);
 }
 
 bool SceneRenderer::synchronize(const ViewState& view) {
-    if (!scene_ || !cloth_) {
+    if (!content_.scene || !cloth_) {
         return false;
     }
     if (std::exchange(sceneChanged_, false)) {
-        upload(*scene_, mesh_, overLines_);
+        upload(*content_.scene, mesh_, overLines_);
     }
     if (std::exchange(pieceColours_, view.pieceColours) != view.pieceColours) {
         tableChanged_ = true;
     }
     if (std::exchange(tableChanged_, false)) {
-        const PieceTable table = makePieceTable(*scene_, selection_, places_, pieceColours_);
+        const PieceTable table =
+            makePieceTable(*content_.scene, content_.selection, content_.places, pieceColours_);
         uploadTable(pieceTable_, table.height, table.texels);
     }
     return true;
 }
 
 OverlayScale SceneRenderer::scaleOf(Overlay overlay) const {
-    return scale_ ? *scale_ : overlayScale(*scene_, overlay, fabric_);
+    return content_.scale ? *content_.scale
+                          : overlayScale(*content_.scene, overlay, content_.fabric);
 }
 
 void SceneRenderer::uploadTable(GLuint texture, int height, const std::vector<float>& texels) {
@@ -186,7 +175,7 @@ void SceneRenderer::bindColourMap(Overlay overlay) {
 bool SceneRenderer::hasFaceTable() {
     if (facesOf_ != sceneNumber_) {
         glActiveTexture(GL_TEXTURE0 + kFaceTableUnit);
-        facesFit_ = faces_.upload(faceValues(*scene_));
+        facesFit_ = faces_.upload(faceValues(*content_.scene));
         facesOf_ = sceneNumber_;
     }
     return facesFit_;
@@ -224,13 +213,13 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
         return;
     }
     if (crossesOf_ != sceneNumber_) {
-        crosses_.upload(scene_->crosses);
+        crosses_.upload(content_.scene->crosses);
         crossesOf_ = sceneNumber_;
     }
     const OverlayScale scale = scaleOf(Overlay::Principal);
     bindColourMap(Overlay::Principal);
     bindPieceTable();
-    const CrossRun run = crossesAt(scene_->crosses, kLeastSpacing * millimetresPerPixel);
+    const CrossRun run = crossesAt(content_.scene->crosses, kLeastSpacing * millimetresPerPixel);
     if (run.count == 0) {
         return;
     }
@@ -300,14 +289,14 @@ void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
     if (frame.view.designerOutline) {
         paintDesignerLines(frame);
     }
-    if (seam_) {
-        paintLitUp(frame, depthShift, {.kind = Feature::Kind::Seam, .seam = *seam_}, false);
+    if (content_.seam) {
+        paintLitUp(frame, depthShift, {.kind = Feature::Kind::Seam, .seam = *content_.seam}, false);
     }
-    for (const Feature& mark : marks_) {
+    for (const Feature& mark : content_.marks) {
         paintLitUp(frame, depthShift, mark, false);
     }
-    if (hover_ && hover_->kind != Feature::Kind::Piece) {
-        paintLitUp(frame, depthShift, *hover_, true);
+    if (content_.hover && content_.hover->kind != Feature::Kind::Piece) {
+        paintLitUp(frame, depthShift, *content_.hover, true);
     }
     program.release();
 }
@@ -315,9 +304,9 @@ void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
 void SceneRenderer::paintChosenOutlines(const Frame& frame, float selected, float hovered) {
     setLine(frame.style.selection, selected, true, frame);
     mesh_.drawOutline();
-    if (hover_ && hover_->kind == Feature::Kind::Piece) {
+    if (content_.hover && content_.hover->kind == Feature::Kind::Piece) {
         setLine(frame.style.selection, hovered, false, frame);
-        drawFeature(*hover_);
+        drawFeature(*content_.hover);
     }
 }
 

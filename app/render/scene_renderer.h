@@ -20,6 +20,22 @@
 
 namespace toile::app {
 
+/// What is to be seen, however it is drawn.
+struct SceneContent {
+    std::shared_ptr<const Scene> scene{};  ///< may be null
+    SheetPlaces places{};
+    std::set<int> selection{};
+    std::optional<int> seam{};
+    /// Stretches of outlines that are selected. Vertices are left out.
+    std::vector<Feature> marks{};
+    std::optional<Feature> hover{};  ///< what the pointer is on; a vertex is left out
+    /// Its limits end the colours of strain overlays.
+    Fabric fabric = fabricPresets().front();
+    /// The ends of the overlay's colours, for pictures that are to be compared; none: those of
+    /// scene and fabric.
+    std::optional<OverlayScale> scale{};
+};
+
 /// What the two views' renderers share: one mesh, the piece table, the colour maps, the programs
 /// for cloth and lines, the backdrop. Knows nothing of widgets, so that the same picture can be
 /// drawn into any framebuffer. All calls but the setters need the context current.
@@ -32,19 +48,10 @@ public:
     /// Frees everything on the GPU. Before the context goes.
     void release();
 
-    /// The next frame uploads it. May be null.
-    void setScene(std::shared_ptr<const Scene> scene);
-    void setSelection(std::set<int> selection);
-    void setSeam(std::optional<int> seam) { seam_ = seam; }
-    /// Stretches of outlines that are selected, and what the pointer is on. Vertices are left out.
-    void setMarks(std::vector<Feature> marks) { marks_ = std::move(marks); }
-    void setHover(const std::optional<Feature>& hover) { hover_ = hover; }
-    void setPlaces(SheetPlaces places);
-    /// Its limits end the colours of strain overlays.
-    void setFabric(Fabric fabric) { fabric_ = std::move(fabric); }
-    /// The ends of the overlay's colours, for pictures that are to be compared; none: those of
-    /// scene and fabric.
-    void setScale(const std::optional<OverlayScale>& scale) { scale_ = scale; }
+    /// The next frame uploads what is another than before.
+    void show(SceneContent content);
+    const SceneContent& content() const { return content_; }
+    void setHover(const std::optional<Feature>& hover) { content_.hover = hover; }
 
     int meshUploads() const { return mesh_.uploads(); }
     /// Since the renderer was made.
@@ -93,7 +100,6 @@ protected:
     void paintBackdrop(const Frame& frame);
     ShaderProgram& backdropProgram() { return *backdrop_; }
 
-    const SheetPlaces& places() const { return places_; }
     /// Of the scene and of where it lies: another number whenever one of them has changed.
     int contentNumber() const { return contentNumber_; }
     /// A float texture of four numbers a texel, `kPieceTableWidth` texels a row.
@@ -102,7 +108,7 @@ protected:
     bool isReady_ = false;  ///< there is a context that it can draw in
     FrameCounts counts_;
     GpuMesh mesh_{counts_};
-    std::shared_ptr<const Scene> scene_;
+    SceneContent content_;
 
 private:
     OverlayScale scaleOf(Overlay overlay) const;
@@ -121,18 +127,11 @@ private:
     void drawFeature(const Feature& feature);
     void setLine(const QColor& colour, float width, bool selectedOnly, const Frame& frame);
 
-    std::set<int> selection_;
-    SheetPlaces places_;
-    std::optional<int> seam_;
-    Fabric fabric_ = fabricPresets().front();
-    std::optional<OverlayScale> scale_;
     FaceTable faces_{counts_};
     GpuCrosses crosses_{counts_};
     /// Scenes are numbered: of which the GPU has triangles' values and crosses.
     int sceneNumber_ = 0, facesOf_ = -1, crossesOf_ = -1;
     bool facesFit_ = false;
-    std::vector<Feature> marks_;
-    std::optional<Feature> hover_;
     GpuLines overLines_{counts_};
     bool sceneChanged_ = false, tableChanged_ = false;
     bool pieceColours_ = true;

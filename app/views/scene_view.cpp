@@ -30,6 +30,12 @@ constexpr double kZoomPerPixel = 1.005;
 /// Cloth around a place that is shown: a part of its piece, at least so many mm.
 constexpr double kReachShare = 0.2, kLeastReach = 5;
 
+/// What is drawn anew then.
+constexpr DocumentChanges kContent = DocumentChange::Garment | DocumentChange::Results |
+                                     DocumentChange::Settings | DocumentChange::Fabric |
+                                     DocumentChange::Selection | DocumentChange::SeamSelection |
+                                     DocumentChange::Mark;
+
 bool lieElsewhere(const SheetPlaces& a, const SheetPlaces& b) {
     return !std::ranges::equal(a, b, {}, &SheetPlace::placement, &SheetPlace::placement);
 }
@@ -54,13 +60,7 @@ SceneView::SceneView(Document& document, ToolChoice& tools, std::unique_ptr<Scen
         hover_.writeAgain();
         update();
     });
-    places_ = placesOf(document_.settings(), document_.colours());
-    renderer_->setPlaces(places_);
-    renderer_->setFabric(document_.fabric());
-    renderer_->setScene(document_.scene());
-    renderer_->setSelection(document_.selection());
-    renderer_->setSeam(document_.seam());
-    renderer_->setMarks(markedFeatures(document_));
+    renderer_->show(contentOf(document_));
 }
 
 SceneView::~SceneView() {
@@ -84,29 +84,13 @@ void SceneView::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Opened)) {
         followsAll_ = true;
     }
-    if (what & (DocumentChange::Garment | DocumentChange::Results)) {
-        renderer_->setScene(document_.scene());
-    }
-    if (what.testFlag(DocumentChange::Settings)) {
-        SheetPlaces places = placesOf(document_.settings(), document_.colours());
+    if (what & kContent) {
+        const SheetPlaces before = places();
+        renderer_->show(contentOf(document_));
         // Who moves a piece wants the sheet to stay where it is.
         const bool byHand = !(what & (DocumentChange::Garment | DocumentChange::Results)) &&
-                            lieElsewhere(places, places_);
-        places_ = std::move(places);
-        renderer_->setPlaces(places_);
+                            lieElsewhere(places(), before);
         followsAll_ = followsAll_ && !(byHand && kind() == ViewKind::Pattern);
-    }
-    if (what.testFlag(DocumentChange::Fabric)) {
-        renderer_->setFabric(document_.fabric());
-    }
-    if (what.testFlag(DocumentChange::Selection)) {
-        renderer_->setSelection(document_.selection());
-    }
-    if (what.testFlag(DocumentChange::SeamSelection)) {
-        renderer_->setSeam(document_.seam());
-    }
-    if (what.testFlag(DocumentChange::Mark)) {
-        renderer_->setMarks(markedFeatures(document_));
     }
     if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Selection |
                 DocumentChange::SeamSelection | DocumentChange::Mark)) {
@@ -123,6 +107,10 @@ void SceneView::onChanged(DocumentChanges what) {
         hover_.writeAgain();
     }
     update();
+}
+
+const SheetPlaces& SceneView::places() const {
+    return renderer_->content().places;
 }
 
 void SceneView::setWorstSpots(FlaggedSpots spots) {

@@ -101,7 +101,7 @@ protected:
     /// True until the camera is moved by hand.
     bool followsAll() const { return followsAll_; }
     /// Where the scene's pieces lie on the sheet.
-    const SheetPlaces& places() const { return places_; }
+    const SheetPlaces& places() const;
     const FlaggedSpots& spots() const { return spots_; }
     const ToolChoice& tools() const { return tools_; }
     Document& document_;
@@ -123,7 +123,6 @@ private:
     Navigation navigation_ = Navigation::Toile;
 
     std::unique_ptr<SceneRenderer> renderer_;
-    SheetPlaces places_;
     FlaggedSpots spots_;
     std::optional<WorstSpot> shown_;
     std::shared_ptr<const Scene> painted_;

@@ -177,4 +177,14 @@ std::vector<Feature> markedFeatures(const Document& document) {
     return features;
 }
 
+SceneContent contentOf(const Document& document) {
+    return {.scene = document.scene(),
+            .places = placesOf(document.settings(), document.colours()),
+            .selection = document.selection(),
+            .seam = document.seam(),
+            .marks = markedFeatures(document),
+            .hover = document.hover(),
+            .fabric = document.fabric()};
+}
+
 }  // namespace toile::app

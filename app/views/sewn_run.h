@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/document/feature.h"
+#include "app/render/scene_renderer.h"
 #include "core/pipeline/pipeline.h"
 
 namespace toile::app {
@@ -39,5 +40,8 @@ RunLengths runLengths(const Garment& garment, const PieceResults& results, const
 /// What is to be lit up of what is marked: the stretch or vertex, and all that is sewn to it, by
 /// whole edges.
 std::vector<Feature> markedFeatures(const Document& document);
+
+/// All that the views show of the document.
+SceneContent contentOf(const Document& document);
 
 }  // namespace toile::app

@@ -64,12 +64,7 @@ void PicturePainter::drawScene(QPainter& picture, const QRect& part, const Paint
     if (problem_ = renderer.initialize(); !problem_.isEmpty()) {
         return;
     }
-    renderer.setScene(document_.scene());
-    renderer.setPlaces(places_);
-    renderer.setFabric(document_.fabric());
-    renderer.setSelection(document_.selection());
-    renderer.setSeam(document_.seam());
-    renderer.setMarks(markedFeatures(document_));
+    renderer.show(contentOf(document_));
     QImage image;
     Framebuffer framebuffer;
     if (framebuffer.make(part.width(), part.height())) {

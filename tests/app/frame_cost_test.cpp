@@ -70,9 +70,7 @@ private:
         if (!renderer.initialize().isEmpty()) {
             return {-1, 0};
         }
-        renderer.setScene(scene);
-        renderer.setSelection({0});
-        renderer.setSeam(0);
+        renderer.show({.scene = scene, .selection = {0}, .seam = 0});
         paint(renderer, 0);
         const FrameCounts before = renderer.counts();
         firstFrame_ = before;
@@ -175,7 +173,6 @@ private slots:
         const auto scene = buildScene(*garment, {}, progress);
         GarmentRenderer renderer;
         QVERIFY(renderer.initialize().isEmpty());
-        renderer.setScene(scene);
         const auto picture = [&](const std::set<int>& selection) -> QImage {
             Camera3D camera;
             camera.setViewport(kSize, kSize);
@@ -184,7 +181,7 @@ private slots:
             camera.frame(boxes);
             const Eigen::Vector3d front(0, 0, scene->box.max().z());
             camera.zoomAt(front, (camera.distance() - front.z()) / 200);
-            renderer.setSelection(selection);
+            renderer.show({.scene = scene, .selection = selection});
             renderer.paint(camera, {}, renderStyle({}), kSize, kSize, 1);
             return target_->toImage();
         };
