@@ -39,7 +39,7 @@ bool showsFigures(Workspace& on) {
 
 bool hasDesigner(Workspace& on) {
     const auto& scene = on.document().scene();
-    return scene && !scene->patternLines.runs.designer.empty();
+    return scene && !scene->patternLines.designer.empty();
 }
 
 bool hasCuts(Workspace& on) {

@@ -18,9 +18,9 @@ namespace {
 /// Tighter than the box of a box where the piece is turned.
 Eigen::AlignedBox2d outlineBox(const Scene& scene, const Placement& placement) {
     Eigen::AlignedBox2d box;
-    const VertexRun run = scene.patternLines.runs.outlines.front();
+    const VertexRun run = scene.patternLines.outlines.front();
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-        const auto& vertex = scene.patternLines.vertices[i];
+        const auto& vertex = scene.lineVertices[i];
         const Eigen::Vector2d flat = Eigen::Map<const Eigen::Vector2f>(vertex.flat).cast<double>();
         box.extend(placement.applied(flat));
     }

@@ -14,16 +14,16 @@ namespace {
 constexpr double kLineDepthShift = 3e-4;
 
 constexpr VertexAttribute kGarmentAttributes[] = {
-    {0, 3, offsetof(GarmentVertex, position)}, {1, 3, offsetof(GarmentVertex, normal)},
-    {2, 2, offsetof(GarmentVertex, flat)},     {3, 4, offsetof(GarmentVertex, values)},
-    {4, 1, offsetof(GarmentVertex, piece)},    {5, 3, offsetof(GarmentVertex, metric)},
+    {0, 3, offsetof(ClothVertex, position)}, {1, 3, offsetof(ClothVertex, normal)},
+    {2, 2, offsetof(ClothVertex, flat)},     {3, 4, offsetof(ClothVertex, values)},
+    {4, 1, offsetof(ClothVertex, piece)},    {5, 3, offsetof(ClothVertex, metric)},
 };
 
 constexpr VertexAttribute kGarmentLineAttributes[] = {
-    {0, 3, offsetof(GarmentLineVertex, position)},
-    {2, 2, offsetof(GarmentLineVertex, flat)},
-    {4, 1, offsetof(GarmentLineVertex, piece)},
-    {7, 1, offsetof(GarmentLineVertex, tint)},
+    {0, 3, offsetof(LineVertex, position)},
+    {2, 2, offsetof(LineVertex, flat)},
+    {4, 1, offsetof(LineVertex, piece)},
+    {7, 1, offsetof(LineVertex, tint)},
 };
 
 constexpr int kMorphTableUnit = 3;
@@ -47,8 +47,8 @@ SceneRenderer::ProgramFiles GarmentRenderer::programFiles() const {
 }
 
 void GarmentRenderer::upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
-    mesh.upload(scene.garment, kGarmentAttributes);
-    lines.upload(scene.garmentLines, kGarmentLineAttributes);
+    mesh.upload(scene.vertices, scene.garment, kGarmentAttributes);
+    lines.upload(scene.lineVertices, scene.garmentLines, kGarmentLineAttributes);
 }
 
 void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style,

@@ -51,16 +51,16 @@ private:
     GLuint array_ = 0, vertices_ = 0, indices_ = 0;
 };
 
-/// The GPU's copy of a MeshBuffers.
+/// The GPU's copy of the cloth.
 class GpuMesh : public GpuBuffers {
 public:
     using GpuBuffers::GpuBuffers;
 
     /// Replaces what was there.
-    template <class Vertex>
-    void upload(const MeshBuffers<Vertex>& mesh, std::span<const VertexAttribute> attributes) {
+    void upload(const std::vector<ClothVertex>& vertices, const MeshIndices& mesh,
+                std::span<const VertexAttribute> attributes) {
         ++uploads_;
-        uploadVertices(mesh.vertices, attributes);
+        uploadVertices(vertices, attributes);
         uploadIndices({mesh.triangles, mesh.edges, mesh.outline});
         triangles_ = mesh.triangles.size();
         edges_ = mesh.edges.size();
@@ -79,17 +79,17 @@ private:
     int uploads_ = 0;
 };
 
-/// The GPU's copy of a LineBuffers, cut into segments so that any number of polylines that follow
+/// The GPU's copy of lines, cut into segments so that any number of polylines that follow
 /// each other take one draw call.
 class GpuLines : public GpuBuffers {
 public:
     using GpuBuffers::GpuBuffers;
 
     /// Replaces what was there.
-    template <class Vertex>
-    void upload(const LineBuffers<Vertex>& lines, std::span<const VertexAttribute> attributes) {
-        uploadVertices(lines.vertices, attributes);
-        uploadSegments(lines.runs);
+    void upload(const std::vector<LineVertex>& vertices, const LineRuns& runs,
+                std::span<const VertexAttribute> attributes) {
+        uploadVertices(vertices, attributes);
+        uploadSegments(runs);
     }
 
     void drawSeams() const { drawSegments(seams_); }

@@ -48,7 +48,7 @@ Field fieldOf(const Scene& scene, const SheetPlaces& places, Overlay overlay,
               const OverlayScale& scale) {
     Field field;
     const auto& triangles = scene.pattern.triangles;
-    field.severity.assign(scene.pattern.vertices.size(), -1.0F);
+    field.severity.assign(scene.vertices.size(), -1.0F);
     field.value.assign(field.severity.size(), 0.0F);
     field.face.assign(field.severity.size(), 0);
     forEachValue(scene, places, overlay, scale, [&](std::size_t face, double value) {
@@ -94,20 +94,15 @@ std::vector<std::uint32_t> peaks(const Scene& scene, const Field& field) {
 WorstSpot spotAt(const Scene& scene, const Field& field, std::uint32_t at) {
     const auto& triangles = scene.pattern.triangles;
     WorstSpot spot;
-    spot.piece = static_cast<int>(scene.pattern.vertices[at].piece);
+    spot.piece = static_cast<int>(scene.vertices[at].piece);
     spot.value = static_cast<double>(field.value[at]);
-    const PieceScene& piece = scene.pieces[static_cast<std::size_t>(spot.piece)];
-    // Vertices of a piece follow each other in both views alike.
-    const std::uint32_t flatBase = triangles[3 * std::size_t{piece.patternRun.first}];
-    const std::uint32_t wornBase = scene.garment.triangles[3 * std::size_t{piece.garmentRun.first}];
     constexpr double share = 1.0 / 3;
     const std::size_t first = 3 * std::size_t{field.face[at]};
     for (std::size_t k = first; k < first + 3; ++k) {
-        const std::uint32_t v = triangles[k];
-        const GarmentVertex& worn = scene.garment.vertices[v - flatBase + wornBase];
-        spot.flat += share * flatPoint(scene.pattern.vertices[v]);
-        spot.position += share * wornPoint(worn);
-        spot.normal += share * Eigen::Map<const Eigen::Vector3f>(worn.normal).cast<double>();
+        const ClothVertex& corner = scene.vertices[triangles[k]];
+        spot.flat += share * flatPoint(corner);
+        spot.position += share * wornPoint(corner);
+        spot.normal += share * Eigen::Map<const Eigen::Vector3f>(corner.normal).cast<double>();
     }
     return spot;
 }

@@ -68,8 +68,8 @@ double unbounded(Overlay overlay, const OverlaySample& sample, const Eigen::Vect
 OverlaySample blended(const Scene& scene, std::size_t face, const Eigen::Vector3d& weights) {
     OverlaySample sum{};
     for (int k = 0; k < 3; ++k) {
-        const PatternVertex& vertex =
-            scene.pattern.vertices[scene.pattern.triangles[3 * face + static_cast<std::size_t>(k)]];
+        const ClothVertex& vertex =
+            scene.vertices[scene.pattern.triangles[3 * face + static_cast<std::size_t>(k)]];
         const auto weight = static_cast<float>(weights[k]);
         for (int i = 0; i < 4; ++i) {
             sum.values[i] += weight * vertex.values[i];

@@ -96,6 +96,18 @@ bool mayMeet(const Ray& ray, double slope, const Eigen::AlignedBox3d& box) {
            radius + slope * std::max(0.0, depth + radius);
 }
 
+/// A point of a face, by its corners' points.
+template <class Point, class PointOf>
+Point pointOnFace(const Scene& scene, int piece, int face, const Eigen::Vector3d& weights,
+                  const PointOf& pointOf) {
+    const std::size_t first = scene.pieces[static_cast<std::size_t>(piece)].garmentRun.first;
+    const std::uint32_t* corner =
+        &scene.garment.triangles[3 * (first + static_cast<std::size_t>(face))];
+    return weights[0] * pointOf(scene.vertices[corner[0]]) +
+           weights[1] * pointOf(scene.vertices[corner[1]]) +
+           weights[2] * pointOf(scene.vertices[corner[2]]);
+}
+
 }  // namespace
 
 std::optional<SurfaceHit> pickGarment(const Scene& scene, const Ray& ray) {
@@ -111,9 +123,9 @@ std::optional<SurfaceHit> pickGarment(const Scene& scene, const Ray& ray) {
         }
         const auto tryFace = [&](std::uint32_t face) {
             const std::size_t t = piece.garmentRun.first + std::size_t{face};
-            const auto meeting = meet(ray, wornPoint(scene.garment.vertices[triangles[3 * t]]),
-                                      wornPoint(scene.garment.vertices[triangles[3 * t + 1]]),
-                                      wornPoint(scene.garment.vertices[triangles[3 * t + 2]]));
+            const auto meeting = meet(ray, wornPoint(scene.vertices[triangles[3 * t]]),
+                                      wornPoint(scene.vertices[triangles[3 * t + 1]]),
+                                      wornPoint(scene.vertices[triangles[3 * t + 2]]));
             if (meeting &&
                 isBetter(nearest, static_cast<int>(i), static_cast<int>(face), meeting->distance)) {
                 nearest = {static_cast<int>(i), static_cast<int>(face), meeting->barycentric,
@@ -144,7 +156,7 @@ std::optional<SurfaceHit> pickPiece(const Scene& scene, int index, const Eigen::
         [&](std::uint32_t face) {
             const std::size_t t = 3 * (piece.patternRun.first + std::size_t{face});
             const auto corner = [&](std::size_t k) -> Eigen::Vector2d {
-                return flatPoint(scene.pattern.vertices[triangles[t + k]]);
+                return flatPoint(scene.vertices[triangles[t + k]]);
             };
             const auto weights = weightsAt(point, corner(0), corner(1), corner(2));
             if (weights && isBetter(first, index, static_cast<int>(face), 0)) {
@@ -166,22 +178,12 @@ std::optional<SurfaceHit> pickPattern(const Scene& scene, const SheetPlaces& pla
 
 Eigen::Vector3d garmentPoint(const Scene& scene, int piece, int face,
                              const Eigen::Vector3d& barycentric) {
-    const std::size_t first = scene.pieces[static_cast<std::size_t>(piece)].garmentRun.first;
-    const std::uint32_t* corner =
-        &scene.garment.triangles[3 * (first + static_cast<std::size_t>(face))];
-    return barycentric[0] * wornPoint(scene.garment.vertices[corner[0]]) +
-           barycentric[1] * wornPoint(scene.garment.vertices[corner[1]]) +
-           barycentric[2] * wornPoint(scene.garment.vertices[corner[2]]);
+    return pointOnFace<Eigen::Vector3d>(scene, piece, face, barycentric, wornPoint<ClothVertex>);
 }
 
 Eigen::Vector2d patternPoint(const Scene& scene, int piece, int face,
                              const Eigen::Vector3d& barycentric) {
-    const std::size_t first = scene.pieces[static_cast<std::size_t>(piece)].patternRun.first;
-    const std::uint32_t* corner =
-        &scene.pattern.triangles[3 * (first + static_cast<std::size_t>(face))];
-    return barycentric[0] * flatPoint(scene.pattern.vertices[corner[0]]) +
-           barycentric[1] * flatPoint(scene.pattern.vertices[corner[1]]) +
-           barycentric[2] * flatPoint(scene.pattern.vertices[corner[2]]);
+    return pointOnFace<Eigen::Vector2d>(scene, piece, face, barycentric, flatPoint<ClothVertex>);
 }
 
 std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& places,
@@ -189,12 +191,12 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
                                        const SeamFilter& counts) {
     std::optional<SeamHit> nearest;
     const auto& lines = scene.patternLines;
-    for (std::size_t s = 0; s < lines.runs.seams.size(); ++s) {
+    for (std::size_t s = 0; s < lines.seams.size(); ++s) {
         if (counts && !counts(static_cast<int>(s))) {
             continue;
         }
         for (int side = 0; side < 2; ++side) {
-            const VertexRun run = lines.runs.seams[s][static_cast<std::size_t>(side)];
+            const VertexRun run = lines.seams[s][static_cast<std::size_t>(side)];
             const SeamScene::Side& part = scene.seams[s].sides[static_cast<std::size_t>(side)];
             if (run.count < 2) {
                 continue;
@@ -204,8 +206,8 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
                 continue;
             }
             for (std::uint32_t i = run.first + 1; i < run.first + run.count; ++i) {
-                const double distance = distanceToSegment(local, flatPoint(lines.vertices[i - 1]),
-                                                          flatPoint(lines.vertices[i]));
+                const double distance = distanceToSegment(
+                    local, flatPoint(scene.lineVertices[i - 1]), flatPoint(scene.lineVertices[i]));
                 if (distance <= radius && (!nearest || distance < nearest->distance)) {
                     nearest = {static_cast<int>(s), side, static_cast<int>(i - run.first) - 1,
                                distance};
@@ -220,16 +222,16 @@ std::optional<SeamHit> pickGarmentSeam(const Scene& scene, const Ray& ray, doubl
                                        double farthest, const SeamFilter& counts) {
     std::optional<SeamHit> nearest;
     const auto& lines = scene.garmentLines;
-    for (std::size_t s = 0; s < lines.runs.seams.size(); ++s) {
+    for (std::size_t s = 0; s < lines.seams.size(); ++s) {
         if ((counts && !counts(static_cast<int>(s))) || scene.seams[s].box.isEmpty() ||
             !mayMeet(ray, slope, scene.seams[s].box)) {
             continue;
         }
         for (int side = 0; side < 2; ++side) {
-            const VertexRun run = lines.runs.seams[s][static_cast<std::size_t>(side)];
+            const VertexRun run = lines.seams[s][static_cast<std::size_t>(side)];
             for (std::uint32_t i = run.first + 1; i < run.first + run.count; ++i) {
-                const double distance = besides(ray, wornPoint(lines.vertices[i - 1]),
-                                                wornPoint(lines.vertices[i]), farthest);
+                const double distance = besides(ray, wornPoint(scene.lineVertices[i - 1]),
+                                                wornPoint(scene.lineVertices[i]), farthest);
                 if (distance <= slope && (!nearest || distance < nearest->distance)) {
                     nearest = {static_cast<int>(s), side, static_cast<int>(i - run.first) - 1,
                                distance};

@@ -10,22 +10,19 @@ std::size_t bytesOf(const std::vector<Value>& values) {
     return values.capacity() * sizeof(Value);
 }
 
-template <class Vertex>
-std::size_t bytesOf(const MeshBuffers<Vertex>& mesh) {
-    return bytesOf(mesh.vertices) + bytesOf(mesh.triangles) + bytesOf(mesh.edges) +
-           bytesOf(mesh.outline);
+std::size_t bytesOf(const MeshIndices& mesh) {
+    return bytesOf(mesh.triangles) + bytesOf(mesh.edges) + bytesOf(mesh.outline);
 }
 
-template <class Vertex>
-std::size_t bytesOf(const LineBuffers<Vertex>& lines) {
-    return bytesOf(lines.vertices) + bytesOf(lines.runs.seams) + bytesOf(lines.runs.designer) +
-           bytesOf(lines.runs.outlines);
+std::size_t bytesOf(const LineRuns& lines) {
+    return bytesOf(lines.seams) + bytesOf(lines.designer) + bytesOf(lines.outlines);
 }
 
 }  // namespace
 
 std::size_t bytesOf(const Scene& scene) {
-    std::size_t bytes = sizeof(Scene) + bytesOf(scene.garment) + bytesOf(scene.pattern) +
+    std::size_t bytes = sizeof(Scene) + bytesOf(scene.vertices) + bytesOf(scene.garment) +
+                        bytesOf(scene.pattern) + bytesOf(scene.lineVertices) +
                         bytesOf(scene.garmentLines) + bytesOf(scene.patternLines) +
                         bytesOf(scene.faces) + bytesOf(scene.crosses.vertices) +
                         bytesOf(scene.pieces) + bytesOf(scene.seams);

@@ -20,21 +20,14 @@ namespace toile::app {
 /// thread, then shared and never changed. Overlay, selection, colours and the pieces' places on
 /// the sheet (`SheetPlaces`) are not in it, so that changing them uploads no mesh.
 
-/// Millimetres; positions are relative to Scene::origin.
-struct GarmentVertex {
+/// Of the cloth, for both views. Millimetres; positions are relative to Scene::origin.
+struct ClothVertex {
     float position[3];
     float normal[3];  ///< unit, towards the fabric's right side
-    float flat[2];    ///< the piece's own flat coordinates: the checkerboard's coordinates
+    float flat[2];    ///< the piece's own flat coordinates, the checkerboard's too; else 0
     float values[4];  ///< area change %, angle change degrees, largest and least edge strain %
     float metric[3];  ///< E, F, G of the map from flat to worn (core/quality/metric_tensor.h)
     float piece;      ///< index into the garment's pieces
-};
-
-struct PatternVertex {
-    float flat[2];  ///< mm, the piece's own coordinates
-    float values[4];
-    float metric[3];
-    float piece;
 };
 
 /// Where a vertex of any of these kinds that has one lies flat, mm, the piece's own coordinates,
@@ -56,15 +49,13 @@ struct FaceValues {
     float flatArea;  ///< mm2, positive
 };
 
-/// A run of triangles in MeshBuffers::triangles, counted in triangles.
+/// A run of triangles in MeshIndices::triangles, counted in triangles.
 struct TriangleRun {
     std::uint32_t first = 0, count = 0;
 };
 
-/// One vertex buffer and three ways to draw it, all pieces one after the other.
-template <class Vertex>
-struct MeshBuffers {
-    std::vector<Vertex> vertices;
+/// Three ways to draw the vertices, all pieces one after the other.
+struct MeshIndices {
     std::vector<std::uint32_t> triangles;  ///< 3 per triangle
     std::vector<std::uint32_t> edges;      ///< 2 per edge
     std::vector<std::uint32_t> outline;    ///< 2 per boundary edge
@@ -74,21 +65,16 @@ struct MeshBuffers {
 /// one of these.
 inline constexpr float kFreeEdgeTint = -1, kNoTint = -2;
 
-struct GarmentLineVertex {
+/// Of the lines that both views draw over the cloth.
+struct LineVertex {
     float position[3];
     float flat[2];  ///< where the piece lies flat, its own coordinates; else 0
     float piece;
+    float along;  ///< mm on the flat piece from the line's beginning, for dashes
     float tint;
 };
 
-struct PatternLineVertex {
-    float flat[2];  ///< mm, the piece's own coordinates
-    float piece;
-    float along;  ///< mm from the line's beginning, for dashes
-    float tint;
-};
-
-/// A polyline: a run of vertices in LineBuffers::vertices.
+/// A polyline: a run of vertices in Scene::lineVertices.
 struct VertexRun {
     std::uint32_t first = 0, count = 0;
 };
@@ -102,12 +88,6 @@ struct LineRuns {
     /// Per piece its outline, the first vertex once more at the end; empty of a piece that is no
     /// disk, and in the pattern of one that is not flat. Vertex k is vertex k of Piece::boundary.
     std::vector<VertexRun> outlines;
-};
-
-template <class Vertex>
-struct LineBuffers {
-    std::vector<Vertex> vertices;
-    LineRuns runs;
 };
 
 /// Per seam: where it is, for framing. Empty where nothing of it is drawn.
@@ -149,10 +129,10 @@ struct Scene {
     /// Middle of the garment: taken off in double precision, so that a garment far from the
     /// coordinate origin keeps its digits in floats.
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-    MeshBuffers<GarmentVertex> garment;
-    MeshBuffers<PatternVertex> pattern;  ///< pieces that are flat only
-    LineBuffers<GarmentLineVertex> garmentLines;
-    LineBuffers<PatternLineVertex> patternLines;
+    std::vector<ClothVertex> vertices;  ///< of all pieces, one after the other
+    MeshIndices garment, pattern;       ///< in the pattern those of flat pieces only
+    std::vector<LineVertex> lineVertices;
+    LineRuns garmentLines, patternLines;
     std::vector<FaceValues> faces;  ///< one per triangle of `pattern`
     StretchCrosses crosses;
     std::vector<PieceScene> pieces;

@@ -39,19 +39,20 @@ void put(float* out, const Eigen::Vector3d& v) {
     }
 }
 
-template <class Vertex>
-void appendIndices(MeshBuffers<Vertex>& buffers, const Piece& piece, std::uint32_t base) {
+/// @return the triangles
+TriangleRun appendIndices(MeshIndices& mesh, const Piece& piece, std::uint32_t base) {
+    const auto first = static_cast<std::uint32_t>(mesh.triangles.size() / 3);
     const auto append = [base](std::vector<std::uint32_t>& out, int index) {
         out.push_back(base + static_cast<std::uint32_t>(index));
     };
     for (Eigen::Index f = 0; f < piece.mesh.F.rows(); ++f) {
         for (int k = 0; k < 3; ++k) {
-            append(buffers.triangles, piece.mesh.F(f, k));
+            append(mesh.triangles, piece.mesh.F(f, k));
         }
     }
     for (Eigen::Index e = 0; e < piece.table.edges.rows(); ++e) {
         for (int k = 0; k < 2; ++k) {
-            append(buffers.edges, piece.table.edges(e, k));
+            append(mesh.edges, piece.table.edges(e, k));
         }
     }
     // Edges of one triangle only: of pieces that are no disks too, which have no boundary loop.
@@ -59,15 +60,11 @@ void appendIndices(MeshBuffers<Vertex>& buffers, const Piece& piece, std::uint32
         const auto at = static_cast<std::size_t>(e);
         if (piece.table.useStart[at + 1] - piece.table.useStart[at] == 1) {
             for (int k = 0; k < 2; ++k) {
-                append(buffers.outline, piece.table.edges(e, k));
+                append(mesh.outline, piece.table.edges(e, k));
             }
         }
     }
-}
-
-TriangleRun runSince(std::size_t indicesBefore, std::size_t indicesNow) {
-    return {static_cast<std::uint32_t>(indicesBefore / 3),
-            static_cast<std::uint32_t>((indicesNow - indicesBefore) / 3)};
+    return {first, static_cast<std::uint32_t>(piece.mesh.F.rows())};
 }
 
 class Builder {
@@ -79,9 +76,14 @@ public:
         PieceScene& entry = scene_.pieces.emplace_back();
         entry.flat = flat != nullptr;
         const PieceValues values = flat ? pieceValues(piece, flat->Q) : PieceValues{};
-        addGarmentPart(piece, flat, values.vertices, entry);
+        const auto base = static_cast<std::uint32_t>(scene_.vertices.size());
+        addVertices(piece, flat, values.vertices, entry);
+        entry.garmentRun = appendIndices(scene_.garment, piece, base);
+        entry.garmentTree = treeOf<3>(&ClothVertex::position, scene_.garment, entry.garmentRun);
         if (flat) {
-            addPatternPart(piece, *flat, values.vertices, entry);
+            entry.patternRun = appendIndices(scene_.pattern, piece, base);
+            entry.patternTree = treeOf<2>(&ClothVertex::flat, scene_.pattern, entry.patternRun);
+            entry.label = placeLabel(flatLoops(piece, flat->Q), {}).position;
             addFaces(values);
             entry.rest = bestRest(flat->Q, piece.mesh.V, scene_.origin);
         }
@@ -89,19 +91,18 @@ public:
     }
 
 private:
-    void addGarmentPart(const Piece& piece, const FlatPiece* flat, const OverlayFields& values,
-                        PieceScene& entry) {
-        auto& buffers = scene_.garment;
-        const auto base = static_cast<std::uint32_t>(buffers.vertices.size());
-        const std::size_t indicesBefore = buffers.triangles.size();
+    void addVertices(const Piece& piece, const FlatPiece* flat, const OverlayFields& values,
+                     PieceScene& entry) {
         const Points3 normals = vertexNormals(piece.mesh);
         for (Eigen::Index i = 0; i < piece.mesh.V.rows(); ++i) {
-            GarmentVertex& vertex = buffers.vertices.emplace_back();
+            ClothVertex& vertex = scene_.vertices.emplace_back();
             const Eigen::Vector3d position = piece.mesh.V.row(i).transpose() - scene_.origin;
             put(vertex.position, position);
             put(vertex.normal, Eigen::Vector3d(normals.row(i).transpose()));
             if (flat) {
-                Eigen::Map<Eigen::RowVector2f>(vertex.flat) = flat->Q.row(i).cast<float>();
+                const Eigen::Vector2d point = flat->Q.row(i).transpose();
+                Eigen::Map<Eigen::Vector2f>(vertex.flat) = point.cast<float>();
+                entry.flatBox.extend(point);
             }
             copyValues(values, i, vertex.values, vertex.metric);
             vertex.piece = index_;
@@ -109,32 +110,13 @@ private:
                 entry.box.extend(position);
             }
         }
-        appendIndices(buffers, piece, base);
-        entry.garmentRun = runSince(indicesBefore, buffers.triangles.size());
-        entry.garmentTree = TriangleTree<3>(buffers.vertices.front().position,
-                                            sizeof(GarmentVertex) / sizeof(float),
-                                            std::span(buffers.triangles).subspan(indicesBefore));
     }
 
-    void addPatternPart(const Piece& piece, const FlatPiece& flat, const OverlayFields& values,
-                        PieceScene& entry) {
-        auto& buffers = scene_.pattern;
-        const auto base = static_cast<std::uint32_t>(buffers.vertices.size());
-        const std::size_t indicesBefore = buffers.triangles.size();
-        for (Eigen::Index i = 0; i < flat.Q.rows(); ++i) {
-            PatternVertex& vertex = buffers.vertices.emplace_back();
-            const Eigen::Vector2d point = flat.Q.row(i).transpose();
-            Eigen::Map<Eigen::Vector2f>(vertex.flat) = point.cast<float>();
-            copyValues(values, i, vertex.values, vertex.metric);
-            vertex.piece = index_;
-            entry.flatBox.extend(point);
-        }
-        appendIndices(buffers, piece, base);
-        entry.patternRun = runSince(indicesBefore, buffers.triangles.size());
-        entry.patternTree =
-            TriangleTree<2>(buffers.vertices.front().flat, sizeof(PatternVertex) / sizeof(float),
-                            std::span(buffers.triangles).subspan(indicesBefore));
-        entry.label = placeLabel(flatLoops(piece, flat.Q), {}).position;
+    template <int n>
+    TriangleTree<n> treeOf(float (ClothVertex::*point)[n], const MeshIndices& mesh,
+                           const TriangleRun& run) const {
+        return TriangleTree<n>(scene_.vertices.front().*point, sizeof(ClothVertex) / sizeof(float),
+                               std::span(mesh.triangles).subspan(3 * std::size_t{run.first}));
     }
 
     void addFaces(const PieceValues& values) {
@@ -167,10 +149,12 @@ private:
 /// Of overlays that no fabric limits: the others take their scale from the fabric.
 OverlayScale scaleOf(const Scene& scene, Overlay overlay, double finest) {
     std::vector<float> values;
-    values.reserve(scene.pattern.vertices.size());
-    for (const PatternVertex& vertex : scene.pattern.vertices) {
-        values.push_back(static_cast<float>(
-            overlayValue(overlay, sampleOf(vertex), Eigen::Vector2d::UnitY(), OverlayScale{})));
+    values.reserve(scene.vertices.size());
+    for (const ClothVertex& vertex : scene.vertices) {
+        if (scene.pieces[static_cast<std::size_t>(vertex.piece)].flat) {
+            values.push_back(static_cast<float>(
+                overlayValue(overlay, sampleOf(vertex), Eigen::Vector2d::UnitY(), OverlayScale{})));
+        }
     }
     return robustScale(std::move(values), isSigned(overlay), finest);
 }
@@ -183,7 +167,7 @@ void reserve(const Garment& garment, Scene& scene) {
         edges += static_cast<std::size_t>(piece->table.edges.rows());
     }
     scene.pieces.reserve(garment.pieces.size());
-    scene.garment.vertices.reserve(vertices);
+    scene.vertices.reserve(vertices);
     scene.garment.triangles.reserve(3 * faces);
     scene.garment.edges.reserve(2 * edges);
 }

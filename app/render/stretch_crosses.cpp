@@ -59,7 +59,7 @@ std::vector<Place> placesOf(const Scene& scene, const PieceScene& piece, double 
     for (std::size_t face = first; face < first + piece.patternRun.count; ++face) {
         Eigen::Vector2d middle = Eigen::Vector2d::Zero();
         for (std::size_t k = 0; k < 3; ++k) {
-            middle += flatPoint(scene.pattern.vertices[scene.pattern.triangles[3 * face + k]]) / 3;
+            middle += flatPoint(scene.vertices[scene.pattern.triangles[3 * face + k]]) / 3;
         }
         const Eigen::Vector2d cell = (middle - piece.label) / spacing;
         const double limit = 1e9;
@@ -86,14 +86,14 @@ std::vector<Place> placesOf(const Scene& scene, const PieceScene& piece, double 
     return places;
 }
 
-CrossVertex crossOf(const Scene& scene, const PieceScene& piece, std::size_t face, float index) {
+CrossVertex crossOf(const Scene& scene, std::size_t face, float index) {
     constexpr double kThird = 1.0 / 3;
-    const std::size_t worn = piece.garmentRun.first + (face - piece.patternRun.first);
     Eigen::Vector2d u[3], middle = Eigen::Vector2d::Zero();
     Eigen::Vector3d X[3], position3 = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
-        u[k] = flatPoint(scene.pattern.vertices[scene.pattern.triangles[3 * face + k]]);
-        X[k] = wornPoint(scene.garment.vertices[scene.garment.triangles[3 * worn + k]]);
+        const ClothVertex& corner = scene.vertices[scene.pattern.triangles[3 * face + k]];
+        u[k] = flatPoint(corner);
+        X[k] = wornPoint(corner);
         middle += kThird * u[k];
         position3 += kThird * X[k];
     }
@@ -157,8 +157,7 @@ StretchCrosses makeStretchCrosses(const Scene& scene) {
     crosses.vertices.reserve(places.size());
     crosses.counts.assign(kLevels, 0);
     for (const auto& [piece, place] : places) {
-        crosses.vertices.push_back(crossOf(scene, scene.pieces[static_cast<std::size_t>(piece)],
-                                           place.face, static_cast<float>(piece)));
+        crosses.vertices.push_back(crossOf(scene, place.face, static_cast<float>(piece)));
         for (int level = 0; level <= place.level(); ++level) {
             ++crosses.counts[static_cast<std::size_t>(level)];
         }

@@ -105,7 +105,7 @@ std::optional<double> strainAtVertex(const Document& document, const Feature& fe
     for (int k = 0; k < 3; ++k) {
         if (piece.mesh.F(feature.face, k) == feature.vertex) {
             const auto index = scene->garment.triangles[3 * face + static_cast<std::size_t>(k)];
-            const auto& values = scene->garment.vertices[index].values;
+            const auto& values = scene->vertices[index].values;
             const auto most = static_cast<double>(values[2]),
                        least = static_cast<double>(values[3]);
             return most >= -least ? most : least;

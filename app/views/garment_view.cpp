@@ -208,13 +208,13 @@ std::optional<QPointF> GarmentView::onScreen(int piece, int face,
 std::vector<QPolygonF> GarmentView::seamOnScreen(int seam) const {
     std::vector<QPolygonF> lines;
     const auto index = static_cast<std::size_t>(seam);
-    if (!scene() || index >= scene()->garmentLines.runs.seams.size()) {
+    if (!scene() || index >= scene()->garmentLines.seams.size()) {
         return lines;
     }
-    for (const VertexRun& run : scene()->garmentLines.runs.seams[index]) {
+    for (const VertexRun& run : scene()->garmentLines.seams[index]) {
         QPolygonF line;
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-            const GarmentLineVertex& vertex = scene()->garmentLines.vertices[i];
+            const LineVertex& vertex = scene()->lineVertices[i];
             const auto at =
                 projected(asDrawn(static_cast<int>(vertex.piece), wornPoint(vertex),
                                   [&vertex]() -> Eigen::Vector2d { return flatPoint(vertex); }));

@@ -75,11 +75,11 @@ std::optional<QPointF> PatternView::onScreen(int piece, int face,
 std::vector<QPolygonF> PatternView::seamOnScreen(int seam) const {
     std::vector<QPolygonF> lines;
     const auto index = static_cast<std::size_t>(seam);
-    if (!scene() || index >= scene()->patternLines.runs.seams.size()) {
+    if (!scene() || index >= scene()->patternLines.seams.size()) {
         return lines;
     }
     for (std::size_t side = 0; side < 2; ++side) {
-        const VertexRun run = scene()->patternLines.runs.seams[index][side];
+        const VertexRun run = scene()->patternLines.seams[index][side];
         if (run.count == 0) {
             continue;
         }
@@ -87,7 +87,7 @@ std::vector<QPolygonF> PatternView::seamOnScreen(int seam) const {
             placeOf(places(), scene()->seams[index].sides[side].piece).placement;
         QPolygonF line;
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-            const auto& vertex = scene()->patternLines.vertices[i];
+            const auto& vertex = scene()->lineVertices[i];
             const Eigen::Vector2d at = camera_.toScreen(placement.applied(flatPoint(vertex)));
             line << QPointF(at.x(), at.y());
         }

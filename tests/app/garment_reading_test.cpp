@@ -209,16 +209,16 @@ private slots:
         QAction& action = fixture_.action(ActionId::DesignerOutline);
         QVERIFY(action.isEnabled() && !action.isChecked());
         const Scene& scene = *document().scene();
-        QCOMPARE(scene.patternLines.runs.designer.size(), std::size_t(2));
+        QCOMPARE(scene.patternLines.designer.size(), std::size_t(2));
         // A flat panel flattens to itself: the outline lies on the piece's, closed.
-        const VertexRun run = scene.patternLines.runs.designer[0];
-        const auto& first = scene.patternLines.vertices[run.first];
-        const auto& last = scene.patternLines.vertices[run.first + run.count - 1];
+        const VertexRun run = scene.patternLines.designer[0];
+        const auto& first = scene.lineVertices[run.first];
+        const auto& last = scene.lineVertices[run.first + run.count - 1];
         QCOMPARE(first.flat[0], last.flat[0]);
         QVERIFY(std::abs(last.along - 2 * (300 + 440)) < 0.1F);
         Eigen::AlignedBox2d box;
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-            const auto& flat = scene.patternLines.vertices[i].flat;
+            const auto& flat = scene.lineVertices[i].flat;
             box.extend(Eigen::Vector2d(double(flat[0]), double(flat[1])));
         }
         QVERIFY((box.min() - scene.pieces[0].flatBox.min()).norm() < 0.1);

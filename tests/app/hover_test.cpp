@@ -125,8 +125,7 @@ private slots:
         const auto seamPixels = [&](const QImage& image) {
             const int colour = static_cast<int>(
                 scene()
-                    .garmentLines
-                    .vertices[scene().garmentLines.runs.seams[std::size_t(firstSeam())][0].first]
+                    .lineVertices[scene().garmentLines.seams[std::size_t(firstSeam())][0].first]
                     .tint);
             const Rgb rgb = seamPalette()[std::size_t(colour)];
             return countPixels(image, QColor(rgb.r, rgb.g, rgb.b), 12);

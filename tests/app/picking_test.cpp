@@ -46,8 +46,7 @@ MeshArrays wavySheet(int columns, int rows) {
 double distanceOneByOne(const Scene& scene, const Ray& ray) {
     double nearest = std::numeric_limits<double>::infinity();
     const auto point = [&scene](std::uint32_t index) -> Eigen::Vector3d {
-        return Eigen::Map<const Eigen::Vector3f>(scene.garment.vertices[index].position)
-            .cast<double>();
+        return Eigen::Map<const Eigen::Vector3f>(scene.vertices[index].position).cast<double>();
     };
     const auto& triangles = scene.garment.triangles;
     for (std::size_t t = 0; t < triangles.size(); t += 3) {

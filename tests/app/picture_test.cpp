@@ -183,10 +183,10 @@ private slots:
             const QRgb colour =
                 colourOf(seamPalette()[static_cast<std::size_t>(colours[seam])]).rgb();
             for (std::size_t side = 0; side < 2; ++side) {
-                const VertexRun run = scene.patternLines.runs.seams[seam][side];
+                const VertexRun run = scene.patternLines.seams[seam][side];
                 int like = 0, likeHidden = 0;
                 for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-                    const auto& vertex = scene.patternLines.vertices[i];
+                    const auto& vertex = scene.lineVertices[i];
                     const Eigen::Vector2d at =
                         camera.toScreen(placeOf(places, static_cast<int>(vertex.piece))
                                             .placement.applied({vertex.flat[0], vertex.flat[1]}));

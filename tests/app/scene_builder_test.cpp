@@ -64,16 +64,16 @@ class SceneBuilderTest : public QObject {
 private slots:
     void buffersHoldEveryPieceOnce() {
         const auto [garment, scene] = build(1);
-        QCOMPARE(scene->garment.vertices.size(), std::size_t(77 + 4 + 15));
+        QCOMPARE(scene->vertices.size(), std::size_t(77 + 4 + 15));
         QCOMPARE(scene->garment.triangles.size(), std::size_t(3 * (120 + 4 + 16)));
-        QCOMPARE(scene->pattern.vertices.size(), std::size_t(77 + 15));
         QCOMPARE(scene->pattern.triangles.size(), std::size_t(3 * (120 + 16)));
         QCOMPARE(scene->pattern.outline.size(), std::size_t(2 * (32 + 12)));
         for (const std::uint32_t index : scene->pattern.triangles) {
-            QVERIFY(index < scene->pattern.vertices.size());
+            QVERIFY(index < scene->vertices.size());
+            QVERIFY(scene->vertices[index].piece != 1.0F);  // which is not flat
         }
         for (const std::uint32_t index : scene->garment.edges) {
-            QVERIFY(index < scene->garment.vertices.size());
+            QVERIFY(index < scene->vertices.size());
         }
         QCOMPARE(scene->pieces[2].patternRun.first, 120U);
         QCOMPARE(scene->pieces[2].patternRun.count, 16U);
@@ -83,12 +83,11 @@ private slots:
     void checkerboardCoordinatesAreMillimetresOfTheFlatPiece() {
         const auto [garment, scene] = build(1.25);
         // Last vertex of the first piece: upper right corner, stretched by 1.25 in the plane.
-        const GarmentVertex& corner = scene->garment.vertices[76];
+        const ClothVertex& corner = scene->vertices[76];
         QCOMPARE(corner.flat[0], 125.0F);
         QCOMPARE(corner.flat[1], 60.0F);
-        QCOMPARE(scene->pattern.vertices[76].flat[0], 125.0F);
         QCOMPARE(corner.piece, 0.0F);
-        QCOMPARE(scene->pattern.vertices[77].piece, 2.0F);
+        QCOMPARE(scene->vertices[77 + 4].piece, 2.0F);
     }
 
     void failedPiecesAreInTheGarmentButNotInThePattern() {
@@ -101,14 +100,14 @@ private slots:
 
     void valuesArePercentAndDegrees() {
         const auto [garment, scene] = build(1.25);
-        const PatternVertex& inner = scene->pattern.vertices[27];
+        const ClothVertex& inner = scene->vertices[27];
         QVERIFY(std::abs(inner.values[0] + 20.0F) < 1e-3F);  // a fifth of the flat area is surplus
         QVERIFY(inner.values[1] > 3.0F && inner.values[1] < 10.0F);
         // Edges across keep their lengths, those along are too long on the flat cloth: surplus.
         QVERIFY(std::abs(inner.values[2]) < 1e-3F);
         QVERIFY(std::abs(inner.values[3] + 20.0F) < 1e-3F);
         // The other piece is as it was.
-        for (const float value : scene->pattern.vertices[80].values) {
+        for (const float value : scene->vertices[80 + 4].values) {
             QVERIFY(std::abs(value) < 1e-4F);
         }
     }
@@ -125,7 +124,7 @@ private slots:
             test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6, {4e7, -3e7, 1e7})}});
         Progress progress;
         const auto scene = buildScene(*garment, {}, progress);
-        const auto& vertices = scene->garment.vertices;
+        const auto& vertices = scene->vertices;
         QVERIFY(std::abs(vertices[1].position[0] - vertices[0].position[0] - 10.0F) < 1e-4F);
         QVERIFY(std::abs(scene->box.max().x() - 50) < 1e-4);
         QCOMPARE(scene->origin.y(), -3e7 + 30);
@@ -134,7 +133,7 @@ private slots:
     void normalsPointToTheRightSide() {
         const auto [garment, scene] = build(1);
         for (std::size_t i = 0; i < 77; ++i) {
-            QCOMPARE(scene->garment.vertices[i].normal[2], 1.0F);
+            QCOMPARE(scene->vertices[i].normal[2], 1.0F);
         }
     }
 
@@ -142,8 +141,8 @@ private slots:
         const auto garment = test::makeGarment({{"front", test::makeSheet(100, 60, 10, 6)}});
         Progress progress;
         const auto scene = buildScene(*garment, {}, progress);
-        QCOMPARE(scene->garment.vertices.size(), std::size_t(77));
-        QVERIFY(scene->pattern.vertices.empty());
+        QCOMPARE(scene->vertices.size(), std::size_t(77));
+        QVERIFY(scene->pattern.triangles.empty());
         QVERIFY(sheetBox(*scene, {}).isEmpty());
         QVERIFY(!scene->pieces[0].flat);
     }

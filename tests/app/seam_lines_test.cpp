@@ -165,14 +165,14 @@ private slots:
         bool sewn = false;
         for (std::size_t s = 0; s < scene.seams.size(); ++s) {
             std::set<float> tints;
-            for (const VertexRun& run : scene.garmentLines.runs.seams[s]) {
+            for (const VertexRun& run : scene.garmentLines.seams[s]) {
                 for (std::uint32_t i = 0; i < run.count; ++i) {
-                    tints.insert(scene.garmentLines.vertices[run.first + i].tint);
+                    tints.insert(scene.lineVertices[run.first + i].tint);
                 }
             }
-            for (const VertexRun& run : scene.patternLines.runs.seams[s]) {
+            for (const VertexRun& run : scene.patternLines.seams[s]) {
                 for (std::uint32_t i = 0; i < run.count; ++i) {
-                    tints.insert(scene.patternLines.vertices[run.first + i].tint);
+                    tints.insert(scene.lineVertices[run.first + i].tint);
                 }
             }
             QCOMPARE(tints.size(), std::size_t{1});
@@ -187,11 +187,10 @@ private slots:
         const auto made = flattened(test::makeSewnCap());
         const Scene& scene = *made.scene;
         for (std::size_t s = 0; s < scene.seams.size(); ++s) {
-            const VertexRun run = scene.patternLines.runs.seams[s][0];
+            const VertexRun run = scene.patternLines.seams[s][0];
             const auto middle = static_cast<std::uint32_t>(run.first + run.count / 2);
             const auto at = [&](std::uint32_t i) -> Eigen::Vector2d {
-                return Eigen::Map<const Eigen::Vector2f>(scene.patternLines.vertices[i].flat)
-                    .cast<double>();
+                return Eigen::Map<const Eigen::Vector2f>(scene.lineVertices[i].flat).cast<double>();
             };
             const Eigen::Vector2d place = 0.5 * (at(middle - 1) + at(middle));
             const auto hit = pickPatternSeam(scene, {}, place, 0.5);

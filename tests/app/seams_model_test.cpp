@@ -30,7 +30,7 @@ void flattenInto(Document& document, Method method) {
     test::setResults(document, std::move(results), std::move(scene));
 }
 
-float length(const std::vector<GarmentLineVertex>& vertices, VertexRun run) {
+float wornLength(const std::vector<LineVertex>& vertices, VertexRun run) {
     float sum = 0;
     for (std::uint32_t i = run.first + 1; i < run.first + run.count; ++i) {
         const auto &a = vertices[i - 1].position, &b = vertices[i].position;
@@ -39,7 +39,7 @@ float length(const std::vector<GarmentLineVertex>& vertices, VertexRun run) {
     return sum;
 }
 
-float length(const std::vector<PatternLineVertex>& vertices, VertexRun run) {
+float flatLength(const std::vector<LineVertex>& vertices, VertexRun run) {
     float sum = 0;
     for (std::uint32_t i = run.first + 1; i < run.first + run.count; ++i) {
         const auto &a = vertices[i - 1].flat, &b = vertices[i].flat;
@@ -188,19 +188,19 @@ private slots:
         const Scene& scene = *document_->scene();
         const Seam& seam = document_->garment()->seams.seams.front();
         QCOMPARE(scene.seams.size(), document_->garment()->seams.seams.size());
-        const auto& inSpace = scene.garmentLines.runs.seams.front();
-        const auto& inPattern = scene.patternLines.runs.seams.front();
-        const double left = double(length(scene.garmentLines.vertices, inSpace[0]));
+        const auto& inSpace = scene.garmentLines.seams.front();
+        const auto& inPattern = scene.patternLines.seams.front();
+        const double left = double(wornLength(scene.lineVertices, inSpace[0]));
         QVERIFY(std::abs(left - seam.length3d[0]) < 1e-2);
-        QVERIFY(std::abs(left - double(length(scene.garmentLines.vertices, inSpace[1]))) < 1e-2);
+        QVERIFY(std::abs(left - double(wornLength(scene.lineVertices, inSpace[1]))) < 1e-2);
         const auto measure = *measured(*document_->garment(), document_->results(), 0);
-        QVERIFY(std::abs(double(length(scene.patternLines.vertices, inPattern[0])) -
+        QVERIFY(std::abs(double(flatLength(scene.lineVertices, inPattern[0])) -
                          measure.length2dLeft) < 1e-2);
-        QVERIFY(std::abs(double(length(scene.patternLines.vertices, inPattern[1])) -
+        QVERIFY(std::abs(double(flatLength(scene.lineVertices, inPattern[1])) -
                          measure.length2dRight) < 1e-2);
         // Each lies on its own piece; framing holds both.
-        QCOMPARE(scene.patternLines.vertices[inPattern[0].first].piece, float(seam.left.piece));
-        QCOMPARE(scene.patternLines.vertices[inPattern[1].first].piece, float(seam.right.piece));
+        QCOMPARE(scene.lineVertices[inPattern[0].first].piece, float(seam.left.piece));
+        QCOMPARE(scene.lineVertices[inPattern[1].first].piece, float(seam.right.piece));
         for (int k = 0; k < 2; ++k) {
             const SeamScene::Side& side = scene.seams.front().sides[std::size_t(k)];
             QCOMPARE(side.piece, k == 0 ? seam.left.piece : seam.right.piece);
@@ -212,8 +212,8 @@ private slots:
     void beforeFlatteningSeamsAreInSpaceOnly() {
         Progress progress;
         const auto scene = buildScene(*document_->garment(), {}, progress);
-        QVERIFY(scene->garmentLines.runs.seams.front()[1].count > 1);
-        QCOMPARE(scene->patternLines.runs.seams.front()[0].count, 0U);
+        QVERIFY(scene->garmentLines.seams.front()[1].count > 1);
+        QCOMPARE(scene->patternLines.seams.front()[0].count, 0U);
         QVERIFY(placedBox(scene->seams.front(), {}).isEmpty());
     }
 };

@@ -69,8 +69,8 @@ protected:
 
     /// A third along a side of a seam, in the pattern view.
     QPointF onPatternSeam(int seam, std::size_t side) {
-        const VertexRun run = scene().patternLines.runs.seams[std::size_t(seam)][side];
-        const auto& vertex = scene().patternLines.vertices[run.first + run.count / 3];
+        const VertexRun run = scene().patternLines.seams[std::size_t(seam)][side];
+        const auto& vertex = scene().lineVertices[run.first + run.count / 3];
         const int piece = scene().seams[std::size_t(seam)].sides[side].piece;
         const Eigen::Vector2d flat = Eigen::Map<const Eigen::Vector2f>(vertex.flat).cast<double>();
         const auto placement = document().settings()[std::size_t(piece)].placement;
@@ -79,8 +79,8 @@ protected:
     }
 
     QPointF onGarmentSeam(int seam) {
-        const VertexRun run = scene().garmentLines.runs.seams[std::size_t(seam)][0];
-        const auto& vertex = scene().garmentLines.vertices[run.first + run.count / 3];
+        const VertexRun run = scene().garmentLines.seams[std::size_t(seam)][0];
+        const auto& vertex = scene().lineVertices[run.first + run.count / 3];
         const Eigen::Vector2d at = garmentView().camera().project(
             Eigen::Map<const Eigen::Vector3f>(vertex.position).cast<double>());
         return {at.x(), at.y()};

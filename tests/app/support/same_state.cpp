@@ -48,13 +48,10 @@ QString resultDifference(const PieceResult* one, const PieceResult* other) {
 }
 
 bool sameScene(const Scene& one, const Scene& other) {
-    return one.origin == other.origin && sameBytes(one.garment.vertices, other.garment.vertices) &&
+    return one.origin == other.origin && sameBytes(one.vertices, other.vertices) &&
            sameBytes(one.garment.triangles, other.garment.triangles) &&
-           sameBytes(one.pattern.vertices, other.pattern.vertices) &&
            sameBytes(one.pattern.triangles, other.pattern.triangles) &&
-           sameBytes(one.garmentLines.vertices, other.garmentLines.vertices) &&
-           sameBytes(one.patternLines.vertices, other.patternLines.vertices) &&
-           sameBytes(one.faces, other.faces);
+           sameBytes(one.lineVertices, other.lineVertices) && sameBytes(one.faces, other.faces);
 }
 
 }  // namespace
