@@ -15,13 +15,6 @@ constexpr int kPollMilliseconds = 33;
 
 }  // namespace
 
-/// The job on the worker.
-struct JobRunner::Running {
-    std::unique_ptr<Job> job;
-    Ticket ticket = 0;
-    bool replaced = false;
-};
-
 JobRunner::JobRunner(QObject* parent) : QObject(parent) {
     poll_.setInterval(kPollMilliseconds);
     connect(&poll_, &QTimer::timeout, this, [this] {
@@ -37,7 +30,7 @@ JobRunner::~JobRunner() {
 
 bool JobRunner::isUnderWay(Ticket job) const {
     return (current_ && current_->ticket == job && !worker_.progress()->isCancelled()) ||
-           std::ranges::find(waiting_, job, &Waiting::ticket) != waiting_.end();
+           std::ranges::find(waiting_, job, &Order::ticket) != waiting_.end();
 }
 
 QString JobRunner::title() const {
@@ -68,7 +61,7 @@ void JobRunner::drop(Ticket job) {
         }
         return;
     }
-    const auto found = std::ranges::find(waiting_, job, &Waiting::ticket);
+    const auto found = std::ranges::find(waiting_, job, &Order::ticket);
     if (found != waiting_.end()) {
         const std::unique_ptr<Job> dropped = std::move(found->job);
         waiting_.erase(found);
@@ -87,12 +80,12 @@ void JobRunner::cancelAll(bool replaced) {
             worker_.cancel();
         }
     }
-    std::deque<Waiting> dropped;
-    for (Waiting& waiting : std::exchange(waiting_, {})) {
+    std::deque<Order> dropped;
+    for (Order& waiting : std::exchange(waiting_, {})) {
         waiting.replaced = waiting.replaced || replaced;
         (waiting.job->isCancellable() ? dropped : waiting_).push_back(std::move(waiting));
     }
-    for (const Waiting& waiting : dropped) {  // the running job says so when it has stopped
+    for (const Order& waiting : dropped) {  // the running job says so when it has stopped
         emit cancelled(waiting.job->title(), waiting.replaced);
     }
 }
@@ -108,7 +101,7 @@ void JobRunner::finish() {
     poll_.stop();
     worker_.stop(false);
     current_.reset();
-    for (const Waiting& waiting : std::exchange(waiting_, {})) {
+    for (const Order& waiting : std::exchange(waiting_, {})) {
         Progress progress;
         // There is nobody left to tell.
         (void)attempt([&] { return waiting.job->process(progress); });
@@ -119,10 +112,7 @@ void JobRunner::startNext() {
     if (current_ || waiting_.empty()) {
         return;
     }
-    current_ = std::make_unique<Running>();
-    current_->job = std::move(waiting_.front().job);
-    current_->ticket = waiting_.front().ticket;
-    current_->replaced = waiting_.front().replaced;
+    current_ = std::move(waiting_.front());
     waiting_.pop_front();
     poll_.start();
     emit started(current_->job->title());
@@ -131,8 +121,8 @@ void JobRunner::startNext() {
         [job = current_->job.get()](Progress& progress) { return job->process(progress); },
         [this](const auto& outcome, const Progress& progress) {
             poll_.stop();
-            const std::unique_ptr<Running> done = std::move(current_);
-            settle(*done, outcome, progress.isCancelled());
+            const Order done = *std::exchange(current_, std::nullopt);
+            settle(done, outcome, progress.isCancelled());
             // A slot may have started another job meanwhile.
             startNext();
             if (!current_) {
@@ -141,7 +131,7 @@ void JobRunner::startNext() {
         });
 }
 
-void JobRunner::settle(const Running& done, const Attempt<Result<void>>& made, bool isCancelled) {
+void JobRunner::settle(const Order& done, const Attempt<Result<void>>& made, bool isCancelled) {
     Job& job = *done.job;
     if (made.fault) {
         emit failed(job.title(), faultText(made.fault), done.replaced);

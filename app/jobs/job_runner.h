@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 
 #include "app/base/worker.h"
 #include "app/jobs/job.h"
@@ -25,7 +26,7 @@ public:
     /// Which job; none has 0.
     using Ticket = std::uint64_t;
 
-    bool isBusy() const { return current_ != nullptr; }
+    bool isBusy() const { return current_.has_value(); }
     bool hasWaiting() const { return !waiting_.empty(); }
     /// Whether that job runs or waits, and is not cancelled.
     bool isUnderWay(Ticket job) const;
@@ -60,8 +61,7 @@ signals:
     void idle();
 
 private:
-    struct Running;
-    struct Waiting {
+    struct Order {
         std::unique_ptr<Job> job;
         Ticket ticket = 0;
         bool replaced = false;
@@ -69,12 +69,12 @@ private:
 
     void startNext();
     void cancelAll(bool replaced);
-    void settle(const Running& done, const Attempt<Result<void>>& made, bool isCancelled);
+    void settle(const Order& done, const Attempt<Result<void>>& made, bool isCancelled);
 
     QTimer poll_;
-    Worker<Result<void>> worker_;  ///< jobs never overlap
-    std::unique_ptr<Running> current_;
-    std::deque<Waiting> waiting_;
+    Worker<Result<void>> worker_;   ///< jobs never overlap
+    std::optional<Order> current_;  ///< on the worker
+    std::deque<Order> waiting_;
     Ticket last_ = 0;
 };
 
