@@ -279,13 +279,17 @@ void Document::setLoading(LoadOptions loading) {
     emit changed(DocumentChange::Loading);
 }
 
+template <class Value>
+void Document::set(Value& field, std::type_identity_t<Value> value, DocumentChange what) {
+    if (value != field) {
+        field = std::move(value);
+        emit changed(what);
+    }
+}
+
 void Document::setSelection(Selection selection) {
     std::erase_if(selection, [this](int piece) { return piece < 0 || piece >= pieceCount(); });
-    if (selection == selection_) {
-        return;
-    }
-    selection_ = std::move(selection);
-    emit changed(DocumentChange::Selection);
+    set(selection_, std::move(selection), DocumentChange::Selection);
 }
 
 void Document::toggleSelected(int piece) {
@@ -300,11 +304,7 @@ void Document::setSeam(std::optional<int> seam) {
     if (seam && (*seam < 0 || *seam >= seamCount())) {
         seam.reset();
     }
-    if (seam == seam_) {
-        return;
-    }
-    seam_ = seam;
-    emit changed(DocumentChange::SeamSelection);
+    set(seam_, seam, DocumentChange::SeamSelection);
 }
 
 bool Document::isInGarment(const Feature& feature) const {
@@ -327,28 +327,14 @@ bool Document::isInGarment(const Feature& feature) const {
     }
 }
 
-void Document::setMark(std::optional<Feature> mark) {
+void Document::setMark(const std::optional<Feature>& mark) {
     const bool fits = mark && isInGarment(*mark) &&
                       (mark->kind == Feature::Kind::Run || mark->kind == Feature::Kind::Vertex);
-    if (!fits) {
-        mark.reset();
-    }
-    if (mark == mark_) {
-        return;
-    }
-    mark_ = mark;
-    emit changed(DocumentChange::Mark);
+    set(mark_, fits ? mark : std::nullopt, DocumentChange::Mark);
 }
 
-void Document::setHover(std::optional<Feature> hover) {
-    if (hover && !isInGarment(*hover)) {
-        hover.reset();
-    }
-    if (hover == hover_) {
-        return;
-    }
-    hover_ = hover;
-    emit changed(DocumentChange::Hover);
+void Document::setHover(const std::optional<Feature>& hover) {
+    set(hover_, hover && isInGarment(*hover) ? hover : std::nullopt, DocumentChange::Hover);
 }
 
 void Document::setSeamEase(int seam, std::optional<double> ease) {
@@ -365,10 +351,7 @@ void Document::setSeamEase(int seam, std::optional<double> ease) {
 }
 
 void Document::setView(const ViewState& view) {
-    if (view != view_) {
-        view_ = view;
-        emit changed(DocumentChange::View);
-    }
+    set(view_, view, DocumentChange::View);
 }
 
 void Document::setView(bool ViewState::*field, bool on) {

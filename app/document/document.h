@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <type_traits>
 
 #include "app/document/derived_cache.h"
 #include "app/document/document_change.h"
@@ -120,9 +121,9 @@ public:
     void setSeam(std::optional<int> seam);
     /// Selects a stretch of outline or a vertex; one outside the garment, or of another kind,
     /// selects none.
-    void setMark(std::optional<Feature> mark);
+    void setMark(const std::optional<Feature>& mark);
     /// Says what the pointer is on; what is outside the garment is nothing.
-    void setHover(std::optional<Feature> hover);
+    void setHover(const std::optional<Feature>& hover);
     /// Says how much longer a seam's left side is meant to be, as a part of the right; none: as
     /// the 3D lengths have it. Pieces, results, scene and selection stay as they are. A step of the
     /// history.
@@ -149,6 +150,9 @@ private:
     void refreshSettings(bool otherPieces);
     void tell(DocumentChanges what);
     bool isInGarment(const Feature& feature) const;
+    /// Says so where that is another value.
+    template <class Value>
+    void set(Value& field, std::type_identity_t<Value> value, DocumentChange what);
 
     DocumentState state_;
     Derived derived_;
