@@ -174,26 +174,25 @@ void MainWindow::updateTitle() {
     setWindowModified(session.isModified());
 }
 
-Recovery& MainWindow::keepRecoveryFiles(const QString& folder) {
+Recovery& MainWindow::keepRecoveryFiles(const QString& folder,
+                                        const std::optional<AutosaveTimes>& times) {
     const Choices& choices = preferences_.choices();
-    Recovery& recovery = startRecovery(folder, autosaveTimes(choices.autosaveMinutes));
-    connect(&preferences_, &Preferences::choicesChanged, &recovery,
-            [&recovery, &choices](const Choices& before) {
-                if (choices.autosaveMinutes != before.autosaveMinutes) {
-                    recovery.autosave().setTimes(autosaveTimes(choices.autosaveMinutes));
-                }
-            });
-    return recovery;
-}
-
-Recovery& MainWindow::startRecovery(const QString& folder,
-                                    const std::optional<AutosaveTimes>& times) {
     recovery_.reset();
-    recovery_ = std::make_unique<Recovery>(workspace_, garmentActions_->project(),
-                                           centre_->recoveryCard(), folder, times);
-    connect(&recovery_->autosave(), &Autosave::failed, this, [this](const QString& sentence) {
+    recovery_ =
+        std::make_unique<Recovery>(workspace_, garmentActions_->project(), centre_->recoveryCard(),
+                                   folder, times ? times : autosaveTimes(choices.autosaveMinutes));
+    Autosave& autosave = recovery_->autosave();
+    connect(&autosave, &Autosave::failed, this, [this](const QString& sentence) {
         status_->say(tr("Unsaved changes are not kept: %1").arg(sentence));
     });
+    if (!times) {
+        connect(&preferences_, &Preferences::choicesChanged, &autosave,
+                [&autosave, &choices](const Choices& before) {
+                    if (choices.autosaveMinutes != before.autosaveMinutes) {
+                        autosave.setTimes(autosaveTimes(choices.autosaveMinutes));
+                    }
+                });
+    }
     return *recovery_;
 }
 

@@ -39,12 +39,9 @@ public:
 
     void openFiles(const QStringList& files);
     /// Keeps recovery files of unsaved changes, and offers those that a crash has left there.
-    /// As often as the person prefers, now and later.
-    Recovery& keepRecoveryFiles(const QString& folder);
-    /// The same at other times.
-    Recovery& keepRecoveryFiles(const QString& folder, const AutosaveTimes& times) {
-        return startRecovery(folder, times);
-    }
+    /// @param times  none: as often as the person prefers, now and later
+    Recovery& keepRecoveryFiles(const QString& folder,
+                                const std::optional<AutosaveTimes>& times = {});
     /// Brings a list to the front and moves the keyboard there.
     void goTo(Panel panel);
 
@@ -65,7 +62,6 @@ private:
     void followChoices(const Choices& before);
     /// Asks where changes would be lost, and waits for files that are being written.
     bool mayClose();
-    Recovery& startRecovery(const QString& folder, const std::optional<AutosaveTimes>& times);
 
     Preferences& preferences_;
     Workspace workspace_;

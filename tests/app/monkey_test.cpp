@@ -209,7 +209,7 @@ private slots:
     void init() {
         fixture_.open();
         window().resize(900, 600);
-        window().keepRecoveryFiles(fixture_.path("recovery"), {30, 200, 100});
+        window().keepRecoveryFiles(fixture_.path("recovery"), AutosaveTimes{30, 200, 100});
     }
 
     void cleanup() {

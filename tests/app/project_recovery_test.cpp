@@ -109,7 +109,8 @@ private slots:
     }
 
     void recoveryFilesGoWithTheChanges() {
-        Recovery& recovery = window().keepRecoveryFiles(path("recovery"), {10, 10, 10});
+        Recovery& recovery =
+            window().keepRecoveryFiles(path("recovery"), AutosaveTimes{10, 10, 10});
         QSignalSpy written(&recovery.autosave(), &Autosave::written);
         edit();
         QTRY_COMPARE_WITH_TIMEOUT(written.count(), 1, test::kPatience);
@@ -143,7 +144,8 @@ private slots:
     }
 
     void recoveryFilesAreWrittenSeldom() {
-        Recovery& recovery = window().keepRecoveryFiles(path("recovery"), {10, 3600000, 10});
+        Recovery& recovery =
+            window().keepRecoveryFiles(path("recovery"), AutosaveTimes{10, 3600000, 10});
         QSignalSpy written(&recovery.autosave(), &Autosave::written);
         edit();
         QTRY_COMPARE_WITH_TIMEOUT(written.count(), 1, test::kPatience);
@@ -158,7 +160,8 @@ private slots:
     }
 
     void aRecoveryFileThatCannotBeWrittenIsSaidAndTriedAgain() {
-        Recovery& recovery = window().keepRecoveryFiles(path("recovery"), {10, 10, 10});
+        Recovery& recovery =
+            window().keepRecoveryFiles(path("recovery"), AutosaveTimes{10, 10, 10});
         QSignalSpy written(&recovery.autosave(), &Autosave::written);
         QSignalSpy failed(&recovery.autosave(), &Autosave::failed);
         edit();
