@@ -205,30 +205,9 @@ std::optional<QPointF> GarmentView::onScreen(int piece, int face,
         [&]() -> Eigen::Vector2d { return patternPoint(*scene(), piece, face, barycentric); }));
 }
 
-std::vector<QPolygonF> GarmentView::seamOnScreen(int seam) const {
-    std::vector<QPolygonF> lines;
-    const auto index = static_cast<std::size_t>(seam);
-    if (!scene() || index >= scene()->garmentLines.seams.size()) {
-        return lines;
-    }
-    for (const VertexRun& run : scene()->garmentLines.seams[index]) {
-        QPolygonF line;
-        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-            const LineVertex& vertex = scene()->lineVertices[i];
-            const auto at =
-                projected(asDrawn(static_cast<int>(vertex.piece), wornPoint(vertex),
-                                  [&vertex]() -> Eigen::Vector2d { return flatPoint(vertex); }));
-            if (at) {
-                line << *at;
-            } else if (!line.isEmpty()) {  // it goes on behind the eye
-                lines.push_back(std::exchange(line, {}));
-            }
-        }
-        if (!line.isEmpty()) {
-            lines.push_back(line);
-        }
-    }
-    return lines;
+std::optional<QPointF> GarmentView::pointOnScreen(const LineVertex& vertex) const {
+    return projected(asDrawn(static_cast<int>(vertex.piece), wornPoint(vertex),
+                             [&vertex]() -> Eigen::Vector2d { return flatPoint(vertex); }));
 }
 
 void GarmentView::setMorph(double way) {

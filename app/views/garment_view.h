@@ -29,7 +29,6 @@ public:
                                      const SeamFilter& counts) const override;
     std::optional<QPointF> onScreen(int piece, int face,
                                     const Eigen::Vector3d& barycentric) const override;
-    std::vector<QPolygonF> seamOnScreen(int seam) const override;
     Eigen::Vector2d onSheet(const QPointF& at) const override;
     double pixelsPerMillimetre() const override { return camera_.pixelsPerMillimetre(); }
 
@@ -44,6 +43,8 @@ signals:
     void orthographicChanged(bool on);
 
 protected:
+    const LineRuns& lines() const override { return scene()->garmentLines; }
+    std::optional<QPointF> pointOnScreen(const LineVertex& vertex) const override;
     void setCameraViewport(double width, double height) override;
     void framePieces(const std::set<int>& pieces) override;
     bool frameLines(const SeamScene& seam) override;

@@ -67,33 +67,16 @@ std::optional<QPointF> PatternView::onScreen(int piece, int face,
     if (!scene() || !scene()->pieces[static_cast<std::size_t>(piece)].flat) {
         return std::nullopt;
     }
-    const Eigen::Vector2d point = patternPoint(*scene(), piece, face, barycentric);
-    const Eigen::Vector2d at = camera_.toScreen(placeOf(places(), piece).placement.applied(point));
-    return QPointF(at.x(), at.y());
+    return placed(piece, patternPoint(*scene(), piece, face, barycentric));
 }
 
-std::vector<QPolygonF> PatternView::seamOnScreen(int seam) const {
-    std::vector<QPolygonF> lines;
-    const auto index = static_cast<std::size_t>(seam);
-    if (!scene() || index >= scene()->patternLines.seams.size()) {
-        return lines;
-    }
-    for (std::size_t side = 0; side < 2; ++side) {
-        const VertexRun run = scene()->patternLines.seams[index][side];
-        if (run.count == 0) {
-            continue;
-        }
-        const Placement& placement =
-            placeOf(places(), scene()->seams[index].sides[side].piece).placement;
-        QPolygonF line;
-        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-            const auto& vertex = scene()->lineVertices[i];
-            const Eigen::Vector2d at = camera_.toScreen(placement.applied(flatPoint(vertex)));
-            line << QPointF(at.x(), at.y());
-        }
-        lines.push_back(line);
-    }
-    return lines;
+std::optional<QPointF> PatternView::pointOnScreen(const LineVertex& vertex) const {
+    return placed(static_cast<int>(vertex.piece), flatPoint(vertex));
+}
+
+QPointF PatternView::placed(int piece, const Eigen::Vector2d& point) const {
+    const Eigen::Vector2d at = camera_.toScreen(placeOf(places(), piece).placement.applied(point));
+    return {at.x(), at.y()};
 }
 
 Eigen::Vector2d PatternView::onSheet(const QPointF& at) const {

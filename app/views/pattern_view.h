@@ -21,13 +21,14 @@ public:
                                      const SeamFilter& counts) const override;
     std::optional<QPointF> onScreen(int piece, int face,
                                     const Eigen::Vector3d& barycentric) const override;
-    std::vector<QPolygonF> seamOnScreen(int seam) const override;
     Eigen::Vector2d onSheet(const QPointF& at) const override;
     double pixelsPerMillimetre() const override { return camera_.pixelsPerMillimetre(); }
 
     const Camera2D& camera() const { return camera_; }
 
 protected:
+    const LineRuns& lines() const override { return scene()->patternLines; }
+    std::optional<QPointF> pointOnScreen(const LineVertex& vertex) const override;
     void setCameraViewport(double width, double height) override;
     void framePieces(const std::set<int>& pieces) override;
     bool frameLines(const SeamScene& seam) override;
@@ -39,6 +40,9 @@ protected:
     void paintText(QPainter& painter, const RenderStyle& style) override;
 
 private:
+    /// Where a point of a flat piece is on the screen.
+    QPointF placed(int piece, const Eigen::Vector2d& point) const;
+
     Camera2D camera_;
 };
 

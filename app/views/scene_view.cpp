@@ -113,6 +113,28 @@ const SheetPlaces& SceneView::places() const {
     return renderer_->content().places;
 }
 
+std::vector<QPolygonF> SceneView::seamOnScreen(int seam) const {
+    std::vector<QPolygonF> drawn;
+    const auto index = static_cast<std::size_t>(seam);
+    if (!scene() || index >= lines().seams.size()) {
+        return drawn;
+    }
+    for (const VertexRun& run : lines().seams[index]) {
+        QPolygonF line;
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+            if (const auto at = pointOnScreen(scene()->lineVertices[i])) {
+                line << *at;
+            } else if (!line.isEmpty()) {  // it goes on behind the eye
+                drawn.push_back(std::exchange(line, {}));
+            }
+        }
+        if (!line.isEmpty()) {
+            drawn.push_back(line);
+        }
+    }
+    return drawn;
+}
+
 void SceneView::setWorstSpots(FlaggedSpots spots) {
     spots_ = std::move(spots);
     update();

@@ -31,6 +31,7 @@ class SceneView : public QOpenGLWidget, public ToolView {
 public:
     ~SceneView() override;
 
+    std::vector<QPolygonF> seamOnScreen(int seam) const override;
     void frameSelection() override;
     /// Shows both sides of the selected seam; does nothing where none is selected.
     void frameSeam();
@@ -63,6 +64,10 @@ protected:
 
     enum class Drag { Turn, Shift };
 
+    /// Of the scene, as this view draws them.
+    virtual const LineRuns& lines() const = 0;
+    /// Where a point of a line is drawn; none where it is not.
+    virtual std::optional<QPointF> pointOnScreen(const LineVertex& vertex) const = 0;
     virtual void setCameraViewport(double width, double height) = 0;
     /// @param pieces never empty
     virtual void framePieces(const std::set<int>& pieces) = 0;
