@@ -10,6 +10,7 @@
 #include "app/document/document.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
+#include "app/widgets/cell_delegate.h"
 
 namespace toile::app {
 
@@ -34,10 +35,7 @@ CutsPanel::CutsPanel(const Document& document, QWidget* parent)
     table_->setObjectName("cutTable");
     table_->setAccessibleName(tr("Cuts"));
     table_->setRootIsDecorated(false);
-    table_->setUniformRowHeights(true);
-    table_->setAlternatingRowColors(true);
-    table_->setAllColumnsShowFocus(true);
-    table_->setFrameShape(QFrame::NoFrame);
+    dressList(*table_);
     table_->setHeaderLabels({tr("Cut"), tr("Made by"), tr("Piece"), tr("Length")});
     table_->headerItem()->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);
     table_->header()->setStretchLastSection(false);

@@ -8,7 +8,6 @@
 #include <QLocale>
 #include <QScopedValueRollback>
 #include <QScrollArea>
-#include <QShortcut>
 #include <QSortFilterProxyModel>
 #include <QTreeView>
 #include <algorithm>
@@ -86,10 +85,7 @@ void PiecesPanel::makeTable() {
     table_->setModel(sorted_);
     closeEditorsBeforeReset(*table_);
     table_->setRootIsDecorated(false);
-    table_->setUniformRowHeights(true);
-    table_->setAlternatingRowColors(true);
-    table_->setAllColumnsShowFocus(true);
-    table_->setFrameShape(QFrame::NoFrame);
+    dressList(*table_);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->setSortingEnabled(true);
     table_->sortByColumn(-1, Qt::AscendingOrder);  // the garment's order until asked otherwise
@@ -108,10 +104,7 @@ void PiecesPanel::makeTable() {
     connect(model_, &PiecesModel::pairWanted, this, [this](int piece, bool isPair) {
         setMirroredPair(document_, meantWith(piece), isPair);
     });
-    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
-        connect(new QShortcut(key, table_, {}, {}, Qt::WidgetShortcut), &QShortcut::activated, this,
-                &PiecesPanel::activated);
-    }
+    onEnter(*table_, [this] { emit activated(); });
 }
 
 void PiecesPanel::onChanged(DocumentChanges what) {

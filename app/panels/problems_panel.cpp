@@ -5,7 +5,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollBar>
-#include <QShortcut>
 #include <QStackedWidget>
 #include <QStyle>
 #include <QToolButton>
@@ -16,6 +15,7 @@
 #include "app/panels/problem_text.h"
 #include "app/panels/problems_model.h"
 #include "app/settings/length_display.h"
+#include "app/widgets/cell_delegate.h"
 
 namespace toile::app {
 
@@ -104,10 +104,7 @@ void ProblemsPanel::makeTable() {
     table_->setObjectName("problemTable");
     table_->setAccessibleName(tr("Problems"));
     table_->setModel(model_);
-    table_->setUniformRowHeights(true);
-    table_->setAlternatingRowColors(true);
-    table_->setAllColumnsShowFocus(true);
-    table_->setFrameShape(QFrame::NoFrame);
+    dressList(*table_);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setExpandsOnDoubleClick(false);  // the first click goes there
     table_->header()->setMinimumSectionSize(80);
@@ -119,10 +116,7 @@ void ProblemsPanel::makeTable() {
         }
     };
     connect(table_, &QTreeView::clicked, this, go);
-    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
-        connect(new QShortcut(key, table_, {}, {}, Qt::WidgetShortcut), &QShortcut::activated, this,
-                [this, go] { go(table_->currentIndex()); });
-    }
+    onEnter(*table_, [this, go] { go(table_->currentIndex()); });
 }
 
 int ProblemsPanel::count() const {

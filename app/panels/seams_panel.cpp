@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QScopedValueRollback>
-#include <QShortcut>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTreeView>
@@ -146,10 +145,7 @@ void SeamsPanel::makeTable() {
     table_->setModel(sorted_);
     closeEditorsBeforeReset(*table_);
     table_->setRootIsDecorated(false);
-    table_->setUniformRowHeights(true);
-    table_->setAlternatingRowColors(true);
-    table_->setAllColumnsShowFocus(true);
-    table_->setFrameShape(QFrame::NoFrame);
+    dressList(*table_);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     table_->setItemDelegateForColumn(SeamsModel::Ease, new EaseDelegate(table_));
@@ -163,10 +159,7 @@ void SeamsPanel::makeTable() {
             emit activated();
         }
     });
-    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
-        connect(new QShortcut(key, table_, {}, {}, Qt::WidgetShortcut), &QShortcut::activated, this,
-                &SeamsPanel::activated);
-    }
+    onEnter(*table_, [this] { emit activated(); });
 }
 
 void SeamsPanel::onChanged(DocumentChanges what) {

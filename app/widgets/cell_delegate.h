@@ -8,7 +8,9 @@
 #include <QInputMethod>
 #include <QKeyEvent>
 #include <QPointer>
+#include <QShortcut>
 #include <QStyledItemDelegate>
+#include <QTreeView>
 
 namespace toile::app {
 
@@ -38,6 +40,23 @@ protected:
         return true;
     }
 };
+
+/// How the lists of the window look.
+inline void dressList(QTreeView& list) {
+    list.setUniformRowHeights(true);
+    list.setAlternatingRowColors(true);
+    list.setAllColumnsShowFocus(true);
+    list.setFrameShape(QFrame::NoFrame);
+}
+
+/// Calls it when Enter is pressed on the list.
+template <class Call>
+void onEnter(QTreeView& list, const Call& call) {
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
+        QObject::connect(new QShortcut(key, &list, {}, {}, Qt::WidgetShortcut),
+                         &QShortcut::activated, &list, call);
+    }
+}
 
 /// Closes the open editors of a list, and drops what is being typed, before its rows are made anew.
 /// Qt lets go of them only afterwards, when it cannot tell any more which column's delegate still
