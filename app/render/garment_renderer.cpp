@@ -2,7 +2,6 @@
 #include "app/render/garment_renderer.h"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "app/render/shader_program.h"
 
@@ -12,19 +11,6 @@ namespace {
 
 /// Lifts lines off the cloth, as a part of their distance from the eye: half a pixel or so.
 constexpr double kLineDepthShift = 3e-4;
-
-constexpr VertexAttribute kGarmentAttributes[] = {
-    {0, 3, offsetof(ClothVertex, position)}, {1, 3, offsetof(ClothVertex, normal)},
-    {2, 2, offsetof(ClothVertex, flat)},     {3, 4, offsetof(ClothVertex, values)},
-    {4, 1, offsetof(ClothVertex, piece)},    {5, 3, offsetof(ClothVertex, metric)},
-};
-
-constexpr VertexAttribute kGarmentLineAttributes[] = {
-    {0, 3, offsetof(LineVertex, position)},
-    {2, 2, offsetof(LineVertex, flat)},
-    {4, 1, offsetof(LineVertex, piece)},
-    {7, 1, offsetof(LineVertex, tint)},
-};
 
 constexpr int kMorphTableUnit = 3;
 /// How much is seen of a sheet of cloth where it lets what is behind it be seen: of the nearest, so
@@ -47,8 +33,8 @@ SceneRenderer::ProgramFiles GarmentRenderer::programFiles() const {
 }
 
 void GarmentRenderer::upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
-    mesh.upload(scene.vertices, scene.garment, kGarmentAttributes);
-    lines.upload(scene.lineVertices, scene.garmentLines, kGarmentLineAttributes);
+    mesh.upload(scene.vertices, scene.garment);
+    lines.upload(scene.lineVertices, scene.garmentLines);
 }
 
 void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style,

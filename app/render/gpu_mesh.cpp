@@ -8,6 +8,18 @@ namespace toile::app {
 
 namespace {
 
+constexpr VertexAttribute kClothAttributes[] = {
+    {0, 3, offsetof(ClothVertex, position)}, {1, 3, offsetof(ClothVertex, normal)},
+    {2, 2, offsetof(ClothVertex, flat)},     {3, 4, offsetof(ClothVertex, values)},
+    {4, 1, offsetof(ClothVertex, piece)},    {5, 3, offsetof(ClothVertex, metric)},
+};
+
+constexpr VertexAttribute kLineAttributes[] = {
+    {0, 3, offsetof(LineVertex, position)}, {2, 2, offsetof(LineVertex, flat)},
+    {4, 1, offsetof(LineVertex, piece)},    {6, 1, offsetof(LineVertex, along)},
+    {7, 1, offsetof(LineVertex, tint)},
+};
+
 constexpr VertexAttribute kCrossAttributes[] = {
     {0, 3, offsetof(CrossVertex, position)},  {1, 2, offsetof(CrossVertex, flat)},
     {2, 2, offsetof(CrossVertex, flatAlong)}, {3, 3, offsetof(CrossVertex, along)},
@@ -84,7 +96,17 @@ void GpuBuffers::release() {
     array_ = vertices_ = indices_ = 0;
 }
 
-void GpuLines::uploadSegments(const LineRuns& runs) {
+void GpuMesh::upload(const std::vector<ClothVertex>& vertices, const MeshIndices& mesh) {
+    ++uploads_;
+    uploadVertices(vertices, kClothAttributes);
+    uploadIndices({mesh.triangles, mesh.edges, mesh.outline});
+    triangles_ = mesh.triangles.size();
+    edges_ = mesh.edges.size();
+    outline_ = mesh.outline.size();
+}
+
+void GpuLines::upload(const std::vector<LineVertex>& vertices, const LineRuns& runs) {
+    uploadVertices(vertices, kLineAttributes);
     seam_.clear();
     outline_.clear();
     std::vector<std::uint32_t> indices;

@@ -57,15 +57,7 @@ public:
     using GpuBuffers::GpuBuffers;
 
     /// Replaces what was there.
-    void upload(const std::vector<ClothVertex>& vertices, const MeshIndices& mesh,
-                std::span<const VertexAttribute> attributes) {
-        ++uploads_;
-        uploadVertices(vertices, attributes);
-        uploadIndices({mesh.triangles, mesh.edges, mesh.outline});
-        triangles_ = mesh.triangles.size();
-        edges_ = mesh.edges.size();
-        outline_ = mesh.outline.size();
-    }
+    void upload(const std::vector<ClothVertex>& vertices, const MeshIndices& mesh);
 
     void drawTriangles() const { draw(GL_TRIANGLES, 0, triangles_); }
     void drawEdges() const { draw(GL_LINES, triangles_, edges_); }
@@ -86,11 +78,7 @@ public:
     using GpuBuffers::GpuBuffers;
 
     /// Replaces what was there.
-    void upload(const std::vector<LineVertex>& vertices, const LineRuns& runs,
-                std::span<const VertexAttribute> attributes) {
-        uploadVertices(vertices, attributes);
-        uploadSegments(runs);
-    }
+    void upload(const std::vector<LineVertex>& vertices, const LineRuns& runs);
 
     void drawSeams() const { drawSegments(seams_); }
     /// Both its sides.
@@ -105,7 +93,6 @@ private:
         std::size_t first = 0, count = 0;
     };
 
-    void uploadSegments(const LineRuns& runs);
     void drawSegments(const Range& range) const {
         draw(GL_LINES, 2 * range.first, 2 * range.count);
     }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace toile::app {
 
@@ -12,20 +11,6 @@ namespace {
 /// Strong lines are at least this far apart on the screen; fine ones begin to show at a tenth.
 constexpr double kMajorPixels = 34.0;
 constexpr double kMinorFrom = 6.0, kMinorFull = 24.0;
-
-constexpr VertexAttribute kPatternAttributes[] = {
-    {0, 2, offsetof(ClothVertex, flat)},
-    {1, 4, offsetof(ClothVertex, values)},
-    {2, 1, offsetof(ClothVertex, piece)},
-    {3, 3, offsetof(ClothVertex, metric)},
-};
-
-constexpr VertexAttribute kPatternLineAttributes[] = {
-    {0, 2, offsetof(LineVertex, flat)},
-    {2, 1, offsetof(LineVertex, piece)},
-    {3, 1, offsetof(LineVertex, along)},
-    {7, 1, offsetof(LineVertex, tint)},
-};
 
 }  // namespace
 
@@ -52,8 +37,8 @@ SceneRenderer::ProgramFiles PatternRenderer::programFiles() const {
 }
 
 void PatternRenderer::upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
-    mesh.upload(scene.vertices, scene.pattern, kPatternAttributes);
-    lines.upload(scene.lineVertices, scene.patternLines, kPatternLineAttributes);
+    mesh.upload(scene.vertices, scene.pattern);
+    lines.upload(scene.lineVertices, scene.patternLines);
 }
 
 void PatternRenderer::setGrid(const Camera2D& camera, bool shown, double pixelRatio) {

@@ -72,20 +72,17 @@ QString SceneRenderer::initialize() {
     }
     const ProgramFiles files = programFiles();
     QString problem;
-    cloth_ = loadProgram(files.cloth, problem);
-    if (cloth_) {
-        lines_ = loadProgram(files.lines, problem);
-    }
-    if (lines_) {
-        backdrop_ = loadProgram({"backdrop.vert", "backdrop.frag"}, problem);
-    }
-    if (backdrop_) {
-        cross_ = loadProgram(files.crosses, problem);
-    }
-    if (!cross_) {
-        return QCoreApplication::translate("SceneRenderer",
-                                           "The graphics driver refused to draw this view (%1).")
-            .arg(problem);
+    const std::pair<std::unique_ptr<ShaderProgram>&, std::vector<std::string_view>> programs[] = {
+        {cloth_, files.cloth},
+        {lines_, files.lines},
+        {backdrop_, {"backdrop.vert", "backdrop.frag"}},
+        {cross_, files.crosses}};
+    for (const auto& [program, names] : programs) {
+        if (program = loadProgram(names, problem); !program) {
+            return QCoreApplication::translate(
+                       "SceneRenderer", "The graphics driver refused to draw this view (%1).")
+                .arg(problem);
+        }
     }
     glGenVertexArrays(1, &emptyArray_);
     pieceTable_ = makeTexture(GL_NEAREST);
@@ -162,9 +159,16 @@ GLuint SceneRenderer::makeTableTexture() {
     return makeTexture(GL_NEAREST);
 }
 
-void SceneRenderer::bindPieceTable() {
+void SceneRenderer::begin(ShaderProgram& program, const Frame& frame) {
     glActiveTexture(GL_TEXTURE0 + kPieceTableUnit);
     glBindTexture(GL_TEXTURE_2D, pieceTable_);
+    program.bind();
+    program.setUniformValue("pieceTable", kPieceTableUnit);
+    program.setUniformValue("colourMap", kColourMapUnit);
+    program.setUniformValue("pixelRatio", frame.pixelRatio);
+    program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
+                            static_cast<float>(frame.height));
+    program.setUniformValue("viewProjection", frame.viewProjection);
 }
 
 void SceneRenderer::bindColourMap(Overlay overlay) {
@@ -188,12 +192,9 @@ ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
         isMeasured(overlay) && (scale.limited || frame.view.valuesPerTriangle) && hasFaceTable();
     faces_.bind(kFaceTableUnit);
     bindColourMap(overlay);
-    bindPieceTable();
 
     ShaderProgram& program = *cloth_;
-    program.bind();
-    program.setUniformValue("pieceTable", kPieceTableUnit);
-    program.setUniformValue("colourMap", kColourMapUnit);
+    begin(program, frame);
     program.setUniformValue("faceTable", kFaceTableUnit);
     program.setUniformValue("overlay", static_cast<int>(overlay));
     program.setUniformValue("overlayRange", static_cast<float>(scale.low),
@@ -201,8 +202,6 @@ ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
     program.setUniformValue("overlayLimited", scale.limited);
     program.setUniformValue("triangleTable", triangleTable);
     program.setUniformValue("perTriangle", triangleTable && frame.view.valuesPerTriangle);
-    program.setUniformValue("pixelRatio", frame.pixelRatio);
-    program.setUniformValue("viewProjection", frame.viewProjection);
     program.setOpaque("selectionColour", frame.style.selection);
     setOwnUniforms(program);
     return program;
@@ -218,23 +217,16 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
     }
     const OverlayScale scale = scaleOf(Overlay::Principal);
     bindColourMap(Overlay::Principal);
-    bindPieceTable();
     const CrossRun run = crossesAt(content_.scene->crosses, kLeastSpacing * millimetresPerPixel);
     if (run.count == 0) {
         return;
     }
     ShaderProgram& program = *cross_;
-    program.bind();
-    program.setUniformValue("pieceTable", kPieceTableUnit);
-    program.setUniformValue("colourMap", kColourMapUnit);
+    begin(program, frame);
     program.setUniformValue("overlayRange", static_cast<float>(scale.low),
                             static_cast<float>(scale.high));
     program.setUniformValue("halfLength", static_cast<float>(kStrokeShare * run.spacing / 2));
     program.setUniformValue("depthShift", depthShift);
-    program.setUniformValue("pixelRatio", frame.pixelRatio);
-    program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
-                            static_cast<float>(frame.height));
-    program.setUniformValue("viewProjection", frame.viewProjection);
     beginBlending();
     glDepthMask(GL_FALSE);  // the faint rim of a stroke would cut into its neighbour
     crosses_.draw(run);
@@ -245,15 +237,10 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
 
 ShaderProgram& SceneRenderer::beginLines(const Frame& frame, float depthShift) {
     ShaderProgram& program = *lines_;
-    program.bind();
-    bindPieceTable();
-    program.setUniformValue("pieceTable", kPieceTableUnit);
+    begin(program, frame);
     program.setUniformValue("depthShift", depthShift);
     program.setUniformValue("dashLength", 0.0F);
     program.setUniformValue("fade", 0.0F, 0.0F);
-    program.setUniformValue("viewportPixels", static_cast<float>(frame.width),
-                            static_cast<float>(frame.height));
-    program.setUniformValue("viewProjection", frame.viewProjection);
     program.setUniformValue("tinted", false);
     setOwnUniforms(program);
     return program;

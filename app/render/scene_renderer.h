@@ -112,8 +112,9 @@ protected:
 
 private:
     OverlayScale scaleOf(Overlay overlay) const;
-    void bindPieceTable();
     void bindColourMap(Overlay overlay);
+    /// Binds it, with what all programs of the scene have to know.
+    void begin(ShaderProgram& program, const Frame& frame);
     /// True where the triangles' own values are there to be looked up; uploads them when first
     /// asked for.
     bool hasFaceTable();

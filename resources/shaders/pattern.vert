@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-layout(location = 0) in vec2 flatPoint;
-layout(location = 1) in vec4 values;
-layout(location = 2) in float piece;
-layout(location = 3) in vec3 metric;
+layout(location = 2) in vec2 flatPoint;
+layout(location = 3) in vec4 values;
+layout(location = 4) in float piece;
+layout(location = 5) in vec3 metric;
 
 uniform mat4 viewProjection;
 

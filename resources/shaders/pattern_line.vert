@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-layout(location = 0) in vec2 flatPoint;
-layout(location = 2) in float piece;
-layout(location = 3) in float along;  // mm from the line's beginning
+layout(location = 2) in vec2 flatPoint;
+layout(location = 4) in float piece;
+layout(location = 6) in float along;  // mm from the line's beginning
 layout(location = 7) in float tint;
 
 uniform mat4 viewProjection;
