@@ -175,32 +175,23 @@ void Workspace::onStopped(bool failed) {
     follow();  // what this had taken the place of
 }
 
-void Workspace::changeOptions(const QString& text, const FlattenOptions& options) {
-    if (!document_.garment()) {
-        document_.setOptions(options);
-        return;
-    }
-    DocumentState next = document_.state();
-    next.options = options;
-    document_.edit(text, std::move(next));
+template <class Value>
+void Workspace::setOption(const QString& text, Value FlattenOptions::*field, Value value) {
+    FlattenOptions options = document_.options();
+    options.*field = value;
+    document_.setOptions(options, text);
 }
 
 void Workspace::setMethod(Method method) {
-    FlattenOptions options = document_.options();
-    options.method = method;
-    changeOptions(tr("Method"), options);
+    setOption(tr("Method"), &FlattenOptions::method, method);
 }
 
 void Workspace::setQuality(Quality quality) {
-    FlattenOptions options = document_.options();
-    options.quality = quality;
-    changeOptions(tr("Quality"), options);
+    setOption(tr("Quality"), &FlattenOptions::quality, quality);
 }
 
 void Workspace::setBoundarySolver(BoundarySolver solver) {
-    FlattenOptions options = document_.options();
-    options.boundarySolver = solver;
-    changeOptions(tr("Boundary solver"), options);
+    setOption(tr("Boundary solver"), &FlattenOptions::boundarySolver, solver);
 }
 
 void Workspace::flattenAgain() {

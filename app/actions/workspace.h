@@ -143,7 +143,8 @@ private:
     void setLoadingField(const QString& text, Value LoadOptions::*field, const Value& value);
     std::optional<Error> objectionTo(const Garment& garment, DocumentState& rest);
 
-    void changeOptions(const QString& text, const FlattenOptions& options);
+    template <class Value>
+    void setOption(const QString& text, Value FlattenOptions::*field, Value value);
     void onChanged(DocumentChanges what);
     void onStopped(bool failed);
 

@@ -257,19 +257,16 @@ void Document::show(Derived derived, SettingsById settings) {
     tell(what | showOther(std::move(derived)));
 }
 
-void Document::setOptions(const FlattenOptions& options) {
-    if (options == state_.options) {
-        return;
-    }
+void Document::setOptions(const FlattenOptions& options, const QString& text) {
     if (garment()) {
         DocumentState next = state_;
         next.options = options;
-        edit(tr("Change of method"), std::move(next));
-        return;
+        edit(text.isEmpty() ? tr("Change of method") : text, std::move(next));
+    } else if (!(options == state_.options)) {
+        state_.options = options;
+        ++revision_;
+        emit changed(DocumentChange::Options);
     }
-    state_.options = options;
-    ++revision_;
-    emit changed(DocumentChange::Options);
 }
 
 void Document::setLoading(LoadOptions loading) {

@@ -111,7 +111,8 @@ public:
     DerivedCache& cache() { return cache_; }
 
     /// How pieces are to be flattened: a step of the history where a garment is open.
-    void setOptions(const FlattenOptions& options);
+    /// @param text  what was done, for the undo menu; empty: the usual words
+    void setOptions(const FlattenOptions& options, const QString& text = {});
     /// Says how the next files are read; where a garment is open that is a matter of `edit`.
     void setLoading(LoadOptions loading);
     /// Indices outside the garment are left out.
