@@ -79,12 +79,17 @@ CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& valu
         [&words](const std::string& word) { return parseWord(words, word); }, help);
 }
 
-void addInputs(CLI::App& command, Arguments& arguments) {
-    command
+/// A command, with the files that each of them takes.
+CLI::App& addCommand(CLI::App& app, Arguments& arguments, Arguments::Command command,
+                     const std::string& word, const std::string& help) {
+    CLI::App& added = *app.add_subcommand(word, help);
+    added.callback([&arguments, command] { arguments.command = command; });
+    added
         .add_option("INPUT", arguments.inputs,
                     "Garment mesh: .obj, .off, .ply or .stl; or a project: .toile")
         ->required()
         ->type_name("FILE...");
+    return added;
 }
 
 /// How files are read, divided and cut: the commands and the window alike.
@@ -141,103 +146,95 @@ void addMethodOptions(CLI::App& command, StatedOptions& stated, bool isOne = tru
         ->default_str("0");
 }
 
-CLI::App* addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
-    CLI::App* flatten = app.add_subcommand("flatten", "Flatten every piece of a garment");
-    addInputs(*flatten, arguments);
+void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
+    CLI::App& flatten = addCommand(app, arguments, Arguments::Command::Flatten, "flatten",
+                                   "Flatten every piece of a garment");
     flatten
-        ->add_option("-o,--output", arguments.outputs,
-                     "File to write, by its ending: .svg, .dxf, .obj (input with the pattern as "
-                     "its UV map) or .json (report). May be given several times")
+        .add_option("-o,--output", arguments.outputs,
+                    "File to write, by its ending: .svg, .dxf, .obj (input with the pattern as "
+                    "its UV map) or .json (report). May be given several times")
         ->type_name("FILE")
         ->allow_extra_args(false);  // so that inputs may follow
-    addMethodOptions(*flatten, arguments.stated);
-    addReading(*flatten, arguments);
-    flatten->add_flag("--ledger", arguments.ledger,
-                      "Print every seam with the lengths of its two sides");
+    addMethodOptions(flatten, arguments.stated);
+    addReading(flatten, arguments);
+    flatten.add_flag("--ledger", arguments.ledger,
+                     "Print every seam with the lengths of its two sides");
     flatten
-        ->add_option("--report", typed.report, "Write the JSON report (the same as -o FILE.json)")
+        .add_option("--report", typed.report, "Write the JSON report (the same as -o FILE.json)")
         ->type_name("FILE.json");
-    return flatten;
 }
 
-CLI::App* addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
-    CLI::App* compare =
-        app.add_subcommand("compare", "Flatten a garment by several methods and compare them");
-    addInputs(*compare, arguments);
+void addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
+    CLI::App& compare = addCommand(app, arguments, Arguments::Command::Compare, "compare",
+                                   "Flatten a garment by several methods and compare them");
     const std::vector<std::string> names = methodNames();
-    compare->add_option("--methods", typed.methods, "Methods to compare; all where none is named")
+    compare.add_option("--methods", typed.methods, "Methods to compare; all where none is named")
         ->type_name(CLI::detail::join(names, ","))
         ->delimiter(',')
         ->check(oneOf(names))
         ->allow_extra_args(false);  // so that inputs may follow
-    addMethodOptions(*compare, arguments.stated, false);
-    addReading(*compare, arguments);
-    compare->add_flag("--per-piece", arguments.perPiece, "Print a table for each piece too");
-    CLI::Option* json = compare->add_flag("--json", arguments.json, "Print as JSON");
-    compare->add_flag("--markdown", arguments.markdown, "Print tables as Markdown")->excludes(json);
-    return compare;
+    addMethodOptions(compare, arguments.stated, false);
+    addReading(compare, arguments);
+    compare.add_flag("--per-piece", arguments.perPiece, "Print a table for each piece too");
+    CLI::Option* json = compare.add_flag("--json", arguments.json, "Print as JSON");
+    compare.add_flag("--markdown", arguments.markdown, "Print tables as Markdown")->excludes(json);
 }
 
-CLI::App* addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
-    CLI::App* render =
-        app.add_subcommand("render", "Draw a garment and its pattern as the window shows them");
-    addInputs(*render, arguments);
-    render->add_option("-o,--output", typed.picture, "Picture to write")
+void addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
+    CLI::App& render = addCommand(app, arguments, Arguments::Command::Render, "render",
+                                  "Draw a garment and its pattern as the window shows them");
+    render.add_option("-o,--output", typed.picture, "Picture to write")
         ->required()
         ->type_name("FILE.png");
     PictureArguments& picture = arguments.picture;
-    addChoice(*render, "--view", picture.views, kViewWords, "What to draw; both lie side by side")
+    addChoice(render, "--view", picture.views, kViewWords, "What to draw; both lie side by side")
         ->default_str("both");
-    addChoice(*render, "--overlay", arguments.overlay, kOverlayWords,
+    addChoice(render, "--overlay", arguments.overlay, kOverlayWords,
               "What is painted on the cloth [what the project says, else checker]");
-    render->add_option("--size", typed.size, "Width and height in pixels [1600x800]")
+    render.add_option("--size", typed.size, "Width and height in pixels [1600x800]")
         ->type_name("WxH");
     render
-        ->add_option("--look", typed.look,
-                     "From where the garment is seen, a side or degrees around and upwards")
+        .add_option("--look", typed.look,
+                    "From where the garment is seen, a side or degrees around and upwards")
         ->type_name("front|back|left|right|top|bottom|YAW,PITCH");
     render
-        ->add_option("--morph", picture.morph,
-                     "The garment on its way to the pattern: 0 as it is worn, 1 flat")
+        .add_option("--morph", picture.morph,
+                    "The garment on its way to the pattern: 0 as it is worn, 1 flat")
         ->type_name("SHARE")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
-    render->add_flag("--wireframe", picture.wireframe, "Draw the mesh's edges");
-    render->add_flag("--xray", picture.xray, "Let cloth show what is behind it");
-    addChoice(*render, "--seams-shown", picture.seams, kSwitchWords,
+    render.add_flag("--wireframe", picture.wireframe, "Draw the mesh's edges");
+    render.add_flag("--xray", picture.xray, "Let cloth show what is behind it");
+    addChoice(render, "--seams-shown", picture.seams, kSwitchWords,
               "Seam lines, each pair in one colour")
         ->default_str("on");
-    addChoice(*render, "--bar", picture.bar, kSwitchWords,
+    addChoice(render, "--bar", picture.bar, kSwitchWords,
               "The colour bar below [on where the overlay is measured]");
-    render->add_flag("--dark", picture.dark, "On a dark ground");
-    addMethodOptions(*render, arguments.stated);
-    addReading(*render, arguments);
-    return render;
+    render.add_flag("--dark", picture.dark, "On a dark ground");
+    addMethodOptions(render, arguments.stated);
+    addReading(render, arguments);
 }
 
-CLI::App* addCheck(CLI::App& app, Arguments& arguments) {
-    CLI::App* check =
-        app.add_subcommand("check", "Flatten a garment and tell whether it is ready to cut");
-    addInputs(*check, arguments);
+void addCheck(CLI::App& app, Arguments& arguments) {
+    CLI::App& check = addCommand(app, arguments, Arguments::Command::Check, "check",
+                                 "Flatten a garment and tell whether it is ready to cut");
     std::vector<std::string> fabrics;
     for (const Fabric& fabric : fabricPresets()) {
         fabrics.push_back(fabric.id);
     }
-    addChoice(*check, "--fabric", arguments.fabric, fabrics, fabricPreset,
+    addChoice(check, "--fabric", arguments.fabric, fabrics, fabricPreset,
               "What the garment is cut from: " + fabrics.front() +
                   " where neither this nor a project says so");
-    addMethodOptions(*check, arguments.stated);
-    addReading(*check, arguments);
-    check->add_flag("--json", arguments.json, "Print as JSON");
-    return check;
+    addMethodOptions(check, arguments.stated);
+    addReading(check, arguments);
+    check.add_flag("--json", arguments.json, "Print as JSON");
 }
 
-CLI::App* addInfo(CLI::App& app, Arguments& arguments) {
-    CLI::App* info = app.add_subcommand("info", "Tell what a garment file holds");
-    addInputs(*info, arguments);
-    addReading(*info, arguments);
-    info->add_flag("--json", arguments.json, "Print as JSON");
-    return info;
+void addInfo(CLI::App& app, Arguments& arguments) {
+    CLI::App& info = addCommand(app, arguments, Arguments::Command::Info, "info",
+                                "Tell what a garment file holds");
+    addReading(info, arguments);
+    info.add_flag("--json", arguments.json, "Print as JSON");
 }
 
 /// Each once, in the order typed; all of them where none was.
@@ -338,11 +335,11 @@ Arguments parseArguments(int argc, const char* const* argv) {
 
     Typed typed;
     Arguments arguments;
-    const CLI::App* flatten = addFlatten(app, typed, arguments);
-    const CLI::App* compare = addCompare(app, typed, arguments);
-    const CLI::App* check = addCheck(app, arguments);
-    const CLI::App* info = addInfo(app, arguments);
-    const CLI::App* render = addRender(app, typed, arguments);
+    addFlatten(app, typed, arguments);
+    addCompare(app, typed, arguments);
+    addCheck(app, arguments);
+    addInfo(app, arguments);
+    addRender(app, typed, arguments);
     // A window's files stand where a command could: `toile dress.obj`.
     app.add_option("FILE", typed.windowFiles, "Garment or project to open in the window")
         ->type_name("FILE...");
@@ -361,12 +358,6 @@ Arguments parseArguments(int argc, const char* const* argv) {
         return fromParseError(app, error);
     }
 
-    arguments.command = flatten->parsed()   ? Arguments::Command::Flatten
-                        : compare->parsed() ? Arguments::Command::Compare
-                        : check->parsed()   ? Arguments::Command::Check
-                        : info->parsed()    ? Arguments::Command::Info
-                        : render->parsed()  ? Arguments::Command::Render
-                                            : Arguments::Command::Window;
     if (arguments.command == Arguments::Command::Window) {
         arguments.inputs = typed.windowFiles;
     } else if (!typed.windowFiles.empty()) {
