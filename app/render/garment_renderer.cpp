@@ -122,24 +122,17 @@ void GarmentRenderer::synchronizeMorph(const Morph& morph) {
     if (bend_ == 0 || (tableContent_ == contentNumber() && !needNewTable(morph, tableMorph_))) {
         return;
     }
-    if (morphTable_ == 0) {
-        morphTable_ = makeTableTexture();
-    }
     const std::vector<SpaceMotion> motions = morphMotions(*content_.scene, content_.places, morph);
-    const int count = static_cast<int>(motions.size());
-    const int height = std::max(1, (3 * count + kPieceTableWidth - 1) / kPieceTableWidth);
-    std::vector<float> texels(static_cast<std::size_t>(4) * kPieceTableWidth *
-                              static_cast<std::size_t>(height));
-    std::size_t at = 0;
+    std::vector<float> texels;
     for (const SpaceMotion& motion : motions) {
         for (int k = 0; k < 3; ++k) {
             for (int row = 0; row < 3; ++row) {
-                texels[at++] = static_cast<float>(motion.turn(row, k));
+                texels.push_back(static_cast<float>(motion.turn(row, k)));
             }
-            texels[at++] = static_cast<float>(motion.offset[k]);
+            texels.push_back(static_cast<float>(motion.offset[k]));
         }
     }
-    uploadTable(morphTable_, height, texels);
+    morphTable_.upload(texels);
     tableMorph_ = morph;
     tableContent_ = contentNumber();
 }
@@ -147,13 +140,11 @@ void GarmentRenderer::synchronizeMorph(const Morph& morph) {
 void GarmentRenderer::setOwnUniforms(ShaderProgram& program) {
     program.setUniformValue("bend", bend_);
     program.setUniformValue("morphTable", kMorphTableUnit);
-    glActiveTexture(GL_TEXTURE0 + kMorphTableUnit);
-    glBindTexture(GL_TEXTURE_2D, morphTable_);
+    morphTable_.bind(kMorphTableUnit);
 }
 
 void GarmentRenderer::releaseOwn() {
-    glDeleteTextures(1, &morphTable_);
-    morphTable_ = 0;
+    morphTable_.release();
     tableContent_ = -1;
 }
 

@@ -35,7 +35,7 @@ private:
     void paintSheets(ShaderProgram& cloth);
 
     /// Motions of the pieces on their way to the sheet: three texels each.
-    GLuint morphTable_ = 0;
+    TableTexture morphTable_{counts_};
     float bend_ = 0;
     bool xray_ = false;
     /// What the table was made for.

@@ -37,19 +37,14 @@ constexpr double kLeastSpacing = 25;
 /// A stroke of a cross leaves this much of the way to its neighbour free.
 constexpr double kStrokeShare = 0.88;
 
-GLuint makeTexture(GLint filter) {
+GLuint makeColourMapTexture(const ColourMap& map) {
     GLuint texture = 0;
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    return texture;
-}
-
-GLuint makeColourMapTexture(const ColourMap& map) {
-    const GLuint texture = makeTexture(GL_LINEAR);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, kColourMapSize, 1, 0, GL_RGB, GL_UNSIGNED_BYTE,
                  map.data());
@@ -85,7 +80,6 @@ QString SceneRenderer::initialize() {
         }
     }
     glGenVertexArrays(1, &emptyArray_);
-    pieceTable_ = makeTexture(GL_NEAREST);
     divergingMap_ = makeColourMapTexture(divergingMap());
     sequentialMap_ = makeColourMapTexture(sequentialMap());
     sceneChanged_ = tableChanged_ = content_.scene != nullptr;
@@ -99,10 +93,11 @@ void SceneRenderer::release() {
     mesh_.release();
     overLines_.release();
     faces_.release();
+    pieces_.release();
     crosses_.release();
     facesOf_ = crossesOf_ = -1;
     glDeleteVertexArrays(1, &emptyArray_);
-    for (GLuint* texture : {&pieceTable_, &divergingMap_, &sequentialMap_}) {
+    for (GLuint* texture : {&divergingMap_, &sequentialMap_}) {
         glDeleteTextures(1, texture);
         *texture = 0;
     }
@@ -136,9 +131,8 @@ bool SceneRenderer::synchronize(const ViewState& view) {
         tableChanged_ = true;
     }
     if (std::exchange(tableChanged_, false)) {
-        const PieceTable table =
-            makePieceTable(*content_.scene, content_.selection, content_.places, pieceColours_);
-        uploadTable(pieceTable_, table.height, table.texels);
+        pieces_.upload(
+            makePieceTable(*content_.scene, content_.selection, content_.places, pieceColours_));
     }
     return true;
 }
@@ -148,20 +142,8 @@ OverlayScale SceneRenderer::scaleOf(Overlay overlay) const {
                           : overlayScale(*content_.scene, overlay, content_.fabric);
 }
 
-void SceneRenderer::uploadTable(GLuint texture, int height, const std::vector<float>& texels) {
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kPieceTableWidth, height, 0, GL_RGBA, GL_FLOAT,
-                 texels.data());
-    counts_.uploadedBytes += texels.size() * sizeof(float);
-}
-
-GLuint SceneRenderer::makeTableTexture() {
-    return makeTexture(GL_NEAREST);
-}
-
 void SceneRenderer::begin(ShaderProgram& program, const Frame& frame) {
-    glActiveTexture(GL_TEXTURE0 + kPieceTableUnit);
-    glBindTexture(GL_TEXTURE_2D, pieceTable_);
+    pieces_.bind(kPieceTableUnit);
     program.bind();
     program.setUniformValue("pieceTable", kPieceTableUnit);
     program.setUniformValue("colourMap", kColourMapUnit);

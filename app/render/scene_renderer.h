@@ -83,8 +83,6 @@ protected:
     virtual bool isInDepth() const { return false; }
     /// Frees what a derived renderer has on the GPU.
     virtual void releaseOwn() {}
-    /// What tables are kept in.
-    GLuint makeTableTexture();
 
     /// Brings the GPU's copy up to date. @return whether there is something to draw
     bool synchronize(const ViewState& view);
@@ -102,8 +100,6 @@ protected:
 
     /// Of the scene and of where it lies: another number whenever one of them has changed.
     int contentNumber() const { return contentNumber_; }
-    /// A float texture of four numbers a texel, `kPieceTableWidth` texels a row.
-    void uploadTable(GLuint texture, int height, const std::vector<float>& texels);
 
     bool isReady_ = false;  ///< there is a context that it can draw in
     FrameCounts counts_;
@@ -128,7 +124,7 @@ private:
     void drawFeature(const Feature& feature);
     void setLine(const QColor& colour, float width, bool selectedOnly, const Frame& frame);
 
-    FaceTable faces_{counts_};
+    TableTexture faces_{counts_}, pieces_{counts_};
     GpuCrosses crosses_{counts_};
     /// Scenes are numbered: of which the GPU has triangles' values and crosses.
     int sceneNumber_ = 0, facesOf_ = -1, crossesOf_ = -1;
@@ -138,7 +134,6 @@ private:
     bool pieceColours_ = true;
     int contentNumber_ = 0;
     std::unique_ptr<ShaderProgram> cloth_, lines_, backdrop_, cross_;
-    GLuint pieceTable_ = 0;
     GLuint divergingMap_ = 0, sequentialMap_ = 0;
     GLuint emptyArray_ = 0;  ///< core profile draws nothing without a vertex array
 };

@@ -34,8 +34,8 @@ QString wordsOf(GLuint object, Parameter parameter, Log log) {
 /// Unbleached cotton, as a toile is made of.
 constexpr Rgb kPlainCloth{226, 217, 200};
 
-constexpr std::size_t kFacesPerRow = kFaceTableWidth / 2;
-static_assert(sizeof(FaceValues) == sizeof(float[2][4]));
+constexpr std::size_t kTexel = sizeof(float[4]);
+static_assert(sizeof(FaceValues) == 2 * kTexel);
 
 }  // namespace
 
@@ -119,14 +119,10 @@ std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& 
     return program;
 }
 
-PieceTable makePieceTable(const Scene& scene, const std::set<int>& selection,
-                          const SheetPlaces& places, bool coloured) {
+std::vector<float> makePieceTable(const Scene& scene, const std::set<int>& selection,
+                                  const SheetPlaces& places, bool coloured) {
     const int count = static_cast<int>(scene.pieces.size());
-    PieceTable table;
-    table.height = std::max(1, (kTexelsPerPiece * count + kPieceTableWidth - 1) / kPieceTableWidth);
-    table.texels.assign(
-        static_cast<std::size_t>(4) * kPieceTableWidth * static_cast<std::size_t>(table.height),
-        0.0F);
+    std::vector<float> table(static_cast<std::size_t>(count) * 4 * kTexelsPerPiece);
     for (int i = 0; i < count; ++i) {
         const PieceScene& piece = scene.pieces[static_cast<std::size_t>(i)];
         const SheetPlace& place = placeOf(places, i);
@@ -134,7 +130,7 @@ PieceTable makePieceTable(const Scene& scene, const std::set<int>& selection,
         const Rgb colour = piece.flat ? own : neutralColour();
         const int flags =
             (selection.count(i) != 0 ? kPieceSelected : 0) | (piece.flat ? kPieceFlat : 0);
-        float* texel = table.texels.data() + static_cast<std::size_t>(i) * 4 * kTexelsPerPiece;
+        float* texel = table.data() + static_cast<std::size_t>(i) * 4 * kTexelsPerPiece;
         texel[0] = static_cast<float>(colour.r) / 255.0F;
         texel[1] = static_cast<float>(colour.g) / 255.0F;
         texel[2] = static_cast<float>(colour.b) / 255.0F;
@@ -160,11 +156,12 @@ std::vector<FaceValues> garmentFaces(const Scene& scene) {
     return faces;
 }
 
-bool FaceTable::upload(std::span<const FaceValues> faces) {
+bool TableTexture::uploadBytes(const void* data, std::size_t bytes) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-    const std::size_t rows =
-        std::max<std::size_t>(1, (faces.size() + kFacesPerRow - 1) / kFacesPerRow);
+    const std::size_t texels = bytes / kTexel, whole = texels / kTableWidth,
+                      rest = texels % kTableWidth;
+    const std::size_t rows = std::max<std::size_t>(1, whole + (rest > 0 ? 1 : 0));
     if (rows > static_cast<std::size_t>(most)) {
         return false;
     }
@@ -174,28 +171,29 @@ bool FaceTable::upload(std::span<const FaceValues> faces) {
     glBindTexture(GL_TEXTURE_2D, texture_);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kFaceTableWidth, static_cast<GLsizei>(rows), 0,
-                 GL_RGBA, GL_FLOAT, nullptr);
-    const std::size_t whole = faces.size() / kFacesPerRow, rest = faces.size() % kFacesPerRow;
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kTableWidth, static_cast<GLsizei>(rows), 0, GL_RGBA,
+                 GL_FLOAT, nullptr);
+    const auto put = [data](std::size_t row, std::size_t width, std::size_t height) {
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(row), static_cast<GLsizei>(width),
+                        static_cast<GLsizei>(height), GL_RGBA, GL_FLOAT,
+                        static_cast<const std::byte*>(data) + row * kTableWidth * kTexel);
+    };
     if (whole > 0) {
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kFaceTableWidth, static_cast<GLsizei>(whole),
-                        GL_RGBA, GL_FLOAT, faces.data());
+        put(0, kTableWidth, whole);
     }
     if (rest > 0) {
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(whole),
-                        static_cast<GLsizei>(2 * rest), 1, GL_RGBA, GL_FLOAT,
-                        faces.data() + whole * kFacesPerRow);
+        put(whole, rest, 1);
     }
-    counts_.uploadedBytes += faces.size_bytes();
+    counts_.uploadedBytes += bytes;
     return true;
 }
 
-void FaceTable::bind(int unit) const {
+void TableTexture::bind(int unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, texture_);
 }
 
-void FaceTable::release() {
+void TableTexture::release() {
     glDeleteTextures(1, &texture_);
     texture_ = 0;
 }

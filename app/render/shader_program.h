@@ -4,9 +4,9 @@
 #include <QColor>
 #include <QString>
 #include <QVector3D>
+#include <cstddef>
 #include <memory>
 #include <set>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -58,46 +58,45 @@ private:
 std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,
                                            QString& problem);
 
-/// What may change per piece without touching the meshes, as the shaders look it up: three RGBA
-/// texels per piece, in rows of `kPieceTableWidth` texels:
-/// (red, green, blue, flags), the columns of the placement's 2 x 2 matrix, and (offset x, offset y,
-/// the grain's direction in the piece's own coordinates: x, y).
-inline constexpr int kPieceTableWidth = 2048;
-inline constexpr int kTexelsPerPiece = 3;
+/// Numbers that shaders look up: four of them a texel, in rows of this many texels.
+inline constexpr int kTableWidth = 2048;
 
-enum PieceFlag { kPieceSelected = 1, kPieceFlat = 2 };
-
-struct PieceTable {
-    int height = 1;
-    std::vector<float> texels;  ///< 4 x kPieceTableWidth x height
-};
-
-/// @param coloured  pieces have colours of their own; else all that are flat have a plain one
-PieceTable makePieceTable(const Scene& scene, const std::set<int>& selection,
-                          const SheetPlaces& places, bool coloured = true);
-
-/// The GPU's copy of the triangles' own values, looked up by gl_PrimitiveID, so that vertices need
-/// not be doubled for colours that end at edges. Two texels per triangle, in rows of this many.
-inline constexpr int kFaceTableWidth = 2048;
-
-/// In the order of Scene::garment; zeros for pieces that are not flat.
-std::vector<FaceValues> garmentFaces(const Scene& scene);
-
-/// Every call needs the same context current; `release` before that context goes.
-class FaceTable {
+/// A table of them on the GPU. Every call needs the same context current; `release` before that
+/// context goes.
+class TableTexture {
 public:
     /// Uploads are counted there; must outlive this object.
-    explicit FaceTable(FrameCounts& counts) : counts_(counts) {}
+    explicit TableTexture(FrameCounts& counts) : counts_(counts) {}
 
-    /// Replaces what was there.
-    /// @return false where the graphics card has no room for so many triangles
-    bool upload(std::span<const FaceValues> faces);
+    /// Replaces what was there. A value is a whole number of texels, or they are floats.
+    /// @return false where the graphics card has no room for so many
+    template <class Value>
+    bool upload(const std::vector<Value>& values) {
+        return uploadBytes(values.data(), values.size() * sizeof(Value));
+    }
     void bind(int unit) const;
     void release();
 
 private:
+    bool uploadBytes(const void* data, std::size_t bytes);
+
     FrameCounts& counts_;
     GLuint texture_ = 0;
 };
+
+/// What may change per piece without touching the meshes, as the shaders look it up, so many texels
+/// per piece: (red, green, blue, flags), the columns of the placement's 2 x 2 matrix, and (offset
+/// x, offset y, the grain's direction in the piece's own coordinates: x, y).
+inline constexpr int kTexelsPerPiece = 3;
+
+enum PieceFlag { kPieceSelected = 1, kPieceFlat = 2 };
+
+/// @param coloured  pieces have colours of their own; else all that are flat have a plain one
+std::vector<float> makePieceTable(const Scene& scene, const std::set<int>& selection,
+                                  const SheetPlaces& places, bool coloured = true);
+
+/// The triangles' own values, looked up by gl_PrimitiveID, so that vertices need not be doubled for
+/// colours that end at edges. In the order of Scene::garment; zeros for pieces that are not flat.
+std::vector<FaceValues> garmentFaces(const Scene& scene);
 
 }  // namespace toile::app

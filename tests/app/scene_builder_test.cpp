@@ -152,9 +152,9 @@ private slots:
         const double half = std::numbers::pi;
         const SheetPlaces places = {
             {Placement{{5, 7}, half, true}, 0.0, 3}, {}, {Placement{{200, 7}}}};
-        const PieceTable table = makePieceTable(*scene, {2}, places);
+        const std::vector<float> table = makePieceTable(*scene, {2}, places);
         const auto texel = [&](int piece, int which) {
-            return &table.texels[std::size_t(4 * (kTexelsPerPiece * piece + which))];
+            return &table[std::size_t(4 * (kTexelsPerPiece * piece + which))];
         };
         const Rgb front = pieceColour(3), neutral = neutralColour();
         QCOMPARE(texel(0, 0)[0], static_cast<float>(front.r) / 255.0F);
@@ -171,7 +171,7 @@ private slots:
         QCOMPARE(texel(2, 0)[3], float(kPieceFlat | kPieceSelected));
         QCOMPARE(texel(2, 1)[0], 1.0F);
         QCOMPARE(texel(2, 2)[0], 200.0F);
-        QCOMPARE(table.texels.size(), std::size_t(4 * kPieceTableWidth * table.height));
+        QCOMPARE(table.size(), std::size_t(4 * kTexelsPerPiece) * scene->pieces.size());
     }
 
     void sheetBoxIsWherePiecesLie() {
