@@ -8,14 +8,10 @@
 #include <random>
 #include <system_error>
 
-#ifndef _WIN32
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
-#endif
-#ifdef __linux__
 #include <sys/xattr.h>
-#endif
+#include <unistd.h>
 
 namespace toile {
 namespace fs = std::filesystem;
@@ -61,24 +57,6 @@ Result<void> writeInPlace(const fs::path& path, std::string_view bytes) {
     }
     return {};
 }
-
-#ifdef _WIN32
-
-std::error_code replace(const fs::path& path, std::string_view bytes) {
-    const fs::path part = temporaryBeside(path);
-    std::error_code failed, ignored;
-    if (writeInPlace(part, bytes)) {
-        fs::rename(part, path, failed);
-    } else {
-        failed = std::make_error_code(std::errc::io_error);
-    }
-    if (failed) {
-        fs::remove(part, ignored);
-    }
-    return failed;
-}
-
-#else
 
 std::error_code lastFault() {
     return {errno, std::generic_category()};
@@ -132,7 +110,6 @@ std::error_code makeLike(const Descriptor& file, const fs::path& old) {
         ::fchmod(file.number(), was.st_mode & 07777U) != 0) {
         return lastFault();
     }
-#ifdef __linux__
     constexpr auto kAccessList = "system.posix_acl_access";
     if (const ssize_t size = ::getxattr(old.c_str(), kAccessList, nullptr, 0); size > 0) {
         std::string list(static_cast<std::size_t>(size), '\0');
@@ -143,7 +120,6 @@ std::error_code makeLike(const Descriptor& file, const fs::path& old) {
     } else {
         ::fremovexattr(file.number(), kAccessList);  // the folder may give one to what is new in it
     }
-#endif
     return {};
 }
 
@@ -158,7 +134,6 @@ std::error_code fill(const Descriptor& file, std::string_view bytes, const fs::p
 /// The bytes as a file called `part`. Where the system can it has no name until it is whole, so
 /// that nothing stays behind whatever ends the program.
 std::error_code makePart(const fs::path& part, std::string_view bytes, const fs::path& old) {
-#ifdef O_TMPFILE
     const fs::path folder = part.parent_path().empty() ? fs::path(".") : part.parent_path();
     if (const Descriptor file(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC); file) {
         if (const std::error_code failed = fill(file, bytes, old)) {
@@ -169,7 +144,6 @@ std::error_code makePart(const fs::path& part, std::string_view bytes, const fs:
             return {};
         }
     }
-#endif
     const Descriptor file(part, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC);
     return file ? fill(file, bytes, old) : lastFault();
 }
@@ -188,8 +162,6 @@ std::error_code replace(const fs::path& path, std::string_view bytes) {
     const Descriptor names(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     return names ? names.flush() : std::error_code();  // some may be written to, not read
 }
-
-#endif
 
 /// True where the folder, or the owner of the old file, lets none be put in its place.
 bool mayNotReplace(const std::error_code& failed) {
