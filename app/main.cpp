@@ -5,7 +5,6 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #ifdef TOILE_GUI
-#include "app/cli/project_input.h"
 #include "app/run_render.h"
 #include "app/run_window.h"
 #endif

@@ -9,7 +9,6 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
-#include "app/cli/project_input.h"
 #include "app/document/document.h"
 #include "app/document/project_state.h"
 #include "app/jobs/derivation.h"

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/base/path_text.h"
+#include "app/base/text.h"
 #include "app/jobs/ready_checker.h"
 #include "app/main_window.h"
 #include "app/platform_choice.h"

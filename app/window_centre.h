@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "app/actions/workspace.h"
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 
 class QStackedWidget;
 

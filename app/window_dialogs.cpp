@@ -4,7 +4,7 @@
 #include <QMessageBox>
 
 #include "app/actions/action_registry.h"
-#include "app/actions/command_list.h"
+#include "app/actions/help_table.h"
 #include "app/actions/workspace.h"
 #include "app/compare/compare_window.h"
 #include "app/panels/help_page.h"

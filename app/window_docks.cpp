@@ -16,7 +16,7 @@
 #include "app/render/scene.h"
 #include "app/settings/preferences.h"
 #include "app/views/view_area.h"
-#include "app/widgets/column_chooser.h"
+#include "app/widgets/columns_model.h"
 
 namespace toile::app {
 

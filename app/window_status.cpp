@@ -14,7 +14,7 @@
 #include "app/actions/workspace.h"
 #include "app/jobs/ready_checker.h"
 #include "app/panels/garment_summary.h"
-#include "app/panels/problem_text.h"
+#include "app/panels/problems_model.h"
 #include "app/settings/length_display.h"
 #include "app/widgets/hint_label.h"
 

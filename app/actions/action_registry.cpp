@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/actions/garment_actions.h"
-#include "app/base/translate.h"
+#include "app/base/text.h"
 #include "app/widgets/icon.h"
 
 namespace toile::app {

@@ -14,7 +14,7 @@
 #include "app/actions/workspace.h"
 #include "app/document/layout.h"
 #include "app/render/scene.h"
-#include "app/text/method_text.h"
+#include "app/text/figures.h"
 
 namespace toile::app {
 

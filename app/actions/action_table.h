@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/flatten/base/method.h"
+#include "core/flatten/base/flat_piece.h"
 
 namespace toile::app {
 

@@ -12,7 +12,7 @@
 
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
-#include "app/base/path_text.h"
+#include "app/base/text.h"
 #include "app/jobs/file_jobs.h"
 #include "app/widgets/banner.h"
 #include "core/project/project_file.h"

@@ -8,7 +8,7 @@
 
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
-#include "app/base/path_text.h"
+#include "app/base/text.h"
 #include "app/document/layout.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/settings/preferences.h"

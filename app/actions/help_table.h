@@ -3,7 +3,10 @@
 
 #include <QKeySequence>
 #include <QString>
+#include <functional>
 #include <vector>
+
+#include "app/widgets/command_search.h"
 
 namespace toile::app {
 
@@ -25,5 +28,15 @@ struct HelpGroup {
 /// Actions that have a key, by menu and in its order, then what the mouse does.
 std::vector<HelpGroup> helpGroups(const ActionRegistry& actions,
                                   QKeySequence::SequenceFormat format);
+
+class ActionRegistry;
+class Document;
+
+/// What the command palette offers at this time: every action, as it is enabled now; once something
+/// is typed also the garment's pieces and seams.
+/// @param showPiece, showSeam  what is done with one that is chosen
+std::vector<Command> commandList(const ActionRegistry& actions, const Document& document,
+                                 const std::function<void(int)>& showPiece,
+                                 const std::function<void(int)>& showSeam);
 
 }  // namespace toile::app

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "app/base/translate.h"
+#include "app/base/text.h"
 
 namespace toile::app {
 

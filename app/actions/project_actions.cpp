@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/actions/workspace.h"
-#include "app/base/path_text.h"
+#include "app/base/text.h"
 #include "app/settings/preferences.h"
 #include "app/text/error_text.h"
 #include "core/project/project_file.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/actions/workspace.h"
-#include "app/base/path_text.h"
+#include "app/base/text.h"
 #include "app/document/project_state.h"
 #include "app/text/error_text.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/base/path_text.h"
+#include "app/base/text.h"
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/text/error_text.h"

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_line.h"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
+#include <ostream>
+#include <utility>
 
 #include "app/cli/arguments.h"
-#include "app/cli/project_input.h"
+#include "core/project/place_pieces.h"
+#include "core/project/project_file.h"
 
 namespace toile::app {
 
@@ -35,6 +39,104 @@ int runCommand(const Arguments& typed) {
     } catch (const std::exception& fault) {  // out of memory, or a bug: still one sentence
         std::cerr << "toile: stopped by an unexpected fault (" << fault.what() << ").\n";
         return kExitUnreadable;
+    }
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Arguments refused(const std::string& sentence, int status) {
+    Arguments message;
+    message.command = Arguments::Command::Message;
+    message.message = "toile: " + sentence + "\n";
+    message.status = status;
+    return message;
+}
+
+}  // namespace
+
+std::optional<Arguments> refusalOfProject(const Arguments& arguments) {
+    const auto project = std::ranges::find_if(arguments.inputs, isProjectFile);
+    if (project == arguments.inputs.end()) {
+        return std::nullopt;
+    }
+    if (arguments.inputs.size() > 1) {
+        return refused("a project is the only input: \"" + project->string() + "\".", kExitUsage);
+    }
+    if (!(arguments.load == LoadOptions{}) || !arguments.seams.empty()) {
+        return refused(
+            "a project says itself how its files are read and cut; leave those options "
+            "out, or give its meshes instead.",
+            kExitUsage);
+    }
+    if (arguments.command == Arguments::Command::Window && !(arguments.stated == StatedOptions{})) {
+        return refused(
+            "a project says itself how its pieces are flattened; leave those options "
+            "out, and choose in the window.",
+            kExitUsage);
+    }
+    return std::nullopt;
+}
+
+Arguments withProject(Arguments arguments, std::ostream& err) {
+    const auto project = std::ranges::find_if(arguments.inputs, isProjectFile);
+    if (arguments.command == Arguments::Command::Message || project == arguments.inputs.end()) {
+        return arguments;
+    }
+    if (auto refusal = refusalOfProject(arguments)) {
+        return *std::move(refusal);
+    }
+    auto read = readProject(*project);
+    if (!read) {
+        return refused(sentence(read.error()), kExitUnreadable);
+    }
+    for (const Error& note : read->notes) {
+        err << "toile: " << sentence(note) << '\n';
+    }
+    const auto missing = locateMeshes(read->project);
+    if (!missing.empty()) {
+        return refused(sentence({ErrorCode::FileUnreadable, Subject::file(missing.front().string()),
+                                 "the project needs it, there is no such file"}),
+                       kExitUnreadable);
+    }
+    arguments.inputs.clear();
+    for (const MeshReference& file : read->project.files) {
+        for (const fs::path& output : arguments.outputs) {
+            std::error_code ignored;
+            if (fs::equivalent(file.path, output, ignored)) {
+                return refused("\"" + output.string() +
+                                   "\" is a mesh of the project and would be overwritten.",
+                               kExitUsage);
+            }
+        }
+        arguments.inputs.push_back(file.path);
+    }
+    arguments.load = read->project.loading;
+    arguments.options = arguments.stated.over(read->project.options);
+    if (!arguments.fabric) {
+        arguments.fabric = read->project.fabric;
+    }
+    arguments.project = std::move(read->project);
+    return arguments;
+}
+
+LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
+                       const PieceResults& results) {
+    if (!arguments.project) {
+        return inRows(garment, results);
+    }
+    const std::vector<PieceSettings> settings =
+        placedSettings(settingsFor(*arguments.project, garment), results,
+                       std::vector<std::optional<FlatMotion>>(results.size()));
+    return layOut(garment, results, settings, arguments.project->labels);
+}
+
+void printDifferences(const Arguments& arguments, const Garment& garment, std::ostream& err) {
+    if (arguments.project) {
+        for (const Error& difference : differencesTo(*arguments.project, garment)) {
+            err << "toile: " << sentence(difference) << '\n';
+        }
     }
 }
 

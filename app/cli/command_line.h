@@ -2,6 +2,10 @@
 #pragma once
 
 #include <iosfwd>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "core/garment/garment.h"
 
 namespace toile::app {
 
@@ -20,5 +24,21 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err);
+
+/// Where the input is a project file: the same arguments with its meshes as the input and with what
+/// it says of reading and, as far as nothing else was typed, of flattening. Anything else comes
+/// back as it is. What cannot be done comes back as a Message; notes are printed.
+Arguments withProject(Arguments arguments, std::ostream& err);
+
+/// The pattern laid out, cut and called as the project says; in rows without a project.
+LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
+                       const PieceResults& results);
+
+/// Why a project among the inputs cannot be taken as it was typed, for the commands and the window:
+/// a Message; none where it can, or where there is no project.
+std::optional<Arguments> refusalOfProject(const Arguments& arguments);
+
+/// Prints how the garment is not the one the project was made with; nothing without a project.
+void printDifferences(const Arguments& arguments, const Garment& garment, std::ostream& err);
 
 }  // namespace toile::app

@@ -5,7 +5,6 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
-#include "app/cli/table.h"
 #include "core/base/characters.h"
 #include "core/export/comparison_writer.h"
 #include "core/pipeline/pipeline.h"

@@ -7,8 +7,6 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
-#include "app/cli/project_input.h"
-#include "app/cli/table.h"
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/pipeline/pipeline.h"

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/input.h"
 
+#include <algorithm>
 #include <ostream>
+#include <utility>
 
 #include "app/cli/arguments.h"
-#include "app/cli/project_input.h"
-#include "app/cli/table.h"
+#include "app/cli/command_line.h"
+#include "core/base/characters.h"
 #include "core/base/text.h"
 
 namespace toile::app {
-
 namespace {
 
 Result<Garment> read(const Arguments& arguments, Progress& progress, std::ostream& err) {
@@ -83,6 +84,32 @@ bool printFailures(const PieceResults& results, std::ostream& err) {
         }
     }
     return failed;
+}
+
+void Table::add(std::vector<std::string> row) {
+    for (std::string& cell : row) {
+        cell = shownText(cell);
+    }
+    rows_.push_back(std::move(row));
+}
+
+void Table::print(std::ostream& out) const {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows_) {
+        widths.resize(std::max(widths.size(), row.size()), 0);
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            widths[c] = std::max(widths[c], characterCount(row[c]));
+        }
+    }
+    for (const auto& row : rows_) {
+        std::string line;
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            const std::string gap(widths[c] - characterCount(row[c]), ' ');
+            line += c == 0 ? row[c] + gap : "  " + gap + row[c];
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        out << line << '\n';
+    }
 }
 
 }  // namespace toile::app

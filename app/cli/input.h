@@ -3,6 +3,9 @@
 
 #include <iosfwd>
 #include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
 
 #include "core/pipeline/pipeline.h"
 
@@ -26,5 +29,17 @@ bool printProblems(const Garment& garment, std::ostream& err);
 /// line.
 /// @return whether any could not, or lies turned over although its method promises that none does
 bool printFailures(const PieceResults& results, std::ostream& err);
+
+/// A plain text table: first column flush left, the others flush right. Cells are shown as
+/// `shownText`.
+class Table {
+public:
+    explicit Table(std::vector<std::string> head) { rows_.push_back(std::move(head)); }
+    void add(std::vector<std::string> row);
+    void print(std::ostream& out) const;
+
+private:
+    std::vector<std::vector<std::string>> rows_;
+};
 
 }  // namespace toile::app

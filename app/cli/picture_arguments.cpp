@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/angle.h"
+#include "core/base/units.h"
 
 namespace toile::app {
 namespace {

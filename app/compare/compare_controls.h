@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "core/flatten/base/method.h"
+#include "core/flatten/base/flat_piece.h"
 
 class QCheckBox;
 class QComboBox;

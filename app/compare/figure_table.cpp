@@ -8,7 +8,7 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "app/base/translate.h"
+#include "app/base/text.h"
 #include "app/text/figures.h"
 
 namespace toile::app {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/base/path_text.h"
+#include "app/base/text.h"
 #include "app/document/history.h"
 #include "core/garment/lineage.h"
 #include "core/pattern/pattern.h"

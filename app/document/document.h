@@ -9,10 +9,9 @@
 #include <set>
 #include <type_traits>
 
-#include "app/document/derived_cache.h"
 #include "app/document/document_change.h"
 #include "app/document/document_state.h"
-#include "app/document/feature.h"
+#include "app/document/history.h"
 #include "app/document/mark_places.h"
 #include "app/document/view_state.h"
 

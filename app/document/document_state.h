@@ -7,7 +7,6 @@
 
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
-#include "core/project/piece_labels.h"
 #include "core/project/piece_settings.h"
 
 namespace toile {

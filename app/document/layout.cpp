@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "app/base/translate.h"
+#include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/document/piece_edits.h"
 #include "core/layout/marker.h"

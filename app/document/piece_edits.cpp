@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/base/translate.h"
+#include "app/base/text.h"
 #include "app/document/document.h"
 
 namespace toile::app {

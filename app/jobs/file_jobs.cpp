@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <utility>
 
-#include "app/base/path_text.h"
+#include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/document/project_state.h"
 #include "app/jobs/derivation.h"

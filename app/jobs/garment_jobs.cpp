@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <utility>
 
-#include "app/base/path_text.h"
+#include "app/base/text.h"
 #include "app/document/document.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/quality/best_grain.h"

@@ -6,8 +6,7 @@
 #include <algorithm>
 
 #include "app/actions/workspace.h"
-#include "app/base/path_text.h"
-#include "app/base/translate.h"
+#include "app/base/text.h"
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"

@@ -21,7 +21,7 @@
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/widgets/cell_delegate.h"
-#include "app/widgets/column_chooser.h"
+#include "app/widgets/columns_model.h"
 
 namespace toile::app {
 

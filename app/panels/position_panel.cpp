@@ -16,7 +16,7 @@
 #include "app/document/document.h"
 #include "app/document/layout.h"
 #include "app/widgets/number_edits.h"
-#include "core/base/angle.h"
+#include "core/base/units.h"
 
 namespace toile::app {
 

@@ -3,11 +3,16 @@
 
 #include <QFont>
 #include <QLocale>
+#include <QPainter>
+#include <cmath>
 
-#include "app/panels/problem_text.h"
+#include "app/base/text.h"
+#include "app/text/error_text.h"
+#include "app/text/figures.h"
+#include "app/text/seam_fit.h"
+#include "core/check/finding.h"
 
 namespace toile::app {
-
 namespace {
 
 QStandardItem* makeItem(const QString& text) {
@@ -98,6 +103,127 @@ ProblemsModel::Row ProblemsModel::rowOfGroup(const Finding& first, const std::ve
     row[Where]->setData(static_cast<int>(first.kind), KindRole);
     row[Where]->setData(QString::number(static_cast<int>(first.kind)), KeyRole);
     return row;
+}
+
+namespace {
+
+QString withCapital(QString text) {
+    if (!text.isEmpty()) {
+        text[0] = text[0].toUpper();
+    }
+    return text;
+}
+
+QString figureText(const Figure& figure) {
+    constexpr double kPercent = 100, kFineUpTo = 10;
+    switch (figure.unit) {
+        case Figure::Unit::Length:
+            return std::abs(figure.value) < kFineUpTo
+                       ? fineLength(figure.value) + ' ' + lengthUnit()
+                       : lengthWithUnit(figure.value);
+        case Figure::Unit::Percent:
+            return signedNumber(kPercent * figure.value, 1).remove('+') + tr(" %");
+        case Figure::Unit::Strain:
+            return signedNumber(kPercent * figure.value, 1) + tr(" %");
+        case Figure::Unit::Count:
+            return QLocale().toString(figure.value, 'f', 0);
+    }
+    return {};
+}
+
+void paintNote(QPainter& painter) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(62, 120, 190));
+    painter.drawEllipse(QRectF(3, 3, 26, 26));
+    painter.setPen(QPen(Qt::white, 3.4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(16, 15), QPointF(16, 22.5));
+    painter.drawLine(QPointF(16, 9.4), QPointF(16, 9.9));
+}
+
+}  // namespace
+
+QString problemText(const Finding& finding) {
+    if (finding.error) {
+        return withCapital(errorDescription(*finding.error));
+    }
+    return withCapital(filledIn(tr(findingWords(finding.kind).describe), [&finding](int number) {
+        const auto at = static_cast<std::size_t>(number);
+        return number == 0                    ? wordingText(finding.reason)
+               : at <= finding.figures.size() ? figureText(finding.figures[at - 1])
+                                              : QString();
+    }));
+}
+
+QString problemAdvice(const Finding& finding) {
+    const char* words = findingWords(finding.kind).advice;
+    return finding.error ? errorAdvice(*finding.error) : *words ? tr(words) : QString();
+}
+
+QString problemTitle(FindingKind kind) {
+    return tr(findingWords(kind).title);
+}
+
+QString severityCount(Severity severity, int count) {
+    switch (severity) {
+        case Severity::Fault:
+            return count == 0   ? tr("no faults")
+                   : count == 1 ? tr("1 fault")
+                                : tr("%1 faults").arg(QLocale().toString(count));
+        case Severity::Doubt:
+            return count == 0   ? tr("no doubts")
+                   : count == 1 ? tr("1 doubt")
+                                : tr("%1 doubts").arg(QLocale().toString(count));
+        case Severity::Note:
+            return count == 0   ? tr("no notes")
+                   : count == 1 ? tr("1 note")
+                                : tr("%1 notes").arg(QLocale().toString(count));
+    }
+    return {};
+}
+
+QString verdictLine(const Readiness& readiness) {
+    const int faults = readiness.count(Severity::Fault), doubts = readiness.count(Severity::Doubt);
+    const auto both = [](const QString& one, const QString& other) -> QString {
+        return withCapital(tr("%1, %2").arg(one, other));
+    };
+    switch (readiness.verdict()) {
+        case Verdict::NotFlattened:
+            return tr("Not flattened yet");
+        case Verdict::Faults:
+            return doubts == 0 ? withCapital(severityCount(Severity::Fault, faults))
+                               : both(severityCount(Severity::Fault, faults),
+                                      severityCount(Severity::Doubt, doubts));
+        case Verdict::Doubts:
+            return both(severityCount(Severity::Fault, 0), severityCount(Severity::Doubt, doubts));
+        case Verdict::Ready:
+            break;
+    }
+    return tr("Ready to cut");
+}
+
+QIcon severityMark(Severity severity) {
+    switch (severity) {
+        case Severity::Fault:
+            return fitMark(SeamFit::Differs);
+        case Severity::Doubt:
+            return fitMark(SeamFit::Nearly);
+        case Severity::Note:
+            return paintedMark(paintNote);
+    }
+    return {};
+}
+
+QIcon verdictMark(const Readiness& readiness) {
+    switch (readiness.verdict()) {
+        case Verdict::NotFlattened:
+        case Verdict::Doubts:
+            return severityMark(Severity::Doubt);
+        case Verdict::Faults:
+            return severityMark(Severity::Fault);
+        case Verdict::Ready:
+            break;
+    }
+    return fitMark(SeamFit::Matches);
 }
 
 }  // namespace toile::app

@@ -12,7 +12,6 @@
 #include <algorithm>
 
 #include "app/jobs/ready_checker.h"
-#include "app/panels/problem_text.h"
 #include "app/panels/problems_model.h"
 #include "app/settings/length_display.h"
 #include "app/widgets/cell_delegate.h"

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/document/document_change.h"
+#include "core/base/id.h"
 
 class QCheckBox;
 class QLabel;

@@ -3,7 +3,7 @@
 
 #include "app/render/camera.h"
 #include "app/render/scene_renderer.h"
-#include "core/base/length_unit.h"
+#include "core/base/units.h"
 
 namespace toile::app {
 

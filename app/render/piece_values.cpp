@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/sides.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 

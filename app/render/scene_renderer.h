@@ -9,7 +9,6 @@
 
 #include <glm/mat4x4.hpp>
 
-#include "app/document/feature.h"
 #include "app/document/view_state.h"
 #include "app/render/gl_support.h"
 #include "app/render/gpu_mesh.h"

@@ -3,7 +3,7 @@
 
 #include <QColor>
 
-#include "core/base/length_unit.h"
+#include "core/base/units.h"
 
 namespace toile::app {
 

@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <new>
 
-#include "app/base/translate.h"
+#include "app/base/text.h"
 #include "core/base/characters.h"
 #include "core/base/error.h"
 #include "core/pattern/piece_marks.h"

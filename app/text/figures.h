@@ -4,6 +4,8 @@
 #include <QString>
 #include <optional>
 
+#include "app/document/view_state.h"
+#include "core/flatten/base/flat_piece.h"
 #include "core/pipeline/pipeline.h"
 
 namespace toile::app {
@@ -53,5 +55,48 @@ QString boundaryError(double fraction);
 QString strainRange(const PieceQuality& quality);
 /// How a method is called in the window, in the list of pieces as in the menu.
 QString methodName(Method method);
+
+// lupdate is told of this name, and takes the namespace for the context.
+#define TR(text) text
+
+/// How a method is called in the window, untranslated, with a mark before the letter that chooses
+/// it in the menu; `methodName` (figures.h) is what a person reads elsewhere.
+constexpr const char* methodText(Method method) {
+    switch (method) {
+        case Method::Isometric:
+            return TR("Least &distortion");
+        case Method::Curvature:
+            return TR("Angles follow the c&urvature");
+        case Method::Wang2005:
+            return TR("Angles spread &evenly (Wang 2005)");
+        case Method::Stretch:
+            return TR("Least &stretch on a circle (Yoshizawa 2004)");
+        case Method::Natural:
+            return TR("&Free outline (Desbrun 2002)");
+        case Method::Lscm:
+            return TR("Free outline, least squares (Lé&vy 2002)");
+        case Method::Abf:
+            return TR("Free outline, by an&gles (Sheffer 2005)");
+        case Method::Convex:
+            return TR("On a ci&rcle (Floater 2003)");
+    }
+    return "";
+}
+
+#undef TR
+
+/// What an overlay is called and how its numbers are read.
+struct OverlayWords {
+    QString title;
+    QString unit;  ///< "%", "°"; empty where there are no numbers
+    QString meaning;
+};
+
+OverlayWords overlayWords(Overlay overlay);
+
+/// Digits as they come, at most four: "+12.5", "−3"; without the unit.
+QString overlayNumber(Overlay overlay, double value);
+/// A measured value, always with the same decimals, and its unit: "+2.4 %", "3.1°".
+QString overlayValueText(Overlay overlay, double value);
 
 }  // namespace toile::app

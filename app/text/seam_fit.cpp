@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/base/translate.h"
+#include "app/base/text.h"
 #include "app/text/figures.h"
 
 namespace toile::app {

@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "app/text/overlay_text.h"
+#include "app/text/figures.h"
 
 namespace toile::app {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/render/colour_map.h"
-#include "app/text/overlay_text.h"
+#include "app/text/figures.h"
 
 namespace toile::app {
 

@@ -4,7 +4,7 @@
 #include <QPointF>
 #include <optional>
 
-#include "app/document/feature.h"
+#include "app/document/view_state.h"
 
 namespace toile::app {
 

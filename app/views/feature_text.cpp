@@ -3,14 +3,13 @@
 
 #include <QStringList>
 
-#include "app/base/translate.h"
+#include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/text/figures.h"
-#include "app/text/overlay_text.h"
 #include "app/text/seam_fit.h"
 #include "app/views/sewn_run.h"
-#include "core/mesh/sides.h"
+#include "core/mesh/mesh_arrays.h"
 
 namespace toile::app {
 

@@ -4,7 +4,7 @@
 #include <QString>
 #include <optional>
 
-#include "app/document/feature.h"
+#include "app/document/view_state.h"
 #include "app/render/overlay_values.h"
 
 namespace toile::app {

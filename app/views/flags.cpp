@@ -9,7 +9,7 @@
 #include "app/document/document.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
-#include "app/text/overlay_text.h"
+#include "app/text/figures.h"
 
 namespace toile::app {
 

@@ -10,7 +10,7 @@
 #include "app/render/render_style.h"
 #include "app/views/feature_at.h"
 #include "app/views/feature_text.h"
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 
 namespace toile::app {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/base/translate.h"
+#include "app/base/text.h"
 
 namespace toile::app {
 

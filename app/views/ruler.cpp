@@ -13,7 +13,7 @@
 #include "app/render/render_style.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 #include "core/base/length_text.h"
 
 namespace toile::app {

@@ -9,7 +9,7 @@
 
 #include "app/render/camera.h"
 #include "app/render/scene.h"
-#include "core/base/length_unit.h"
+#include "core/base/units.h"
 
 class QPainter;
 class QRect;

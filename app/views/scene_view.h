@@ -12,7 +12,7 @@
 #include "app/views/flags.h"
 #include "app/views/hover_tracker.h"
 #include "app/views/navigation.h"
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 
 class QPainter;
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/feature.h"
+#include "app/document/view_state.h"
 #include "app/render/scene_renderer.h"
 #include "core/pipeline/pipeline.h"
 

@@ -8,7 +8,7 @@
 #include "app/render/overlay_figures.h"
 #include "app/render/overlay_values.h"
 #include "app/settings/choices.h"
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 
 class QSplitter;
 

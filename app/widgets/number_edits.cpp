@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/settings/length_display.h"
-#include "core/base/angle.h"
+#include "core/base/units.h"
 
 namespace toile::app {
 

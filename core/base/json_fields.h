@@ -11,8 +11,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/length_unit.h"
 #include "core/base/result.h"
+#include "core/base/units.h"
 #include "core/base/words.h"
 
 namespace toile {

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
-#include "core/base/angle.h"
 #include "core/base/text.h"
+#include "core/base/units.h"
 
 namespace toile {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/length_unit.h"
+#include "core/base/units.h"
 
 namespace toile {
 

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
+#include "core/check/finding.h"
 #include "core/check/readiness.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
+#include "core/garment/piece.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/project/piece_settings.h"
 
 namespace toile {
@@ -24,5 +29,35 @@ inline constexpr double kStrainDoubtShare = 0.01, kStrainFaultShare = 0.05;
 /// of its flattening. Cost: linear in the triangles, n log n in an outline that crosses itself.
 /// Pure.
 void checkPiece(const PieceToCut& piece, FindingList& found);
+
+/// Places of a flat piece, Q in mm. Cost: linear in the triangles (for the normal). Pure.
+
+FindingPlace placeAtVertex(const Piece& piece, const Points2& Q, int vertex);
+/// In its middle.
+FindingPlace placeInTriangle(const Piece& piece, const Points2& Q, Eigen::Index face);
+/// On the edge of the outline that starts at boundary[edge], where `flat` lies on it.
+FindingPlace placeOnOutline(const Piece& piece, const Points2& Q, int edge,
+                            const Eigen::RowVector2d& flat);
+
+/// How far a flat piece goes beyond what a fabric allows along one direction.
+struct StrainExcess {
+    double share = 0;     ///< of the flat area that lies beyond, in [0, 1]
+    int face = -1;        ///< the worst triangle, or -1 where nothing is strained
+    double strain = 0;    ///< there: 0.02 = the cloth must stretch by 2 %
+    double limit = 0;     ///< of that sign
+    double severity = 0;  ///< strain / limit there: more than 1 is beyond
+};
+
+struct StrainExcesses {
+    StrainExcess warp, weft, bias;
+};
+
+/// Each triangle by itself, as the window's colour bar and fabric panel count them. On the bias the
+/// worse of both diagonals counts; a triangle that is turned over is beyond any limit.
+/// @param Q      #V x 2, mm
+/// @param grain  direction of the warp, radians from the x axis of Q
+/// Cost: linear, the metric tensors. Pure.
+StrainExcesses strainExcesses(const MeshArrays& mesh, const Points2& Q, const Fabric& fabric,
+                              double grain);
 
 }  // namespace toile

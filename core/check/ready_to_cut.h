@@ -10,7 +10,6 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/garment/garment.h"
-#include "core/project/piece_labels.h"
 #include "core/project/piece_settings.h"
 
 namespace toile {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/cut/face_parts.h"
-#include "core/mesh/sides.h"
+#include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/length_unit.h"
 #include "core/base/result.h"
+#include "core/base/units.h"
 #include "core/cut/user_cuts.h"
 
 namespace toile {

@@ -9,7 +9,6 @@
 #include "core/geometry/buckets.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
-#include "core/mesh/sides.h"
 
 namespace toile {
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/comparison_writer.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/export/json.h"
 
@@ -61,6 +65,173 @@ std::string writeComparison(const Garment& garment, const Comparison& comparison
     }
     json["problems"] = problemsJson(garment);
     return jsonText(json);
+}
+
+namespace {
+
+constexpr double kMillisecondsPerSecond = 1000;
+/// Above this an energy says only that the map is bad, and how many digits of it there are.
+constexpr double kLongNumber = 1000;
+
+std::string decimal(double value, int decimals) {
+    return value < kLongNumber ? fixed(value, decimals) : scientific(value, 1);
+}
+
+std::string cell(const CriterionTraits& criterion, const ComparedFigures& figures) {
+    const std::optional<double>& value = figures[criterion.criterion];
+    if (!value) {
+        return "-";
+    }
+    switch (criterion.format) {
+        case FigureFormat::Seconds:
+            return fixed(kMillisecondsPerSecond * *value, 1);
+        case FigureFormat::LengthError:
+            return scientific(*value, 1);
+        case FigureFormat::Count:
+            return std::to_string(static_cast<int>(*value));
+        case FigureFormat::Millimetres:
+            return decimal(*value, 2);
+        case FigureFormat::Ratio:
+        case FigureFormat::SignedRatio:
+            break;
+    }
+    return decimal(*value, 4);
+}
+
+/// @param rows  the figures of each method, for the table wanted
+ComparisonTable makeTable(std::string title, const Comparison& comparison,
+                          const std::vector<const ComparedFigures*>& rows) {
+    ComparisonTable table{std::move(title), {"method"}, {}};
+    for (const ComparedMethod& method : comparison.methods) {
+        table.rows.push_back({std::string(name(method.method))});
+    }
+    const auto addColumn = [&](std::string_view head, const auto& cellOf) {
+        table.head.emplace_back(head);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            table.rows[k].push_back(cellOf(*rows[k]));
+        }
+    };
+    for (const CriterionTraits& criterion : allCriteria()) {
+        const bool isKnown = std::ranges::any_of(rows, [&](const ComparedFigures* row) {
+            return (*row)[criterion.criterion].has_value();
+        });
+        if (!criterion.head.empty() && (isKnown || !criterion.isOptional)) {
+            addColumn(criterion.head,
+                      [&](const ComparedFigures& row) { return cell(criterion, row); });
+        }
+    }
+    if (std::ranges::any_of(rows, [](const ComparedFigures* row) { return row->failed > 0; })) {
+        addColumn("failed", [](const ComparedFigures& row) { return std::to_string(row.failed); });
+    }
+    return table;
+}
+
+std::string titleOf(const Garment& garment) {
+    std::string title;
+    for (const auto& file : garment.files) {
+        title += (title.empty() ? "" : ", ") + file->path.filename().string();
+    }
+    long long triangles = 0;
+    for (const auto& piece : garment.pieces) {
+        triangles += piece->mesh.F.rows();
+    }
+    long long seams = 0;
+    for (const Seam& seam : garment.seams.seams) {
+        seams += seam.kind == SeamKind::Free ? 0 : 1;
+    }
+    title += ": " + counted(static_cast<long long>(garment.pieces.size()), "piece") + ", " +
+             counted(triangles, "triangle");
+    return seams > 0 ? title + ", " + counted(seams, "seam") : title;
+}
+
+/// A bar would end the cell; line ends would end the table.
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '|') {
+            out += '\\';
+        }
+        out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+    return out;
+}
+
+void appendRow(std::string& out, const std::vector<std::string>& cells) {
+    for (const std::string& cell : cells) {
+        out += "| " + cell + " ";
+    }
+    out += "|\n";
+}
+
+void appendTable(std::string& out, const ComparisonTable& table) {
+    out += escaped(table.title) + "\n\n";
+    appendRow(out, table.head);
+    out += "|---|";
+    for (std::size_t k = 1; k < table.head.size(); ++k) {
+        out += "--:|";
+    }
+    out += "\n";
+    for (std::vector<std::string> row : table.rows) {
+        row.front() = "`" + row.front() + "`";
+        appendRow(out, row);
+    }
+}
+
+}  // namespace
+
+std::vector<ComparisonTable> comparisonTables(const Garment& garment, const Comparison& comparison,
+                                              bool perPiece) {
+    std::vector<const ComparedFigures*> rows;
+    for (const ComparedMethod& method : comparison.methods) {
+        rows.push_back(&method.figures);
+    }
+    std::vector<ComparisonTable> tables{makeTable(titleOf(garment), comparison, rows)};
+    for (std::size_t k = 0; perPiece && k < garment.pieces.size(); ++k) {
+        const Piece& piece = *garment.pieces[k];
+        for (std::size_t m = 0; m < rows.size(); ++m) {
+            rows[m] = &comparison.methods[m].pieceFigures[k];
+        }
+        tables.push_back(makeTable(piece.name + ": " + counted(piece.mesh.F.rows(), "triangle"),
+                                   comparison, rows));
+    }
+    return tables;
+}
+
+std::string nearerSentence(const Comparison& comparison) {
+    const auto nearer = nearerThanLengthKeeping(comparison);
+    if (!nearer) {
+        return "";
+    }
+    const auto rms = [](const ComparedMethod& method) {
+        return cell(traits(Criterion::ReferenceRms), method.figures);
+    };
+    const ComparedMethod& kept = comparison.methods[nearer->lengthKeeping];
+    std::string sentence = "nearer to the given panels than any method that keeps seam lengths: ";
+    for (const std::size_t k : nearer->freeOutline) {
+        const ComparedMethod& method = comparison.methods[k];
+        const bool isFirst = k == nearer->freeOutline.front();
+        sentence += (isFirst ? "" : ", ") + std::string(name(method.method)) + " (" + rms(method);
+        sentence += isFirst
+                        ? " mm against " + rms(kept) + " of " + std::string(name(kept.method)) + ")"
+                        : " mm)";
+    }
+    return sentence;
+}
+
+std::string writeComparisonMarkdown(const Garment& garment, const Comparison& comparison,
+                                    bool perPiece) {
+    std::string sentence = nearerSentence(comparison);
+    if (!sentence.empty()) {
+        sentence.front() = 'N';
+        sentence = "\n" + sentence + ".\n";
+    }
+    std::string out;
+    for (const ComparisonTable& table : comparisonTables(garment, comparison, perPiece)) {
+        out += out.empty() ? "" : "\n";
+        appendTable(out, table);
+        out += std::exchange(sentence, "");  // below the first
+    }
+    return out;
 }
 
 }  // namespace toile

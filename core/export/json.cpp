@@ -2,11 +2,14 @@
 #include "core/export/json.h"
 
 #include <cmath>
+#include <set>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/base/file.h"
 #include "core/cut/seams_file.h"
-#include "core/export/problems.h"
+#include "core/garment/garment.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {
@@ -147,6 +150,32 @@ Json problemsJson(const Garment& garment) {
         problems.push_back(problemJson(error));
     }
     return problems;
+}
+
+Problems problemsOf(const SourceFile& file) {
+    Problems all;
+    std::set<std::tuple<ErrorCode, Subject::Kind, std::string_view, std::string_view>> seen;
+    for (const Error& error : file.problems) {
+        const auto& [kind, id, name] = error.subject;
+        if (seen.emplace(error.code, kind, name, error.detail).second) {
+            all.push_back(error);
+        }
+    }
+    return all;
+}
+
+bool changesOutput(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::OutputDiffers:
+        case ErrorCode::IndexOutOfRange:       // the faces are gone
+        case ErrorCode::NonFinitePosition:     // its faces are in no piece
+        case ErrorCode::DegenerateFaceRecord:  // gone, or in no piece
+        case ErrorCode::MalformedFile:         // what could not be read is gone
+        case ErrorCode::VerticesWelded:        // faces name other vertices
+            return true;
+        default:
+            return false;
+    }
 }
 
 }  // namespace toile

@@ -5,12 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/error.h"
 #include "core/base/json_fields.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 
 /// The parts that the report and the description of a garment share. Include in writers only: the
 /// JSON library takes a second to compile.
+
 namespace toile {
 
 using Json = OrderedJson;  // fields in the order of docs/report.md
@@ -30,5 +32,14 @@ Json cutsJson(const Garment& garment);
 Json seamsJson(const Garment& garment, const PieceResults& results);
 /// What there is to say about the garment beyond its files.
 Json problemsJson(const Garment& garment);
+
+struct SourceFile;
+
+/// Everything there is to say about a file as a whole, each problem once: what reading, unit and
+/// triangulating had to say, in this order.
+Problems problemsOf(const SourceFile& file);
+
+/// True where a mesh written from the file cannot equal it because of this problem.
+bool changesOutput(ErrorCode code);
 
 }  // namespace toile

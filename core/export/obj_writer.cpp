@@ -6,8 +6,8 @@
 #include "core/base/text.h"
 #include "core/base/unique_names.h"
 #include "core/base/version.h"
+#include "core/export/json.h"
 #include "core/export/obj_faces.h"
-#include "core/export/problems.h"
 #include "core/export/writers.h"
 
 // The bad coordinates of a position that is not finite are written as 0, because no reader takes

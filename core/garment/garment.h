@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/length_unit.h"
+#include "core/base/units.h"
 #include "core/garment/cut_pieces.h"
 #include "core/garment/join_pieces.h"
 #include "core/garment/piece.h"
 #include "core/garment/seam.h"
 #include "core/garment/split.h"
+#include "core/io/conventions.h"
 #include "core/io/soup.h"
-#include "core/io/up_axis.h"
 
 namespace toile {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/garment/piece.h"
-#include "core/mesh/sides.h"
+#include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/id.h"
-#include "core/io/up_axis.h"
+#include "core/io/conventions.h"
 
 namespace toile {
 

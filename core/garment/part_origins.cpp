@@ -6,7 +6,7 @@
 
 #include "core/geometry/disjoint_sets.h"
 #include "core/geometry/segment.h"
-#include "core/mesh/sides.h"
+#include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/sides.h"
+#include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 namespace {

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/io/byte_order.h"
+#include "core/io/text_cursor.h"
 
 namespace toile {
 
@@ -42,5 +47,102 @@ struct PlyHeader {
 /// may be set aside for it. `name` is the file, for messages.
 /// Errors: MalformedFile, with the line.
 Result<PlyHeader> readPlyHeader(std::string_view bytes, const std::string& name);
+
+/// The body of a PLY file as the numbers that follow each other in it, written out or as bytes;
+/// both classes offer the same. Every type's values are exact in a double.
+
+class PlyTextNumbers {
+public:
+    PlyTextNumbers(std::string_view bytes, const PlyHeader& header)
+        : cursor_(bytes.substr(header.bodyOffset)),
+          bodyOffset_(header.bodyOffset),
+          bodyLine_(header.bodyLine) {}
+
+    /// The next number; NaN where there is a word that is none. False at the end of the file.
+    bool next(PlyType, double& value) {
+        cursor_.skipSpace();
+        first_ = bodyOffset_ + cursor_.offset();
+        if (cursor_.atEnd()) {
+            return false;
+        }
+        if (!cursor_.readDouble(value)) {
+            value = std::numeric_limits<double>::quiet_NaN();
+            unreadable_ = cursor_.token();
+        }
+        return true;
+    }
+
+    /// Where to look for the last number: its line, from 1.
+    int place(std::size_t) const { return bodyLine_ + cursor_.line() - 1; }
+
+    /// Offset in the file of the last number's first byte, and of the byte after it.
+    std::size_t first() const { return first_; }
+
+    std::size_t last() const { return bodyOffset_ + cursor_.offset(); }
+
+    /// The last word that was no number; empty where there was none since the last call.
+    std::string_view takeUnreadable() { return std::exchange(unreadable_, {}); }
+
+private:
+    TextCursor cursor_;
+    std::size_t bodyOffset_;
+    int bodyLine_;
+    std::size_t first_ = 0;
+    std::string_view unreadable_;
+};
+
+class PlyByteNumbers {
+public:
+    PlyByteNumbers(std::string_view bytes, const PlyHeader& header)
+        : bytes_(bytes.substr(header.bodyOffset)),
+          order_(header.format == PlyFormat::BigEndian ? std::endian::big : std::endian::little) {}
+
+    bool next(PlyType type, double& value) {
+        const std::size_t size = sizeOf(type);
+        if (bytes_.size() < size) {
+            return false;
+        }
+        value = number(type);
+        bytes_.remove_prefix(size);
+        return true;
+    }
+
+    /// Where to look for the last number: its record, from 1.
+    int place(std::size_t record) const { return static_cast<int>(record) + 1; }
+
+    /// Numbers in bytes have no text.
+    std::size_t first() const { return 0; }
+
+    std::size_t last() const { return 0; }
+
+    std::string_view takeUnreadable() { return {}; }
+
+private:
+    double number(PlyType type) const {
+        const char* at = bytes_.data();
+        switch (type) {
+            case PlyType::Int8:
+                return readBytes<std::int8_t>(at, order_);
+            case PlyType::UInt8:
+                return readBytes<std::uint8_t>(at, order_);
+            case PlyType::Int16:
+                return readBytes<std::int16_t>(at, order_);
+            case PlyType::UInt16:
+                return readBytes<std::uint16_t>(at, order_);
+            case PlyType::Int32:
+                return readBytes<std::int32_t>(at, order_);
+            case PlyType::UInt32:
+                return readBytes<std::uint32_t>(at, order_);
+            case PlyType::Float32:
+                return static_cast<double>(readBytes<float>(at, order_));
+            case PlyType::Float64:
+                return readBytes<double>(at, order_);
+        }
+        return 0;
+    }
+
+    std::string_view bytes_;
+    std::endian order_;
+};
 
 }  // namespace toile

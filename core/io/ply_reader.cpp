@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/io/ply_header.h"
-#include "core/io/ply_numbers.h"
 #include "core/io/soup.h"
 #include "core/io/soup_builder.h"
 

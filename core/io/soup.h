@@ -10,9 +10,9 @@
 
 #include <Eigen/Core>
 
-#include "core/base/length_unit.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/base/units.h"
 
 namespace toile {
 

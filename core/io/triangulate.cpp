@@ -9,7 +9,7 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/ear_clipping.h"
-#include "core/io/problem_tally.h"
+#include "core/io/soup_builder.h"
 
 namespace toile {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/angle.h"
+#include "core/base/units.h"
 #include "core/geometry/segment.h"
 
 namespace toile {

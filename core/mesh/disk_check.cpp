@@ -7,8 +7,8 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/disjoint_sets.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/mesh/repair.h"
-#include "core/mesh/sides.h"
 
 namespace toile {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/geometry/buckets.h"
 #include "core/geometry/disjoint_sets.h"
-#include "core/mesh/sides.h"
+#include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 namespace {

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "core/geometry/disjoint_sets.h"
 
 namespace toile {
 
@@ -24,5 +30,100 @@ struct MeshArrays {
     Points3 V;
     Triangles F;
 };
+
+/// The sides of triangles: side 3 * f + k runs from corner k of face f to the next.
+
+inline int nextSide(int side) {
+    return side % 3 == 2 ? side - 2 : side + 1;
+}
+
+inline int previousSide(int side) {
+    return side % 3 == 0 ? side + 2 : side - 1;
+}
+
+inline int tailOf(const Triangles& F, int side) {
+    return F.data()[side];
+}
+
+inline int headOf(const Triangles& F, int side) {
+    return F.data()[nextSide(side)];
+}
+
+inline int apexOf(const Triangles& F, int side) {
+    return F.data()[previousSide(side)];
+}
+
+/// At right angles to a triangle, towards the side from which it runs anti-clockwise, and twice its
+/// area long.
+inline Eigen::Vector3d doubleAreaNormal(const MeshArrays& mesh, Eigen::Index face) {
+    const Eigen::Vector3d a = mesh.V.row(mesh.F(face, 0)).transpose();
+    const Eigen::Vector3d b = mesh.V.row(mesh.F(face, 1)).transpose();
+    const Eigen::Vector3d c = mesh.V.row(mesh.F(face, 2)).transpose();
+    return (b - a).cross(c - a);
+}
+
+/// A boundary loop of vertices, surface on its left, starting at its least index.
+struct RimLoop {
+    std::vector<int> vertices;
+    double perimeter = 0;
+};
+
+/// The loops that rim edges make, in order of their least vertex.
+/// @param next  per vertex: the one after it on the rim, or -1
+inline std::vector<RimLoop> followRims(std::vector<int> next, const Points3& V) {
+    std::vector<RimLoop> loops;
+    for (int v = 0; v < static_cast<int>(next.size()); ++v) {
+        if (next[v] < 0) {
+            continue;
+        }
+        RimLoop& loop = loops.emplace_back();
+        for (int w = v; next[w] >= 0;) {
+            loop.vertices.push_back(w);
+            const int ahead = std::exchange(next[w], -1);
+            loop.perimeter += (V.row(ahead) - V.row(w)).norm();
+            w = ahead;
+        }
+    }
+    return loops;
+}
+
+/// The fans of triangles around vertices, as sets of corners: side 3 * f + k begins at corner k.
+
+/// Makes the corners at either end of an edge one fan, of two triangles with a side there; they may
+/// run the same way.
+inline void joinCorners(const Triangles& F, int side, int other, DisjointSets& fans) {
+    const bool alike = tailOf(F, side) == tailOf(F, other);
+    fans.join(side, alike ? other : nextSide(other));
+    fans.join(nextSide(side), alike ? nextSide(other) : other);
+}
+
+/// Gives every fan a vertex of its own: that with the least corner keeps the vertex, others get a
+/// new one, numbered from `vertexCount` on in order of their least corners.
+/// @param divides  of a vertex: false where its fans are to stay together
+/// @return the vertex that each new one is a copy of
+template <class Divides>
+std::vector<int> divideVertices(Triangles& F, int vertexCount, DisjointSets& fans,
+                                Divides divides) {
+    const int cornerCount = static_cast<int>(F.size());
+    std::vector<char> isTaken(static_cast<std::size_t>(vertexCount), 0);
+    std::vector<int> vertexOf(static_cast<std::size_t>(cornerCount), -1);  // at its least corner
+    std::vector<int> copies;
+    for (int corner = 0; corner < cornerCount; ++corner) {
+        int& v = F.data()[corner];
+        if (!divides(v)) {
+            continue;
+        }
+        int& vertex = vertexOf[fans.root(corner)];
+        if (vertex < 0 && isTaken[v] == 0) {
+            isTaken[v] = 1;
+            vertex = v;
+        } else if (vertex < 0) {
+            vertex = vertexCount + static_cast<int>(copies.size());
+            copies.push_back(v);
+        }
+        v = vertex;
+    }
+    return copies;
+}
 
 }  // namespace toile

@@ -6,8 +6,8 @@
 
 #include "core/base/tolerances.h"
 #include "core/geometry/buckets.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/mesh/repair.h"
-#include "core/mesh/sides.h"
 
 namespace toile {
 

@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/mesh/edge_table.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/mesh/repair.h"
-#include "core/mesh/sides.h"
 
 namespace toile {
 

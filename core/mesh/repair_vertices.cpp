@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/edge_table.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/mesh/repair_steps.h"
-#include "core/mesh/sides.h"
 
 namespace toile {
 

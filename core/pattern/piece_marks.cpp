@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/piece_marks.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "core/geometry/segment.h"
+
 namespace toile {
 
 std::string cuttingNote(const Cutting& cutting, const DrawingWords& words) {
@@ -43,6 +51,137 @@ PieceMarks placeMarks(const PatternPiece& piece, const Placement& placement,
     marks.grain = grainLine(loops, direction, words);
     if (!marks.grain) {
         marks.grain = grainLine(loops, direction, {});  // no room beside the label: through it
+    }
+    return marks;
+}
+
+namespace {
+
+constexpr double kTick = 5;            // mm; shorter on a short seam
+constexpr double kTickOfSeam = 0.2;    // of the seam's length, at most
+constexpr double kNameHeight = 2.5;    // mm, of a capital
+constexpr double kSmallestText = 0.8;  // mm: what cannot be read is not written
+constexpr double kNameOfSeam = 0.8;    // of the seam's length that a text may take
+constexpr double kOffCut = 1.2;        // capital heights between the outline and the text's middle
+constexpr double kSameTick = 0.1;      // mm
+
+double lengthOf(const Points2& line) {
+    double length = 0;
+    for (Eigen::Index i = 1; i < line.rows(); ++i) {
+        length += (line.row(i) - line.row(i - 1)).norm();
+    }
+    return length;
+}
+
+/// The point at an arc length.
+Eigen::Vector2d pointAt(const Points2& line, double arc) {
+    for (Eigen::Index i = 1; i < line.rows(); ++i) {
+        const double step = (line.row(i) - line.row(i - 1)).norm();
+        if (arc <= step && step > 0) {
+            return (line.row(i - 1) + arc / step * (line.row(i) - line.row(i - 1))).transpose();
+        }
+        arc -= step;
+    }
+    return line.bottomRows<1>().transpose();
+}
+
+/// Marks the seams of one piece, one after the other.
+class SeamMarker {
+public:
+    explicit SeamMarker(const Placement& placement) : placement_(placement) {}
+
+    std::optional<SeamMark> mark(const SeamLine& seam) {
+        const Points2 line = turnedLine(seam.line, placement_);
+        const double length = lengthOf(line);
+        if (!(length > 0)) {
+            return std::nullopt;
+        }
+        SeamMark mark;
+        mark.number = seam.number;
+        mark.second = !numbers_.insert(seam.number).second;
+        const double tick = std::min(kTick, kTickOfSeam * length);
+        mark.ticks[0] = this->tick(pointAt(line, 0), pointAt(line, tick), tick);
+        if (!seam.closed) {
+            // Seen from the end backwards the cloth is on the right.
+            mark.ticks[1] = this->tick(pointAt(line, length), pointAt(line, length - tick), -tick);
+        }
+        addText(mark, line, length, seam.name);
+        return mark;
+    }
+
+private:
+    /// A tick at `from`, square to the way towards `towards`, `size` to its left.
+    std::optional<Chord> tick(const Eigen::Vector2d& from, const Eigen::Vector2d& towards,
+                              double size) {
+        const Eigen::Vector2d way = towards - from;
+        if (!(way.norm() > 0)) {
+            return std::nullopt;
+        }
+        const Chord tick{from, from + size * leftOf(way.normalized())};
+        for (const Chord& other : ticks_) {
+            if ((tick.from - other.from).norm() < kSameTick &&
+                (tick.to - other.to).norm() < kSameTick) {
+                return std::nullopt;  // the seam before ends here, straight on
+            }
+        }
+        ticks_.push_back(tick);
+        return tick;
+    }
+
+    static void addText(SeamMark& mark, const Points2& line, double length,
+                        const std::string& name) {
+        const std::string number = std::to_string(mark.number);
+        std::string words = number + "  " + name;
+        double height = kNameHeight;
+        if (textExtent({words}, height).x() > kNameOfSeam * length) {
+            words = number;
+            height = std::min(height, kNameOfSeam * length / textExtent({words}, 1).x());
+        }
+        if (height < kSmallestText) {
+            return;
+        }
+        const double half = 0.5 * textExtent({words}, height).x();
+        const Eigen::Vector2d before = pointAt(line, std::max(0.0, 0.5 * length - half));
+        const Eigen::Vector2d after = pointAt(line, std::min(length, 0.5 * length + half));
+        Eigen::Vector2d along = after - before;
+        if (!(along.norm() > 0)) {
+            return;
+        }
+        along.normalize();
+        // Clear of an edge that bulges into the cloth under the text.
+        double bulge = 0;
+        for (Eigen::Index i = 0; i < line.rows(); ++i) {
+            const Eigen::Vector2d p = line.row(i).transpose() - before;
+            const double place = p.dot(along);
+            if (place > 0 && place < 2 * half) {
+                bulge = std::max(bulge, p.dot(leftOf(along)));
+            }
+        }
+        mark.place = {0.5 * (before + after) + (bulge + kOffCut * height) * leftOf(along), height};
+        mark.angle = std::atan2(along.y(), along.x());
+        if (mark.angle > 0.5 * std::numbers::pi + 1e-9 ||
+            mark.angle <= -0.5 * std::numbers::pi + 1e-9) {
+            mark.angle += mark.angle > 0 ? -std::numbers::pi : std::numbers::pi;
+        }
+        mark.text = std::move(words);
+    }
+
+    const Placement& placement_;
+    std::set<int> numbers_;
+    std::vector<Chord> ticks_;
+};
+
+}  // namespace
+
+std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& placement) {
+    SeamMarker marker(placement);
+    std::vector<SeamMark> marks;
+    for (const SeamLine& seam : piece.seams) {
+        if (seam.kind != SeamKind::Free) {
+            if (auto mark = marker.mark(seam)) {
+                marks.push_back(std::move(*mark));
+            }
+        }
     }
     return marks;
 }

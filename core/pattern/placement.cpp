@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/placement.h"
 
-#include "core/base/angle.h"
+#include "core/base/units.h"
 
 namespace toile {
 

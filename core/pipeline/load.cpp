@@ -7,8 +7,8 @@
 #include "core/base/unique_names.h"
 #include "core/garment/divide.h"
 #include "core/garment/weld_soup.h"
+#include "core/io/conventions.h"
 #include "core/io/soup.h"
-#include "core/io/unit_guess.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/reuse_pieces.h"
 

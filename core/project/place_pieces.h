@@ -6,7 +6,7 @@
 
 #include "core/flatten/base/piece_result.h"
 #include "core/layout/marker.h"
-#include "core/project/piece_labels.h"
+#include "core/project/piece_settings.h"
 #include "core/project/rigid_motion.h"
 
 namespace toile {

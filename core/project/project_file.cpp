@@ -5,10 +5,10 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
+#include "core/base/id.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/project/project_fields.h"
-#include "core/project/project_upgrades.h"
 
 namespace toile {
 namespace {
@@ -177,6 +177,26 @@ Result<std::uint64_t> writeProject(const fs::path& path, const Project& project)
         return written.error();
     }
     return contentHash(text);
+}
+
+void listPieces(JsonDocument& document) {
+    const auto pieces = document.find("pieces");
+    if (pieces == document.end() || !pieces->is_object()) {
+        return;
+    }
+    JsonDocument list = JsonDocument::array();
+    for (auto& item : pieces->items()) {
+        JsonDocument& piece = list.emplace_back(std::move(item.value()));
+        if (!piece.is_object()) {
+            continue;
+        }
+        piece["name"] = item.key();
+        // It only tells which pieces were one: any number that is the same for them will do.
+        if (const auto whole = piece.find("partOf"); whole != piece.end() && whole->is_string()) {
+            *whole = idText(hashOf({contentHash(whole->get<std::string>())}));
+        }
+    }
+    *pieces = std::move(list);
 }
 
 }  // namespace toile

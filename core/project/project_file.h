@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "core/base/json_fields.h"
 #include "core/base/result.h"
 #include "core/project/project.h"
 
@@ -38,5 +41,34 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
 /// Writes it beside the old one, which stays whole if anything goes wrong: the contentHash of what
 /// was written. Errors: FileUnwritable.
 Result<std::uint64_t> writeProject(const std::filesystem::path& path, const Project& project);
+
+/// The version of the project format that is written, and up to which files are read.
+inline constexpr int kProjectVersion = 2;
+
+/// Makes a document of one version into one of the next, as far as it is what it should be: what is
+/// wrong in it is found when it is read.
+struct ProjectUpgrade {
+    int from;
+    void (*apply)(JsonDocument& document);
+};
+
+/// Version 1 knew pieces by name: `pieces` was an object, `partOf` a name.
+void listPieces(JsonDocument& document);
+
+/// One for each version before the present one.
+inline constexpr ProjectUpgrade kProjectUpgrades[] = {{1, listPieces}};
+
+/// Applies, one after the other, the upgrades from `version` on; each says its new "version".
+inline void upgradeProject(JsonDocument& document, int version,
+                           std::span<const ProjectUpgrade> upgrades) {
+    for (;; ++version) {
+        const auto next = std::ranges::find(upgrades, version, &ProjectUpgrade::from);
+        if (next == upgrades.end()) {
+            return;
+        }
+        next->apply(document);
+        document["version"] = version + 1;
+    }
+}
 
 }  // namespace toile

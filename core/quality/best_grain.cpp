@@ -8,8 +8,8 @@
 
 #include <Eigen/Geometry>
 
-#include "core/base/angle.h"
-#include "core/mesh/sides.h"
+#include "core/base/units.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/quality/metric_tensor.h"
 
 namespace toile {

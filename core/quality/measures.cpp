@@ -8,7 +8,7 @@
 
 #include "core/geometry/segment.h"
 #include "core/mesh/cotangents.h"
-#include "core/mesh/sides.h"
+#include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 namespace {

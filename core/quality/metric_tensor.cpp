@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "core/geometry/segment.h"
-#include "core/mesh/sides.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/quality/measures.h"
 
 namespace toile {

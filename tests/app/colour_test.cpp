@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "app/render/colour_map.h"
-#include "app/text/overlay_text.h"
+#include "app/text/figures.h"
 #include "app/views/colour_bar.h"
 #include "tests/app/support/run_test.h"
 

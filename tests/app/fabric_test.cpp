@@ -15,7 +15,7 @@
 #include "app/views/overlay_watcher.h"
 #include "app/widgets/banner.h"
 #include "app/widgets/number_edits.h"
-#include "core/check/strain_check.h"
+#include "core/check/piece_check.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"

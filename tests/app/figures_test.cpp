@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "app/views/view_text.h"
-#include "core/base/angle.h"
+#include "core/base/units.h"
 #include "tests/app/support/run_test.h"
 
 using namespace toile;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/views/tools/measurement.h"
-
 #include <QTest>
 
+#include "app/views/tools/measure_tool.h"
 #include "core/cut/surface_point.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"

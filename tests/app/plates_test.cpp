@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "app/views/flags.h"
-#include "app/views/name_plates.h"
+#include "app/views/pattern_text.h"
 #include "app/views/view_text.h"
 #include "tests/app/support/run_test.h"
 

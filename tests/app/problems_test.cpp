@@ -9,7 +9,6 @@
 
 #include "app/document/layout.h"
 #include "app/jobs/ready_checker.h"
-#include "app/panels/problem_text.h"
 #include "app/panels/problems_model.h"
 #include "app/render/scene.h"
 #include "app/render/scene_builder.h"

@@ -3,7 +3,7 @@
 #include <QLabel>
 #include <QMenu>
 
-#include "app/base/path_text.h"
+#include "app/base/text.h"
 #include "app/widgets/banner.h"
 #include "core/base/file.h"
 #include "core/project/project_file.h"

@@ -11,13 +11,13 @@
 #include <algorithm>
 
 #include "app/actions/action_registry.h"
-#include "app/base/translate.h"
+#include "app/base/text.h"
 #include "app/platform_choice.h"
 #include "app/settings/language.h"
 #include "app/text/error_text.h"
 #include "core/base/error.h"
-#include "core/compare/criterion.h"
-#include "core/io/unit_guess.h"
+#include "core/compare/comparison.h"
+#include "core/io/conventions.h"
 #include "core/pattern/piece_marks.h"
 #include "tests/app/support/run_test.h"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/flatten/base/method.h"
+#include "core/flatten/base/flat_piece.h"
 #include "tests/cli/docs_table.h"
 #include "tests/cli/run_program.h"
 #include "tests/core/support/shared_data.h"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 #include "core/cut/surface_point.h"
 #include "core/garment/garment.h"
 

@@ -9,9 +9,9 @@
 #include "app/text/figures.h"
 #include "app/views/feature_at.h"
 #include "app/views/grain_arrow.h"
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 #include "app/views/tools/tool_paint.h"
-#include "core/base/angle.h"
+#include "core/base/units.h"
 #include "core/geometry/segment.h"
 #include "core/layout/snapping.h"
 

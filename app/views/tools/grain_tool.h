@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "app/document/layout.h"
-#include "app/views/garment_arrows.h"
+#include "app/views/grain_arrow.h"
 #include "app/views/tool.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/jobs/path_finder.h"
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 #include "app/views/tools/cloth_snapper.h"
 
 class QColor;

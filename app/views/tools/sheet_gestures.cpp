@@ -13,9 +13,9 @@
 #include "app/render/pattern_renderer.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 #include "app/views/tools/tool_paint.h"
-#include "core/base/angle.h"
+#include "core/base/units.h"
 
 namespace toile::app {
 

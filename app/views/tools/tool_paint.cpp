@@ -11,7 +11,7 @@
 #include "app/document/layout.h"
 #include "app/render/render_style.h"
 #include "app/text/figures.h"
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 
 namespace toile::app {
 

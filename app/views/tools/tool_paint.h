@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 #include "app/views/tools/cloth_snapper.h"
 
 class QPainter;

@@ -10,8 +10,8 @@
 
 #include "core/base/text.h"
 #include "core/garment/piece.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/mesh/repair.h"
-#include "core/mesh/sides.h"
 #include "core/quality/measures.h"
 
 namespace toile {

@@ -4,7 +4,7 @@
 #include <QObject>
 
 #include "app/document/layout.h"
-#include "app/views/tool_view.h"
+#include "app/views/tool.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/window_fixture.h"
 

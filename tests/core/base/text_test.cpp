@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/length_unit.h"
+#include "core/base/units.h"
 #include "core/base/version.h"
 
 namespace toile {

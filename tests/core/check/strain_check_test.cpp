@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/check/strain_check.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "core/check/piece_check.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {

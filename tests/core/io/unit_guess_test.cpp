@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/unit_guess.h"
-
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "core/io/conventions.h"
 
 namespace toile {
 namespace {

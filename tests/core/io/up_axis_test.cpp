@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/up_axis.h"
-
 #include <gtest/gtest.h>
+
+#include "core/io/conventions.h"
 
 namespace toile {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/units.h"
 #include "core/layout/marker.h"
 
 namespace toile {

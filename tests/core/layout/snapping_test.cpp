@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/units.h"
 
 namespace toile {
 namespace {

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/json_fields.h"
-#include "core/project/project_upgrades.h"
 #include "tests/core/support/project_pieces.h"
 #include "tests/core/support/temporary_folder.h"
 

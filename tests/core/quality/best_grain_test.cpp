@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "core/base/angle.h"
+#include "core/base/units.h"
 #include "tests/core/support/growth.h"
 #include "tests/core/support/shapes.h"
 

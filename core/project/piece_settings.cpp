@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/piece_labels.h"
+#include "core/project/piece_settings.h"
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/base/method.h"
+#include "core/flatten/base/flat_piece.h"
 
 #include <algorithm>
 #include <array>

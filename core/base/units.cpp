@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/length_unit.h"
+#include "core/base/units.h"
 
 #include <iterator>
 

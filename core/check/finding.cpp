@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/finding.h"
+
 #include <cctype>
 #include <cmath>
 
 #include "core/base/characters.h"
 #include "core/base/text.h"
+#include "core/base/version.h"
 #include "core/base/words.h"
-#include "core/check/finding.h"
+#include "core/check/ready_to_cut.h"
+#include "core/export/json.h"
 
 namespace toile {
 namespace {
@@ -126,6 +130,56 @@ std::string_view name(Severity severity) {
 
 std::string_view name(FindingKind kind) {
     return findingWords(kind).name;
+}
+
+namespace {
+
+constexpr int kCheckVersion = 1;  // of the fields: grows when one changes its meaning or goes
+
+std::string_view unitName(Figure::Unit unit) {
+    return unit == Figure::Unit::Length ? "mm" : unit == Figure::Unit::Count ? "count" : "fraction";
+}
+
+Json placeJson(const FindingPlace& place) {
+    return {{"position",
+             {number(place.position.x()), number(place.position.y()), number(place.position.z())}},
+            {"flat", {number(place.flat.x()), number(place.flat.y())}}};
+}
+
+Json findingJson(const Garment& garment, const Finding& finding) {
+    Json pieces = Json::array();
+    for (const int piece : finding.pieces) {
+        pieces.push_back(garment.pieces[static_cast<std::size_t>(piece)]->name);
+    }
+    Json figures = Json::array();
+    for (const Figure& figure : finding.figures) {
+        figures.push_back({{"value", number(figure.value)}, {"unit", text(unitName(figure.unit))}});
+    }
+    return {{"kind", text(name(finding.kind))},
+            {"severity", text(name(finding.severity))},
+            {"code", finding.error ? text(name(finding.error->code)) : Json(nullptr)},
+            {"where", textOrNull(finding.subject.name)},
+            {"pieces", std::move(pieces)},
+            {"seam", finding.seam < 0 ? Json(nullptr) : Json(finding.subject.name)},
+            {"place", finding.place ? placeJson(*finding.place) : Json(nullptr)},
+            {"figures", std::move(figures)},
+            {"message", sentence(finding)}};
+}
+
+}  // namespace
+
+std::string writeReadiness(const Garment& garment, const Readiness& readiness) {
+    Json json{{"version", kCheckVersion},
+              {"toile", text(version())},
+              {"verdict", text(name(readiness.verdict()))},
+              {"faults", readiness.count(Severity::Fault)},
+              {"doubts", readiness.count(Severity::Doubt)},
+              {"notes", readiness.count(Severity::Note)}};
+    json["findings"] = Json::array();
+    for (const Finding& finding : readiness.findings) {
+        json["findings"].push_back(findingJson(garment, finding));
+    }
+    return jsonText(json);
 }
 
 }  // namespace toile

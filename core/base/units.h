@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string_view>
 
@@ -15,5 +16,9 @@ double millimetresPer(LengthUnit unit);
 std::string_view symbol(LengthUnit unit);
 /// The unit of a symbol as typed by a person ("mm", "cm", "m", "in"), or nothing.
 std::optional<LengthUnit> parseLengthUnit(std::string_view text);
+
+inline constexpr double kPi = std::numbers::pi;
+/// One degree, in radians.
+inline constexpr double kDegree = kPi / 180;
 
 }  // namespace toile

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/widgets/column_chooser.h"
+#include "app/widgets/columns_model.h"
 
 #include <QAbstractItemModel>
 #include <QHeaderView>
