@@ -68,23 +68,23 @@ void applyView(Document& document, const Arguments& arguments) {
     if (arguments.project) {
         view = viewOf(arguments.project->view, view);
     }
-    const PictureArguments& wishes = arguments.picture;
+    const PictureArguments& asked = arguments.picture;
     view.overlay = arguments.overlay.value_or(view.overlay);
-    view.wireframe = view.wireframe || wishes.wireframe;
-    view.seams = wishes.seams;
-    view.xray = wishes.xray;
+    view.wireframe = view.wireframe || asked.wireframe;
+    view.seams = asked.seams;
+    view.xray = asked.xray;
     document.setView(view);
 }
 
-PictureOptions pictureOptions(const PictureArguments& wishes, Overlay overlay) {
+PictureOptions pictureOptions(const PictureArguments& asked, Overlay overlay) {
     PictureOptions options;
-    options.size = QSize(wishes.width, wishes.height);
-    options.views = wishes.views;
-    options.direction = wishes.direction;
-    options.morph = wishes.morph;
-    options.legend = wishes.bar.value_or(isMeasured(overlay));
+    options.size = QSize(asked.width, asked.height);
+    options.views = asked.views;
+    options.direction = asked.direction;
+    options.morph = asked.morph;
+    options.legend = asked.bar.value_or(isMeasured(overlay));
     options.font = pictureFont();
-    options.palette = wishes.dark ? darkPalette() : lightPalette();
+    options.palette = asked.dark ? darkPalette() : lightPalette();
     return options;
 }
 

@@ -25,7 +25,7 @@ namespace toile::app {
 namespace {
 
 constexpr int kPollMilliseconds = 50;
-constexpr int kQuietRounds = 6, kMostRounds = 100;  // a cursor may blink for ever
+constexpr int kQuietRounds = 6, kMaxRounds = 100;  // a cursor may blink for ever
 /// Exit status, as the command line's: a file cannot be read or written.
 constexpr int kUnreadable = 3;
 
@@ -73,7 +73,7 @@ private:
         const QImage picture = window_.grab().toImage();
         quietRounds_ = picture == last_ ? quietRounds_ + 1 : 0;
         last_ = picture;
-        if (quietRounds_ < kQuietRounds && ++rounds_ < kMostRounds) {
+        if (quietRounds_ < kQuietRounds && ++rounds_ < kMaxRounds) {
             return;
         }
         timer_.stop();
@@ -135,9 +135,9 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
 
     const bool photograph = !options.screenshot.empty();
     // A picture must not depend on, nor change, what a person has set.
-    Preferences forgetful{QString()};
+    Preferences unsaved{QString()};
     Preferences own;
-    Preferences& preferences = photograph ? forgetful : own;
+    Preferences& preferences = photograph ? unsaved : own;
     useLanguage(preferences.choices().language);
     applyTheme(preferences.choices().theme);
     MainWindow window(preferences);

@@ -36,7 +36,7 @@ std::optional<Overlay> overlayFor(FindingKind kind) {
         case FindingKind::StrainBias:
             return Overlay::Bias;
         case FindingKind::FlippedTriangles:
-            return Overlay::Area;  // what is turned over has lost more than all of its area
+            return Overlay::Area;  // what is flipped has lost more than all of its area
         default:
             return std::nullopt;
     }

@@ -42,7 +42,7 @@ class WindowStatus : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive this. @param checker  knows what is left to mend in what is exported
+    /// All must outlive this. @param checker  knows what is left to repair in what is exported
     WindowStatus(QStatusBar& bar, Workspace& workspace, const ActionRegistry& actions,
                  ProjectSession& session, const ReadyChecker& checker);
 

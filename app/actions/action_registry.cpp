@@ -51,7 +51,7 @@ ActionRegistry::ActionRegistry(QObject* parent) : QObject(parent) {
         }
         actions_.emplace(spec.id, action);
     }
-    actions_.at(ActionId::ForgetEase)->setShortcuts({Qt::Key_Delete, Qt::Key_Backspace});
+    actions_.at(ActionId::ResetEase)->setShortcuts({Qt::Key_Delete, Qt::Key_Backspace});
     actions_.at(ActionId::Redo)
         ->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     actions_.at(ActionId::Quit)->setMenuRole(QAction::QuitRole);

@@ -37,9 +37,9 @@ bool showsFigures(Workspace& on) {
     return isOpen(on) && isMeasured(on.document().view().overlay);
 }
 
-bool hasDesigner(Workspace& on) {
+bool hasReference(Workspace& on) {
     const auto& scene = on.document().scene();
-    return scene && !scene->patternLines.designer.empty();
+    return scene && !scene->patternLines.reference.empty();
 }
 
 bool hasCuts(Workspace& on) {
@@ -80,12 +80,12 @@ ActionWork whenOpen(ActionGroup group = ActionGroup::None) {
     return {.enabledWhen = isOpen, .group = group};
 }
 
-ActionWork asks(void (GarmentActions::*wish)(), When when = nullptr) {
-    return {[wish](GarmentActions& on, bool) { (on.*wish)(); }, std::move(when)};
+ActionWork asks(void (GarmentActions::*request)(), When when = nullptr) {
+    return {[request](GarmentActions& on, bool) { (on.*request)(); }, std::move(when)};
 }
 
-ActionWork asks(void (Workspace::*wish)(), When when) {
-    return {[wish](GarmentActions& on, bool) { (on.workspace().*wish)(); }, std::move(when)};
+ActionWork asks(void (Workspace::*request)(), When when) {
+    return {[request](GarmentActions& on, bool) { (on.workspace().*request)(); }, std::move(when)};
 }
 
 ActionWork steps(void (QUndoStack::*step)(), bool (QUndoStack::*canStep)() const) {
@@ -272,15 +272,16 @@ std::vector<ActionSpec> makeActions() {
          TR("Paint every triangle in the colour of its own value, without smoothing"),
          switches(&ViewState::valuesPerTriangle, showsFigures), "values-per-triangle",
          TR("Per triangle")},
-        {ActionId::WorstSpots, "worstSpots", TR("Flag the w&orst spots"), "Shift+W",
+        {ActionId::WorstSpots, "worstSpots", TR("Mark the w&orst spots"), "Shift+W",
          TR("Mark the places with the worst values with a number"),
          switches(&ViewState::worstSpots, showsFigures), "worst-spots", TR("Worst spots")},
         {ActionId::Wireframe, "wireframe", TR("Show &wireframe"), "W",
          TR("Draw the triangles of the cloth"), switches(&ViewState::wireframe), "wireframe",
          TR("Wireframe")},
-        {ActionId::DesignerOutline, "designerOutline", TR("&Designer's outline"), "D",
-         TR("Draw the designer's own panels over the flat pieces, where the file carries them"),
-         switches(&ViewState::designerOutline, hasDesigner)},
+        {ActionId::ReferencePanels, "referencePanels", TR("Re&ference panels"), "D",
+         TR("Draw the reference panels, the designer's own, over the flat pieces, where the file "
+            "has them"),
+         switches(&ViewState::referencePanels, hasReference)},
         {ActionId::ShowSeams, "showSeams", TR("Show &seams"), "Shift+S",
          TR("Draw the seam lines, both sides of a seam in one colour"),
          switches(&ViewState::seams)},
@@ -314,7 +315,7 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::MethodIsometric, "methodIsometric", methodText(Method::Isometric), "",
          TR("Seam lines keep their exact length; the cloth between them stretches as little as "
             "that "
-            "allows, and no triangle is turned over"),
+            "allows, and no triangle is flipped"),
          flattens(Method::Isometric)},
         {ActionId::MethodCurvature, "methodCurvature", methodText(Method::Curvature), "",
          TR("Seam lines keep their exact length; the outline turns where the garment is curved"),
@@ -450,9 +451,9 @@ std::vector<ActionSpec> makeActions() {
          "F2",
          TR("Say how much longer the left edge of the selected seam is meant to be"),
          {.enabledWhen = isSewnSeam}},
-        {ActionId::ForgetEase, "forgetEase", TR("Ease &from the garment"), "Del",
+        {ActionId::ResetEase, "resetEase", TR("Ease &from the garment"), "Del",
          TR("Take the ease of the selected seam from its 3D lengths again"),
-         asks(&GarmentActions::forgetEase, isEasedSeam)},
+         asks(&GarmentActions::resetEase, isEasedSeam)},
         {ActionId::ToolGrain, "toolGrain", TR("&Grain"), "G",
          TR("Turn the grain of a piece by its arrow in the pattern view"), whenOpen(Group::Tool),
          "tool-grain", TR("Grain")},
@@ -503,9 +504,9 @@ std::vector<ActionSpec> makeActions() {
          TR("Let the grain of the selected pieces, or of all, run where it strains the fabric "
             "least"),
          asks(&GarmentActions::lookForBestGrain, isAnyFlat), "", TR("Best")},
-        {ActionId::ForgetGrain, "forgetGrain", TR("&Forget the grain"), "",
+        {ActionId::ResetGrain, "resetGrain", TR("&Reset the grain"), "",
          TR("Leave it open how the grain of the selected pieces, or of all, runs"),
-         asks(&GarmentActions::forgetGrain, isAnyGrainStated), "", TR("Forget")},
+         asks(&GarmentActions::resetGrain, isAnyGrainStated), "", TR("Reset")},
         {ActionId::Rulers, "rulers", TR("&Rulers"), "Ctrl+R",
          TR("Show rulers along the edges of the pattern view"), switches(&ViewState::rulers)},
         {ActionId::Grid, "grid", TR("Gri&d"), "Ctrl+G",

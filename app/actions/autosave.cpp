@@ -54,7 +54,7 @@ Autosave::~Autosave() {
     if (!writing_.isEmpty()) {
         QFile::remove(writing_);
     }
-    forget();
+    discard();
 }
 
 QString Autosave::defaultFolder() {
@@ -105,7 +105,7 @@ void Autosave::noteChange() {
     if (!times_ || !session_.isModified()) {
         timer_.stop();
         sinceChange_.invalidate();
-        forget();
+        discard();
         return;
     }
     if (!sinceChange_.isValid()) {
@@ -160,12 +160,12 @@ bool Autosave::prepare() {
 }
 
 void Autosave::adopt(RecoveryFile file) {
-    forget();
+    discard();
     file_ = std::move(file.path);
     lock_ = std::move(file.lock);
 }
 
-void Autosave::forget() {
+void Autosave::discard() {
     if (file_.isEmpty()) {
         return;
     }

@@ -83,7 +83,7 @@ signals:
     void failed(const QString& sentence);
 
 private:
-    void forget();
+    void discard();
     bool prepare();
 
     const Document& document_;

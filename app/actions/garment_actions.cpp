@@ -160,7 +160,7 @@ void GarmentActions::selectNone() {
     workspace_.document().setMark({});
 }
 
-void GarmentActions::forgetEase() {
+void GarmentActions::resetEase() {
     if (const auto seam = workspace_.document().seam()) {
         workspace_.setEase(*seam, std::nullopt);
     }
@@ -193,7 +193,7 @@ void GarmentActions::sayOutdated() {
            "grain was looked for. Ask for it once more."));
 }
 
-void GarmentActions::forgetGrain() {
+void GarmentActions::resetGrain() {
     PieceGrains grains;
     for (const int piece : selectedOrAllFlat(workspace_.document())) {
         grains[piece] = std::nullopt;

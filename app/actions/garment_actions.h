@@ -15,7 +15,7 @@ class ProjectActions;
 class Workspace;
 
 /// What the actions of the table work with: the workspace, and what has to ask or to wait before it
-/// hands a wish to it. Keeps the actions' state (can be done, on, chosen) as the document is.
+/// hands requests to it. Keeps the actions' state (can be done, on, chosen) as the document is.
 class GarmentActions : public QObject {
     Q_OBJECT
 
@@ -40,13 +40,13 @@ public:
     void selectAll();
     void selectNone();
     /// The ease of the selected seam is that of the garment again.
-    void forgetEase();
+    void resetEase();
     /// For the selected pieces that are flat, or for all.
     void lookForBestGrain();
-    void forgetGrain();
+    void resetGrain();
 
 signals:
-    /// A wish could not be granted, and why.
+    /// A request was refused, and why.
     void failed(const QString& sentence);
 
 private:

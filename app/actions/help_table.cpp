@@ -88,7 +88,7 @@ const std::vector<Gesture>& gestures() {
         {kMeasure, TR("Double click, Enter"), TR("End here")},
         {kMeasure, TR("Backspace"), TR("Take the last place back")},
         {kMeasure, TR("Ctrl+C"), TR("Copy what is measured")},
-        {kMeasure, TR("Esc"), TR("Forget the measure; without one: back to selecting")},
+        {kMeasure, TR("Esc"), TR("Clear the measure; without one: back to selecting")},
         {kGrain, TR("Drag on a piece in the pattern view"), TR("Turn its grain")},
         {kGrain, TR("Alt while dragging"),
          TR("Snap where snapping is off, and the other way round")},

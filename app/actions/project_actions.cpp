@@ -18,7 +18,7 @@ namespace toile::app {
 
 namespace {
 
-constexpr int kMostEntries = 10;
+constexpr int kMaxEntries = 10;
 
 QString entryText(const QStringList& files) {
     const QFileInfo first(files.front());
@@ -42,7 +42,7 @@ void RecentFiles::add(const QStringList& files) {
     QList<QStringList> recent = preferences_.recentFiles();
     recent.removeAll(files);
     recent.prepend(files);
-    preferences_.setRecentFiles(recent.mid(0, kMostEntries));
+    preferences_.setRecentFiles(recent.mid(0, kMaxEntries));
 }
 
 void RecentFiles::fill(QMenu& menu) {
@@ -67,7 +67,7 @@ void RecentFiles::refill(QMenu& menu) {
     }
     menu.addSeparator();
     QAction* clear = menu.addAction(tr("&Clear this list"));
-    clear->setStatusTip(tr("Forget what was opened last"));
+    clear->setStatusTip(tr("Clear the list of what was opened last"));
     connect(clear, &QAction::triggered, this, [this] { preferences_.setRecentFiles({}); });
 }
 

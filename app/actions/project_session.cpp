@@ -11,7 +11,7 @@
 namespace toile::app {
 namespace {
 
-constexpr int kMostSentences = 4;  ///< that are read when a project is opened
+constexpr int kMaxSentences = 4;  ///< that are read when a project is opened
 
 }  // namespace
 
@@ -89,8 +89,8 @@ void ProjectSession::onOpened(const Path& file, const OpenedProject& opened, boo
     for (const Error& note : opened.notes) {
         sentences << errorText(note);
     }
-    if (const auto more = static_cast<int>(sentences.size()) - kMostSentences; more > 0) {
-        sentences = sentences.mid(0, kMostSentences)
+    if (const auto more = static_cast<int>(sentences.size()) - kMaxSentences; more > 0) {
+        sentences = sentences.mid(0, kMaxSentences)
                     << tr("And %n more of this kind.", nullptr, more);
     }
     if (!sentences.isEmpty()) {

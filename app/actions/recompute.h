@@ -54,7 +54,7 @@ public:
     /// to change the state: it takes their place.
     void catchUp();
     /// Other jobs take the place of what is on its way.
-    void giveWay() { ticket_ = 0; }
+    void yield() { ticket_ = 0; }
     /// To be called when a job was cancelled by the person, or has failed.
     void onStopped(bool failed);
 

@@ -64,7 +64,7 @@ void Workspace::cancel() {
 }
 
 void Workspace::startReading(std::unique_ptr<Job> job) {
-    recompute_.giveWay();
+    recompute_.yield();
     reading_ = jobs_.replace(std::move(job));
 }
 

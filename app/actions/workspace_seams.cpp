@@ -120,7 +120,7 @@ void Workspace::joinSeam(int seam) {
                          .arg(QString::fromStdString(chosen.name)));
         return;
     }
-    for (const MadeCut& cut : garment->cuts) {
+    for (const AppliedCut& cut : garment->cuts) {
         if (std::ranges::find(chosen.cuts, cut.id) == chosen.cuts.end()) {
             continue;
         }

@@ -112,7 +112,7 @@ void addReading(CLI::App& command, Arguments& arguments) {
     command.add_flag("--auto-cut", load.autoCut, "Cut open whatever cannot lie flat as it is");
     command.add_flag("--weld", load.weld, "Join vertices that lie on each other");
     command.add_flag("--strict", load.strict,
-                     "Refuse a file in which anything has to be left out or mended");
+                     "Refuse a file in which anything has to be left out or repaired");
 }
 
 /// By which method, and how it goes about it, each option for the methods that have the choice: the

@@ -36,13 +36,13 @@ void printFindings(const Readiness& readiness, std::ostream& out) {
     for (std::size_t i = 0; i < findings.size();) {
         Finding told = findings[i];
         std::string& names = told.subject.name;
-        names = shownText(names, kMostOfPlace);
+        names = shownText(names, kMaxOfPlace);
         for (++i; i < findings.size() && findings[i].severity == told.severity &&
                   findings[i].kind == told.kind && !names.empty() &&
                   description(findings[i]) == description(told) &&
                   adviceFor(findings[i]) == adviceFor(told);
              ++i) {
-            names += ", " + shownText(findings[i].subject.name, kMostOfPlace);
+            names += ", " + shownText(findings[i].subject.name, kMaxOfPlace);
         }
         out << name(told.severity) << ": " << sentence(told) << '\n';
     }

@@ -35,7 +35,7 @@ void printText(const Garment& garment, const Comparison& comparison, bool perPie
     }
 }
 
-/// A sentence for each piece that failed, or lies turned over against the method's promise, with
+/// A sentence for each piece that failed, or is flipped against the method's promise, with
 /// the method where it did so under it; one where the piece itself is at fault.
 /// @return whether there was one
 bool printFailures(const Garment& garment, const Comparison& comparison, std::ostream& err) {

@@ -14,7 +14,7 @@ namespace toile::app {
 namespace {
 
 void printFile(const SourceFile& file, std::ostream& out) {
-    out << shownText(file.path.string(), kMostOfPlace) << ": "
+    out << shownText(file.path.string(), kMaxOfPlace) << ": "
         << counted(file.soup->faceCount(), "face") << ", "
         << counted(static_cast<long long>(file.soup->positions.size()), "vertex") << ", unit "
         << symbol(file.unit);

@@ -47,7 +47,7 @@ void printCuts(const Garment& garment, std::ostream& out) {
         return;
     }
     Table table({"cut", "made by", "of", "length mm"});
-    for (const MadeCut& cut : garment.cuts) {
+    for (const AppliedCut& cut : garment.cuts) {
         table.add({cut.name, cut.author == CutAuthor::User ? "user" : "Toile", cut.piece,
                    fixed(cut.length, 1)});
     }

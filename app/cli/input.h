@@ -27,7 +27,7 @@ bool printProblems(const Garment& garment, std::ostream& err);
 
 /// Why pieces could not be flattened, and what there is to say of those that were, a sentence a
 /// line.
-/// @return whether any could not, or lies turned over although its method promises that none does
+/// @return whether any could not, or is flipped although its method promises that none does
 bool printFailures(const PieceResults& results, std::ostream& err);
 
 /// A plain text table: first column flush left, the others flush right. Cells are shown as

@@ -41,11 +41,11 @@ std::string readPictureSize(const std::string& typed, PictureArguments& picture)
     }
     const auto size = twoNumbers(typed, 'x');
     const auto fits = [](double side) -> bool {
-        return side >= kLeastPicture && side <= kMostPicture && side == std::floor(side);
+        return side >= kMinPicture && side <= kMaxPicture && side == std::floor(side);
     };
     if (!size || !fits((*size)[0]) || !fits((*size)[1])) {
         return "--size must be width and height in whole pixels, such as 1600x800, each from " +
-               std::to_string(kLeastPicture) + " to " + std::to_string(kMostPicture);
+               std::to_string(kMinPicture) + " to " + std::to_string(kMaxPicture);
     }
     picture.width = static_cast<int>((*size)[0]);
     picture.height = static_cast<int>((*size)[1]);

@@ -10,7 +10,7 @@ namespace toile::app {
 
 /// What a picture is to show, for `toile render`.
 struct PictureArguments {
-    int width = 1600, height = 800;  ///< pixels, within kLeastPicture and kMostPicture
+    int width = 1600, height = 800;  ///< pixels, within kMinPicture and kMaxPicture
     ViewsShown views = ViewsShown::Both;
     std::optional<ViewDirection> direction{};  ///< none: as the window begins
     double morph = 0;                          ///< 0 to 1
@@ -19,7 +19,7 @@ struct PictureArguments {
     bool dark = false;
 };
 
-inline constexpr int kLeastPicture = 16, kMostPicture = 8192;
+inline constexpr int kMinPicture = 16, kMaxPicture = 8192;
 
 /// Width and height, as in "1600x800". @return what is wrong, or nothing
 std::string readPictureSize(const std::string& typed, PictureArguments& picture);

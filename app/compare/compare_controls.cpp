@@ -88,7 +88,7 @@ void CompareControls::propose() {
     if (!isChosen_) {
         std::vector<Method> methods{document_.options().method};
         for (const Method method : kFirst) {
-            if (methods.size() < kMostCompared &&
+            if (methods.size() < kMaxCompared &&
                 std::ranges::find(methods, method) == methods.end()) {
                 methods.push_back(method);
             }
@@ -142,7 +142,7 @@ void CompareControls::showPieces() {
 }
 
 void CompareControls::limitMethods() {
-    const bool full = ticked().size() >= kMostCompared;
+    const bool full = ticked().size() >= kMaxCompared;
     for (const auto& [method, box] : boxes_) {
         box->setEnabled(box->isChecked() || !full);
         box->setToolTip(box->isEnabled() ? QString()

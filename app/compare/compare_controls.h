@@ -19,7 +19,7 @@ class Document;
 class MethodComparison;
 
 /// Side by side there is room for so many.
-inline constexpr std::size_t kMostCompared = 4;
+inline constexpr std::size_t kMaxCompared = 4;
 
 /// What is compared: one piece, up to four methods, and how far the work has come.
 class CompareControls : public QWidget {

@@ -48,7 +48,7 @@ private:
     LinkedCamera camera_;
     MethodComparison comparison_;
     CompareControls* controls_;
-    std::array<ComparedColumn*, kMostCompared> columns_{};
+    std::array<ComparedColumn*, kMaxCompared> columns_{};
     QWidget* pictures_;
     ColourBar* legend_;
     FigureTable* table_;

@@ -97,7 +97,7 @@ SheetPlace ComparedColumn::placeOver(const std::shared_ptr<const PieceResult>& r
     settings.anchors.clear();
     settings.placement = settings.placement.value_or(Placement{});
     if (motion_) {
-        settings = movedSettings(std::move(settings), motion_->oldOfNew, motion_->reach);
+        settings = movedSettings(std::move(settings), motion_->oldOfNew, motion_->radius);
     }
     return placesOf({settings}).front();
 }

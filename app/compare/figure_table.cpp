@@ -99,10 +99,10 @@ FigureTable::FigureTable(QWidget* parent) : QTableWidget(parent) {
 
 void FigureTable::setEntries(const std::vector<MethodComparison::Entry>& entries) {
     std::vector<Criterion> rows(std::begin(kRows), std::end(kRows));
-    const bool hasDesigner = std::ranges::any_of(entries, [](const auto& entry) -> bool {
+    const bool hasReference = std::ranges::any_of(entries, [](const auto& entry) -> bool {
         return entry.made.figures[Criterion::ReferenceRms].has_value();
     });
-    if (!hasDesigner) {
+    if (!hasReference) {
         std::erase(rows, Criterion::ReferenceRms);
     }
     // Not cleared first: that would take a reader's place in the table away.

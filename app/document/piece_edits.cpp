@@ -41,7 +41,7 @@ void editSettings(Document& document, const QString& text, const std::vector<int
 
 void setQuantity(Document& document, const std::vector<int>& pieces, int quantity) {
     const std::vector<int> there = inGarment(document, pieces);
-    const int copies = std::clamp(quantity, 1, kMostCopies);
+    const int copies = std::clamp(quantity, 1, kMaxCopies);
     if (!there.empty()) {
         editSettings(document, tr("Quantity of %1: %2").arg(nameOf(document, there)).arg(copies),
                      there, [copies](int, PieceSettings& settings) { settings.quantity = copies; });

@@ -19,7 +19,7 @@ class Document;
 /// @param pieces  in the garment  @param gesture  as for Document::edit
 void editSettings(Document& document, const QString& text, const std::vector<int>& pieces,
                   const std::function<void(int piece, PieceSettings&)>& change, int gesture = -1);
-/// @param quantity  how many of each are cut, 1 to kMostCopies; others are brought there
+/// @param quantity  how many of each are cut, 1 to kMaxCopies; others are brought there
 void setQuantity(Document& document, const std::vector<int>& pieces, int quantity);
 /// @param isPair  each of them is also cut mirrored
 void setMirroredPair(Document& document, const std::vector<int>& pieces, bool isPair);

@@ -20,14 +20,14 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
     project.pieces = projectPieces(garment, std::move(settings), derived.results);
     project.labels = state.labels;
     project.view = {std::string(wordOf(kOverlayWords, view.overlay)), view.wireframe,
-                    view.designerOutline};
+                    view.referencePanels};
     return project;
 }
 
 ViewState viewOf(const ProjectView& saved, ViewState view) {
     view.overlay = parseWord(kOverlayWords, saved.overlay).value_or(view.overlay);
     view.wireframe = saved.wireframe;
-    view.designerOutline = saved.designerOutline;
+    view.referencePanels = saved.referencePanels;
     return view;
 }
 

@@ -19,7 +19,7 @@ enum class Overlay {
     Warp,       ///< strain along the grain
     Weft,       ///< strain across it
     Bias,       ///< strain at 45 degrees to it, the worse of both diagonals
-    Principal,  ///< largest and least strain and their directions, as crosses
+    Principal,  ///< largest and least strain and their directions, as glyphs
     Dirichlet,  ///< symmetric Dirichlet energy, above that of cloth that keeps its shape
 };
 
@@ -76,7 +76,7 @@ inline constexpr ViewDirection kBottomView{0, -std::numbers::pi / 2};
 struct ViewState {
     Overlay overlay = Overlay::Checker;
     bool wireframe = false;
-    bool designerOutline = false;    ///< the designer's own panels over the pattern
+    bool referencePanels = false;    ///< the reference panels over the pattern
     bool valuesPerTriangle = false;  ///< a measured overlay is not smoothed over the vertices
     bool worstSpots = true;          ///< the worst places of a measured overlay carry a number
     bool seams = true;               ///< seam lines, each pair in its colour
@@ -90,7 +90,7 @@ struct ViewState {
     bool operator==(const ViewState&) const = default;
 };
 
-/// Something of the garment that a pointer can be on and that can be lit up in both views.
+/// Something of the garment that a pointer can be on and that can be highlighted in both views.
 struct Feature {
     enum class Kind {
         Piece,   ///< `piece`

@@ -21,13 +21,13 @@ PathFinder::PathFinder(QObject* parent) : QObject(parent) {}
 
 PathFinder::~PathFinder() = default;
 
-PathFinder::Ticket PathFinder::find(PathWish wish, Done done) {
-    waiting_.push_back({++last_, std::move(wish), std::move(done)});
+PathFinder::Ticket PathFinder::find(PathRequest request, Done done) {
+    waiting_.push_back({++last_, std::move(request), std::move(done)});
     startNext();
     return last_;
 }
 
-void PathFinder::forget(Ticket ticket) {
+void PathFinder::cancel(Ticket ticket) {
     std::erase_if(waiting_, [ticket](const Order& order) { return order.ticket == ticket; });
     if (ticket == current_) {
         current_ = 0;
@@ -35,7 +35,7 @@ void PathFinder::forget(Ticket ticket) {
     }
 }
 
-void PathFinder::forgetPiece() {
+void PathFinder::evictPiece() {
     surface_ = nullptr;
     keepsSurface_ = false;
 }
@@ -48,16 +48,17 @@ void PathFinder::startNext() {
     waiting_.pop_front();
     current_ = order.ticket;
     keepsSurface_ = true;
-    const auto surface = surface_ && surface_->piece == order.wish.piece
+    const auto surface = surface_ && surface_->piece == order.request.piece
                              ? surface_
-                             : std::make_shared<Surface>(Surface{order.wish.piece});
-    const PathWish wish = order.wish;
+                             : std::make_shared<Surface>(Surface{order.request.piece});
+    const PathRequest request = order.request;
     worker_.start(
-        [surface, wish](Progress& progress) {
+        [surface, request](Progress& progress) {
             if (!surface->links) {
                 surface->links.emplace(surface->piece->mesh, surface->piece->table);
             }
-            return wayOfCut(*surface->links, wish.from, wish.to, wish.alongEdges, progress);
+            return pathOfCut(*surface->links, request.from, request.to, request.alongEdges,
+                             progress);
         },
         [this, surface, order = std::move(order)](const auto& made, const Progress&) {
             take(order, surface, made);

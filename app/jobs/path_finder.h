@@ -14,14 +14,14 @@
 namespace toile::app {
 
 /// A way over a piece that somebody wants to know.
-struct PathWish {
+struct PathRequest {
     std::shared_ptr<const Piece> piece;
     SurfacePoint from, to;  ///< on the piece's mesh
     bool alongEdges = false;
 };
 
 /// Finds short ways over the cloth, one after the other on a thread of its own, so that a preview
-/// never holds the window up however fine the mesh. Ways are found as the cuts are (`wayOfCut`),
+/// never holds the window up however fine the mesh. Ways are found as the cuts are (`pathOfCut`),
 /// and a search that is not wanted any more ends at once. What the search needs of a piece is made
 /// with the first way and kept while ways on the same piece follow. GUI thread only.
 class PathFinder : public QObject {
@@ -35,17 +35,17 @@ public:
     ~PathFinder() override;
 
     /// @param done  called on the GUI thread, later, unless the ticket is forgotten before
-    Ticket find(PathWish wish, Done done);
+    Ticket find(PathRequest request, Done done);
     /// The way is not wanted any more: `done` is not called. Unknown tickets are passed by.
-    void forget(Ticket ticket);
+    void cancel(Ticket ticket);
     /// Lets go of what is kept of the piece last asked about, at the latest when the search that
     /// runs is over.
-    void forgetPiece();
+    void evictPiece();
 
 private:
     struct Order {
         Ticket ticket = 0;
-        PathWish wish{};
+        PathRequest request{};
         Done done{};
     };
     struct Surface;

@@ -60,7 +60,7 @@ void CutsPanel::onChanged(DocumentChanges what) {
 void CutsPanel::rebuild() {
     table_->clear();
     if (document_.garment()) {
-        for (const MadeCut& cut : document_.garment()->cuts) {
+        for (const AppliedCut& cut : document_.garment()->cuts) {
             auto* row = new QTreeWidgetItem(table_);
             row->setText(CutName, QString::fromStdString(cut.name));
             const bool own = cut.author == CutAuthor::User;
@@ -73,7 +73,7 @@ void CutsPanel::rebuild() {
             row->setText(Length, lengthWithUnit(cut.length));
             row->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);
         }
-        for (const MadeJoin& join : document_.garment()->joins) {
+        for (const AppliedJoin& join : document_.garment()->joins) {
             auto* row = new QTreeWidgetItem(table_);
             row->setText(CutName, QString::fromStdString(join.name));
             row->setToolTip(

@@ -21,7 +21,7 @@ namespace toile::app {
 namespace {
 
 constexpr double kPercentPerShare = 100;
-constexpr double kLeast = -50, kMost = 200;  // percent
+constexpr double kMin = -50, kMax = 200;  // percent
 constexpr const char* kCustom = "custom";
 constexpr int kPanelAir = 10;
 /// Triangles whose figures take a millisecond or two, in three directions.
@@ -94,7 +94,7 @@ QString fabricName(const Fabric& fabric) {
 FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& work)
     : QWidget(parent),
       document_(document),
-      manners_(*new FieldManners(this)),
+      fieldGuard_(*new FieldGuard(this)),
       pages_(new QStackedWidget(this)),
       preset_(new QComboBox(this)),
       all_(new QLabel(this)),
@@ -149,7 +149,7 @@ QWidget* FabricPanel::makeContents() {
     preset_->setAccessibleName(tr("Fabric"));
     preset_->setToolTip(tr("What the garment is cut from"));
     preset_->setFocusPolicy(Qt::StrongFocus);
-    manners_.teach(*preset_);
+    fieldGuard_.install(*preset_);
     preset_->installEventFilter(this);
     for (const Fabric& preset : fabricPresets()) {
         preset_->addItem(capitalised(fabricName(preset)));
@@ -206,8 +206,8 @@ void FabricPanel::addLimits(QGridLayout& grid) {
             makeField(direction.leastName, tr("%1, takes in").arg(direction.title), leastTip);
         PercentEdit* high =
             makeField(direction.mostName, tr("%1, stretches").arg(direction.title), mostTip);
-        low->setRange(kLeast, 0);
-        high->setRange(0, kMost);
+        low->setRange(kMin, 0);
+        high->setRange(0, kMax);
         grid.addWidget(low, row, 1);
         grid.addWidget(high, row, 2);
         limits_[next++] = {direction.member, &StrainLimits::least, low};
@@ -226,7 +226,7 @@ PercentEdit* FabricPanel::makeField(const char* name, const QString& label, cons
     field->setToolTip(tip);
     field->setFocusPolicy(Qt::StrongFocus);
     field->setMinimumWidth(76);
-    manners_.teach(*field);
+    fieldGuard_.install(*field);
     field->installEventFilter(this);
     return field;
 }

@@ -16,7 +16,7 @@ class QStackedWidget;
 namespace toile::app {
 
 class Document;
-class FieldManners;
+class FieldGuard;
 class PercentEdit;
 
 /// What the garment is cut from: a preset, or limits that are typed. Below it, how much of the
@@ -70,7 +70,7 @@ private:
     void follow(const QString& link);
 
     Document& document_;
-    FieldManners& manners_;
+    FieldGuard& fieldGuard_;
     QStackedWidget* pages_;
     QComboBox* preset_;
     std::array<Limit, 6> limits_{};

@@ -122,7 +122,7 @@ bool PiecesModel::setData(const QModelIndex& index, const QVariant& value, int r
     return false;
 }
 
-bool PiecesModel::hasDesigner() const {
+bool PiecesModel::hasReference() const {
     const auto& results = document_.results();
     return std::any_of(results.begin(), results.end(), [](const auto& result) {
         return result && result->quality && result->quality->reference;
@@ -157,7 +157,7 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
             }
             return {!known                       ? tr("Waiting")
                     : statusOf(*known) == "flat" ? tr("Flat")
-                                                 : tr("Partly turned over")};
+                                                 : tr("Partly flipped")};
         default:
             return known && known->quality ? figure(*known->quality, column)
                                            : Cell{kUnknown, kUnknownSort};
@@ -230,9 +230,9 @@ PiecesModel::Cell PiecesModel::figure(const PieceQuality& quality, int column) {
             return count(quality.flippedTriangles);
         case Crossings:
             return count(quality.outlineCrossings);
-        case DesignerRms:
+        case ReferenceRms:
             return distance(quality.reference, &ReferenceFit::rms);
-        case DesignerMax:
+        case ReferenceMax:
             return distance(quality.reference, &ReferenceFit::max);
         default:
             return {};
@@ -270,11 +270,11 @@ std::vector<PiecesModel::Heading> PiecesModel::headings() const {
         {tr("Strain range %"), tr("From most surplus to most stretch; + is stretch")},
         {tr("Flips"), tr("Triangles that lie upside down in the pattern: must be 0")},
         {tr("Crossings"), tr("Places where the outline crosses itself: must be 0")},
-        {tr("To designer rms %1").arg(lengthUnit()),
-         tr("Distance from the designer's own panel, laid on as well as "
+        {tr("To reference rms %1").arg(lengthUnit()),
+         tr("Distance from the reference panel in the file, laid on as well as "
             "it goes: root mean square")},
-        {tr("To designer max %1").arg(lengthUnit()),
-         tr("Distance from the designer's own panel: the largest")},
+        {tr("To reference max %1").arg(lengthUnit()),
+         tr("Distance from the reference panel in the file: the largest")},
     };
 }
 

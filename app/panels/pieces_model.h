@@ -32,13 +32,13 @@ public:
         StrainRange,
         Flips,
         Crossings,
-        DesignerRms,
-        DesignerMax,
+        ReferenceRms,
+        ReferenceMax,
         ColumnCount
     };
-    /// True for columns about the designer's own panels.
-    static constexpr bool isAboutDesigner(int column) {
-        return column == DesignerRms || column == DesignerMax;
+    /// True for columns about the reference panels.
+    static constexpr bool isAboutReference(int column) {
+        return column == ReferenceRms || column == ReferenceMax;
     }
 
     explicit PiecesModel(const Document& document, QObject* parent = nullptr);
@@ -47,8 +47,8 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     /// Changes nothing itself: see the signals.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    /// True where a flat piece carries the designer's own panel.
-    bool hasDesigner() const;
+    /// True where a flat piece carries the reference panel.
+    bool hasReference() const;
 
 signals:
     /// A person has typed another quantity into a row, or checked it as a mirrored pair or not.

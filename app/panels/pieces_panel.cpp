@@ -45,7 +45,7 @@ PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
       columns_(new ColumnChooser(*table_->header(),
                                  {"name", "status", "quantity", "pair", "method", "triangles",
                                   "area", "outline", "outlineError", "strainMean", "strainRange",
-                                  "flips", "crossings", "designerRms", "designerMax"},
+                                  "flips", "crossings", "referenceRms", "referenceMax"},
                                  this)),
       details_(new QLabel(this)) {
     makeTable();
@@ -132,11 +132,12 @@ QStringList PiecesPanel::hiddenAtFirst() {
 
 void PiecesPanel::fitColumns() {
     constexpr int kCellAir = 6;
-    const bool hasDesigner = model_->hasDesigner();
+    const bool hasReference = model_->hasReference();
     wanted_.assign(PiecesModel::ColumnCount, 0);
     for (int column = 0; column < PiecesModel::ColumnCount; ++column) {
-        table_->setColumnHidden(column, columns_->isHidden(column) ||
-                                            (PiecesModel::isAboutDesigner(column) && !hasDesigner));
+        table_->setColumnHidden(
+            column,
+            columns_->isHidden(column) || (PiecesModel::isAboutReference(column) && !hasReference));
         if (table_->isColumnHidden(column)) {
             continue;
         }
@@ -239,7 +240,7 @@ QString PiecesPanel::details(int piece) const {
     }
     text += row(tr("Strain, range"), tr("%1 %").arg(strainRange(quality)));
     if (quality.reference) {
-        text += row(tr("To designer, rms / max"),
+        text += row(tr("To reference, rms / max"),
                     QString("%1 / %2 %3")
                         .arg(fineLength(quality.reference->rms), fineLength(quality.reference->max),
                              lengthUnit()));

@@ -25,7 +25,7 @@ public:
         editor->setObjectName("quantityEditor");
         editor->setFrame(false);
         editor->setAlignment(Qt::AlignRight);
-        editor->setRange(1, kMostCopies);
+        editor->setRange(1, kMaxCopies);
         return editor;
     }
 

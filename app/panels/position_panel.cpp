@@ -49,7 +49,7 @@ void showValue(QDoubleSpinBox& field, double value) {
 PositionPanel::PositionPanel(Document& document, const ActionRegistry& actions, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      manners_(new FieldManners(this)),
+      fieldGuard_(new FieldGuard(this)),
       title_(new QLabel(this)),
       x_(makeField<LengthEdit>("positionX", tr("Left edge"))),
       y_(makeField<LengthEdit>("positionY", tr("Lower edge"))),
@@ -91,7 +91,7 @@ Field* PositionPanel::makeField(const char* name, const QString& label) {
     field->setAccessibleName(label);
     field->setFocusPolicy(Qt::StrongFocus);
     field->setMinimumWidth(96);
-    manners_->teach(*field);
+    fieldGuard_->install(*field);
     return field;
 }
 
@@ -127,7 +127,7 @@ void PositionPanel::makeLayout(const ActionRegistry& actions) {
     auto* buttons = new QHBoxLayout(grainButtons_);
     buttons->setContentsMargins(0, 0, 0, 0);
     buttons->setSpacing(4);
-    for (const ActionId id : {ActionId::BestGrain, ActionId::ForgetGrain}) {
+    for (const ActionId id : {ActionId::BestGrain, ActionId::ResetGrain}) {
         auto* button = new QToolButton(this);
         button->setDefaultAction(&actions[id]);
         button->setText(actions[id].iconText());

@@ -14,7 +14,7 @@ namespace toile::app {
 class ActionRegistry;
 class AngleEdit;
 class Document;
-class FieldManners;
+class FieldGuard;
 class LengthEdit;
 
 /// Place, angle, side and grain of the selected pieces as numbers that can be typed. Where several
@@ -42,7 +42,7 @@ private:
     void mirrorPieces(bool mirrored);
 
     Document& document_;
-    FieldManners* manners_;
+    FieldGuard* fieldGuard_;
     QLabel* title_;
     LengthEdit *x_, *y_;
     AngleEdit *angle_, *grain_;

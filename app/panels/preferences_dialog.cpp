@@ -20,7 +20,7 @@ namespace toile::app {
 
 namespace {
 
-constexpr int kMostTriangles = 10'000'000, kTriangleStep = 50'000;
+constexpr int kMaxTriangles = 10'000'000, kTriangleStep = 50'000;
 
 /// In the order of the list of units.
 constexpr struct {
@@ -148,12 +148,12 @@ void PreferencesDialog::makeWork(QFormLayout& form) {
         makeCombo("navigationChoice", {tr("Toile"), tr("Blender"), tr("CLO"), tr("Rhino")});
     navigation_->setToolTip(tr("Whose way of turning, moving and zooming the garment you know"));
     form.addRow(tr("&Mouse as in:"), navigation_);
-    autosave_ = makeNumber("autosaveMinutes", Choices::kMostAutosaveMinutes, 1);
+    autosave_ = makeNumber("autosaveMinutes", Choices::kMaxAutosaveMinutes, 1);
     autosave_->setSpecialValueText(tr("Never"));
     autosave_->setSuffix(tr(" min"));
     autosave_->setToolTip(tr("How often a copy is kept that survives a crash"));
     form.addRow(tr("&Keep a copy every:"), autosave_);
-    heavy_ = makeNumber("autoFlattenTriangles", kMostTriangles, kTriangleStep);
+    heavy_ = makeNumber("autoFlattenTriangles", kMaxTriangles, kTriangleStep);
     heavy_->setSuffix(tr(" triangles"));
     heavy_->setToolTip(
         tr("Garments of more triangles are flattened again only when you ask for it"));

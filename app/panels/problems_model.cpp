@@ -61,14 +61,14 @@ void ProblemsModel::addGroup(const Readiness& readiness, const std::vector<int>&
     };
     const Finding& first = finding(group.front());
     if (group.size() == 1 || first.kind == FindingKind::Message) {
-        for (std::size_t k = 0; k < group.size() && k < kMostRows; ++k) {
+        for (std::size_t k = 0; k < group.size() && k < kMaxRows; ++k) {
             appendRow(rowOf(finding(group[k]), group[k]));
         }
         return;
     }
     const Row parent = rowOfGroup(first, group);
     for (std::size_t k = 0; k < group.size(); ++k) {
-        if (k == kMostRows) {
+        if (k == kMaxRows) {
             auto* rest =
                 makeItem(tr("and %1 more")
                              .arg(QLocale().toString(static_cast<qlonglong>(group.size() - k))));

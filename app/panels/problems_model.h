@@ -25,7 +25,7 @@ public:
     /// QString: by which a row is known in the next list; the rest of a long one has none.
     static constexpr int KeyRole = Qt::UserRole + 2;
     /// So many rows of a kind are listed; the last one says how many more there are.
-    static constexpr int kMostRows = 200;
+    static constexpr int kMaxRows = 200;
 
     explicit ProblemsModel(QObject* parent = nullptr);
 

@@ -71,7 +71,7 @@ QWidget* ProblemsPanel::makeHead() {
     row->addWidget(mark_);
     row->addWidget(verdict_, 1);
     constexpr const char* kNames[] = {"showFaults", "showDoubts", "showNotes"};
-    const QString tips[] = {tr("List what must be mended before the cloth is cut"),
+    const QString tips[] = {tr("List what must be put right before the cloth is cut"),
                             tr("List what should be looked at before the cloth is cut"),
                             tr("List what is good to know")};
     for (std::size_t i = 0; i < filters_.size(); ++i) {

@@ -151,7 +151,7 @@ SeamsModel::Cell SeamsModel::cell(int row, int column) const {
         return {measure && (sewn || column == FlatLeft) ? text : QString(kDash), sort};
     };
     // As shown, so that rounding noise does not shuffle seams that all match.
-    const double misfit = measure && sewn ? std::round(100 * std::abs(known.errorMm)) : -1;
+    const double residual = measure && sewn ? std::round(100 * std::abs(known.errorMm)) : -1;
     switch (column) {
         case Number:
             return {QString::number(row + 1), row};
@@ -174,9 +174,9 @@ SeamsModel::Cell SeamsModel::cell(int row, int column) const {
         case Ease:
             return {sewn ? signedNumber(100 * easeOf(asked), 1) : QString(kDash), easeOf(asked)};
         case Error:
-            return figure(signedFineLength(known.errorMm), misfit);
+            return figure(signedFineLength(known.errorMm), residual);
         case Fit:
-            return {measure && sewn ? fitWord(seamFit(asked, measure)) : QString(), misfit};
+            return {measure && sewn ? fitWord(seamFit(asked, measure)) : QString(), residual};
         default:
             return {};
     }

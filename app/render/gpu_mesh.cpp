@@ -20,11 +20,11 @@ constexpr VertexAttribute kLineAttributes[] = {
     {7, 1, offsetof(LineVertex, tint)},
 };
 
-constexpr VertexAttribute kCrossAttributes[] = {
-    {0, 3, offsetof(CrossVertex, position)},  {1, 2, offsetof(CrossVertex, flat)},
-    {2, 2, offsetof(CrossVertex, flatAlong)}, {3, 3, offsetof(CrossVertex, along)},
-    {4, 3, offsetof(CrossVertex, across)},    {5, 2, offsetof(CrossVertex, strain)},
-    {6, 1, offsetof(CrossVertex, piece)},
+constexpr VertexAttribute kGlyphAttributes[] = {
+    {0, 3, offsetof(GlyphVertex, position)},  {1, 2, offsetof(GlyphVertex, flat)},
+    {2, 2, offsetof(GlyphVertex, flatAlong)}, {3, 3, offsetof(GlyphVertex, along)},
+    {4, 3, offsetof(GlyphVertex, across)},    {5, 2, offsetof(GlyphVertex, strain)},
+    {6, 1, offsetof(GlyphVertex, piece)},
 };
 
 /// Bytes into the bound buffer, which OpenGL takes as a pointer.
@@ -126,11 +126,11 @@ void GpuLines::upload(const std::vector<LineVertex>& vertices, const LineRuns& r
         seam_.push_back(rangeSince(first));
     }
     seams_ = rangeSince(0);
-    const std::size_t designerFirst = indices.size() / 2;
-    for (const VertexRun& run : runs.designer) {
+    const std::size_t referenceFirst = indices.size() / 2;
+    for (const VertexRun& run : runs.reference) {
         add(run);
     }
-    designer_ = rangeSince(designerFirst);
+    reference_ = rangeSince(referenceFirst);
     for (const VertexRun& run : runs.outlines) {
         const std::size_t first = indices.size() / 2;
         add(run);
@@ -158,8 +158,8 @@ void GpuLines::drawOutline(int piece, int first, int count) const {
     drawSegments({whole.first, static_cast<std::size_t>(count - before)});
 }
 
-void GpuCrosses::upload(const StretchCrosses& crosses) {
-    uploadVertices(crosses.vertices, kCrossAttributes);
+void GpuGlyphs::upload(const StrainGlyphs& glyphs) {
+    uploadVertices(glyphs.vertices, kGlyphAttributes);
 }
 
 }  // namespace toile::app

@@ -83,7 +83,7 @@ public:
     void drawSeams() const { drawSegments(seams_); }
     /// Both its sides.
     void drawSeam(int seam) const;
-    void drawDesigner() const { drawSegments(designer_); }
+    void drawReference() const { drawSegments(reference_); }
     /// Edges of an outline, as counted by OutlineRun: it may pass the outline's beginning.
     void drawOutline(int piece, int first, int count) const;
 
@@ -97,19 +97,19 @@ private:
         draw(GL_LINES, 2 * range.first, 2 * range.count);
     }
 
-    Range seams_, designer_;
+    Range seams_, reference_;
     std::vector<Range> seam_, outline_;
 };
 
-/// The GPU's copy of the principal strains' crosses: one draw call, as many places as the scale of
+/// The GPU's copy of the principal strains' glyphs: one draw call, as many places as the scale of
 /// the view has room for, and nothing uploaded when that changes.
-class GpuCrosses : public GpuBuffers {
+class GpuGlyphs : public GpuBuffers {
 public:
     using GpuBuffers::GpuBuffers;
 
     /// Replaces what was there.
-    void upload(const StretchCrosses& crosses);
-    void draw(const CrossRun& run) const { drawPoints(run.count); }
+    void upload(const StrainGlyphs& glyphs);
+    void draw(const GlyphRange& run) const { drawPoints(run.count); }
 };
 
 }  // namespace toile::app

@@ -104,7 +104,7 @@ void addOutlines(const Garment& garment, const PieceResults& results, Scene& sce
     }
 }
 
-void addDesignerLines(const Garment& garment, const PieceResults& results, Scene& scene) {
+void addReferenceLines(const Garment& garment, const PieceResults& results, Scene& scene) {
     for (int i = 0; i < static_cast<int>(garment.pieces.size()); ++i) {
         const Piece& piece = *garment.pieces[static_cast<std::size_t>(i)];
         const FlatPiece* flat = flatPieceOf(garment, results, i);
@@ -113,7 +113,7 @@ void addDesignerLines(const Garment& garment, const PieceResults& results, Scene
         }
         const Points2 placed = placedReference(flat->Q, *piece.reference);
         const auto add = [&](const std::vector<int>& loop) {
-            scene.patternLines.designer.push_back(
+            scene.patternLines.reference.push_back(
                 addLine(scene, Points3(), closedLine(placed, loop), {i, kNoTint}));
         };
         add(piece.boundary);

@@ -67,7 +67,7 @@ SpaceMotion bestRest(const Points2& flat, const Points3& worn, const Eigen::Vect
     if (!covariance.allFinite()) {
         return motion;
     }
-    // The nearest pair of orthogonal unit vectors; the third follows, so nothing is turned over.
+    // The nearest pair of orthogonal unit vectors; the third follows, so nothing is flipped.
     const Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>> svd(
         covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
     motion.turn.leftCols<2>() = svd.matrixU().leftCols<2>() * svd.matrixV().transpose();

@@ -32,7 +32,7 @@ void count(Histogram& histogram, const OverlayScale& scale, double value, double
 }
 
 /// Parts of the end of the side: what is nearer to nothing than this is no trouble.
-constexpr float kLeastSeverity = 0.25F;
+constexpr float kMinSeverity = 0.25F;
 /// Between spots of one piece: a part of the diagonal of its box, and millimetres.
 constexpr double kApartShare = 0.15, kApart = 10;
 /// A neighbour that is higher by less is as high: rounding makes no peaks.
@@ -84,7 +84,7 @@ std::vector<std::uint32_t> peaks(const Scene& scene, const Field& field) {
     const auto highest = std::ranges::max_element(field.severity) - field.severity.begin();
     for (std::size_t v = 0; v < field.severity.size(); ++v) {
         const bool isPeak = neighbours[v] == kLower || static_cast<std::ptrdiff_t>(v) == highest;
-        if (isPeak && field.severity[v] >= kLeastSeverity) {
+        if (isPeak && field.severity[v] >= kMinSeverity) {
             found.push_back(static_cast<std::uint32_t>(v));
         }
     }
@@ -156,7 +156,7 @@ std::vector<WorstSpot> worstSpots(const Scene& scene, const SheetPlaces& places,
         if (isApart(scene, spot, spots)) {
             spots.push_back(spot);
         }
-        if (spots.size() == kMostWorstSpots) {
+        if (spots.size() == kMaxWorstSpots) {
             break;
         }
     }

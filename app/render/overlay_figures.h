@@ -43,7 +43,7 @@ struct WorstSpot {
 };
 
 /// Up to this many are worth a person's look at once.
-inline constexpr int kMostWorstSpots = 5;
+inline constexpr int kMaxWorstSpots = 5;
 
 /// The worst places, the worst first by OverlayScale::severity, on the same piece well apart from
 /// each other. Places that are far from the end of their side are left out, however few remain.

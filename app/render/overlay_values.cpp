@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPercent = 100;
 /// A limit of 0 would leave no room for any colour on its side, in percent.
-constexpr double kLeastLimit = 0.01;
+constexpr double kMinLimit = 0.01;
 
 MetricTensor metricOf(const OverlaySample& sample) {
     return {static_cast<double>(sample.metric[0]), static_cast<double>(sample.metric[1]),
@@ -84,11 +84,11 @@ OverlaySample blended(const Scene& scene, std::size_t face, const Eigen::Vector3
 constexpr std::array kDirections{Overlay::Warp, Overlay::Weft, Overlay::Bias};
 
 /// Areas, mm2.
-struct Tally {
+struct Counter {
     double all = 0, any = 0;
     std::array<double, kDirections.size()> beyond{};
 
-    void add(const Tally& other) {
+    void add(const Counter& other) {
         all += other.all;
         any += other.any;
         for (std::size_t k = 0; k < beyond.size(); ++k) {
@@ -99,11 +99,11 @@ struct Tally {
 
 using Scales = std::array<OverlayScale, kDirections.size()>;
 
-Tally tallyOf(const FabricQuestion& question, const Scales& scales, int piece) {
+Counter counterOf(const FabricQuestion& question, const Scales& scales, int piece) {
     const Scene& scene = *question.scene;
     const TriangleRun& run = scene.pieces[static_cast<std::size_t>(piece)].patternRun;
     const Eigen::Vector2d grain = grainVector(question.places, piece);
-    Tally tally;
+    Counter counter;
     const std::size_t first = run.first, end = first + run.count;
     for (std::size_t face = first; face < end; ++face) {
         const double area = static_cast<double>(scene.faces[face].flatArea);
@@ -111,22 +111,22 @@ Tally tallyOf(const FabricQuestion& question, const Scales& scales, int piece) {
         bool isAny = false;
         for (std::size_t k = 0; k < kDirections.size(); ++k) {
             if (scales[k].isBeyond(overlayValue(kDirections[k], sample, grain, scales[k]))) {
-                tally.beyond[k] += area;
+                counter.beyond[k] += area;
                 isAny = true;
             }
         }
-        tally.all += area;
-        tally.any += isAny ? area : 0;
+        counter.all += area;
+        counter.any += isAny ? area : 0;
     }
-    return tally;
+    return counter;
 }
 
 }  // namespace
 
 std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric) {
     const auto inPercent = [](const StrainLimits& limits) -> OverlayLimits {
-        return {std::min(kPercent * limits.least, -kLeastLimit),
-                std::max(kPercent * limits.most, kLeastLimit)};
+        return {std::min(kPercent * limits.least, -kMinLimit),
+                std::max(kPercent * limits.most, kMinLimit)};
     };
     switch (overlay) {
         case Overlay::Warp:
@@ -204,11 +204,11 @@ std::optional<FabricFit> fabricFit(const FabricQuestion& question) {
         return overlayScale(scene, direction, question.fabric);
     });
     FabricFit fit;
-    Tally garment;
+    Counter garment;
     for (int piece = 0; piece < static_cast<int>(scene.pieces.size()); ++piece) {
-        const Tally tally = tallyOf(question, scales, piece);
-        garment.add(tally);
-        const double share = tally.all > 0 ? tally.any / tally.all : 0;
+        const Counter counter = counterOf(question, scales, piece);
+        garment.add(counter);
+        const double share = counter.all > 0 ? counter.any / counter.all : 0;
         if (share > (fit.worst ? fit.worst->share : 0)) {
             fit.worst = {piece, share};
         }

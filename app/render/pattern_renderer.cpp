@@ -32,8 +32,8 @@ GridSteps gridSteps(double pixelsPerMillimetre, LengthUnit unit) {
 SceneRenderer::ProgramFiles PatternRenderer::programFiles() const {
     return {{"piece_table.glsl", "pattern.vert", "surface.glsl", "pattern.frag"},
             {"piece_table.glsl", "pattern_line.vert", "line.geom", "line.frag"},
-            {"piece_table.glsl", "cross.glsl", "pattern_cross.vert", "cross.geom", "cross.glsl",
-             "cross.frag"}};
+            {"piece_table.glsl", "glyph.glsl", "pattern_glyph.vert", "glyph.geom", "glyph.glsl",
+             "glyph.frag"}};
 }
 
 void PatternRenderer::upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) {

@@ -38,10 +38,10 @@ RenderStyle usualStyle(const QPalette& palette) {
             .seam = QColor(255, 214, 10),
             .seamHalo = QColor(18, 20, 24),
             .freeEdge = tone({128, 136, 148}, {150, 156, 166}),
-            .designer = tone({0, 92, 230}, {92, 214, 255}),
+            .reference = tone({0, 92, 230}, {92, 214, 255}),
             .text = tone({40, 45, 53}, {226, 229, 234}),
             .faintText = tone({104, 112, 123}, {158, 164, 174}),
-            .plate = tone({255, 255, 255, 200}, {24, 26, 30, 200})};
+            .labelFill = tone({255, 255, 255, 200}, {24, 26, 30, 200})};
 }
 
 /// The same on every computer, unlike std::hash (FNV-1a).

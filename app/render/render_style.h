@@ -22,9 +22,9 @@ struct RenderStyle {
     QColor selection;        ///< magenta: in no piece and on no colour bar
     QColor seam, seamHalo;   ///< the selected seam: yellow on near black reads on any cloth
     QColor freeEdge;         ///< edges that are sewn to nothing
-    QColor designer;         ///< the designer's own outline
+    QColor reference;        ///< the reference panels
     QColor text, faintText;  ///< captions over the backdrop
-    QColor plate;            ///< behind names on the cloth
+    QColor labelFill;        ///< behind names on the cloth
 };
 
 /// True where the palette's windows are dark (Qt 6.4 does not tell).

@@ -15,7 +15,7 @@ std::size_t bytesOf(const MeshIndices& mesh) {
 }
 
 std::size_t bytesOf(const LineRuns& lines) {
-    return bytesOf(lines.seams) + bytesOf(lines.designer) + bytesOf(lines.outlines);
+    return bytesOf(lines.seams) + bytesOf(lines.reference) + bytesOf(lines.outlines);
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ std::size_t bytesOf(const Scene& scene) {
     std::size_t bytes = sizeof(Scene) + bytesOf(scene.vertices) + bytesOf(scene.garment) +
                         bytesOf(scene.pattern) + bytesOf(scene.lineVertices) +
                         bytesOf(scene.garmentLines) + bytesOf(scene.patternLines) +
-                        bytesOf(scene.faces) + bytesOf(scene.crosses.vertices) +
+                        bytesOf(scene.faces) + bytesOf(scene.glyphs.vertices) +
                         bytesOf(scene.pieces) + bytesOf(scene.seams);
     for (const PieceScene& piece : scene.pieces) {
         bytes += piece.garmentTree.bytes() + piece.patternTree.bytes() + bytesOf(piece.corners);

@@ -10,7 +10,7 @@
 
 #include "app/document/view_state.h"
 #include "app/render/colour_map.h"
-#include "app/render/stretch_crosses.h"
+#include "app/render/strain_glyphs.h"
 #include "core/geometry/triangle_tree.h"
 #include "core/project/piece_settings.h"
 
@@ -84,7 +84,7 @@ struct LineRuns {
     /// Per seam of the garment its left and its right side; count 0 where there is none: the right
     /// side of a free edge, and in the pattern a side whose piece is not flat.
     std::vector<std::array<VertexRun, 2>> seams;
-    std::vector<VertexRun> designer;  ///< loops of the designer's panels; in the pattern only
+    std::vector<VertexRun> reference;  ///< loops of the reference panels; in the pattern only
     /// Per piece its outline, the first vertex once more at the end; empty of a piece that is no
     /// disk, and in the pattern of one that is not flat. Vertex k is vertex k of Piece::boundary.
     std::vector<VertexRun> outlines;
@@ -134,7 +134,7 @@ struct Scene {
     std::vector<LineVertex> lineVertices;
     LineRuns garmentLines, patternLines;
     std::vector<FaceValues> faces;  ///< one per triangle of `pattern`
-    StretchCrosses crosses;
+    StrainGlyphs glyphs;
     std::vector<PieceScene> pieces;
     std::vector<SeamScene> seams;  ///< one per seam of the garment
     /// By Overlay: the span of the garment's values; of those only that no fabric limits.

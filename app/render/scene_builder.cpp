@@ -204,9 +204,9 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
     }
     addSeamLines(garment, results, *scene);
     addOutlines(garment, results, *scene);
-    addDesignerLines(garment, results, *scene);
+    addReferenceLines(garment, results, *scene);
 
-    scene->crosses = makeStretchCrosses(*scene);
+    scene->glyphs = makeStrainGlyphs(*scene);
     for (const auto& [overlay, finest] :
          {std::pair(Overlay::Area, kFinestPercent), std::pair(Overlay::Angle, kFinestDegrees),
           std::pair(Overlay::Dirichlet, kFinestEnergy)}) {

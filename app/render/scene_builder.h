@@ -30,7 +30,7 @@ void addSeamLines(const Garment& garment, const PieceResults& results, Scene& sc
 /// The outline of every piece that is a disk.
 void addOutlines(const Garment& garment, const PieceResults& results, Scene& scene);
 
-/// Outline and holes of the designer's panels, laid on the flat pieces that carry one.
-void addDesignerLines(const Garment& garment, const PieceResults& results, Scene& scene);
+/// Outline and holes of the reference panels, laid on the flat pieces that carry one.
+void addReferenceLines(const Garment& garment, const PieceResults& results, Scene& scene);
 
 }  // namespace toile::app

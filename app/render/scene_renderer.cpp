@@ -25,15 +25,15 @@ constexpr float kSelectedHaloWidth = 8.0F, kHoveredHaloWidth = 6.0F;
 /// Edges of the mesh shorter than this on the screen are not drawn, and fully from the other on:
 /// where they lie closer they would cover the cloth.
 constexpr float kWireFadesOut = 4.0F, kWireFadesIn = 12.0F;
-constexpr float kSeamWidth = 4.0F, kSeamHaloWidth = 8.0F, kDesignerWidth = 1.5F;
+constexpr float kSeamWidth = 4.0F, kSeamHaloWidth = 8.0F, kReferenceWidth = 1.5F;
 constexpr float kPlainSeamWidth = 2.6F;  ///< free edges half of it
-constexpr float kHoveredShare = 0.7F;    ///< what the pointer is on is lit up by narrower lines
+constexpr float kHoveredShare = 0.7F;  ///< what the pointer is on is highlighted by narrower lines
 constexpr float kHoveredPieceWidth = 2.4F;
 constexpr float kDashPixels = 11.0F;
 /// How much of a seam shows through the cloth that hides it.
 constexpr int kHiddenSeamAlpha = 75;
-/// Between crosses, at least; at most half as many again.
-constexpr double kLeastSpacing = 25;
+/// Between glyphs, at least; at most half as many again.
+constexpr double kMinSpacing = 25;
 /// A stroke of a cross leaves this much of the way to its neighbour free.
 constexpr double kStrokeShare = 0.88;
 
@@ -71,7 +71,7 @@ QString SceneRenderer::initialize() {
         {cloth_, files.cloth},
         {lines_, files.lines},
         {backdrop_, {"backdrop.vert", "backdrop.frag"}},
-        {cross_, files.crosses}};
+        {glyph_, files.glyphs}};
     for (const auto& [program, names] : programs) {
         if (program = loadProgram(names, problem); !program) {
             return QCoreApplication::translate(
@@ -94,8 +94,8 @@ void SceneRenderer::release() {
     overLines_.release();
     faces_.release();
     pieces_.release();
-    crosses_.release();
-    facesOf_ = crossesOf_ = -1;
+    glyphs_.release();
+    facesOf_ = glyphsOf_ = -1;
     glDeleteVertexArrays(1, &emptyArray_);
     for (GLuint* texture : {&divergingMap_, &sequentialMap_}) {
         glDeleteTextures(1, texture);
@@ -106,7 +106,7 @@ void SceneRenderer::release() {
     cloth_.reset();
     lines_.reset();
     backdrop_.reset();
-    cross_.reset();
+    glyph_.reset();
 }
 
 void SceneRenderer::show(SceneContent content) {
@@ -193,17 +193,17 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
     if (frame.view.overlay != Overlay::Principal) {
         return;
     }
-    if (crossesOf_ != sceneNumber_) {
-        crosses_.upload(content_.scene->crosses);
-        crossesOf_ = sceneNumber_;
+    if (glyphsOf_ != sceneNumber_) {
+        glyphs_.upload(content_.scene->glyphs);
+        glyphsOf_ = sceneNumber_;
     }
     const OverlayScale scale = scaleOf(Overlay::Principal);
     bindColourMap(Overlay::Principal);
-    const CrossRun run = crossesAt(content_.scene->crosses, kLeastSpacing * millimetresPerPixel);
+    const GlyphRange run = glyphsAt(content_.scene->glyphs, kMinSpacing * millimetresPerPixel);
     if (run.count == 0) {
         return;
     }
-    ShaderProgram& program = *cross_;
+    ShaderProgram& program = *glyph_;
     begin(program, frame);
     program.setUniformValue("overlayRange", static_cast<float>(scale.low),
                             static_cast<float>(scale.high));
@@ -211,7 +211,7 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
     program.setUniformValue("depthShift", depthShift);
     beginBlending();
     glDepthMask(GL_FALSE);  // the faint rim of a stroke would cut into its neighbour
-    crosses_.draw(run);
+    glyphs_.draw(run);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     program.release();
@@ -255,17 +255,18 @@ void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
         program.setUniformValue("depthShift", 2 * depthShift);
         paintChosenOutlines(frame, kSelectedWidth, kHoveredPieceWidth);
     }
-    if (frame.view.designerOutline) {
-        paintDesignerLines(frame);
+    if (frame.view.referencePanels) {
+        paintReferenceLines(frame);
     }
     if (content_.seam) {
-        paintLitUp(frame, depthShift, {.kind = Feature::Kind::Seam, .seam = *content_.seam}, false);
+        paintHighlight(frame, depthShift, {.kind = Feature::Kind::Seam, .seam = *content_.seam},
+                       false);
     }
     for (const Feature& mark : content_.marks) {
-        paintLitUp(frame, depthShift, mark, false);
+        paintHighlight(frame, depthShift, mark, false);
     }
     if (content_.hover && content_.hover->kind != Feature::Kind::Piece) {
-        paintLitUp(frame, depthShift, *content_.hover, true);
+        paintHighlight(frame, depthShift, *content_.hover, true);
     }
     program.release();
 }
@@ -305,11 +306,11 @@ void SceneRenderer::paintWireframe(const Frame& frame) {
     glDisable(GL_BLEND);
 }
 
-void SceneRenderer::paintDesignerLines(const Frame& frame) {
+void SceneRenderer::paintReferenceLines(const Frame& frame) {
     lines_->setUniformValue("dashLength",
                             kDashPixels * frame.pixelRatio * frame.millimetresPerPixel);
-    setLine(frame.style.designer, kDesignerWidth, false, frame);
-    overLines_.drawDesigner();
+    setLine(frame.style.reference, kReferenceWidth, false, frame);
+    overLines_.drawReference();
     lines_->setUniformValue("dashLength", 0.0F);
 }
 
@@ -330,8 +331,8 @@ void SceneRenderer::drawFeature(const Feature& feature) {
     }
 }
 
-void SceneRenderer::paintLitUp(const Frame& frame, float depthShift, const Feature& feature,
-                               bool hovered) {
+void SceneRenderer::paintHighlight(const Frame& frame, float depthShift, const Feature& feature,
+                                   bool hovered) {
     const float share = hovered ? kHoveredShare : 1.0F;
     if (isInDepth()) {
         // Faintly through the cloth, so that a seam on the far side is found.

@@ -67,7 +67,7 @@ protected:
     };
 
     struct ProgramFiles {
-        std::vector<std::string_view> cloth, lines, crosses;
+        std::vector<std::string_view> cloth, lines, glyphs;
     };
 
     SceneRenderer();
@@ -118,21 +118,21 @@ private:
     /// Of the pieces that are selected or under the pointer; widths in logical pixels.
     void paintChosenOutlines(const Frame& frame, float selected, float hovered);
     void paintSeams(const Frame& frame);
-    void paintDesignerLines(const Frame& frame);
-    void paintLitUp(const Frame& frame, float depthShift, const Feature& feature, bool hovered);
+    void paintReferenceLines(const Frame& frame);
+    void paintHighlight(const Frame& frame, float depthShift, const Feature& feature, bool hovered);
     void drawFeature(const Feature& feature);
     void setLine(const QColor& colour, float width, bool selectedOnly, const Frame& frame);
 
     TableTexture faces_{counts_}, pieces_{counts_};
-    GpuCrosses crosses_{counts_};
-    /// Scenes are numbered: of which the GPU has triangles' values and crosses.
-    int sceneNumber_ = 0, facesOf_ = -1, crossesOf_ = -1;
+    GpuGlyphs glyphs_{counts_};
+    /// Scenes are numbered: of which the GPU has triangles' values and glyphs.
+    int sceneNumber_ = 0, facesOf_ = -1, glyphsOf_ = -1;
     bool facesFit_ = false;
     GpuLines overLines_{counts_};
     bool sceneChanged_ = false, tableChanged_ = false;
     bool pieceColours_ = true;
     int contentNumber_ = 0;
-    std::unique_ptr<ShaderProgram> cloth_, lines_, backdrop_, cross_;
+    std::unique_ptr<ShaderProgram> cloth_, lines_, backdrop_, glyph_;
     GLuint divergingMap_ = 0, sequentialMap_ = 0;
     GLuint emptyArray_ = 0;  ///< core profile draws nothing without a vertex array
 };

@@ -26,7 +26,7 @@ struct Choices {
     QColor selectionColour{};  ///< in the views; invalid: what goes with the theme
     QColor seamColour{};       ///< as above
     int autosaveMinutes = 1;   ///< between copies kept for after a crash; 0: none are kept
-    static constexpr int kMostAutosaveMinutes = 60;
+    static constexpr int kMaxAutosaveMinutes = 60;
     /// Garments of more triangles begin without flattening after every edit.
     int autoFlattenTriangles = 500'000;
 

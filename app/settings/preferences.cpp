@@ -50,7 +50,7 @@ void forEachChoice(Some& choices, const Visit& visit) {
     visit("navigation", choices.navigation, kNavigations);
     visit("selectionColour", choices.selectionColour, AnyColour{});
     visit("seamColour", choices.seamColour, AnyColour{});
-    visit("autosaveMinutes", choices.autosaveMinutes, UpTo{Choices::kMostAutosaveMinutes});
+    visit("autosaveMinutes", choices.autosaveMinutes, UpTo{Choices::kMaxAutosaveMinutes});
     visit("autoFlattenTriangles", choices.autoFlattenTriangles,
           UpTo{std::numeric_limits<int>::max()});
 }

@@ -36,7 +36,7 @@ QString wordingText(const Wording& words) {
         return QLocale().toString(words.value(), 'f', words.decimals());
     }
     if (!words.pattern()) {
-        return QString::fromStdString(shownText(words, kMostOfDetail));
+        return QString::fromStdString(shownText(words, kMaxOfDetail));
     }
     return filledIn(translated(words.pattern()), [&words](int number) {
         return wordingText(words.arguments().at(static_cast<std::size_t>(number - 1)));
@@ -58,7 +58,7 @@ QString errorAdvice(const Error& error) {
 QString errorText(const Error& error) {
     QString text;
     if (!error.subject.name.empty()) {
-        text += QString::fromStdString(shownText(error.subject.name, kMostOfPlace)) + ": ";
+        text += QString::fromStdString(shownText(error.subject.name, kMaxOfPlace)) + ": ";
     }
     text += errorDescription(error);
     if (QString advised = errorAdvice(error); !advised.isEmpty()) {
@@ -71,7 +71,7 @@ QString errorText(const Error& error) {
 DrawingWords drawingWords() {
     const auto told = [](const QString& text) { return text.toStdString(); };
     return {
-        .noAllowance = told(QCoreApplication::translate("toile", "net outline, no allowance")),
+        .noAllowance = told(QCoreApplication::translate("toile", "seam line, no allowance")),
         .mirrored =
             told(QCoreApplication::translate("toile", "mirrored: wrong side of the fabric up")),
         .cut = told(QCoreApplication::translate("toile", "cut %1")),

@@ -49,27 +49,27 @@ void paintMark(QPainter& painter, SeamFit fit) {
     painter.strokePath(sign, QPen(ink, 3.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
-struct Tally {
+struct Counter {
     int seams = 0, measured = 0, nearly = 0, differ = 0;
     double worst = 0;  ///< mm
 };
 
-Tally tallyOf(const SeamGraph& graph, const std::vector<std::optional<SeamMeasure>>& measures) {
-    Tally tally;
+Counter counterOf(const SeamGraph& graph, const std::vector<std::optional<SeamMeasure>>& measures) {
+    Counter counter;
     for (std::size_t i = 0; i < measures.size(); ++i) {
         if (graph.seams[i].kind == SeamKind::Free) {
             continue;
         }
-        ++tally.seams;
+        ++counter.seams;
         if (measures[i]) {
-            ++tally.measured;
-            tally.worst = std::max(tally.worst, std::abs(measures[i]->errorMm));
+            ++counter.measured;
+            counter.worst = std::max(counter.worst, std::abs(measures[i]->errorMm));
         }
         const SeamFit fit = seamFit(graph.seams[i], measures[i]);
-        tally.nearly += fit == SeamFit::Nearly;
-        tally.differ += fit == SeamFit::Differs;
+        counter.nearly += fit == SeamFit::Nearly;
+        counter.differ += fit == SeamFit::Differs;
     }
-    return tally;
+    return counter;
 }
 
 }  // namespace
@@ -120,26 +120,26 @@ QIcon fitMark(SeamFit fit) {
 
 QString seamSummary(const SeamGraph& graph,
                     const std::vector<std::optional<SeamMeasure>>& measures) {
-    const Tally tally = tallyOf(graph, measures);
-    if (tally.seams == 0) {
+    const Counter counter = counterOf(graph, measures);
+    if (counter.seams == 0) {
         return {};
     }
-    QStringList parts = {tally.seams == 1 ? tr("1 seam") : tr("%1 seams").arg(tally.seams)};
-    if (tally.measured == 0) {
+    QStringList parts = {counter.seams == 1 ? tr("1 seam") : tr("%1 seams").arg(counter.seams)};
+    if (counter.measured == 0) {
         parts << tr("not measured yet");
         return parts.join(QString::fromUtf8(" · "));
     }
-    if (tally.differ > 0) {
-        parts << (tally.differ == 1 ? tr("1 does not match")
-                                    : tr("%1 do not match").arg(tally.differ));
+    if (counter.differ > 0) {
+        parts << (counter.differ == 1 ? tr("1 does not match")
+                                      : tr("%1 do not match").arg(counter.differ));
     }
-    if (tally.nearly > 0) {
-        parts << (tally.nearly == 1 ? tr("1 nearly matches")
-                                    : tr("%1 nearly match").arg(tally.nearly));
+    if (counter.nearly > 0) {
+        parts << (counter.nearly == 1 ? tr("1 nearly matches")
+                                      : tr("%1 nearly match").arg(counter.nearly));
     }
-    parts << tr("worst %1 %2").arg(fineLength(tally.worst), lengthUnit());
-    if (tally.measured < tally.seams) {
-        parts << tr("%1 not measured: a piece is not flat").arg(tally.seams - tally.measured);
+    parts << tr("worst %1 %2").arg(fineLength(counter.worst), lengthUnit());
+    if (counter.measured < counter.seams) {
+        parts << tr("%1 not measured: a piece is not flat").arg(counter.seams - counter.measured);
     }
     return parts.join(QString::fromUtf8(" · "));
 }

@@ -298,14 +298,14 @@ void LegendPainter::paintValue(const QRectF& bar) {
     strong.setWeight(QFont::DemiBold);
     const QFontMetricsF metrics(strong);
     const double width = metrics.horizontalAdvance(text) + 10;
-    QRectF plate(x - width / 2, bar.top() - 8 - metrics.height(), width, metrics.height());
-    plate.moveTop(std::max(1.0, plate.top()));
+    QRectF box(x - width / 2, bar.top() - 8 - metrics.height(), width, metrics.height());
+    box.moveTop(std::max(1.0, box.top()));
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(withAlpha(ground_, 0.92F));
-    painter_.drawRoundedRect(plate, 3, 3);
+    painter_.drawRoundedRect(box, 3, 3);
     painter_.setFont(strong);
     painter_.setPen(ink_);
-    painter_.drawText(plate, Qt::AlignCenter, text);
+    painter_.drawText(box, Qt::AlignCenter, text);
     painter_.setFont(font_);
 }
 

@@ -16,9 +16,9 @@ namespace toile::app {
 namespace {
 
 /// How near the pointer must come to a line or a vertex, pixels.
-constexpr double kLineReach = 6, kVertexReach = 7;
+constexpr double kLineRadius = 6, kVertexRadius = 7;
 /// Triangles smaller than this on the screen have no vertices to be meant, pixels.
-constexpr double kLeastEdge = 26;
+constexpr double kMinEdge = 26;
 
 std::optional<Feature> vertexAt(const ToolView& view, const Document& document,
                                 const SurfaceHit& hit, const QPointF& at) {
@@ -31,11 +31,11 @@ std::optional<Feature> vertexAt(const ToolView& view, const Document& document,
         corners[static_cast<std::size_t>(k)] = *place;
     }
     int nearest = 0;
-    double distance = kVertexReach;
+    double distance = kVertexRadius;
     bool found = false;
     for (int k = 0; k < 3; ++k) {
         const auto i = static_cast<std::size_t>(k);
-        if (QLineF(corners[i], corners[(i + 1) % 3]).length() < kLeastEdge) {
+        if (QLineF(corners[i], corners[(i + 1) % 3]).length() < kMinEdge) {
             return std::nullopt;
         }
         if (const double off = QLineF(corners[i], at).length(); off <= distance) {
@@ -69,7 +69,7 @@ std::optional<Feature> featureAt(const ToolView& view, const Document& document,
             return vertex;
         }
     }
-    if (const auto seam = view.seamHitAt(at, kLineReach, {})) {
+    if (const auto seam = view.seamHitAt(at, kLineRadius, {})) {
         return Feature{.kind = Feature::Kind::Seam, .seam = seam->seam};
     }
     return hit ? std::optional(Feature{.piece = hit->piece}) : std::nullopt;
@@ -77,7 +77,7 @@ std::optional<Feature> featureAt(const ToolView& view, const Document& document,
 
 std::optional<Feature> runAt(const ToolView& view, const Document& document, const QPointF& at) {
     const auto hit =
-        document.garment() && document.scene() ? view.seamHitAt(at, kLineReach, {}) : std::nullopt;
+        document.garment() && document.scene() ? view.seamHitAt(at, kLineRadius, {}) : std::nullopt;
     if (!hit || hit->seam >= document.seamCount()) {
         return std::nullopt;
     }

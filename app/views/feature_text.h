@@ -24,7 +24,7 @@ QString featureText(const Document& document, const Feature& feature,
 QString markedText(const Document& document);
 
 /// The number that the document's overlay shows at a place, in its unit: what the mark on the bar
-/// and the plate at the pointer say. None where the overlay shows none or the piece is not flat.
+/// and the label at the pointer say. None where the overlay shows none or the piece is not flat.
 /// Cost: linear in the pieces.
 std::optional<double> shownValueAt(const Document& document, const SurfaceHit& place);
 

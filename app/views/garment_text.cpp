@@ -11,8 +11,8 @@
 #include "app/render/picking.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
+#include "app/views/callouts.h"
 #include "app/views/feature_text.h"
-#include "app/views/flags.h"
 #include "app/views/view_text.h"
 
 namespace toile::app {
@@ -81,8 +81,8 @@ bool isOnCloth(const GarmentText& text, const QRectF& part) {
 }  // namespace
 
 QPointF axisCrossPlace(const QRect& view) {
-    const double reach = kArm + kBall;
-    return {kCrossMargin + reach, view.height() - kCrossMargin - reach};
+    const double radius = kArm + kBall;
+    return {kCrossMargin + radius, view.height() - kCrossMargin - radius};
 }
 
 void paintAxisCross(QPainter& painter, const RenderStyle& style, const QPointF& middle,
@@ -107,7 +107,7 @@ void paintAxisCross(QPainter& painter, const RenderStyle& style, const QPointF& 
             painter.drawText(ball, Qt::AlignCenter, kLetters[static_cast<std::size_t>(end.axis)]);
         } else {
             painter.setPen(QPen(colour, 1.5));
-            painter.setBrush(style.plate);
+            painter.setBrush(style.labelFill);
             painter.drawEllipse(at, kSmallBall, kSmallBall);
         }
     }
@@ -127,12 +127,13 @@ std::optional<ViewKey> axisCrossKeyAt(const QPointF& middle, const Camera3D& cam
 
 void paintGarmentText(QPainter& painter, const RenderStyle& style, const GarmentText& text) {
     const QString title = GarmentWords::tr("Garment"), note = noteOf(text.document);
-    const QRectF caption = captionPlate(painter.font(), {}, title, note);
+    const QRectF caption = captionBox(painter.font(), {}, title, note);
     if (text.way == 0) {
-        FlagRoom room{QRectF(text.view), text.covered};
+        CalloutRoom room{QRectF(text.view), text.covered};
         room.taken.push_back(caption);
-        paintSpotFlags(painter, style, room, text.document, text.spots,
-                       [&text](const WorstSpot& spot) { return placeOfSpot(spot, text.camera); });
+        paintSpotCallouts(
+            painter, style, room, text.document, text.spots,
+            [&text](const WorstSpot& spot) { return placeOfSpot(spot, text.camera); });
     }
     paintCaption(painter, style, {}, title, note, isOnCloth(text, caption));
     paintAxisCross(painter, style, axisCrossPlace(text.view), text.camera);

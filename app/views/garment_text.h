@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/render/camera.h"
-#include "app/views/flags.h"
+#include "app/views/callouts.h"
 #include "app/views/navigation.h"
 
 class QPainter;

@@ -40,7 +40,7 @@ void GarmentView::setCameraViewport(double width, double height) {
 }
 
 void GarmentView::framePieces(const std::set<int>& pieces) {
-    frameGarment(camera_, *scene(), places(), pieces, way_);
+    frameGarment(camera_, *scene(), places(), pieces, morph_);
 }
 
 bool GarmentView::frameLines(const SeamScene& seam) {
@@ -50,7 +50,7 @@ bool GarmentView::frameLines(const SeamScene& seam) {
     // With the cloth around it, that one sees what is sewn to what.
     const Eigen::Vector3d air =
         Eigen::Vector3d::Constant(kAirAroundSeam * seam.box.sizes().maxCoeff());
-    if (way_ > 0) {
+    if (morph_ > 0) {
         return false;  // its box is that of the garment
     }
     const Eigen::AlignedBox3d boxes[] = {{seam.box.min() - air, seam.box.max() + air}};
@@ -72,11 +72,11 @@ bool GarmentView::isHidden(const WorstSpot& spot) const {
     return hit && hit->distance < (spot.position - ray.origin).norm() - kBefore;
 }
 
-void GarmentView::frameSpot(const WorstSpot& spot, double reach) {
-    if (way_ > 0) {
+void GarmentView::frameSpot(const WorstSpot& spot, double radius) {
+    if (morph_ > 0) {
         return;  // the cloth is elsewhere
     }
-    const Eigen::Vector3d air = Eigen::Vector3d::Constant(reach);
+    const Eigen::Vector3d air = Eigen::Vector3d::Constant(radius);
     const Eigen::AlignedBox3d boxes[] = {{spot.position - air, spot.position + air}};
     camera_.frame(boxes);
     if (spot.normal.isZero() || (isFacing(spot) && !isHidden(spot))) {
@@ -98,21 +98,21 @@ void GarmentView::drag(Drag kind, const QPointF& delta) {
     if (kind == Drag::Turn) {
         camera_.orbit(delta.x(), delta.y());
     } else {
-        forgetHome();
+        resetHome();
         camera_.pan(delta.x(), delta.y());
     }
 }
 
-void GarmentView::forgetHome() {
-    if (way_ > 0) {
+void GarmentView::resetHome() {
+    if (morph_ > 0) {
         home_.reset();
     }
 }
 
 void GarmentView::zoom(const QPointF& at, double factor) {
-    forgetHome();
+    resetHome();
     const Ray ray = camera_.ray(at.x(), at.y());
-    const auto hit = scene() && way_ == 0 ? pickGarment(*scene(), ray) : std::nullopt;
+    const auto hit = scene() && morph_ == 0 ? pickGarment(*scene(), ray) : std::nullopt;
     if (hit && factor > 1 && !camera_.isOrthographic()) {
         // Nearer, the cloth would be cut away before the eye: see Camera3D::projection.
         const double nearest = kNearestCloth * scene()->box.diagonal().norm();
@@ -124,7 +124,7 @@ void GarmentView::zoom(const QPointF& at, double factor) {
 }
 
 Morph GarmentView::morphState() const {
-    return morphBefore(camera_, scene(), way_);
+    return morphBefore(camera_, scene(), morph_);
 }
 
 Eigen::Vector2d GarmentView::onStandingSheet(const QPointF& at) const {
@@ -140,8 +140,8 @@ std::optional<SurfaceHit> GarmentView::hitAt(const QPointF& at) const {
     if (!scene() || !answers()) {
         return std::nullopt;
     }
-    return way_ == 1 ? pickPattern(*scene(), places(), onStandingSheet(at))
-                     : pickGarment(*scene(), camera_.ray(at.x(), at.y()));
+    return morph_ == 1 ? pickPattern(*scene(), places(), onStandingSheet(at))
+                       : pickGarment(*scene(), camera_.ray(at.x(), at.y()));
 }
 
 std::optional<SeamHit> GarmentView::seamHitAt(const QPointF& at, double pixels,
@@ -149,16 +149,16 @@ std::optional<SeamHit> GarmentView::seamHitAt(const QPointF& at, double pixels,
     if (!scene() || !answers()) {
         return std::nullopt;
     }
-    if (way_ == 1) {
+    if (morph_ == 1) {
         return pickPatternSeam(*scene(), places(), onStandingSheet(at),
                                pixels / camera_.pixelsPerMillimetre(), counts);
     }
     const Ray ray = camera_.ray(at.x(), at.y());
     // Without perspective a reach in mm stands for a slope at the depth where rays are that wide.
-    const double reach = pixels / camera_.pixelsPerMillimetre();
+    const double radius = pixels / camera_.pixelsPerMillimetre();
     const double toTarget =
         (camera_.pointAtTargetDepth(at.x(), at.y()) - ray.origin).dot(ray.direction);
-    const double slope = reach / toTarget;
+    const double slope = radius / toTarget;
     // What the cloth under the pointer hides does not count; what lies on it does.
     const auto hit = pickGarment(*scene(), ray);
     const double farthest = !hit || document_.view().xray
@@ -180,7 +180,7 @@ template <class Flat>
 Eigen::Vector3d GarmentView::asDrawn(int piece, const Eigen::Vector3d& worn,
                                      const Flat& flat) const {
     const auto at = static_cast<std::size_t>(piece);
-    if (way_ == 0 || !scene()->pieces[at].flat) {
+    if (morph_ == 0 || !scene()->pieces[at].flat) {
         return worn;
     }
     const Motions& now = motions();
@@ -212,13 +212,13 @@ std::optional<QPointF> GarmentView::pointOnScreen(const LineVertex& vertex) cons
 
 void GarmentView::setMorph(double way) {
     way = std::clamp(way, 0.0, 1.0);
-    if (way == way_) {
+    if (way == morph_) {
         return;
     }
-    if (way_ == 0) {
+    if (morph_ == 0) {
         home_ = std::make_unique<Camera3D>(camera_);
     }
-    way_ = way;
+    morph_ = way;
     if (home_ && !followsAll() && scene()) {
         // As far back as shows the whole sheet; back at the garment, to where the eye was.
         Camera3D flat = camera_;
@@ -226,7 +226,7 @@ void GarmentView::setMorph(double way) {
         end.way = 1;
         flat.frame(morphBoxes(*scene(), places(), end));
         camera_.moveTowards(*home_, 1);
-        camera_.moveTowards(flat, Morph{.way = way_}.flight());
+        camera_.moveTowards(flat, Morph{.way = morph_}.flight());
     }
     cameraMoved();
 }
@@ -302,7 +302,7 @@ void GarmentView::paintScene(const RenderStyle& style, int width, int height, do
 }
 
 std::optional<SpotPlace> GarmentView::placeNow(const WorstSpot& spot) const {
-    return way_ == 0 ? placeOfSpot(spot, camera_) : std::nullopt;  // on its way it is elsewhere
+    return morph_ == 0 ? placeOfSpot(spot, camera_) : std::nullopt;  // on its way it is elsewhere
 }
 
 void GarmentView::paintText(QPainter& painter, const RenderStyle& style) {
@@ -312,7 +312,7 @@ void GarmentView::paintText(QPainter& painter, const RenderStyle& style) {
             covered.emplace_back(over->geometry());
         }
     }
-    paintGarmentText(painter, style, {document_, camera_, rect(), spots(), way_, covered});
+    paintGarmentText(painter, style, {document_, camera_, rect(), spots(), morph_, covered});
 }
 
 }  // namespace toile::app

@@ -24,7 +24,7 @@ public:
 
     ViewKind kind() const override { return ViewKind::Garment; }
     std::optional<SurfaceHit> hitAt(const QPointF& at) const override;
-    bool answers() const override { return way_ == 0 || way_ == 1; }
+    bool answers() const override { return morph_ == 0 || morph_ == 1; }
     std::optional<SeamHit> seamHitAt(const QPointF& at, double pixels,
                                      const SeamFilter& counts) const override;
     std::optional<QPointF> onScreen(int piece, int face,
@@ -36,7 +36,7 @@ public:
     /// What a key of the number pad does.
     void look(ViewKey key);
     /// How far the garment is shown on its way to the pattern: 0 garment, 1 flat.
-    double morph() const { return way_; }
+    double morph() const { return morph_; }
     void setMorph(double way);
 
 signals:
@@ -48,7 +48,7 @@ protected:
     void setCameraViewport(double width, double height) override;
     void framePieces(const std::set<int>& pieces) override;
     bool frameLines(const SeamScene& seam) override;
-    void frameSpot(const WorstSpot& spot, double reach) override;
+    void frameSpot(const WorstSpot& spot, double radius) override;
     void drag(Drag kind, const QPointF& delta) override;
     void zoom(const QPointF& at, double factor) override;
     void paintScene(const RenderStyle& style, int width, int height, double ratio) override;
@@ -78,13 +78,13 @@ private:
     Eigen::Vector2d onStandingSheet(const QPointF& at) const;
     void setDirection(const ViewDirection& direction);
     /// Who moves the camera on the way keeps what was reached when the slider goes on.
-    void forgetHome();
+    void resetHome();
     /// Whether the right side of the cloth is towards the eye there.
     bool isFacing(const WorstSpot& spot) const;
     /// Whether other cloth lies before it.
     bool isHidden(const WorstSpot& spot) const;
 
-    double way_ = 0;
+    double morph_ = 0;
     /// Where the camera was when the way began; none where it has been moved by hand since.
     std::unique_ptr<Camera3D> home_;
     Camera3D camera_;

@@ -71,7 +71,7 @@ std::optional<GrainArrow> grainArrow(const Document& document, int piece,
 void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail,
                 const QPointF& tip, bool marked, bool stated) {
     painter.save();
-    paintArrow(painter, tail, tip, marked ? style.selection : style.text, style.plate,
+    paintArrow(painter, tail, tip, marked ? style.selection : style.text, style.labelFill,
                marked ? 2.4 : 2.0, marked || stated);
     painter.restore();
 }
@@ -91,7 +91,7 @@ void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMa
             continue;  // larger than the piece itself
         }
         paintArrow(painter, onScreen(arrow->end(-0.5)), onScreen(arrow->end(0.5)), style.text,
-                   style.plate, strong ? 2.2 : 1.8, document.settings()[at].grain.has_value());
+                   style.labelFill, strong ? 2.2 : 1.8, document.settings()[at].grain.has_value());
     }
     painter.restore();
 }
@@ -101,9 +101,9 @@ void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolVie
     const SheetMap onScreen(view);
     painter.save();
     paintArrow(painter, onScreen(arrow.end(-0.5)), onScreen(arrow.end(0.5)), style.selection,
-               style.plate, 2.4, true);
+               style.labelFill, 2.4, true);
     painter.setPen(QPen(style.selection, 1.5));
-    painter.setBrush(style.plate);
+    painter.setBrush(style.labelFill);
     painter.drawEllipse(onScreen(arrow.middle), 3.5, 3.5);
     painter.restore();
 }

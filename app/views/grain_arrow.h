@@ -38,7 +38,7 @@ std::optional<GrainArrow> grainArrow(const Document& document, int piece,
 void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail,
                 const QPointF& tip, bool marked, bool stated);
 
-/// Paints the arrows of all flat pieces, those dashed for which nobody has stated the grain.
+/// Paints the arrows of all flat pieces, dashed where the grain is unset.
 /// @param strong  while the grain is what is being worked on: also of pieces too small to be worth
 /// it
 void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,

@@ -16,7 +16,7 @@ namespace toile::app {
 
 namespace {
 
-/// From the pointer to the plate's corner: clear of the arrow.
+/// From the pointer to the label's corner: clear of the arrow.
 constexpr int kRight = 16, kBelow = 18;
 constexpr double kDot = 5.5;
 
@@ -42,16 +42,16 @@ void paintDot(QPainter& painter, const RenderStyle& style, const ToolView& view,
 }  // namespace
 
 HoverTracker::HoverTracker(Document& document, QWidget& widget)
-    : document_(document), widget_(widget), plate_(new QLabel(&widget)) {
-    plate_->setObjectName("hoverText");
-    plate_->setAttribute(Qt::WA_TransparentForMouseEvents);
-    plate_->setAutoFillBackground(true);
-    plate_->setPalette(QToolTip::palette());
-    plate_->setForegroundRole(QPalette::ToolTipText);
-    plate_->setBackgroundRole(QPalette::ToolTipBase);
-    plate_->setFrameShape(QFrame::Box);
-    plate_->setContentsMargins(6, 3, 6, 3);
-    plate_->hide();
+    : document_(document), widget_(widget), label_(new QLabel(&widget)) {
+    label_->setObjectName("hoverText");
+    label_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    label_->setAutoFillBackground(true);
+    label_->setPalette(QToolTip::palette());
+    label_->setForegroundRole(QPalette::ToolTipText);
+    label_->setBackgroundRole(QPalette::ToolTipBase);
+    label_->setFrameShape(QFrame::Box);
+    label_->setContentsMargins(6, 3, 6, 3);
+    label_->hide();
 }
 
 std::optional<SurfaceHit> HoverTracker::move(const ToolView& view, const QPointF& at, bool tells) {
@@ -60,52 +60,52 @@ std::optional<SurfaceHit> HoverTracker::move(const ToolView& view, const QPointF
     if (hit && feature && feature->kind == Feature::Kind::Vertex) {
         hit->barycentric = cornerOf(document_, *feature);
     }
-    const bool same = feature == shown_ && feature == document_.hover() && !plate_->isHidden();
+    const bool same = feature == shown_ && feature == document_.hover() && !label_->isHidden();
     shown_ = feature;
     place_ = hit;
     document_.setHover(feature);
     if (!feature || !tells) {
-        hidePlate();
+        hideLabel();
         return hit;
     }
-    const QRect before = plate_->geometry();
+    const QRect before = label_->geometry();
     // The value is another at every place.
     if (!same || isMeasured(document_.view().overlay)) {
         write();
     }
-    placePlate(at.toPoint());
-    if (plate_->isHidden()) {
-        plate_->show();
-    } else if (plate_->geometry() != before) {
+    placeLabel(at.toPoint());
+    if (label_->isHidden()) {
+        label_->show();
+    } else if (label_->geometry() != before) {
         uncover(before);
     }
-    plate_->raise();
+    label_->raise();
     return hit;
 }
 
 void HoverTracker::write() {
-    plate_->setText(featureText(document_, *shown_, place_));
-    plate_->adjustSize();
+    label_->setText(featureText(document_, *shown_, place_));
+    label_->adjustSize();
 }
 
 void HoverTracker::writeAgain() {
-    if (shown_ && !plate_->isHidden()) {
-        const QRect before = plate_->geometry();
+    if (shown_ && !label_->isHidden()) {
+        const QRect before = label_->geometry();
         write();
         uncover(before);
     }
 }
 
-void HoverTracker::forget() {
+void HoverTracker::reset() {
     shown_.reset();
     place_.reset();
-    hidePlate();
+    hideLabel();
 }
 
-void HoverTracker::hidePlate() {
-    if (!plate_->isHidden()) {
-        plate_->hide();
-        uncover(plate_->geometry());
+void HoverTracker::hideLabel() {
+    if (!label_->isHidden()) {
+        label_->hide();
+        uncover(label_->geometry());
     }
 }
 
@@ -118,23 +118,23 @@ void HoverTracker::uncover(const QRect& left) {
     }
 }
 
-void HoverTracker::placePlate(const QPoint& pointer) {
+void HoverTracker::placeLabel(const QPoint& pointer) {
     int x = pointer.x() + kRight, y = pointer.y() + kBelow;
-    if (y + plate_->height() > widget_.height()) {
-        y = pointer.y() - kBelow / 2 - plate_->height();
+    if (y + label_->height() > widget_.height()) {
+        y = pointer.y() - kBelow / 2 - label_->height();
     }
-    x = std::max(0, std::min(x, widget_.width() - plate_->width()));
-    plate_->move(x, std::max(0, y));
+    x = std::max(0, std::min(x, widget_.width() - label_->width()));
+    label_->move(x, std::max(0, y));
 }
 
 void HoverTracker::follow() {
     if (document_.hover() != shown_) {
-        hidePlate();
+        hideLabel();
     }
 }
 
 void HoverTracker::leave() {
-    forget();
+    reset();
     document_.setHover({});
 }
 

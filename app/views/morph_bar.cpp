@@ -163,7 +163,7 @@ void MorphBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(renderStyle(palette()).plate);
+    painter.setBrush(renderStyle(palette()).labelFill);
     painter.drawRoundedRect(rect(), 7, 7);
 }
 

@@ -12,7 +12,7 @@ namespace toile::app {
 class Document;
 
 /// Keeps the overlay's figures as the document is. Those of a small garment at once; those of a
-/// large one are worked out on another thread, the last wish first, and come some time later.
+/// large one are worked out on another thread, the last question first, and come some time later.
 class OverlayWatcher : public QObject {
     Q_OBJECT
 

@@ -17,7 +17,7 @@
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
-#include "app/views/flags.h"
+#include "app/views/callouts.h"
 #include "app/views/grain_arrow.h"
 #include "app/views/ruler.h"
 #include "app/views/tool.h"
@@ -64,8 +64,8 @@ void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& 
                           onScreen(placedBox(piece.flatBox, placement)),
                           text.document.isSelected(static_cast<int>(i))});
     }
-    for (const NamePlate& name : namePlates(painter.font(), pieces, std::move(taken))) {
-        paintPlate(painter, style, name.plate, name.text,
+    for (const NameLabel& name : nameLabels(painter.font(), pieces, std::move(taken))) {
+        paintLabel(painter, style, name.box, name.text,
                    pieces[static_cast<std::size_t>(name.piece)].selected);
     }
 }
@@ -85,7 +85,7 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     const int ruler = document.view().rulers ? kRulerBreadth : 0;
     const QPointF corner(ruler, ruler);
     const QString title = PatternWords::tr("Pattern");
-    const QString note = PatternWords::tr("right side of the fabric up, net outlines");
+    const QString note = PatternWords::tr("right side of the fabric up, seam lines");
     if (!document.scene() || sheetBox(*document.scene(), text.places).isEmpty()) {
         paintCaption(painter, style, corner, title, note, false);
         painter.setPen(style.faintText);
@@ -95,15 +95,14 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     }
     const SheetMap onScreen(text.camera);
     const double scale = text.camera.pixelsPerMillimetre();
-    const QRectF caption = captionPlate(painter.font(), corner, title, note);
-    const std::vector<QRectF> taken{caption,
-                                    scaleBarPlate(painter.font(), text.view, scale, ruler)};
+    const QRectF caption = captionBox(painter.font(), corner, title, note);
+    const std::vector<QRectF> taken{caption, scaleBarBox(painter.font(), text.view, scale, ruler)};
     paintGrainArrows(painter, style, onScreen, document, text.strongGrain);
     paintNames(painter, style, text, taken);
-    paintSpotFlags(painter, style, {QRectF(text.view.adjusted(ruler, ruler, 0, 0)), taken},
-                   document, text.spots, [&text](const WorstSpot& spot) {
-                       return placeOfSpot(spot, text.camera, text.places);
-                   });
+    paintSpotCallouts(painter, style, {QRectF(text.view.adjusted(ruler, ruler, 0, 0)), taken},
+                      document, text.spots, [&text](const WorstSpot& spot) {
+                          return placeOfSpot(spot, text.camera, text.places);
+                      });
     paintCaption(painter, style, corner, title, note, isOnCloth(text, caption));
     paintScaleBar(painter, style, text.view, scale, ruler);
     if (document.view().rulers) {
@@ -114,16 +113,16 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
 
 namespace {
 
-/// Of its piece's width: a plate in the middle still lies on its own piece by half.
+/// Of its piece's width: a label in the middle still lies on its own piece by half.
 constexpr double kRoom = 2;
 /// Letters that a shortened name must keep.
-constexpr int kLeastLetters = 4;
-constexpr double kAir = 2;       ///< pixels between plates
-constexpr double kLeastBox = 6;  ///< smaller pieces are dots
+constexpr int kMinLetters = 4;
+constexpr double kAir = 2;     ///< pixels between labels
+constexpr double kMinBox = 6;  ///< smaller pieces are dots
 
-bool meetsAny(const QRectF& plate, const std::vector<QRectF>& others) {
+bool meetsAny(const QRectF& box, const std::vector<QRectF>& others) {
     return std::ranges::any_of(
-        others, [&plate](const QRectF& other) -> bool { return plate.intersects(other); });
+        others, [&box](const QRectF& other) -> bool { return box.intersects(other); });
 }
 
 /// How many letters all names begin with, up to the end of a word: "panel 5", "panel 15".
@@ -153,9 +152,9 @@ public:
           taken_(std::move(taken)),
           common_(commonBeginning(pieces)) {}
 
-    std::optional<NamePlate> place(int index) {
+    std::optional<NameLabel> place(int index) {
         const NamedPiece& piece = pieces_[static_cast<std::size_t>(index)];
-        if (std::max(piece.box.width(), piece.box.height()) < kLeastBox) {
+        if (std::max(piece.box.width(), piece.box.height()) < kMinBox) {
             return std::nullopt;
         }
         QStringList texts{piece.name + piece.note, piece.name, piece.name.mid(common_)};
@@ -164,9 +163,9 @@ public:
         }
         texts.removeDuplicates();
         for (const QString& text : std::as_const(texts)) {
-            if (const auto plate = plateFor(index, text)) {
-                taken_.push_back(plate->adjusted(-kAir, -kAir, kAir, kAir));
-                return NamePlate{index, *plate, text};
+            if (const auto box = boxFor(index, text)) {
+                taken_.push_back(box->adjusted(-kAir, -kAir, kAir, kAir));
+                return NameLabel{index, *box, text};
             }
         }
         return std::nullopt;
@@ -176,12 +175,12 @@ private:
     /// Empty where nothing is left that tells it from the others.
     QString shortenedName(int index) const {
         const NamedPiece& piece = pieces_[static_cast<std::size_t>(index)];
-        const QFontMetricsF metrics(plateFont(font_, piece.selected));
-        const double padding = plateSize(font_, QString(), piece.selected).width();
+        const QFontMetricsF metrics(labelFont(font_, piece.selected));
+        const double padding = labelSize(font_, QString(), piece.selected).width();
         const QString text =
             metrics.elidedText(piece.name, Qt::ElideMiddle, kRoom * piece.box.width() - padding);
         const qsizetype gap = text.indexOf(QChar(0x2026));
-        if (gap < 0 || text.size() - 1 < kLeastLetters) {
+        if (gap < 0 || text.size() - 1 < kMinLetters) {
             return {};
         }
         const QString head = text.left(gap), tail = text.mid(gap + 1);
@@ -191,26 +190,26 @@ private:
         return same == 1 ? text : QString();
     }
 
-    bool isFree(int index, const QRectF& plate) const {
+    bool isFree(int index, const QRectF& box) const {
         for (std::size_t i = 0; i < pieces_.size(); ++i) {
-            if (static_cast<int>(i) != index && plate.intersects(pieces_[i].box)) {
+            if (static_cast<int>(i) != index && box.intersects(pieces_[i].box)) {
                 return false;
             }
         }
         return true;
     }
 
-    std::optional<QRectF> plateFor(int index, const QString& text) const {
+    std::optional<QRectF> boxFor(int index, const QString& text) const {
         const NamedPiece& piece = pieces_[static_cast<std::size_t>(index)];
-        const QSizeF size = plateSize(font_, text, piece.selected);
+        const QSizeF size = labelSize(font_, text, piece.selected);
         for (const int step : {0, 1, -1, 2, -2}) {
-            QRectF plate(QPointF(), size);
-            plate.moveCenter(piece.at + QPointF(0, step * (size.height() + kAir)));
-            const bool onPiece = step == 0 || (plate.top() >= piece.box.top() &&
-                                               plate.bottom() <= piece.box.bottom());
-            const bool fits = size.width() <= kRoom * piece.box.width() || isFree(index, plate);
-            if (onPiece && fits && !meetsAny(plate, taken_)) {
-                return plate;
+            QRectF box(QPointF(), size);
+            box.moveCenter(piece.at + QPointF(0, step * (size.height() + kAir)));
+            const bool onPiece =
+                step == 0 || (box.top() >= piece.box.top() && box.bottom() <= piece.box.bottom());
+            const bool fits = size.width() <= kRoom * piece.box.width() || isFree(index, box);
+            if (onPiece && fits && !meetsAny(box, taken_)) {
+                return box;
             }
         }
         return std::nullopt;
@@ -224,7 +223,7 @@ private:
 
 }  // namespace
 
-std::vector<NamePlate> namePlates(const QFont& font, const std::vector<NamedPiece>& pieces,
+std::vector<NameLabel> nameLabels(const QFont& font, const std::vector<NamedPiece>& pieces,
                                   std::vector<QRectF> taken) {
     std::vector<int> order(pieces.size());
     std::iota(order.begin(), order.end(), 0);
@@ -237,13 +236,13 @@ std::vector<NamePlate> namePlates(const QFont& font, const std::vector<NamedPiec
         return one.box.width() * one.box.height() > other.box.width() * other.box.height();
     });
     Layout layout(font, pieces, std::move(taken));
-    std::vector<NamePlate> plates;
+    std::vector<NameLabel> boxes;
     for (const int index : order) {
-        if (const auto plate = layout.place(index)) {
-            plates.push_back(*plate);
+        if (const auto box = layout.place(index)) {
+            boxes.push_back(*box);
         }
     }
-    return plates;
+    return boxes;
 }
 
 }  // namespace toile::app

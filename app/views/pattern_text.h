@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "app/render/camera.h"
-#include "app/views/flags.h"
+#include "app/views/callouts.h"
 
 namespace toile::app {
 
 /// What the pattern view writes over the sheet, in the window and in pictures alike: caption, grain
-/// arrows, names, flags, scale bar and rulers.
+/// arrows, names, callouts, scale bar and rulers.
 struct PatternText {
     const Document& document;
     const SheetPlaces& places;
@@ -35,18 +35,18 @@ struct NamedPiece {
     bool selected = false;
 };
 
-struct NamePlate {
+struct NameLabel {
     int piece = -1;  ///< index into the list of pieces
-    QRectF plate;
+    QRectF box;
     QString text;
 };
 
 /// Where the names go, none on another nor on what is taken. A name is written out where it fits
 /// on its piece, nearly, or lies over no other piece; else without what all names begin with, else
 /// shortened in its middle as long as it can be told from all other names. A piece whose name finds
-/// no room has no plate. The largest pieces and those that are selected choose first.
+/// no room has no label. The largest pieces and those that are selected choose first.
 /// Cost: quadratic in the pieces.
-std::vector<NamePlate> namePlates(const QFont& font, const std::vector<NamedPiece>& pieces,
+std::vector<NameLabel> nameLabels(const QFont& font, const std::vector<NamedPiece>& pieces,
                                   std::vector<QRectF> taken);
 
 }  // namespace toile::app

@@ -36,9 +36,9 @@ bool PatternView::frameLines(const SeamScene& seam) {
     return true;
 }
 
-void PatternView::frameSpot(const WorstSpot& spot, double reach) {
+void PatternView::frameSpot(const WorstSpot& spot, double radius) {
     const Eigen::Vector2d at = placeOf(places(), spot.piece).placement.applied(spot.flat);
-    const Eigen::Vector2d air = Eigen::Vector2d::Constant(reach);
+    const Eigen::Vector2d air = Eigen::Vector2d::Constant(radius);
     camera_.frame({at - air, at + air}, patternMargins(document_.view().rulers));
 }
 

@@ -32,7 +32,7 @@ protected:
     void setCameraViewport(double width, double height) override;
     void framePieces(const std::set<int>& pieces) override;
     bool frameLines(const SeamScene& seam) override;
-    void frameSpot(const WorstSpot& spot, double reach) override;
+    void frameSpot(const WorstSpot& spot, double radius) override;
     void drag(Drag kind, const QPointF& delta) override;
     void zoom(const QPointF& at, double factor) override;
     void paintScene(const RenderStyle& style, int width, int height, double ratio) override;

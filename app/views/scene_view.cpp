@@ -14,7 +14,7 @@
 #include "app/render/scene.h"
 #include "app/render/scene_renderer.h"
 #include "app/settings/length_display.h"
-#include "app/views/flags.h"
+#include "app/views/callouts.h"
 #include "app/views/sewn_run.h"
 #include "app/views/tool.h"
 #include "app/views/view_text.h"
@@ -28,7 +28,7 @@ constexpr double kZoomPerNotch = 1.15;
 /// And per pixel of a drag: 140 pixels double.
 constexpr double kZoomPerPixel = 1.005;
 /// Cloth around a place that is shown: a part of its piece, at least so many mm.
-constexpr double kReachShare = 0.2, kLeastReach = 5;
+constexpr double kRadiusShare = 0.2, kMinReach = 5;
 
 /// What is drawn anew then.
 constexpr DocumentChanges kContent = DocumentChange::Garment | DocumentChange::Results |
@@ -101,7 +101,7 @@ void SceneView::onChanged(DocumentChanges what) {
         hover_.follow();
     }
     if (what.testFlag(DocumentChange::Garment)) {
-        hover_.forget();  // what the plate is about may be no more
+        hover_.reset();  // what the label is about may be no more
     } else if (what & (DocumentChange::Results | DocumentChange::Seams | DocumentChange::Settings |
                        DocumentChange::View | DocumentChange::Fabric)) {
         hover_.writeAgain();
@@ -189,7 +189,7 @@ void SceneView::showSpot(const WorstSpot& spot) {
     }
     const double size = scene()->pieces[piece].flatBox.diagonal().norm();
     setCameraViewport(width(), height());
-    frameSpot(spot, std::max(kLeastReach, kReachShare * size));
+    frameSpot(spot, std::max(kMinReach, kRadiusShare * size));
     shown_ = spot;
     followsAll_ = false;
     cameraMoved();

@@ -9,7 +9,7 @@
 #include "app/document/document_change.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
-#include "app/views/flags.h"
+#include "app/views/callouts.h"
 #include "app/views/hover_tracker.h"
 #include "app/views/navigation.h"
 #include "app/views/tool.h"
@@ -73,8 +73,8 @@ protected:
     virtual void framePieces(const std::set<int>& pieces) = 0;
     /// @return false where nothing of the seam is drawn
     virtual bool frameLines(const SeamScene& seam) = 0;
-    /// @param reach mm around the place that are to be seen
-    virtual void frameSpot(const WorstSpot& spot, double reach) = 0;
+    /// @param radius mm around the place that are to be seen
+    virtual void frameSpot(const WorstSpot& spot, double radius) = 0;
     /// Where a spot is in the view as it is now; none where it is not to be seen.
     virtual std::optional<SpotPlace> placeNow(const WorstSpot& spot) const = 0;
     virtual void drag(Drag kind, const QPointF& delta) = 0;

@@ -37,8 +37,8 @@ struct RunLengths {
 
 RunLengths runLengths(const Garment& garment, const PieceResults& results, const Feature& run);
 
-/// What is to be lit up of what is marked: the stretch or vertex, and all that is sewn to it, by
-/// whole edges.
+/// What is to be highlighted of what is marked: the stretch or vertex, and all that is sewn to it,
+/// by whole edges.
 std::vector<Feature> markedFeatures(const Document& document);
 
 /// All that the views show of the document.

@@ -39,8 +39,8 @@ double roundInches(double millimetres) {
 
 }  // namespace
 
-QRectF captionPlate(const QFont& font, const QPointF& corner, const QString& title,
-                    const QString& note) {
+QRectF captionBox(const QFont& font, const QPointF& corner, const QString& title,
+                  const QString& note) {
     constexpr double kPadX = 7, kPadY = 3;
     const QFontMetricsF strong(scaled(font, 1.0, true));
     double width = strong.horizontalAdvance(title);
@@ -52,12 +52,12 @@ QRectF captionPlate(const QFont& font, const QPointF& corner, const QString& tit
 }
 
 void paintCaption(QPainter& painter, const RenderStyle& style, const QPointF& corner,
-                  const QString& title, const QString& note, bool onPlate) {
+                  const QString& title, const QString& note, bool onLabel) {
     painter.save();
-    if (onPlate) {
+    if (onLabel) {
         painter.setPen(Qt::NoPen);
-        painter.setBrush(style.plate);
-        painter.drawRoundedRect(captionPlate(painter.font(), corner, title, note), 5, 5);
+        painter.setBrush(style.labelFill);
+        painter.drawRoundedRect(captionBox(painter.font(), corner, title, note), 5, 5);
     }
     const QFont strong = scaled(painter.font(), 1.0, true);
     const QFontMetricsF metrics(strong);
@@ -67,30 +67,30 @@ void paintCaption(QPainter& painter, const RenderStyle& style, const QPointF& co
     painter.setPen(style.text);
     painter.drawText(base, title);
     painter.setFont(small);
-    painter.setPen(onPlate ? style.text : style.faintText);
+    painter.setPen(onLabel ? style.text : style.faintText);
     painter.drawText(base + QPointF(metrics.horizontalAdvance(title) + kCaptionGap, 0), note);
     painter.restore();
 }
 
-QFont plateFont(const QFont& font, bool selected) {
+QFont labelFont(const QFont& font, bool selected) {
     return scaled(font, 0.9, selected);
 }
 
-QSizeF plateSize(const QFont& font, const QString& text, bool selected) {
+QSizeF labelSize(const QFont& font, const QString& text, bool selected) {
     constexpr double kPadX = 7, kPadY = 2.5;
-    const QFontMetricsF metrics(plateFont(font, selected));
+    const QFontMetricsF metrics(labelFont(font, selected));
     return {metrics.horizontalAdvance(text) + 2 * kPadX, metrics.height() + 2 * kPadY};
 }
 
-void paintPlate(QPainter& painter, const RenderStyle& style, const QRectF& plate,
-                const QString& text, bool selected) {
+void paintLabel(QPainter& painter, const RenderStyle& style, const QRectF& box, const QString& text,
+                bool selected) {
     painter.save();
-    painter.setFont(plateFont(painter.font(), selected));
+    painter.setFont(labelFont(painter.font(), selected));
     painter.setPen(selected ? QPen(style.selection, 1.5) : QPen(Qt::NoPen));
-    painter.setBrush(style.plate);
-    painter.drawRoundedRect(plate, plate.height() / 2, plate.height() / 2);
+    painter.setBrush(style.labelFill);
+    painter.drawRoundedRect(box, box.height() / 2, box.height() / 2);
     painter.setPen(style.text);
-    painter.drawText(plate, Qt::AlignCenter, text);
+    painter.drawText(box, Qt::AlignCenter, text);
     painter.restore();
 }
 
@@ -116,8 +116,7 @@ ScaleBar scaleBarFor(double pixels, double pixelsPerMillimetre) {
     return {length, QString("%1 mm").arg(locale.toString(length, 'g', 4))};
 }
 
-QRectF scaleBarPlate(const QFont& font, const QRect& view, double pixelsPerMillimetre,
-                     double taken) {
+QRectF scaleBarBox(const QFont& font, const QRect& view, double pixelsPerMillimetre, double taken) {
     const double length =
         scaleBarFor(kScaleBar, pixelsPerMillimetre).millimetres * pixelsPerMillimetre;
     const double left = taken + kMargin + 2, base = view.height() - kMargin - 2;
@@ -134,10 +133,10 @@ void paintScaleBar(QPainter& painter, const RenderStyle& style, const QRect& vie
     painter.save();
     const QFont font = scaled(painter.font(), 0.88, false);
     const QFontMetricsF metrics(font);
-    const QRectF plate = scaleBarPlate(painter.font(), view, pixelsPerMillimetre, taken);
+    const QRectF box = scaleBarBox(painter.font(), view, pixelsPerMillimetre, taken);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(style.plate);
-    painter.drawRoundedRect(plate, 5, 5);
+    painter.setBrush(style.labelFill);
+    painter.drawRoundedRect(box, 5, 5);
     painter.setPen(QPen(style.text, 1.5));
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.drawLine(QPointF(left, base), QPointF(left + length, base));

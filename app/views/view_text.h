@@ -19,12 +19,12 @@ struct RenderStyle;
 
 /// What the view shows, in its upper left corner; `note` follows in smaller, fainter letters.
 /// @param corner   of the part of the view that is free for it
-/// @param onPlate  where cloth lies under it: on a plate, as other words over the cloth
+/// @param onLabel  where cloth lies under it: on a label, as other words over the cloth
 void paintCaption(QPainter& painter, const RenderStyle& style, const QPointF& corner,
-                  const QString& title, const QString& note, bool onPlate);
-/// What a caption and its plate take.
-QRectF captionPlate(const QFont& font, const QPointF& corner, const QString& title,
-                    const QString& note);
+                  const QString& title, const QString& note, bool onLabel);
+/// What a caption and its label take.
+QRectF captionBox(const QFont& font, const QPointF& corner, const QString& title,
+                  const QString& note);
 
 /// Whether something holds at any of many points of a part of the view, some pixels apart.
 template <class Holds>
@@ -41,17 +41,17 @@ bool anyPointIn(const QRectF& part, const Holds& holds) {
     return false;
 }
 
-/// A name on a rounded plate that keeps it legible on any cloth.
-/// @param plate  as large as `plateSize` says
-void paintPlate(QPainter& painter, const RenderStyle& style, const QRectF& plate,
-                const QString& text, bool selected);
-QSizeF plateSize(const QFont& font, const QString& text, bool selected);
+/// A name on a rounded label that keeps it legible on any cloth.
+/// @param label  as large as `labelSize` says
+void paintLabel(QPainter& painter, const RenderStyle& style, const QRectF& box, const QString& text,
+                bool selected);
+QSizeF labelSize(const QFont& font, const QString& text, bool selected);
 /// In which names are written, where other words of the view are in `font`.
-QFont plateFont(const QFont& font, bool selected);
+QFont labelFont(const QFont& font, bool selected);
 
 /// What the scale bar takes.
-QRectF scaleBarPlate(const QFont& font, const QRect& view, double pixelsPerMillimetre,
-                     double left = 0);
+QRectF scaleBarBox(const QFont& font, const QRect& view, double pixelsPerMillimetre,
+                   double left = 0);
 /// A bar of a round length with its measure, in the lower left corner; so many pixels at the left
 /// are taken by something else.
 void paintScaleBar(QPainter& painter, const RenderStyle& style, const QRect& view,

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kWidth = 640, kRowsShown = 12, kMargin = 8;
 /// More are never looked through; another letter is quicker.
-constexpr std::size_t kMostRows = 200;
+constexpr std::size_t kMaxRows = 200;
 
 constexpr int kPad = 10, kIcon = 18, kGap = 14, kAir = 12;
 
@@ -175,7 +175,7 @@ void CommandPalette::open(std::vector<Command> commands) {
 
 void CommandPalette::updateList() {
     found_ = searchCommands(commands_, line_->text());
-    found_.resize(std::min(found_.size(), kMostRows));
+    found_.resize(std::min(found_.size(), kMaxRows));
     list_->clear();
     for (const FoundCommand& found : found_) {
         list_->addItem(makeRow(commands_[static_cast<std::size_t>(found.command)], found.letters));

@@ -108,11 +108,11 @@ std::optional<double> PercentEdit::parsed(const QString& text) const {
     return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-void FieldManners::teach(QWidget& field) {
+void FieldGuard::install(QWidget& field) {
     field.installEventFilter(this);
 }
 
-bool FieldManners::eventFilter(QObject* watched, QEvent* event) {
+bool FieldGuard::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
         event->ignore();
         return true;

@@ -27,8 +27,8 @@ char32_t takeCharacter(std::string_view& text) {
         good = (byte(i) >> 6) == 0x02;
         value = (value << 6) | (byte(i) & 0x3F);
     }
-    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
-    good = good && value >= kLeast[length] && value <= 0x10FFFF && (value >> 11) != 0x1B &&
+    constexpr std::array<char32_t, 5> kMin{0, 0, 0x80, 0x800, 0x10000};
+    good = good && value >= kMin[length] && value <= 0x10FFFF && (value >> 11) != 0x1B &&
            (value & ~char32_t{1}) != 0xFFFE;
     text.remove_prefix(good ? length : 1);
     return good ? value : kUnknown;

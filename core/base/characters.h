@@ -21,8 +21,8 @@ std::string cleanText(std::string_view text);
 std::string readableName(std::string_view bytes);
 
 /// At most so many characters of the readable name, for a sentence or a table; "…" for the rest.
-inline constexpr std::size_t kMostShown = 120;
-std::string shownText(std::string_view bytes, std::size_t most = kMostShown);
+inline constexpr std::size_t kMaxShown = 120;
+std::string shownText(std::string_view bytes, std::size_t most = kMaxShown);
 
 /// Printable ASCII: Latin letters lose their accents ("Rücken" becomes "Rucken", "ß" becomes
 /// "ss"), every other character becomes '_'.

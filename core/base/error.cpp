@@ -36,7 +36,7 @@ constexpr Words kWords[] = {
     {NoGeometry, "no-geometry", TR("the file holds no faces"),
      TR("Export the garment as a mesh with faces")},
     {MalformedProject, "malformed-project", TR("the project file breaks the rules of its format"),
-     TR("Open an older copy of it, or mend the place named with a text editor")},
+     TR("Open an older copy of it, or correct the place named with a text editor")},
     {NewerProject, "newer-project", TR("the project was saved by a newer version of Toile"),
      TR("Open it with that version")},
     {UnitGuessed, "unit-guessed", TR("the file states no unit and its size leaves doubt"),
@@ -71,7 +71,7 @@ constexpr Words kWords[] = {
     {DuplicateFacesRemoved, "duplicate-faces-removed", TR("faces lie twice on the same vertices"),
      TR("One of each is kept"), true},
     {WindingsTurned, "windings-turned", TR("faces look to the other side than their neighbours"),
-     TR("They are turned over to agree with the larger area"), true},
+     TR("They are flipped to agree with the larger area"), true},
     {EdgesCutApart, "edges-cut-apart", TR("edges are shared by more than two faces"),
      TR("The faces that continue each other best stay joined; the others are cut free"), true},
     {VerticesSplit, "vertices-split", TR("parts of the surface touch in a single vertex"),
@@ -89,7 +89,7 @@ constexpr Words kWords[] = {
      TR("Divide the piece by a cut before it is cut out of cloth"), true},
     {OutlineUncrossed, "outline-uncrossed",
      TR("the flat outline crossed itself and was moved apart, keeping its lengths"), "", true},
-    {TrianglesFlipped, "triangles-flipped", TR("triangles lie turned over in the pattern"),
+    {TrianglesFlipped, "triangles-flipped", TR("triangles are flipped in the pattern"),
      TR("Choose another method, or cut the piece where it curves most"), true},
     {EdgesTooShort, "edges-too-short",
      TR("boundary edges are too short for their lengths to be exact"),
@@ -128,7 +128,7 @@ constexpr Words kWords[] = {
     {ZeroLengthEdge, "zero-length-edge", TR("boundary edges have no length"),
      TR("Merge the doubled vertices in the modelling program")},
     {CutImpossible, "cut-impossible", TR("the cut cannot be made"),
-     TR("Move its points, or mend the piece first")},
+     TR("Move its points, or repair the piece first")},
     {JoinImpossible, "join-impossible", TR("the seam cannot be taken out"),
      TR("Leave it, or join the parts in the modelling program")},
     {NoSuchSeam, "no-such-seam", TR("the garment has no seam of this name"),
@@ -193,11 +193,11 @@ std::string sentence(const Error& error) {
     const Words& words = wordsOf(error.code);
     std::string text;
     if (!error.subject.name.empty()) {
-        text += shownText(error.subject.name, kMostOfPlace) + ": ";
+        text += shownText(error.subject.name, kMaxOfPlace) + ": ";
     }
     text += words.describe;
     if (!error.detail.empty()) {
-        text += " (" + shownText(error.detail, kMostOfDetail) + ")";
+        text += " (" + shownText(error.detail, kMaxOfDetail) + ")";
     }
     if (!words.advice.empty()) {
         text += "; ";

@@ -133,7 +133,7 @@ std::string_view advice(ErrorCode code);
 /// True where the code only informs: the data was taken in and work goes on.
 bool isNote(ErrorCode code);
 /// Characters of name and `detail` that a sentence shows: a path, and a list of particulars.
-inline constexpr std::size_t kMostOfPlace = 300, kMostOfDetail = 1000;
+inline constexpr std::size_t kMaxOfPlace = 300, kMaxOfDetail = 1000;
 /// One sentence for a person: "front: the piece has several boundary loops (2 loops); cut it ...".
 std::string sentence(const Error& error);
 

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // 2 GiB: no reader counts farther, and what comes through a pipe may have no end.
-constexpr std::uintmax_t kMostBytes = std::numeric_limits<int>::max();
-constexpr int kMostLinks = 40;  // as the system has it
+constexpr std::uintmax_t kMaxBytes = std::numeric_limits<int>::max();
+constexpr int kMaxLinks = 40;  // as the system has it
 
 Error unreadable(const fs::path& path, std::string why) {
     return {ErrorCode::FileUnreadable, Subject::file(path.string()), std::move(why)};
@@ -33,7 +33,7 @@ Error unwritable(const fs::path& path, std::string why) {
 /// What the links lead to, there or not.
 fs::path throughLinks(fs::path path) {
     std::error_code failed;
-    for (int k = 0; k < kMostLinks && fs::is_symlink(path, failed); ++k) {
+    for (int k = 0; k < kMaxLinks && fs::is_symlink(path, failed); ++k) {
         path = path.parent_path() / fs::read_symlink(path, failed);
     }
     return path;
@@ -192,7 +192,7 @@ Result<std::string> readFile(const fs::path& path) {
     }
     const auto size = fs::file_size(path, failed);
     const Error tooLong = unreadable(path, "it is longer than 2 GiB");
-    if (!failed && size > kMostBytes) {
+    if (!failed && size > kMaxBytes) {
         return tooLong;
     }
     std::string bytes;
@@ -206,7 +206,7 @@ Result<std::string> readFile(const fs::path& path) {
         char block[1 << 16];
         while (file.read(block, sizeof block) || file.gcount() > 0) {
             bytes.append(block, static_cast<std::size_t>(file.gcount()));
-            if (bytes.size() > kMostBytes) {
+            if (bytes.size() > kMaxBytes) {
                 return tooLong;
             }
         }

@@ -12,7 +12,7 @@ namespace {
 
 // Deeper than any file of ours. The JSON library copies values by recursion, so that a text of
 // brackets alone would use the stack up.
-constexpr int kMostDepth = 64;
+constexpr int kMaxDepth = 64;
 constexpr std::size_t kUnknownNamed = 3;
 constexpr auto kUnits = R"("mm", "cm", "m" or "in")";
 
@@ -49,7 +49,7 @@ bool isFiniteNumber(const JsonDocument& json) {
 
 Result<JsonDocument> parseJson(std::string_view text, const std::string& name,
                                ErrorCode malformed) {
-    if (depthOf(text) > kMostDepth) {
+    if (depthOf(text) > kMaxDepth) {
         return Error{malformed, Subject::file(name), "its lists lie too deep in each other"};
     }
     try {

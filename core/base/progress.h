@@ -14,7 +14,7 @@ namespace toile {
 /// work gets a `const Progress&`: may look, and `report` how far the part is, or `step` where he
 /// does not know how far there is to go, as within a piece. One who calls others hands each a part
 /// of his own:
-///     cutter.cut(wholes[p], cuts[p], Progress(progress, 1 / count));
+///     cutter.cut(uncut[p], cuts[p], Progress(progress, 1 / count));
 /// Parts may run side by side; what each adds goes to the whole at once.
 ///
 /// The fraction never decreases but by `start` and `setShare`. Thread-safe, those two and the

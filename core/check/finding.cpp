@@ -25,8 +25,8 @@ constexpr FindingWords kWords[] = {
      TR("the pattern does not show the garment as it is now (%1 of %2 pieces)"), TR("Flatten it")},
     {"not-flat", TR("Pieces that are not flat"), "", ""},
     {"outline-crosses", TR("Outlines that cross themselves"), "", ""},
-    {"flipped-triangles", TR("Cloth turned over"),
-     TR("triangles lie turned over in the pattern (%1 of %2)"),
+    {"flipped-triangles", TR("Flipped cloth"),
+     TR("triangles are flipped in the pattern (%1 of %2)"),
      TR("Choose another method, or cut the piece where it curves most")},
     {"seam-lengths", TR("Seams that do not match"),
      TR("the flat sides of the seam differ by %1 beyond the ease (%2 and %3)"),
@@ -50,8 +50,7 @@ constexpr FindingWords kWords[] = {
     {"up-axis-in-doubt", TR("Up axis in doubt"),
      TR("the file does not say which axis points up (%0)"),
      TR("State the axis, or keep it if the garment stands upright")},
-    {"grain-missing", TR("Grain not stated"),
-     TR("nobody has said how the grain runs: it is taken to run upwards"),
+    {"grain-missing", TR("Grain not stated"), TR("no grain is set: it is taken to run upwards"),
      TR("Turn the grain arrow, or let Toile find the best grain")},
     {"message", TR("Messages"), "", ""},
 };
@@ -88,7 +87,7 @@ std::string description(const Finding& finding) {
         std::string text(describe(finding.error->code));
         return finding.error->detail.empty()
                    ? text
-                   : text + " (" + shownText(finding.error->detail, kMostOfDetail) + ")";
+                   : text + " (" + shownText(finding.error->detail, kMaxOfDetail) + ")";
     }
     std::string text;
     for (const char* at = findingWords(finding.kind).describe; *at != '\0'; ++at) {

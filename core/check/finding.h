@@ -14,17 +14,18 @@ namespace toile {
 
 /// How much a finding matters to somebody with scissors in the hand.
 enum class Severity {
-    Fault,  ///< to be mended before the cloth is cut
+    Fault,  ///< to be put right before the cloth is cut
     Doubt,  ///< to be looked at: right or wrong, the person knows
     Note,   ///< good to know
 };
 
-/// What was found. In the order in which a person would mend: what hides the rest comes first.
+/// What was found. In the order in which a person would put it right: what hides the rest comes
+/// first.
 enum class FindingKind {
     NotFlattened,      ///< the pattern is not made, or older than the last change
     NotFlat,           ///< a piece could not be flattened
     OutlineCrosses,    ///< a flat outline crosses itself
-    FlippedTriangles,  ///< cloth lies turned over in the pattern
+    FlippedTriangles,  ///< cloth is flipped in the pattern
     SeamLengths,       ///< two flat sides of a seam do not fit, the ease taken out
     StrainWarp,        ///< strain beyond the fabric's limits along the grain,
     StrainWeft,        ///< across it,
@@ -33,7 +34,7 @@ enum class FindingKind {
     UnlikelySize,      ///< no garment is as small or as large
     UnitInDoubt,       ///< the file's unit was guessed, and another is as likely
     UpAxisInDoubt,     ///< likewise the axis that points up
-    GrainMissing,      ///< nobody has said how the grain runs
+    GrainMissing,      ///< the grain is unset
     Message,           ///< what reading, cutting or flattening had to say: `Finding::error`
 };
 

@@ -167,13 +167,13 @@ FindingPlace placeOnOutline(const Piece& piece, const Points2& Q, int edge,
 namespace {
 
 /// A limit of 0 would make rounding a fault.
-constexpr double kLeastLimit = 1e-4;
+constexpr double kMinLimit = 1e-4;
 /// Nor may rounding put cloth that is just at its limit beyond it: as the window's colour bar.
 constexpr double kSlack = 1.0005;
 
 struct Limits {
     explicit Limits(const StrainLimits& stated)
-        : least(std::min(stated.least, -kLeastLimit)), most(std::max(stated.most, kLeastLimit)) {}
+        : least(std::min(stated.least, -kMinLimit)), most(std::max(stated.most, kMinLimit)) {}
 
     double limitFor(double strain) const { return strain < 0 ? least : most; }
     double severity(double strain) const { return strain / limitFor(strain); }
@@ -182,9 +182,9 @@ struct Limits {
 };
 
 /// Gathers one direction over the triangles.
-class Tally {
+class Counter {
 public:
-    explicit Tally(const StrainLimits& stated) : limits_(stated) {}
+    explicit Counter(const StrainLimits& stated) : limits_(stated) {}
 
     double severity(double strain) const { return limits_.severity(strain); }
 
@@ -220,7 +220,7 @@ StrainExcesses strainExcesses(const MeshArrays& mesh, const Points2& Q, const Fa
     const Eigen::Vector2d across(-along.y(), along.x());
     const Eigen::Vector2d rising = (along + across) * std::sqrt(0.5);
     const Eigen::Vector2d falling = (along - across) * std::sqrt(0.5);
-    Tally warp(fabric.warp), weft(fabric.weft), bias(fabric.bias);
+    Counter warp(fabric.warp), weft(fabric.weft), bias(fabric.bias);
     for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
         const MetricTensor& metric = metrics[static_cast<std::size_t>(f)];
         const int face = static_cast<int>(f);

@@ -53,7 +53,7 @@ struct StrainExcesses {
 };
 
 /// Each triangle by itself, as the window's colour bar and fabric panel count them. On the bias the
-/// worse of both diagonals counts; a triangle that is turned over is beyond any limit.
+/// worse of both diagonals counts; a triangle that is flipped is beyond any limit.
 /// @param Q      #V x 2, mm
 /// @param grain  direction of the warp, radians from the x axis of Q
 /// Cost: linear, the metric tensors. Pure.

@@ -95,7 +95,7 @@ private:
         for (std::size_t i = 0; id && i < garment_.pieces.size(); ++i) {
             const Piece& piece = *garment_.pieces[i];
             if (piece.id == id ||
-                std::binary_search(piece.lineage.wholes.begin(), piece.lineage.wholes.end(), id)) {
+                std::binary_search(piece.lineage.uncut.begin(), piece.lineage.uncut.end(), id)) {
                 pieces.push_back(static_cast<int>(i));
             }
         }

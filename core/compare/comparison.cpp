@@ -98,7 +98,7 @@ std::optional<double> aggregated(const CriterionTraits& criterion, const Compare
     return criterion.aggregate == Aggregate::Sum ? sum : sum / weights;
 }
 
-/// Whether the method made the piece flat and the piece carries its designer's panel.
+/// Whether the method made the piece flat and the piece carries its reference panel.
 bool hasPanel(const ComparedMethod& method, std::size_t piece) {
     return piece < method.pieceFigures.size() && method.pieceFigures[piece].referencedPieces > 0;
 }
@@ -204,7 +204,7 @@ constexpr std::array<CriterionTraits, kCriterionCount> kCriteria = {{
      translatable("The edge of the outline whose length has changed most")},
     {Criterion::FlippedTriangles, FigureFormat::Count, Aggregate::Sum, false, "flipped_triangles",
      "flips", translatable("Flipped triangles"),
-     translatable("Triangles that are turned over: cloth cannot do that")},
+     translatable("Triangles that are flipped: cloth cannot do that")},
     {Criterion::OutlineCrossings, FigureFormat::Count, Aggregate::Sum, false, "outline_crossings",
      "crossings", translatable("Outline crossings"),
      translatable("Where the outline crosses itself")},
@@ -213,7 +213,7 @@ constexpr std::array<CriterionTraits, kCriterionCount> kCriteria = {{
      translatable("The worst seam of this piece: by how much its two flat sides miss each other, "
                   "the ease taken out")},
     {Criterion::ReferenceRms, FigureFormat::Millimetres, Aggregate::KnownByArea, true,
-     "reference_rms_mm", "rms mm", translatable("To the designer’s panel, %1"),
+     "reference_rms_mm", "rms mm", translatable("To the reference panel, %1"),
      translatable("Distance to the panel that the file carries, laid on each other as well as may "
                   "be; root mean square")},
     {Criterion::StrainMean, FigureFormat::Ratio, Aggregate::PieceOnly, false, "", "",

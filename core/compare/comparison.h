@@ -26,7 +26,7 @@ enum class Criterion {
     OutlineCrossings,
     /// Largest |error| of a seam whose two sides are flat, its ease taken out (SeamMeasure), mm.
     SeamMismatch,
-    ReferenceRms,  ///< distance to the designer's panel (ReferenceFit), mm
+    ReferenceRms,  ///< distance to the reference panel (ReferenceFit), mm
     StrainMean,    ///< size of the edges' strain, a fraction
     StrainMax,     ///< of one edge, a fraction, as the next; above 0 is stretch
     StrainMin,
@@ -73,7 +73,7 @@ std::optional<std::size_t> bestOf(Criterion criterion,
 struct ComparedFigures {
     int pieces = 0;            ///< that were tried
     int failed = 0;            ///< that did not become flat; the figures are of those that did
-    int referencedPieces = 0;  ///< flat pieces that carry their designer's panel
+    int referencedPieces = 0;  ///< flat pieces that carry their reference panel
     std::array<std::optional<double>, kCriterionCount> values{};
 
     std::optional<double>& operator[](Criterion criterion) {
@@ -111,7 +111,7 @@ ComparedFigures comparedPiece(const Garment& garment, const PieceResults& result
 /// itself, to know its seams. Cost: negligible. Pure.
 std::vector<int> sewnTo(const Garment& garment, int piece);
 
-/// Methods with a free outline that come nearer to the designer's panels than every method that
+/// Methods with a free outline that come nearer to the reference panels than every method that
 /// keeps seam lengths, and the nearest of those. Only methods that made every panel flat which any
 /// method did are looked at. Indices into `methods`.
 struct NearerMethods {

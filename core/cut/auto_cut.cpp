@@ -165,7 +165,7 @@ private:
         }
     }
 
-    /// Why the cuts do not leave one disk; the shape of its triangles is not theirs to mend.
+    /// Why the cuts do not leave one disk; the shape of its triangles is not theirs to repair.
     std::optional<Error> whatIsNoDisk() const {
         const auto cut = applyAutoCut(mesh_, proposal_, {}, progress_);
         if (!cut) {

@@ -29,7 +29,7 @@ struct AutoCut {
 /// its sharpest corners, along its creases. Handles: two seams each. A piece that is a disk needs
 /// nothing. Cuts are pulled tight as long as the result stays one disk; this is tried, not assumed.
 /// @param progress  reported, and polled between one cut and the next
-/// @errors  what checkDisk finds that no cut mends; SeveralLoops above the limit; a cut error for
+/// @errors  what checkDisk finds that no cut repairs; SeveralLoops above the limit; a cut error for
 ///          a mesh of several parts; Cancelled
 /// Cost: O(n log n), and one cutAlong per cut at worst. Deterministic. Re-entrant.
 Result<AutoCut> proposeCuts(const MeshArrays& mesh, const EdgeTable& table,

@@ -25,7 +25,7 @@ struct Candidate {
 };
 
 /// From source to source by way of an edge.
-std::vector<int> wayOver(const SurfaceLinks& links, const ShortestForest& forest, int edge) {
+std::vector<int> pathOver(const SurfaceLinks& links, const ShortestForest& forest, int edge) {
     const Edges& edges = links.table().edges;
     std::vector<int> way = forest.pathTo(edges(edge, 0), edges);
     const std::vector<int> rest = forest.pathTo(edges(edge, 1), edges);
@@ -184,7 +184,7 @@ EdgeWays arcsBetweenRims(const SurfaceLinks& links, const std::vector<double>& w
         shortestForest(links.table().edges, links.vertexCount(), weights, {rim});
     EdgeWays arcs;
     for (const Candidate& c : leftOver(links, outside(links, forest, weights))) {
-        arcs.push_back(wayOver(links, forest, c.edge));
+        arcs.push_back(pathOver(links, forest, c.edge));
     }
     return arcs;
 }
@@ -200,7 +200,7 @@ EdgeWays loopsAroundHandles(const SurfaceLinks& links, const std::vector<double>
         EdgeSet graph;
         for (const Candidate& c : leftOver(links, outside(links, forest, weights))) {
             total += c.length;
-            graph.add(wayOver(links, forest, c.edge));
+            graph.add(pathOver(links, forest, c.edge));
         }
         if (total < least) {
             least = total;
@@ -229,7 +229,7 @@ EdgeWays treeThroughPeaks(const SurfaceLinks& links, const std::vector<double>& 
         const int b = forest.source[ends[1]];
         if (joined.root(a) != joined.root(b)) {
             joined.join(a, b);
-            tree.add(wayOver(links, forest, c.edge));
+            tree.add(pathOver(links, forest, c.edge));
         }
     }
     return tree.takeApart();

@@ -12,7 +12,7 @@ namespace toile {
 using EdgeWays = std::vector<std::vector<int>>;
 
 /// For a mesh with a rim: arcs from rim to rim, one less than there are loops plus two for every
-/// handle. The shortest such arcs one after the other, by a tree of shortest ways from the rim and
+/// handle. The shortest such arcs one after the other, by a tree of shortest paths from the rim and
 /// the dearest tree of faces that does not cross it ([EW05], the rim as base point). For a piece
 /// without handles they are the minimum spanning tree of its loops. Shortest first.
 /// Cost: O(#E log #E).

@@ -174,9 +174,9 @@ namespace {
 /// points on a circle from being turned for ever.
 constexpr double kTurnable = 1e-9;
 /// A part made by a turn has at least this share of the area of the two it comes from.
-constexpr double kLeastShare = 1e-6;
+constexpr double kMinShare = 1e-6;
 /// For each part, should rounding turn edges to and fro.
-constexpr std::size_t kMostTurns = 100;
+constexpr std::size_t kMaxTurns = 100;
 
 /// A source triangle laid flat at its true size.
 class FlatFace {
@@ -207,7 +207,7 @@ bool shouldTurn(const FlatFace& flat, int a, int b, int c, int d) {
     const Eigen::Vector2d pc = flat.at(c);
     const Eigen::Vector2d pd = flat.at(d);
     const double whole = cross(pb - pa, pc - pa) + cross(pa - pb, pd - pb);
-    const double least = kLeastShare * whole;
+    const double least = kMinShare * whole;
     return angleBetween(pa - pc, pb - pc) + angleBetween(pa - pd, pb - pd) >
                std::numbers::pi + kTurnable &&
            cross(pd - pa, pc - pa) > least && cross(pc - pb, pd - pb) > least;
@@ -231,7 +231,7 @@ void FaceParts::relaxFace(int face, std::vector<Part>& list,
     for (std::size_t p = 0; p < list.size(); ++p) {
         addSidesOf(p);
     }
-    const std::size_t limit = kMostTurns * list.size();
+    const std::size_t limit = kMaxTurns * list.size();
     for (std::size_t turns = 0; !open.empty() && turns < limit;) {
         std::set<std::size_t> changed;  // in this round, and done with until the next
         for (const auto& [a, b] : std::exchange(open, {})) {

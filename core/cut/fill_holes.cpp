@@ -68,15 +68,15 @@ std::vector<RimLoop> rimLoops(const SurfaceLinks& links) {
 MeshArrays fillHoles(const MeshArrays& mesh, const std::vector<RimLoop>& holes) {
     const int vertexCount = static_cast<int>(mesh.V.rows());
     const int faceCount = static_cast<int>(mesh.F.rows());
-    int middles = 0;
+    int midpoints = 0;
     int caps = 0;
     for (const RimLoop& hole : holes) {
         const bool isTriangle = hole.vertices.size() == 3;
-        middles += isTriangle ? 0 : 1;
+        midpoints += isTriangle ? 0 : 1;
         caps += isTriangle ? 1 : static_cast<int>(hole.vertices.size());
     }
     MeshArrays filled = mesh;
-    filled.V.conservativeResize(vertexCount + middles, 3);
+    filled.V.conservativeResize(vertexCount + midpoints, 3);
     filled.F.conservativeResize(faceCount + caps, 3);
     int vertex = vertexCount;
     int face = faceCount;

@@ -12,7 +12,7 @@ namespace toile {
 void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit, bool withIds);
 
 /// The most ease that can be stated, as a part of the seam's right side: ten times as long again.
-inline constexpr double kMostEase = 10;
+inline constexpr double kMaxEase = 10;
 
 /// The fields of these names.
 OrderedJson cutsJson(const SeamsFile& seams, bool withIds);

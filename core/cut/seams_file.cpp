@@ -62,7 +62,7 @@ void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit, bool withI
     fields.readObject("ease", [&seams, easeUnit](JsonFields& at) {
         for (const auto& item : at.all().items()) {
             double ease = 0;
-            at.read(item.key(), ease, -easeUnit, kMostEase * easeUnit);
+            at.read(item.key(), ease, -easeUnit, kMaxEase * easeUnit);
             if (ease <= -easeUnit) {
                 at.fail(item.key(), "must be more than " + shortest(-easeUnit));
             }

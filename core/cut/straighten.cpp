@@ -162,7 +162,7 @@ private:
         }
     }
 
-    /// Where the shortest way crosses each gate.
+    /// Where the shortest path crosses each gate.
     PathPolyline polyline() const {
         PathPolyline path;
         path.length = flatLength();

@@ -8,7 +8,7 @@
 
 namespace toile {
 
-/// Pulls a curve tight on the surface with its ends held: the shortest way through the unfolded
+/// Pulls a curve tight on the surface with its ends held: the shortest path through the unfolded
 /// strip of triangles, after which the strip is led around the other side of every vertex where
 /// that is shorter, until nothing is ([XW07], the same idea). The result is locally shortest: it
 /// turns only at rims, and at vertices with more than a full turn around them. It can be deformed

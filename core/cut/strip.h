@@ -46,14 +46,14 @@ struct FlatStrip {
 
 FlatStrip layFlat(const SurfaceLinks& links, const Strip& strip);
 
-/// Where the shortest way through a flat strip bends.
+/// Where the shortest path through a flat strip bends.
 struct Bend {
     int gate;   ///< a gate with the bend's vertex at one end
     bool left;  ///< which end
     Eigen::Vector2d at;
 };
 
-/// Bends of the shortest way from `from` to `to` through all gates, in order [LP84]. Cost: linear
+/// Bends of the shortest path from `from` to `to` through all gates, in order [LP84]. Cost: linear
 /// as a rule, quadratic in the number of gates at worst.
 std::vector<Bend> shortestThroughGates(const FlatStrip& strip);
 

@@ -13,7 +13,7 @@ namespace toile {
 /// Lengths of all edges.
 std::vector<double> edgeLengths(const MeshArrays& mesh, const Edges& edges);
 
-/// The shortest way along edges, from one vertex to another. Equal ways are decided by index, so
+/// The shortest path along edges, from one vertex to another. Equal ways are decided by index, so
 /// that the same mesh gives the same way. Where the two vertices are one it has no length.
 /// @param progress  polled while the way is looked for, nothing is reported
 /// @errors  a cut error where the vertices are not connected; Cancelled

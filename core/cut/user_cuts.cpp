@@ -101,8 +101,8 @@ void giveIds(std::vector<UserCut>& cuts) {
     }
 }
 
-Result<PathPolyline> wayOfCut(const SurfaceLinks& links, const SurfacePoint& from,
-                              const SurfacePoint& to, bool alongEdges, const Progress& progress) {
+Result<PathPolyline> pathOfCut(const SurfaceLinks& links, const SurfacePoint& from,
+                               const SurfacePoint& to, bool alongEdges, const Progress& progress) {
     return alongEdges ? edgePath(links, nearestVertex(links.mesh(), from),
                                  nearestVertex(links.mesh(), to), progress)
                       : geodesicPath(links, from, to, progress);
@@ -131,7 +131,7 @@ Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurfac
     }
     PathPolyline whole;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const auto part = wayOfCut(links, points[i - 1], points[i], cut.alongEdges, progress);
+        const auto part = pathOfCut(links, points[i - 1], points[i], cut.alongEdges, progress);
         if (!part) {
             Error error = part.error();
             error.subject = subjectOf(cut);

@@ -41,9 +41,9 @@ void giveIds(std::vector<UserCut>& cuts);
 
 /// The way that a cut takes between two of its points: see `geodesicPath`, or `edgePath` between
 /// the nearest vertices. @errors  a cut error where they are not connected; Cancelled
-Result<PathPolyline> wayOfCut(const SurfaceLinks& links, const SurfacePoint& from,
-                              const SurfacePoint& to, bool alongEdges,
-                              const Progress& progress = Progress());
+Result<PathPolyline> pathOfCut(const SurfaceLinks& links, const SurfacePoint& from,
+                               const SurfacePoint& to, bool alongEdges,
+                               const Progress& progress = Progress());
 
 /// The cut's curve on the surface. An end of a path that lies within a tenth of a triangle from the
 /// rim reaches it.

@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "core/base/text.h"
-#include "core/diagnose/inner_ways.h"
+#include "core/diagnose/interior_paths.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 
@@ -28,13 +28,13 @@ constexpr std::size_t kCrossingEnds = 8;
 /// A test of a cut passes over the outline for each edge of the cut. Those that ask whether a cut
 /// resolves everything may pass this many outline edges together.
 constexpr std::size_t kTestedEdges = 1000000;
-constexpr std::size_t kFewestTests = 8;
-constexpr std::size_t kMostTests = 200;
+constexpr std::size_t kMinTests = 8;
+constexpr std::size_t kMaxTests = 200;
 /// Cuts compared where none resolves everything.
-constexpr std::size_t kFewestLeastBadTests = 4;
-constexpr std::size_t kMostLeastBadTests = 40;
-/// The first ways looked at are as long as this part of the outline at most, the next so many times
-/// as long.
+constexpr std::size_t kMinLeastBadTests = 4;
+constexpr std::size_t kMaxLeastBadTests = 40;
+/// The first paths looked at are as long as this part of the outline at most, the next so many
+/// times as long.
 constexpr double kFirstReach = 0.01;
 constexpr double kReachGrowth = 2;
 /// And from here on they cross the whole piece anyway: all are looked at.
@@ -71,14 +71,14 @@ public:
           n_(static_cast<int>(piece.boundary.size())),
           all_(crossings),
           crossings_(thinned(crossings, kMaxCrossings)),
-          ways_(piece),
+          paths_(piece),
           along_(piece.boundary.size() + 1, 0),
-          testsLeft_(std::clamp(kTestedEdges / piece.boundary.size(), kFewestTests, kMostTests)) {
+          testsLeft_(std::clamp(kTestedEdges / piece.boundary.size(), kMinTests, kMaxTests)) {
         const Eigen::VectorXd lengths = boundaryLengths3d(piece.mesh.V, piece.boundary);
         std::partial_sum(lengths.begin(), lengths.end(), along_.begin() + 1);
     }
 
-    /// Short ways are looked at first, and mostly suffice: what is found among the ways up to a
+    /// Short paths are looked at first, and mostly suffice: what is found among the paths up to a
     /// length is the same as among all, if nothing longer could be preferred.
     std::optional<CrossingCut> best() {
         fromOppositePlaces();
@@ -89,7 +89,8 @@ public:
                                             ? std::numeric_limits<double>::infinity()
                                             : longest);
             const Candidate* shortest = firstThatResolves();
-            if (shortest != nullptr && (isAll || kHardlyLonger * shortest->way.length <= longest)) {
+            if (shortest != nullptr &&
+                (isAll || kHardlyLonger * shortest->path.length <= longest)) {
                 return mostEven(*shortest);
             }
             if (isAll || progress_.isCancelled()) {
@@ -98,7 +99,7 @@ public:
             longest *= kReachGrowth;
             if (shortest != nullptr) {
                 ++testsLeft_;  // it will be tested again
-                longest = std::max(longest, kHardlyLonger * shortest->way.length);
+                longest = std::max(longest, kHardlyLonger * shortest->path.length);
             } else if (testsLeft_ == 0) {
                 longest = along_.back();
             }
@@ -107,7 +108,7 @@ public:
 
 private:
     struct Candidate {
-        InnerWay way;
+        InteriorPath path;
         int together;  ///< crossings that it does not part
     };
 
@@ -116,7 +117,7 @@ private:
         std::vector<int> from, to;
     };
 
-    /// Sorted: ways that part more of the crossings first, then short ones. True where none is
+    /// Sorted: paths that part more of the crossings first, then short ones. True where none is
     /// longer.
     bool findWays(double longest) {
         candidates_.clear();
@@ -125,12 +126,12 @@ private:
             if (progress_.isCancelled()) {
                 break;
             }
-            add(ways_.find(search.from, search.to, longest));
-            isAll = isAll && !ways_.hasLeftOut();
+            add(paths_.find(search.from, search.to, longest));
+            isAll = isAll && !paths_.hasLeftOut();
         }
         std::stable_sort(
             candidates_.begin(), candidates_.end(), [](const Candidate& s, const Candidate& t) {
-                return std::tie(s.together, s.way.length) < std::tie(t.together, t.way.length);
+                return std::tie(s.together, s.path.length) < std::tie(t.together, t.path.length);
             });
         return isAll;
     }
@@ -145,16 +146,16 @@ private:
         }));
     }
 
-    void add(std::vector<InnerWay> found) {
-        for (InnerWay& way : found) {
-            const int left = together(way.from, way.to);
+    void add(std::vector<InteriorPath> found) {
+        for (InteriorPath& path : found) {
+            const int left = together(path.from, path.to);
             if (left < static_cast<int>(crossings_.size())) {
-                candidates_.push_back({std::move(way), left});
+                candidates_.push_back({std::move(path), left});
             }
         }
     }
 
-    /// A way parts all crossings where its ends lie on different sides of each of them. With a
+    /// A path parts all crossings where its ends lie on different sides of each of them. With a
     /// random word per crossing, joined by exclusive or on passing its edges, the ends' words
     /// differ by the join of all.
     void fromOppositePlaces() {
@@ -220,13 +221,13 @@ private:
     }
 
     /// Crossings in the outlines of the two parts, counted to `most`: those there are between edges
-    /// of one part, and those of its new edges. The edge after the way counts as one: what touches
+    /// of one part, and those of its new edges. The edge after the path counts as one: what touches
     /// where an edge starts is judged by the edge before.
-    int left(const InnerWay& way, int most) const {
+    int left(const InteriorPath& path, int most) const {
         int count = 0;
         for (const bool second : {false, true}) {
-            const int begin = second ? way.to : way.from;
-            const int end = second ? way.from : way.to;
+            const int begin = second ? path.to : path.from;
+            const int end = second ? path.from : path.to;
             count += static_cast<int>(std::ranges::count_if(all_, [&](const OutlineCrossing& c) {
                 return isBetween(c.first, begin + 1, end) && isBetween(c.second, begin + 1, end);
             }));
@@ -236,9 +237,9 @@ private:
             }
             const int firstNew = static_cast<int>(loop.size()) - 1;
             if (second) {
-                loop.insert(loop.end(), way.path.begin() + 1, way.path.end());
+                loop.insert(loop.end(), path.path.begin() + 1, path.path.end());
             } else {
-                loop.insert(loop.end(), way.path.rbegin() + 1, way.path.rend());
+                loop.insert(loop.end(), path.path.rbegin() + 1, path.path.rend());
             }
             count += crossingsFrom(Q_, loop, firstNew, most - count);
         }
@@ -246,21 +247,21 @@ private:
     }
 
     /// Not to be asked once there are no tests left.
-    bool resolves(const InnerWay& way) {
+    bool resolves(const InteriorPath& path) {
         --testsLeft_;
-        return all_.size() < kMaxOutlineCrossings && left(way, 1) == 0;
+        return all_.size() < kMaxOutlineCrossings && left(path, 1) == 0;
     }
 
     bool mayTest() const { return testsLeft_ > 0 && !progress_.isCancelled(); }
 
-    /// Passes over those that were tested among shorter ways: they come first again.
+    /// Passes over those that were tested among shorter paths: they come first again.
     const Candidate* firstThatResolves() {
         for (; tested_ < candidates_.size(); ++tested_) {
             const Candidate& c = candidates_[tested_];
             if (c.together > 0 || !mayTest()) {  // those that part all crossings come first
                 break;
             }
-            if (resolves(c.way)) {
+            if (resolves(c.path)) {
                 return &c;
             }
         }
@@ -268,8 +269,8 @@ private:
     }
 
     /// How much longer one part's share of the outline is than the other's.
-    double unevenness(const InnerWay& way) const {
-        const double between = std::abs(along_[way.to] - along_[way.from]);
+    double unevenness(const InteriorPath& path) const {
+        const double between = std::abs(along_[path.to] - along_[path.from]);
         return std::abs(along_.back() - 2 * between);
     }
 
@@ -277,37 +278,37 @@ private:
     CrossingCut mostEven(const Candidate& shortest) {
         std::vector<const Candidate*> close;
         for (const Candidate& c : candidates_) {
-            if (c.together == 0 && c.way.length <= kHardlyLonger * shortest.way.length) {
+            if (c.together == 0 && c.path.length <= kHardlyLonger * shortest.path.length) {
                 close.push_back(&c);
             }
         }
         std::stable_sort(close.begin(), close.end(), [&](const Candidate* s, const Candidate* t) {
-            return unevenness(s->way) < unevenness(t->way);
+            return unevenness(s->path) < unevenness(t->path);
         });
         for (std::size_t k = 0; k < close.size() && close[k] != &shortest && mayTest(); ++k) {
-            if (resolves(close[k]->way)) {
-                return {close[k]->way.path, close[k]->way.length, true};
+            if (resolves(close[k]->path)) {
+                return {close[k]->path.path, close[k]->path.length, true};
             }
         }
-        return {shortest.way.path, shortest.way.length, true};
+        return {shortest.path.path, shortest.path.length, true};
     }
 
-    /// Of the ways that part the most crossings: the one that leaves the fewest.
+    /// Of the paths that part the most crossings: the one that leaves the fewest.
     CrossingCut leastBad() const {
         const Candidate* best = &candidates_.front();
         int fewest = std::numeric_limits<int>::max();
         const std::size_t count =
             std::min(candidates_.size(), std::clamp(kTestedEdges / piece_.boundary.size(),
-                                                    kFewestLeastBadTests, kMostLeastBadTests));
+                                                    kMinLeastBadTests, kMaxLeastBadTests));
         for (std::size_t k = 0; k < count && !progress_.isCancelled(); ++k) {
             const Candidate& c = candidates_[k];
-            const int here = left(c.way, fewest);
+            const int here = left(c.path, fewest);
             if (here < fewest) {
                 best = &c;
                 fewest = here;
             }
         }
-        return {best->way.path, best->way.length, false};
+        return {best->path.path, best->path.length, false};
     }
 
     const Piece& piece_;
@@ -316,7 +317,7 @@ private:
     int n_;
     const std::vector<OutlineCrossing>& all_;
     std::vector<OutlineCrossing> crossings_;  ///< some of all
-    InnerWays ways_;
+    InteriorPaths paths_;
     std::vector<double> along_;  ///< length of the outline up to each loop vertex
     std::size_t testsLeft_;
     std::vector<Search> searches_;
@@ -331,11 +332,11 @@ Wording cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) {
     const auto place = [&piece](int v) {
         return placeWording(piece.mesh.V(v, 0), piece.mesh.V(v, 1), piece.mesh.V(v, 2));
     };
-    const std::vector<Wording> way{place(cut->path.front()), place(cut->path.back()),
-                                   figure(cut->length3d)};
+    const std::vector<Wording> path{place(cut->path.front()), place(cut->path.back()),
+                                    figure(cut->length3d)};
     return cut->resolves
-               ? worded("; cut it from %1 to %2, %3 mm", way)
-               : worded("; one cut is not enough: begin with one from %1 to %2, %3 mm", way);
+               ? worded("; cut it from %1 to %2, %3 mm", path)
+               : worded("; one cut is not enough: begin with one from %1 to %2, %3 mm", path);
 }
 
 }  // namespace

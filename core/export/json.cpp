@@ -126,7 +126,7 @@ Json filesJson(const Garment& garment, const PieceResults& results) {
 
 Json cutsJson(const Garment& garment) {
     Json cuts = Json::array();
-    for (const MadeCut& cut : garment.cuts) {
+    for (const AppliedCut& cut : garment.cuts) {
         cuts.push_back({{"name", cut.name},
                         {"kind", text(name(cut.kind))},
                         {"author", cut.author == CutAuthor::User ? "user" : "automatic"},

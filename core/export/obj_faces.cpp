@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kNoPiece = -1;
 /// A face of more corners is written as its triangles: to compare it costs their square.
-constexpr std::size_t kMostCorners = 2000;
+constexpr std::size_t kMaxCorners = 2000;
 
 struct PieceTriangle {
     int piece, triangle;
@@ -97,8 +97,8 @@ private:
     bool isWhole(std::span<const int> corners, std::span<const PieceTriangle> triangles) const {
         const int p = triangles.front().piece;
         const Piece& piece = *garment_.pieces[p];
-        if (corners.size() > kMostCorners || triangles.size() + 2 != corners.size()) {
-            return false;  // too many, or mending took a triangle away, or divided one
+        if (corners.size() > kMaxCorners || triangles.size() + 2 != corners.size()) {
+            return false;  // too many, or repair took a triangle away, or divided one
         }
         for (const PieceTriangle& t : triangles) {
             if (t.piece != p) {

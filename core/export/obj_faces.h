@@ -28,7 +28,7 @@ inline constexpr const char* kUnassignedGroup = "unassigned";
 
 /// Appends the `g` and `f` lines of one file, in its face order. A polygon is kept whole as long as
 /// its corners still stand for it; a face that cleaning divided (over pieces, or with vertices of
-/// its own) is written as the triangles it became, one that mending turned over is written turned,
+/// its own) is written as the triangles it became, one that repair flipped is written turned,
 /// and triangles that come from no face follow at the end. Corners take their vt from the piece
 /// that holds the face. Cost: linear in triangles; quadratic in the corners of one polygon; one of
 /// more than 2000 is written as its triangles.

@@ -143,7 +143,7 @@ void appendFileHead(std::string& out, const SourceFile& file, const FileNotes& n
     }
     if (notes.faces.turned > 0) {
         comment(out, "differs from the input: " + counted(notes.faces.turned, "face") +
-                         " turned over to agree with the neighbours");
+                         " flipped to agree with the neighbours");
     }
 }
 

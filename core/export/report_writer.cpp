@@ -37,7 +37,7 @@ void addQuality(Json& json, const PieceQuality* q) {
     putCount("outline_crossings", &PieceQuality::outlineCrossings);
 }
 
-/// How far the piece lies from the designer's flat panel, where the file carries one.
+/// How far the piece lies from the reference panel, where the file carries one.
 Json referenceJson(const PieceResult& result) {
     if (!result.quality || !result.quality->reference) {
         return nullptr;

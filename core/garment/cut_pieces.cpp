@@ -20,7 +20,7 @@ using PiecePointer = std::shared_ptr<const Piece>;
 constexpr double kByHandShare = 0.5;
 constexpr double kTracingShare = 0.7;
 
-/// A point of the designer's flat panel by its place on the surface.
+/// A point of the reference panel by its place on the surface.
 Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const SurfacePoint& place) {
     Eigen::RowVector2d point = Eigen::RowVector2d::Zero();
     for (int k = 0; place.face >= 0 && k < 3; ++k) {
@@ -82,20 +82,20 @@ Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPo
     return made;
 }
 
-bool cutsCanMend(ErrorCode defect) {
+bool cutsCanRepair(ErrorCode defect) {
     return defect == ErrorCode::ClosedSurface || defect == ErrorCode::SeveralLoops ||
            defect == ErrorCode::Handle;
 }
 
 class Cutter {
 public:
-    Cutter(const std::vector<PiecePointer>& wholes, bool automatic,
-           const std::vector<CutWhole>& before)
+    Cutter(const std::vector<PiecePointer>& uncut, bool automatic,
+           const std::vector<CutRecord>& before)
         : automatic_(automatic) {
-        for (const PiecePointer& whole : wholes) {
+        for (const PiecePointer& whole : uncut) {
             names_.take(whole->name);
         }
-        for (const CutWhole& cut : before) {
+        for (const CutRecord& cut : before) {
             before_.emplace(cut.whole.get(), &cut);
         }
     }
@@ -122,7 +122,7 @@ public:
         append(made_.pieces, done_.pieces);
         append(made_.cuts, done_.cuts);
         append(made_.problems, done_.problems);
-        made_.wholes.push_back(std::move(done_));
+        made_.records.push_back(std::move(done_));
     }
 
     CutPieces take() { return std::move(made_); }
@@ -131,11 +131,11 @@ public:
 
 private:
     bool isToOpen(const Piece& piece) const {
-        return automatic_ && piece.defect && cutsCanMend(piece.defect->code);
+        return automatic_ && piece.defect && cutsCanRepair(piece.defect->code);
     }
 
     /// Whether its parts can be called what they were called.
-    bool areFree(const CutWhole& cut) const {
+    bool areFree(const CutRecord& cut) const {
         return std::ranges::all_of(cut.pieces, [&](const PiecePointer& part) {
             return part->name == cut.whole->name || names_.isFree(part->name);
         });
@@ -250,25 +250,26 @@ private:
     }
 
     const bool automatic_;
-    std::unordered_map<const Piece*, const CutWhole*> before_;
+    std::unordered_map<const Piece*, const CutRecord*> before_;
     UniqueNames names_;
-    CutWhole done_;  ///< with the piece at hand
+    CutRecord done_;  ///< with the piece at hand
     CutPieces made_;
 };
 
 }  // namespace
 
-CutPieces cutPieces(const std::vector<PiecePointer>& wholes, std::vector<UserCut> cuts,
-                    bool automatic, const Progress& progress, const std::vector<CutWhole>& before) {
+CutPieces cutPieces(const std::vector<PiecePointer>& uncut, std::vector<UserCut> cuts,
+                    bool automatic, const Progress& progress,
+                    const std::vector<CutRecord>& before) {
     giveIds(cuts);
-    CutOwners owners = findCutOwners(wholes, cuts, progress);
-    Cutter cutter(wholes, automatic, before);
+    CutOwners owners = findCutOwners(uncut, cuts, progress);
+    Cutter cutter(uncut, automatic, before);
     for (Error& problem : owners.problems) {
         cutter.fail(std::move(problem));
     }
-    const auto count = static_cast<double>(wholes.size());
-    for (std::size_t p = 0; p < wholes.size() && !progress.isCancelled(); ++p) {
-        cutter.cut(wholes[p], std::move(owners.cutsOf[p]), Progress(progress, 1 / count));
+    const auto count = static_cast<double>(uncut.size());
+    for (std::size_t p = 0; p < uncut.size() && !progress.isCancelled(); ++p) {
+        cutter.cut(uncut[p], std::move(owners.cutsOf[p]), Progress(progress, 1 / count));
         progress.report(static_cast<double>(p + 1) / count);
     }
     return cutter.take();

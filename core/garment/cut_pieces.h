@@ -16,7 +16,7 @@ namespace toile {
 enum class CutAuthor { User, Automatic };
 
 /// A cut that was made in a piece.
-struct MadeCut {
+struct AppliedCut {
     std::string name;  ///< the user's; "front, automatic cut 1"
     CutAuthor author = CutAuthor::User;
     UserCut::Kind kind = UserCut::Kind::Path;
@@ -26,21 +26,21 @@ struct MadeCut {
 };
 
 /// What was done with one piece that was to be cut.
-struct CutWhole {
+struct CutRecord {
     std::shared_ptr<const Piece> whole;
     std::vector<UserCut> asked;
     bool automatic = false;
     std::vector<std::shared_ptr<const Piece>> pieces;
-    std::vector<MadeCut> cuts{};
+    std::vector<AppliedCut> cuts{};
     Problems problems{};
 };
 
 /// Pieces after cutting, and what was done.
 struct CutPieces {
     std::vector<std::shared_ptr<const Piece>> pieces;
-    std::vector<MadeCut> cuts;
+    std::vector<AppliedCut> cuts;
     Problems problems;  ///< CutImpossible, for each cut of the user's that could not be made
-    std::vector<CutWhole> wholes;  ///< of those pieces that were to be cut
+    std::vector<CutRecord> records;  ///< of those pieces that were to be cut
 };
 
 /// Makes the user's cuts, each in the piece that lies nearest to its points, and then, where asked,
@@ -52,8 +52,8 @@ struct CutPieces {
 /// @param before    what an earlier call did: where the same is asked of the same piece, the same
 ///                  parts come of it, by pointer
 /// Deterministic. Re-entrant.
-CutPieces cutPieces(const std::vector<std::shared_ptr<const Piece>>& wholes,
+CutPieces cutPieces(const std::vector<std::shared_ptr<const Piece>>& uncut,
                     std::vector<UserCut> cuts, bool automatic, const Progress& progress,
-                    const std::vector<CutWhole>& before = {});
+                    const std::vector<CutRecord>& before = {});
 
 }  // namespace toile

@@ -147,15 +147,16 @@ private:
             nameInFile(*file_.soup, divided_.split.mode, part.sourceFace.front());
         std::string name = uniqueName(wanted);
         if (options_.repair) {
-            RepairResult mended = repair(std::move(part), prefix_ + name);
-            part = std::move(mended.part);
-            if (mended.soundTable) {
-                add(makePiece(prefix_ + name, std::move(part.mesh), *std::move(mended.soundTable)),
+            RepairResult repaired = repair(std::move(part), prefix_ + name);
+            part = std::move(repaired.part);
+            if (repaired.validTable) {
+                add(makePiece(prefix_ + name, std::move(part.mesh),
+                              *std::move(repaired.validTable)),
                     part);
                 return;
             }
-            divided_.problems.insert(divided_.problems.end(), mended.repairs.begin(),
-                                     mended.repairs.end());
+            divided_.problems.insert(divided_.problems.end(), repaired.repairs.begin(),
+                                     repaired.repairs.end());
         }
         for (auto& [connected, ignored] : connectedParts(std::move(part))) {
             if (name.empty()) {

@@ -12,22 +12,23 @@ namespace toile {
 
 struct DivideOptions {
     SplitMode split = SplitMode::Auto;
-    bool repair = true;  ///< mend what can be mended, with a note per kind; else leave it as it is
+    bool repair =
+        true;  ///< repair what can be repaired, with a note per kind; else leave it as it is
 };
 
 /// A file divided into pieces.
 struct DividedFile {
     std::vector<std::shared_ptr<Piece>> pieces;  ///< without ids yet (`identify`)
     SplitChoice split;                           ///< the mode used, and why
-    Problems problems;                           ///< what triangulating and mending had to say
+    Problems problems;                           ///< what triangulating and repair had to say
 };
 
 /// Divides a file into pieces, in order of first face, positions scaled to millimetres. Each part
-/// is mended (`repair`) and checked (`makePiece`); one that is no disk keeps its arrays
+/// is repaired (`repair`) and checked (`makePiece`); one that is no disk keeps its arrays
 /// and says why in `defect`. Pieces are named from the file's names for their faces; several of one
 /// name get " 2", " 3"; `namePrefix` goes before every name. Where the UV map is the garment's flat
 /// pattern, each piece keeps its panel as `reference`.
-/// Cost: linear, but for mending. Re-entrant.
+/// Cost: linear, but for repair. Re-entrant.
 DividedFile divide(const SourceFile& file, int fileIndex, const std::string& namePrefix,
                    const DivideOptions& options);
 

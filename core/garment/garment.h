@@ -50,11 +50,11 @@ struct Garment {
     std::vector<std::shared_ptr<const SourceFile>> files;
     std::vector<std::shared_ptr<const Piece>> pieces;  ///< as cut
     std::vector<std::shared_ptr<const Piece>>
-        wholes{};  ///< as divided, before any join or cut; those
-                   ///< that none touches are the same pointers
-    std::vector<MadeJoin> joins{};
-    std::vector<MadeCut> cuts{};
-    std::vector<CutWhole> cutWholes{};         ///< what became of the pieces that were to be cut
+        uncut{};  ///< as divided, before any join or cut; those
+                  ///< that none touches are the same pointers
+    std::vector<AppliedJoin> joins{};
+    std::vector<AppliedCut> cuts{};
+    std::vector<CutRecord> cutRecords{};       ///< what became of the pieces that were to be cut
     SeamGraph seams{};                         ///< of `pieces`
     std::vector<SeamSettings> seamSettings{};  ///< that these follow
     Problems problems{};  ///< of the garment as a whole: cuts and joins that could not be

@@ -52,10 +52,10 @@ std::optional<double> unlikeness(const KnownPiece& a, const KnownPiece& b) {
 
 class Identifier {
 public:
-    Identifier(std::vector<std::shared_ptr<Piece>>& wholes,
+    Identifier(std::vector<std::shared_ptr<Piece>>& uncut,
                const std::vector<std::shared_ptr<const SourceFile>>& files,
                const std::vector<KnownPiece>& known)
-        : wholes_(wholes), files_(files), known_(known), isFree_(known.size(), 1) {
+        : uncut_(uncut), files_(files), known_(known), isFree_(known.size(), 1) {
         for (std::size_t k = 0; k < known.size(); ++k) {
             isFree_[k] = known[k].id && byId_.emplace(known[k].id, k).second ? 1 : 0;
         }
@@ -64,22 +64,22 @@ public:
     void run() {
         proposeIds();
         std::vector<std::size_t> unknown;
-        for (std::size_t i = 0; i < wholes_.size(); ++i) {
+        for (std::size_t i = 0; i < uncut_.size(); ++i) {
             if (!takeProposed(i)) {
                 unknown.push_back(i);
             }
         }
         matchOthers(unknown);
         for (const std::size_t i : unknown) {
-            if (!wholes_[i]->id) {  // it is new
+            if (!uncut_[i]->id) {  // it is new
                 PieceId id = proposed_[i];
                 while (!taken_.insert(id).second) {
                     id.value = hashOf({id.value});
                 }
-                wholes_[i]->id = id;
+                uncut_[i]->id = id;
             }
         }
-        for (const auto& piece : wholes_) {
+        for (const auto& piece : uncut_) {
             piece->lineage = {{piece->id}, {}};
             piece->origins = rimOrigins(*piece, files_[static_cast<std::size_t>(piece->file)]->up);
         }
@@ -89,7 +89,7 @@ private:
     void proposeIds() {
         const std::vector<FileId> ofFile = fileIds(files_);
         std::map<std::uint64_t, std::uint64_t> alike;  // parts of one face of the file
-        for (const auto& piece : wholes_) {
+        for (const auto& piece : uncut_) {
             const int face = piece->sourceFace.empty() ? -1 : piece->sourceFace.front();
             const std::uint64_t hash =
                 hashOf({ofFile[static_cast<std::size_t>(piece->file)].value,
@@ -108,7 +108,7 @@ private:
     }
 
     void take(std::size_t i, std::size_t k) {
-        wholes_[i]->id = known_[k].id;
+        uncut_[i]->id = known_[k].id;
         taken_.insert(known_[k].id);
         isFree_[k] = 0;
     }
@@ -117,7 +117,7 @@ private:
         std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
         for (const std::size_t i : unknown) {
             const KnownPiece now =
-                knownBy(*wholes_[i], *files_[static_cast<std::size_t>(wholes_[i]->file)]);
+                knownBy(*uncut_[i], *files_[static_cast<std::size_t>(uncut_[i]->file)]);
             for (std::size_t k = 0; k < known_.size(); ++k) {
                 if (isFree_[k] != 0 && known_[k].file == now.file) {
                     if (const auto cost = unlikeness(known_[k], now)) {
@@ -128,13 +128,13 @@ private:
         }
         std::ranges::sort(pairs);
         for (const auto& [cost, i, k] : pairs) {
-            if (!wholes_[i]->id && isFree_[k] != 0) {
+            if (!uncut_[i]->id && isFree_[k] != 0) {
                 take(i, k);
             }
         }
     }
 
-    std::vector<std::shared_ptr<Piece>>& wholes_;
+    std::vector<std::shared_ptr<Piece>>& uncut_;
     const std::vector<std::shared_ptr<const SourceFile>>& files_;
     const std::vector<KnownPiece>& known_;
     std::map<PieceId, std::size_t> byId_;  ///< known ones
@@ -157,7 +157,7 @@ std::vector<FileId> fileIds(const std::vector<std::shared_ptr<const SourceFile>>
 
 std::vector<KnownPiece> knownPieces(const Garment& garment) {
     std::vector<KnownPiece> known;
-    for (const auto& piece : garment.wholes) {
+    for (const auto& piece : garment.uncut) {
         const auto file = static_cast<std::size_t>(piece->file);
         if (file < garment.files.size()) {
             known.push_back(knownBy(*piece, *garment.files[file]));
@@ -166,16 +166,16 @@ std::vector<KnownPiece> knownPieces(const Garment& garment) {
     return known;
 }
 
-void identify(std::vector<std::shared_ptr<Piece>>& wholes,
+void identify(std::vector<std::shared_ptr<Piece>>& uncut,
               const std::vector<std::shared_ptr<const SourceFile>>& files,
               const std::vector<KnownPiece>& known) {
-    Identifier(wholes, files, known).run();
+    Identifier(uncut, files, known).run();
 }
 
 void nameSubjects(const std::vector<std::shared_ptr<SourceFile>>& files,
-                  const std::vector<std::shared_ptr<Piece>>& wholes) {
+                  const std::vector<std::shared_ptr<Piece>>& uncut) {
     std::map<std::string_view, PieceId> byName;  // all of one division: no two are called alike
-    for (const auto& piece : wholes) {
+    for (const auto& piece : uncut) {
         byName.emplace(piece->name, piece->id);
         nameDefect(*piece);
     }

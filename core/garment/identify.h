@@ -36,15 +36,15 @@ std::vector<FileId> fileIds(const std::vector<std::shared_ptr<const SourceFile>>
 /// version: of the known pieces of the same file that are left, it is the one that lies where it
 /// lies and is as large, or has its name and is not far from it. Cost: linear in the meshes, and in
 /// known times unknown pieces of each file. Pure.
-/// @param wholes  of all files
-void identify(std::vector<std::shared_ptr<Piece>>& wholes,
+/// @param uncut  of all files
+void identify(std::vector<std::shared_ptr<Piece>>& uncut,
               const std::vector<std::shared_ptr<const SourceFile>>& files,
               const std::vector<KnownPiece>& known);
 
-/// Completes with these ids what reading, mending and checking said of files and pieces by name.
-/// Precondition: the wholes are those of `files`, with ids. n log n in what was said and the
+/// Completes with these ids what reading, repairing and checking said of files and pieces by name.
+/// Precondition: the uncut pieces are those of `files`, with ids. n log n in what was said and the
 /// pieces.
 void nameSubjects(const std::vector<std::shared_ptr<SourceFile>>& files,
-                  const std::vector<std::shared_ptr<Piece>>& wholes);
+                  const std::vector<std::shared_ptr<Piece>>& uncut);
 
 }  // namespace toile

@@ -45,8 +45,8 @@ struct SewnChain {
 
 class Joiner {
 public:
-    explicit Joiner(const std::vector<PiecePointer>& wholes) : pieces_(wholes) {
-        for (const PiecePointer& whole : wholes) {
+    explicit Joiner(const std::vector<PiecePointer>& uncut) : pieces_(uncut) {
+        for (const PiecePointer& whole : uncut) {
             names_.take(whole->name);
         }
     }
@@ -178,7 +178,7 @@ private:
         double at = arcAt(chain, arc, join.points.front()), low = at, high = at;
         for (std::size_t i = 1; i < join.points.size(); ++i) {
             double step = arcAt(chain, arc, join.points[i]) - at;
-            if (chain.closed) {  // the shorter way round
+            if (chain.closed) {  // the shorter path round
                 step -= arc.back() * std::round(step / arc.back());
             }
             at += step;
@@ -303,9 +303,9 @@ private:
 
     static Lineage lineageOf(const Piece& left, const Piece& right) {
         Lineage both;
-        std::set_union(left.lineage.wholes.begin(), left.lineage.wholes.end(),
-                       right.lineage.wholes.begin(), right.lineage.wholes.end(),
-                       std::back_inserter(both.wholes));
+        std::set_union(left.lineage.uncut.begin(), left.lineage.uncut.end(),
+                       right.lineage.uncut.begin(), right.lineage.uncut.end(),
+                       std::back_inserter(both.uncut));
         return both;
     }
 
@@ -347,9 +347,9 @@ private:
 
 }  // namespace
 
-JoinedPieces joinPieces(const std::vector<PiecePointer>& wholes, const std::vector<UserJoin>& joins,
+JoinedPieces joinPieces(const std::vector<PiecePointer>& uncut, const std::vector<UserJoin>& joins,
                         const Progress& progress) {
-    Joiner joiner(wholes);
+    Joiner joiner(uncut);
     for (std::size_t j = 0; j < joins.size() && !progress.isCancelled(); ++j) {
         if (const auto done = joiner.join(joins[j]); !done) {
             joiner.fail(done.error());

@@ -13,7 +13,7 @@
 namespace toile {
 
 /// A seam that was taken out.
-struct MadeJoin {
+struct AppliedJoin {
     std::string name;   ///< the user's
     std::string piece;  ///< what came of it: "front + back", or the one piece on both sides
     double length = 0;  ///< mm, of the line that was closed
@@ -22,7 +22,7 @@ struct MadeJoin {
 /// Pieces after joining, and what was done.
 struct JoinedPieces {
     std::vector<std::shared_ptr<const Piece>> pieces;
-    std::vector<MadeJoin> joins;
+    std::vector<AppliedJoin> joins;
     Problems problems;  ///< JoinImpossible, for each seam that could not be taken out
 };
 
@@ -30,7 +30,7 @@ struct JoinedPieces {
 /// a join, the two are made one. The first piece keeps its place in the list, its vertices and its
 /// faces their numbers; those of the second follow, less the vertices that became the first's. Both
 /// sides may be of one piece: the two edges of a dart, or of a tube. Area, winding and sources are
-/// kept; the designer's panel is not, since two panels are not one. What comes of it need be no
+/// kept; the reference panel is not, since two panels are not one. What comes of it need be no
 /// disk: that is then its defect. Pieces without a join are handed on as they are, by pointer.
 /// Refused, each with its reason, and nothing else left out for it: points far from any rim; a rim
 /// there that has no other one with the same vertices, or more than one; pieces of two files; what
@@ -38,7 +38,7 @@ struct JoinedPieces {
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing
 /// Cost: linear in all triangles, and for every join in those of its two pieces and in the edges of
 /// all rims; nothing without joins. Deterministic. Re-entrant.
-JoinedPieces joinPieces(const std::vector<std::shared_ptr<const Piece>>& wholes,
+JoinedPieces joinPieces(const std::vector<std::shared_ptr<const Piece>>& uncut,
                         const std::vector<UserJoin>& joins, const Progress& progress = Progress());
 
 }  // namespace toile

@@ -29,11 +29,11 @@ std::pair<int, int> likeness(const Lineage& a, const Lineage& b) {
 }  // namespace
 
 PieceId idOf(const Lineage& lineage) {
-    if (lineage.wholes.size() == 1 && lineage.sides.empty()) {
-        return lineage.wholes.front();
+    if (lineage.uncut.size() == 1 && lineage.sides.empty()) {
+        return lineage.uncut.front();
     }
     std::uint64_t id = 0;
-    for (const PieceId& whole : lineage.wholes) {
+    for (const PieceId& whole : lineage.uncut) {
         id = hashOf({id, whole.value});
     }
     for (const CutSide& side : lineage.sides) {
@@ -45,12 +45,12 @@ PieceId idOf(const Lineage& lineage) {
 std::vector<int> predecessors(const std::vector<std::shared_ptr<const Piece>>& before,
                               const std::vector<std::shared_ptr<const Piece>>& after) {
     std::map<PieceId, int> byId;
-    std::map<PieceId, std::vector<int>> byWhole;
+    std::map<PieceId, std::vector<int>> byUncut;
     for (std::size_t i = 0; i < before.size(); ++i) {
         if (before[i] && before[i]->id) {
             byId.emplace(before[i]->id, static_cast<int>(i));
-            for (const PieceId& whole : before[i]->lineage.wholes) {
-                byWhole[whole].push_back(static_cast<int>(i));
+            for (const PieceId& whole : before[i]->lineage.uncut) {
+                byUncut[whole].push_back(static_cast<int>(i));
             }
         }
     }
@@ -59,11 +59,11 @@ std::vector<int> predecessors(const std::vector<std::shared_ptr<const Piece>>& b
         const auto same = byId.find(piece->id);
         int best = same == byId.end() ? -1 : same->second;
         std::optional<std::pair<std::pair<int, int>, Eigen::Index>> most;  // likeness, faces
-        for (const PieceId& whole : piece->lineage.wholes) {
-            if (same != byId.end() || !byWhole.contains(whole)) {
+        for (const PieceId& whole : piece->lineage.uncut) {
+            if (same != byId.end() || !byUncut.contains(whole)) {
                 continue;
             }
-            for (const int i : byWhole[whole]) {
+            for (const int i : byUncut[whole]) {
                 const Piece& old = *before[static_cast<std::size_t>(i)];
                 const std::pair score{likeness(piece->lineage, old.lineage), old.mesh.F.rows()};
                 if (!most || score > *most) {

@@ -23,8 +23,8 @@ struct CutSide {
 
 /// Where a piece comes from. Written down where pieces are divided, joined and cut.
 struct Lineage {
-    std::vector<PieceId> wholes;  ///< pieces of the division that are in it, ascending
-    std::vector<CutSide> sides;   ///< of every cut that parted these, in the order of the cuts
+    std::vector<PieceId> uncut;  ///< pieces of the division that are in it, ascending
+    std::vector<CutSide> sides;  ///< of every cut that parted these, in the order of the cuts
 
     bool operator==(const Lineage&) const = default;
 };

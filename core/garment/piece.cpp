@@ -29,11 +29,11 @@ void acceptHoles(Piece& piece, DiskCheck& check) {
 
 }  // namespace
 
-Piece makePiece(std::string name, MeshArrays mesh, std::optional<EdgeTable> soundTable) {
+Piece makePiece(std::string name, MeshArrays mesh, std::optional<EdgeTable> validTable) {
     Piece piece;
     piece.name = std::move(name);
     piece.mesh = std::move(mesh);
-    DiskCheck check = checkDisk(piece.mesh, piece.name, std::move(soundTable));
+    DiskCheck check = checkDisk(piece.mesh, piece.name, std::move(validTable));
     if (check.defect && check.defect->code == ErrorCode::SeveralLoops) {
         acceptHoles(piece, check);
     }

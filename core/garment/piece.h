@@ -25,8 +25,8 @@ struct Piece {
     std::vector<int> sourceFace;      ///< per triangle: face index in the file's soup
     EdgeTable table;                  ///< edges, and the three of each triangle
 
-    /// The designer's own flat panel, where the file's UV map carries it: #V x 2, mm, to compare
-    /// with. May lie mirrored.
+    /// The reference panel: the designer's own, where the file's UV map carries it: #V x 2, mm, to
+    /// compare with. May lie mirrored.
     std::optional<Points2> reference;
 
     /// What follows is there only where the piece is a disk, holes aside (defect is empty).
@@ -50,11 +50,11 @@ inline void nameDefect(Piece& piece) {
 /// Checks the mesh, or names the defect. The mapping back to a file
 /// and the id are left empty. Loops that are holes in the cloth (`sortLoops`) are no defect.
 /// @param mesh        one connected component, mm
-/// @param soundTable  its edges, where it is known to be a sound surface (`isSoundSurface`): then
+/// @param validTable  its edges, where it is known to be a valid surface (`isValidSurface`): then
 ///                    nothing is checked twice
 /// Cost: linear. Pure.
 Piece makePiece(std::string name, MeshArrays mesh,
-                std::optional<EdgeTable> soundTable = std::nullopt);
+                std::optional<EdgeTable> validTable = std::nullopt);
 
 /// Lengths of all boundary loops, mm; of a mesh that is not manifold, of those that can be
 /// followed.

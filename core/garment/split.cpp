@@ -134,7 +134,7 @@ double diskShare(const Division& division) {
 SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangulation& triangles) {
     constexpr double kMostEdgesAreClose = 0.8;
     constexpr double kMostIslandsAreDisks = 0.8;
-    constexpr double kFewestTrianglesPerIsland = 4;  // an atlas of single triangles is no pattern
+    constexpr double kMinTrianglesPerIsland = 4;  // an atlas of single triangles is no pattern
     if (wanted != SplitMode::Auto) {
         return {wanted, ""};
     }
@@ -143,7 +143,7 @@ SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangu
         const Division division = splitTriangles(SplitMode::Uv, soup, triangles);
         const int islands = division.partCount;
         if (islands > 1 &&
-            static_cast<double>(triangles.F.rows()) >= kFewestTrianglesPerIsland * islands &&
+            static_cast<double>(triangles.F.rows()) >= kMinTrianglesPerIsland * islands &&
             diskShare(division) >= kMostIslandsAreDisks) {
             return {SplitMode::Uv,
                     worded("the UV map is a flat pattern of %1 (%2 % of its edges keep "

@@ -22,7 +22,7 @@ constexpr int kMaxDepth = 48;
 constexpr double kGoodHalving = 0.6;
 /// Divisions within a cell may add this many times its pairs, all together. Segments that lie on
 /// each other are in every part of a cell that they pass, however often it is divided.
-constexpr double kMostGrowth = 1;
+constexpr double kMaxGrowth = 1;
 
 /// The part of a segment in a cell, seen across the sweep.
 struct Span {
@@ -69,7 +69,7 @@ public:
         all.here.resize(segments.size());
         std::iota(all.here.begin(), all.here.end(), 0);
         sweep(all);
-        double spare = kMostGrowth * static_cast<double>(all.pairs);
+        double spare = kMaxGrowth * static_cast<double>(all.pairs);
         return inCell(all, 0, spare);
     }
 
@@ -93,13 +93,13 @@ private:
 
     /// The parts on either side of a line through the middle of the segments' middles.
     Halves halvesAcross(const Content& content, const Eigen::RowVector2d& across) const {
-        std::vector<double> middles;
-        middles.reserve(content.parts.size());
+        std::vector<double> midpoints;
+        midpoints.reserve(content.parts.size());
         for (const Segment2& part : content.parts) {
-            middles.push_back(0.5 * (part.a + part.b).dot(across));
+            midpoints.push_back(0.5 * (part.a + part.b).dot(across));
         }
-        const auto median = middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2);
-        std::ranges::nth_element(middles, median);
+        const auto median = midpoints.begin() + static_cast<std::ptrdiff_t>(midpoints.size() / 2);
+        std::ranges::nth_element(midpoints, median);
         Halves halves;
         for (const bool beyond : {false, true}) {
             Content& half = halves[beyond ? 1 : 0];
@@ -145,7 +145,7 @@ private:
         const double added = static_cast<double>(halves[0].pairs) +
                              static_cast<double>(halves[1].pairs) -
                              static_cast<double>(content.pairs);
-        const double most = std::min(spare, kMostGrowth * static_cast<double>(content.pairs));
+        const double most = std::min(spare, kMaxGrowth * static_cast<double>(content.pairs));
         if (added > most) {
             return visitOverlaps(content.spans, content.cell);
         }

@@ -160,7 +160,7 @@ private:
             materials_.change(materialOf(mesh), soup_.faceCount());
             for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
                 const aiFace& face = mesh.mFaces[f];
-                if (face.mNumIndices > kMostCorners - soup_.corners.size()) {
+                if (face.mNumIndices > kMaxCorners - soup_.corners.size()) {
                     return false;
                 }
                 if (face.mNumIndices >= 3) {
@@ -212,7 +212,7 @@ private:
         return textOf(name) == AI_DEFAULT_MATERIAL_NAME ? "" : std::string(textOf(name));
     }
 
-    static constexpr std::size_t kMostCorners = std::numeric_limits<int>::max();
+    static constexpr std::size_t kMaxCorners = std::numeric_limits<int>::max();
 
     const aiScene& scene_;
     SoupBuilder builder_;

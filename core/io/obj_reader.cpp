@@ -89,8 +89,8 @@ private:
         Eigen::Vector2d uv(0, 0);
         if (!cursor_.readDoubles(uv.data(), 1)) {
             uv.setConstant(std::numeric_limits<double>::quiet_NaN());
-            builder_.tally().add(ErrorCode::NonFinitePosition, "texture coordinate", "not readable",
-                                 line);
+            builder_.counter().add(ErrorCode::NonFinitePosition, "texture coordinate",
+                                   "not readable", line);
         } else {
             cursor_.readDoubles(&uv[1], 1);
         }

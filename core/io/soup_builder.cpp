@@ -23,12 +23,12 @@ bool allInRange(const int* first, const int* last, std::size_t count) {
 }  // namespace
 
 SoupBuilder::SoupBuilder(std::string name, std::string_view placeWord)
-    : name_(std::move(name)), tally_(placeWord) {}
+    : name_(std::move(name)), counter_(placeWord) {}
 
 void SoupBuilder::addUnreadablePosition(std::string_view text, int place) {
     const std::string_view what =
         hasDecimalComma(text) ? "with decimal commas; numbers need decimal points" : "not readable";
-    tally_.add(ErrorCode::NonFinitePosition, "vertex", what, place);
+    counter_.add(ErrorCode::NonFinitePosition, "vertex", what, place);
     soup_.positions.push_back(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
 }
 
@@ -36,8 +36,8 @@ bool SoupBuilder::endFace(int place) {
     const std::size_t first = static_cast<std::size_t>(soup_.faceStart.back());
     if (soup_.corners.size() - first < 3) {
         takeBackCorners();
-        tally_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: fewer than three corners",
-                   place);
+        counter_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: fewer than three corners",
+                     place);
         return false;
     }
     soup_.faceStart.push_back(static_cast<int>(soup_.corners.size()));
@@ -47,7 +47,7 @@ bool SoupBuilder::endFace(int place) {
 
 void SoupBuilder::dropUnreadableFace(int place) {
     takeBackCorners();
-    tally_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: not readable", place);
+    counter_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: not readable", place);
 }
 
 void SoupBuilder::takeBackCorners() {
@@ -71,8 +71,8 @@ void SoupBuilder::leaveOutFacesOutOfRange() {
         const int last = s.faceStart[face + 1];
         const bool keep = allInRange(s.corners.data() + first, s.corners.data() + last, count);
         if (!keep) {
-            tally_.add(ErrorCode::IndexOutOfRange, "face",
-                       "left out: a corner's index is out of range", facePlaces_[face]);
+            counter_.add(ErrorCode::IndexOutOfRange, "face",
+                         "left out: a corner's index is out of range", facePlaces_[face]);
         }
         for (; keep && first < last; ++first, ++corner) {
             s.corners[corner] = s.corners[first];
@@ -109,9 +109,9 @@ void SoupBuilder::clearUvsOutOfRange() {
             int& uv = s.cornerUvs[corner];
             if (uv != kNoUv && !inRange(uv, s.uvs.size())) {
                 uv = kNoUv;
-                tally_.add(ErrorCode::IndexOutOfRange, "corner",
-                           "without texture coordinate: its index is out of range",
-                           facePlaces_[face]);
+                counter_.add(ErrorCode::IndexOutOfRange, "corner",
+                             "without texture coordinate: its index is out of range",
+                             facePlaces_[face]);
             }
         }
     }
@@ -126,12 +126,12 @@ Result<PolygonSoup> SoupBuilder::finish() {
     if (soup_.faceCount() == 0) {
         std::string detail =
             counted(static_cast<long long>(soup_.positions.size()), "vertex") + ", no faces";
-        if (!tally_.empty()) {
-            detail += "; " + tally_.summary();
+        if (!counter_.empty()) {
+            detail += "; " + counter_.summary();
         }
         return Error{ErrorCode::NoGeometry, Subject::file(name_), std::move(detail)};
     }
-    soup_.problems = tally_.problems(name_);
+    soup_.problems = counter_.problems(name_);
     return std::move(soup_);
 }
 
@@ -151,7 +151,7 @@ void FaceNames::change(std::string_view text, int faceCount) {
     current_ = found->second;
 }
 
-void ProblemTally::add(ErrorCode code, std::string_view noun, std::string_view what, int place) {
+void ProblemCounter::add(ErrorCode code, std::string_view noun, std::string_view what, int place) {
     for (Entry& entry : entries_) {
         if (entry.code == code && entry.noun == noun && entry.what == what) {
             ++entry.count;
@@ -162,13 +162,13 @@ void ProblemTally::add(ErrorCode code, std::string_view noun, std::string_view w
     entries_.push_back({code, noun, what, place, 1});
 }
 
-std::string ProblemTally::inWords(const Entry& entry) const {
+std::string ProblemCounter::inWords(const Entry& entry) const {
     std::string text = counted(entry.count, entry.noun);
     text.append(" ").append(entry.what).append(entry.count == 1 ? ", " : ", first at ");
     return text.append(placeWord_) + " " + std::to_string(entry.firstPlace);
 }
 
-std::string ProblemTally::summary() const {
+std::string ProblemCounter::summary() const {
     std::string text;
     for (const Entry& entry : entries_) {
         text += (text.empty() ? "" : "; ") + inWords(entry);
@@ -176,7 +176,7 @@ std::string ProblemTally::summary() const {
     return text;
 }
 
-Problems ProblemTally::problems(const std::string& file) const {
+Problems ProblemCounter::problems(const std::string& file) const {
     Problems problems;
     for (const Entry& entry : entries_) {
         const auto same = std::find_if(problems.begin(), problems.end(),

@@ -14,10 +14,10 @@ namespace toile {
 
 /// Counts what a reader meets, so that a file with a thousand faults of a kind gives one message
 /// with the count and the first place.
-class ProblemTally {
+class ProblemCounter {
 public:
     /// `placeWord` names what places are: "line", "face".
-    explicit ProblemTally(std::string_view placeWord) : placeWord_(placeWord) {}
+    explicit ProblemCounter(std::string_view placeWord) : placeWord_(placeWord) {}
 
     /// One more fault: `noun` is what it befell ("face"), `what` the fault ("left out: ..."). Both
     /// are literals.
@@ -62,7 +62,7 @@ public:
     /// For uvs, names, corners and position text, which readers fill themselves.
     PolygonSoup& soup() { return soup_; }
 
-    ProblemTally& tally() { return tally_; }
+    ProblemCounter& counter() { return counter_; }
 
     const std::string& name() const { return name_; }
 
@@ -73,7 +73,7 @@ public:
 
     void noteNonFinite(const Eigen::Vector3d& position, int place) {
         if (!position.allFinite()) {
-            tally_.add(ErrorCode::NonFinitePosition, "vertex", "without finite numbers", place);
+            counter_.add(ErrorCode::NonFinitePosition, "vertex", "without finite numbers", place);
         }
     }
 
@@ -101,7 +101,7 @@ private:
     std::string name_;
     PolygonSoup soup_;
     std::vector<int> facePlaces_;
-    ProblemTally tally_;
+    ProblemCounter counter_;
 };
 
 /// The names of one kind (objects, groups or materials) and which one each face carries. Fills the

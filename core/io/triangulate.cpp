@@ -48,7 +48,7 @@ public:
             }
         }
         result_.F.conservativeResize(static_cast<Eigen::Index>(result_.sourceFace.size()), 3);
-        result_.problems = tally_.problems(name_);
+        result_.problems = counter_.problems(name_);
         return std::move(result_);
     }
 
@@ -62,13 +62,13 @@ private:
     bool isUsable() {
         for (int i = 0; i < cornerCount(); ++i) {
             if (!position(i).allFinite()) {
-                tally_.add(ErrorCode::NonFinitePosition, "face", "left out", face_ + 1);
+                counter_.add(ErrorCode::NonFinitePosition, "face", "left out", face_ + 1);
                 return false;
             }
         }
         if (repeatsCorner()) {
-            tally_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: a corner is repeated",
-                       face_ + 1);
+            counter_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: a corner is repeated",
+                         face_ + 1);
             return false;
         }
         return true;
@@ -168,7 +168,7 @@ private:
     }
 
     void fan(std::string_view why) {
-        tally_.add(ErrorCode::PolygonNotSimple, "face", why, face_ + 1);
+        counter_.add(ErrorCode::PolygonNotSimple, "face", why, face_ + 1);
         for (int i = 1; i + 1 < cornerCount(); ++i) {
             add(0, i, i + 1);
         }
@@ -185,7 +185,7 @@ private:
 
     const PolygonSoup& soup_;
     std::string name_;
-    ProblemTally tally_{"face"};
+    ProblemCounter counter_{"face"};
     Triangulation result_;
     int face_ = 0;
     std::vector<int> sorted_;

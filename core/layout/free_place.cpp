@@ -22,7 +22,7 @@ constexpr int kBisections = 8;
 /// Outlines are thinned so that they stay this near to what they were, as a part of the gap.
 constexpr double kThinning = 0.1;
 /// Bends that survive the thinning at most: a frayed edge must not cost more than a smooth one.
-constexpr std::size_t kMostPoints = 400;
+constexpr std::size_t kMaxPoints = 400;
 
 /// Keeps the points between `from` and `to` that lie far from the line through what is kept
 /// (Douglas and Peucker).
@@ -68,7 +68,7 @@ Shape shapeOf(const Points2& outline, double most) {
             all, {}, [&](const Point& p) -> double { return (p - all.front()).squaredNorm(); }) -
         all.begin());
     std::vector<char> kept(all.size(), 0);
-    for (std::size_t count = kMostPoints + 1; count > kMostPoints; most *= 2) {
+    for (std::size_t count = kMaxPoints + 1; count > kMaxPoints; most *= 2) {
         std::ranges::fill(kept, 0);
         kept[0] = kept[farthest] = 1;
         thin(all, 0, farthest, most, kept);
@@ -135,11 +135,11 @@ bool inTheWay(const Shape& moving, const Point& move, const Shape& other, double
         if (!edge.intersects(near)) {
             continue;
         }
-        const Box reach = grown(edge, gap);
+        const Box nearby = grown(edge, gap);
         for (const auto& [c, d] : edges) {
             Box there(c);
             there.extend(d);
-            if (there.intersects(reach) &&
+            if (there.intersects(nearby) &&
                 (distanceToSegment(a, c, d) < gap || distanceToSegment(b, c, d) < gap ||
                  distanceToSegment(c, a, b) < gap || distanceToSegment(d, a, b) < gap ||
                  segmentsCross(a, b, c, d))) {

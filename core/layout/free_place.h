@@ -8,7 +8,7 @@
 namespace toile {
 
 /// A short move after which an outline lies on none of the others and keeps `gap` from them; zero
-/// where it does so already. Found in a fan of directions, in each the shortest way that bisection
+/// where it does so already. Found in a fan of directions, in each the shortest path that bisection
 /// finds: near the shortest there is, not the shortest itself. What lies in a hole of another lies
 /// on it.
 /// @param outline, others  closed, first point not repeated, mm; those of fewer than three points,

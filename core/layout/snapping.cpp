@@ -36,9 +36,9 @@ std::array<double, 3> stops(const Eigen::AlignedBox2d& box, int axis) {
 }
 
 /// Snaps one direction of the moved box.
-Nearest snapAxis(const Eigen::AlignedBox2d& box, int axis, const SnapTargets& targets, double reach,
-                 std::vector<SnapLine>& lines) {
-    Nearest nearest{0, reach};
+Nearest snapAxis(const Eigen::AlignedBox2d& box, int axis, const SnapTargets& targets,
+                 double radius, std::vector<SnapLine>& lines) {
+    Nearest nearest{0, radius};
     double at = 0;
     const Eigen::AlignedBox2d* partner = nullptr;
     for (const Eigen::AlignedBox2d& other : targets.boxes) {
@@ -66,15 +66,15 @@ Nearest snapAxis(const Eigen::AlignedBox2d& box, int axis, const SnapTargets& ta
     return nearest;
 }
 
-/// The shortest way from a moved vertex to one that stays.
+/// The shortest path from a moved vertex to one that stays.
 std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> nearestVertex(const Points2& moved,
                                                                          const Points2& staying,
-                                                                         double reach) {
+                                                                         double radius) {
     std::vector<Eigen::Index> order(static_cast<std::size_t>(staying.rows()));
     std::iota(order.begin(), order.end(), Eigen::Index{0});
     std::ranges::sort(order, {}, [&](Eigen::Index i) { return staying(i, 0); });
     std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> best;
-    double least = reach;
+    double least = radius;
     for (Eigen::Index i = 0; i < moved.rows(); ++i) {
         const double x = moved(i, 0);
         auto next = std::ranges::lower_bound(order, x - least, {},
@@ -93,21 +93,21 @@ std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> nearestVertex(const P
 }  // namespace
 
 SnappedMove snappedMove(const Eigen::AlignedBox2d& box, const Points2& vertices,
-                        const Eigen::Vector2d& way, const SnapTargets& targets, double reach) {
+                        const Eigen::Vector2d& way, const SnapTargets& targets, double radius) {
     SnappedMove snapped{way};
-    if (box.isEmpty() || !(reach > 0) || !way.allFinite()) {
+    if (box.isEmpty() || !(radius > 0) || !way.allFinite()) {
         return snapped;
     }
     Points2 moved = vertices;
     moved.rowwise() += way.transpose();
-    if (const auto vertex = nearestVertex(moved, targets.vertices, reach)) {
+    if (const auto vertex = nearestVertex(moved, targets.vertices, radius)) {
         snapped.way += vertex->first;
         snapped.vertex = vertex->second;
         return snapped;
     }
     Eigen::AlignedBox2d place(box.min() + way, box.max() + way);
     for (const int axis : {0, 1}) {
-        const double shift = snapAxis(place, axis, targets, reach, snapped.lines).shift;
+        const double shift = snapAxis(place, axis, targets, radius, snapped.lines).shift;
         snapped.way[axis] += shift;
     }
     // A line reaches from one box to the other where both directions have snapped.
@@ -192,8 +192,8 @@ std::optional<double> nearestEdgeDirection(const Points2& outline, const Eigen::
     return direction;
 }
 
-double snappedAngle(double angle, double step, std::span<const double> others, double reach) {
-    Nearest nearest{0, reach};
+double snappedAngle(double angle, double step, std::span<const double> others, double radius) {
+    Nearest nearest{0, radius};
     if (step > 0) {
         nearest.offer(std::round(angle / step) * step - angle);
     }

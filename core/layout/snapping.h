@@ -39,10 +39,10 @@ struct SnappedMove {
 /// @param box       around what moves, before the move
 /// @param vertices  of what moves, likewise
 /// @param way       the move that is wanted
-/// @param reach     how near is near enough
+/// @param radius     how near is near enough
 /// Cost: (moving + staying vertices) log.
 SnappedMove snappedMove(const Eigen::AlignedBox2d& box, const Points2& vertices,
-                        const Eigen::Vector2d& way, const SnapTargets& targets, double reach);
+                        const Eigen::Vector2d& way, const SnapTargets& targets, double radius);
 
 /// Directions in [0, pi) of the straight stretches of an outline, the longest first: runs of edges
 /// that turn by no more than a degree altogether and make up a twentieth of the outline.
@@ -57,7 +57,7 @@ Points2 snapPoints(const Points2& outline);
 std::optional<double> nearestEdgeDirection(const Points2& outline, const Eigen::Vector2d& point);
 
 /// An angle, or the nearest of the whole multiples of `step` and of the `others`, taken modulo pi,
-/// where that is within `reach`.
-double snappedAngle(double angle, double step, std::span<const double> others, double reach);
+/// where that is within `radius`.
+double snappedAngle(double angle, double step, std::span<const double> others, double radius);
 
 }  // namespace toile

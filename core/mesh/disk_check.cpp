@@ -34,8 +34,8 @@ public:
         : mesh_(mesh), name_(name), table_(table), result_(result) {}
 
     /// @param sound  the surface is known to be, but for its loops and its outline's edges
-    void run(bool sound) {
-        if ((sound || isSurface()) && checkLoops() && (sound || hasShapes())) {
+    void run(bool valid) {
+        if ((valid || isSurface()) && checkLoops() && (valid || hasShapes())) {
             checkOutlineEdges();
         }
         if (result_.defect) {
@@ -114,7 +114,7 @@ private:
     /// Tells a winding that can be turned (flood fill by parity) from a one-sided surface.
     bool checkOrientation() {
         Fault opposed;
-        DisjointSets sides(2 * faceCount());  // a face as it is, and the face turned over
+        DisjointSets sides(2 * faceCount());  // a face as it is, and the face flipped
         for (int e = 0; e < edgeCount(); ++e) {
             if (uses(e).size() != 2) {
                 continue;
@@ -221,16 +221,16 @@ private:
 }  // namespace
 
 DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name,
-                    std::optional<EdgeTable> soundTable) {
+                    std::optional<EdgeTable> validTable) {
     DiskCheck result;
-    const bool isSound = soundTable.has_value();
+    const bool isValid = validTable.has_value();
     result.table =
-        isSound ? *std::move(soundTable) : buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
-    Checker(mesh, result.table, name, result).run(isSound);
+        isValid ? *std::move(validTable) : buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+    Checker(mesh, result.table, name, result).run(isValid);
     return result;
 }
 
-bool isSoundSurface(const MeshArrays& mesh, const EdgeTable& table) {
+bool isValidSurface(const MeshArrays& mesh, const EdgeTable& table) {
     const std::string unnamed;
     DiskCheck unread;
     Checker checker(mesh, table, unnamed, unread);

@@ -23,17 +23,17 @@ struct DiskCheck {
 /// faces, edges with more than two faces, opposed windings (or no orientation at all), pinched
 /// vertices, no or several boundary loops, handles, boundary edges without length.
 /// `name` is the piece for the message; places are given as coordinates in mm.
-/// @param soundTable  the edges of a mesh that is known to be a sound surface (`isSoundSurface`):
+/// @param validTable  the edges of a mesh that is known to be a valid surface (`isValidSurface`):
 ///                    then only loops, handles and boundary edges are left to check
 /// Errors in `defect`: any of the piece codes of ErrorCode. Cost: linear.
 DiskCheck checkDisk(const MeshArrays& mesh, const std::string& name,
-                    std::optional<EdgeTable> soundTable = std::nullopt);
+                    std::optional<EdgeTable> validTable = std::nullopt);
 
 /// True where a mesh is an oriented manifold with boundary whose vertices are all used and whose
 /// triangles all have a height: `repair` then has nothing to do, and `checkDisk` only loops to
 /// count.
 /// @param table  the edges of `mesh`
 /// Cost: linear, a few passes. Pure.
-bool isSoundSurface(const MeshArrays& mesh, const EdgeTable& table);
+bool isValidSurface(const MeshArrays& mesh, const EdgeTable& table);
 
 }  // namespace toile

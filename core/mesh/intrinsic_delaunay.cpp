@@ -239,7 +239,7 @@ Result<IntrinsicDelaunay> intrinsicDelaunay(const MeshArrays& mesh, const EdgeTa
         enqueue(queue, h);
     }
     const auto limit = static_cast<int>(
-        std::min<Eigen::Index>(kMostFlipsPerEdge * static_cast<Eigen::Index>(table.edges.rows()),
+        std::min<Eigen::Index>(kMaxFlipsPerEdge * static_cast<Eigen::Index>(table.edges.rows()),
                                std::numeric_limits<int>::max()));
     IntrinsicDelaunay result;
     std::vector<int> later;

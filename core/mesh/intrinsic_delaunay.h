@@ -29,11 +29,11 @@ struct IntrinsicDelaunay {
 /// @param table  its edges; boundary edges are not turned
 /// @errors Cancelled. Deterministic. Re-entrant.
 /// Cost: linear plus the flips: a fifth of one per edge on usual meshes, 4 per edge on the most
-/// stretched and sheared ones tried; some 0.4 us each. At most `kMostFlipsPerEdge` per edge.
+/// stretched and sheared ones tried; some 0.4 us each. At most `kMaxFlipsPerEdge` per edge.
 Result<IntrinsicDelaunay> intrinsicDelaunay(const MeshArrays& mesh, const EdgeTable& table,
                                             const Progress& progress);
 
 /// Far beyond what any mesh has needed: only so that the end is certain.
-inline constexpr int kMostFlipsPerEdge = 200;
+inline constexpr int kMaxFlipsPerEdge = 200;
 
 }  // namespace toile

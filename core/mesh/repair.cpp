@@ -140,7 +140,7 @@ namespace {
 /// Giving flat triangles to their neighbours can bring two vertices of one place together in an
 /// edge, which the next round collapses; halving a sliver can make it flat. More rounds than this
 /// are not needed, only feared.
-constexpr int kMostRounds = 8;
+constexpr int kMaxRounds = 8;
 
 void noteUnusedVertices(const MeshPart& part, RepairNotes& notes) {
     const std::vector<char> used = usedVertices(part.mesh.F, part.mesh.V.rows());
@@ -166,7 +166,7 @@ void noteFlatsLeft(const MeshPart& part, RepairNotes& notes) {
 
 RepairResult repair(MeshPart part, const std::string& name) {
     EdgeTable table = buildEdgeTable(part.mesh.F, static_cast<int>(part.mesh.V.rows()));
-    if (isSoundSurface(part.mesh, table)) {
+    if (isValidSurface(part.mesh, table)) {
         return {std::move(part), {}, std::move(table)};
     }
     table = {};
@@ -174,7 +174,7 @@ RepairResult repair(MeshPart part, const std::string& name) {
     noteUnusedVertices(part, notes);
     dropUnusableFaces(part, notes);
     bool again = true;
-    for (int round = 0; again && round < kMostRounds; ++round) {
+    for (int round = 0; again && round < kMaxRounds; ++round) {
         collapseNeedles(part, notes);
         const EdgeTable edges = dropDuplicates(part, notes);
         Gluing gluing = glue(part.mesh, edges, notes);

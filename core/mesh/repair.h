@@ -67,7 +67,7 @@ std::vector<ConnectedPart> connectedParts(MeshPart part);
 struct RepairResult {
     MeshPart part;     ///< may have fallen apart into several components, or be empty
     Problems repairs;  ///< one note per kind, with count and first place; none: nothing was done
-    std::optional<EdgeTable> soundTable{};  ///< the part's edges, where `isSoundSurface` holds for
+    std::optional<EdgeTable> validTable{};  ///< the part's edges, where `isValidSurface` holds for
                                             ///< it as it came; then it is as it was
 };
 

@@ -20,7 +20,7 @@ constexpr double kAngleStep = 1e-6;
 constexpr double kHandicap = std::numbers::pi / 2;
 /// Where more faces than this share one edge, no pair means anything, and looking at all of them
 /// would be quadratic: all are cut free.
-constexpr std::size_t kMostFacesPaired = 64;
+constexpr std::size_t kMaxFacesPaired = 64;
 
 /// Two faces that might be joined at an edge. The order of the members is the order of preference.
 struct Pair {
@@ -72,7 +72,7 @@ private:
             collectPairs(e, sides, pairs);
         }
         std::sort(pairs.begin(), pairs.end());
-        // Components as they are, and turned over: a join may not make the two one.
+        // Components as they are, and flipped: a join may not make the two one.
         DisjointSets ways(2 * static_cast<int>(sides.oneSided.size()));
         for (std::size_t c = 0; c < sides.oneSided.size(); ++c) {
             if (sides.oneSided[c] != 0) {
@@ -96,7 +96,7 @@ private:
 
     void collectPairs(int e, const Sides& sides, std::vector<Pair>& pairs) const {
         const std::span<const int> uses = table_.usesOf(e);
-        if (uses.size() > kMostFacesPaired) {
+        if (uses.size() > kMaxFacesPaired) {
             return;
         }
         const auto isForward = [&](int side) {

@@ -23,7 +23,7 @@ struct TriMeshTraits : OpenMesh::DefaultTraits {
 /// declare it without paying for OpenMesh.
 class TriMesh : public OpenMesh::TriMesh_ArrayKernelT<TriMeshTraits> {};
 
-/// Builds the half-edge mesh of an oriented manifold with boundary (`isSoundSurface`, or what
+/// Builds the half-edge mesh of an oriented manifold with boundary (`isValidSurface`, or what
 /// `checkDisk` has passed); same vertex, face and edge indices. Half-edge 2 e runs along edge e of
 /// the table from its smaller vertex, 2 e + 1 back; as OpenMesh wants it, a vertex on the border
 /// names the half-edge that leaves it along the border. A face's vertices go round in its own

@@ -17,13 +17,13 @@ struct Piece;
 struct PieceResult;
 using PieceResults = std::vector<std::shared_ptr<const PieceResult>>;
 
-/// Where the warp runs as long as nobody has said so: up the piece's own y axis, radians.
+/// Where the warp runs where it is unset: up the piece's own y axis, radians.
 inline constexpr double kGrainUpwards = 1.5707963267948966;
 
 /// How a piece is to be cut, as a person has said it.
 struct Cutting {
     /// Direction of the warp, radians anti-clockwise from the x axis of the piece's own
-    /// coordinates; none where nobody has said so (kGrainUpwards).
+    /// coordinates; none where it is unset (kGrainUpwards).
     std::optional<double> grain{};
     int quantity = 1;           ///< how many are cut
     bool mirroredPair = false;  ///< each of them also mirrored: left and right

@@ -15,7 +15,7 @@ namespace toile {
 
 /// What a drawing says, in the language of whoever reads it. "%1" stands for how many are cut.
 struct DrawingWords {
-    std::string noAllowance = "net outline, no allowance";
+    std::string noAllowance = "seam line, no allowance";
     std::string mirrored = "mirrored: wrong side of the fabric up";
     std::string cut = "cut %1", cutPair = "cut 1 pair", cutPairs = "cut %1 pairs";
     std::string checkSquare = "check square 100 mm x 100 mm";

@@ -63,19 +63,19 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
                            const Progress& progress) {
     Garment made;
     made.files = garment.files;
-    made.wholes = garment.wholes;
+    made.uncut = garment.uncut;
     SeamsFile seams = options.seams;
     giveIds(seams.cuts);
-    JoinedPieces joined = joinPieces(garment.wholes, joinsInPieceSpace(seams, garment),
+    JoinedPieces joined = joinPieces(garment.uncut, joinsInPieceSpace(seams, garment),
                                      Progress(progress, kJoiningShare));
     reusePieces(joined.pieces, garment);
     progress.report(kJoiningShare);
     CutPieces cut = cutPieces(joined.pieces, cutsInPieceSpace(seams, garment), options.autoCut,
-                              Progress(progress, kCuttingShare), garment.cutWholes);
+                              Progress(progress, kCuttingShare), garment.cutRecords);
     progress.report(kJoiningShare + kCuttingShare);
     made.pieces = std::move(cut.pieces);
     made.cuts = std::move(cut.cuts);
-    made.cutWholes = std::move(cut.wholes);
+    made.cutRecords = std::move(cut.records);
     made.joins = std::move(joined.joins);
     made.problems = std::move(joined.problems);
     made.problems.insert(made.problems.end(), cut.problems.begin(), cut.problems.end());

@@ -25,7 +25,7 @@ std::vector<GarmentFlattener::KeptPointer> GarmentFlattener::snapshot() const {
     return kept_;
 }
 
-void GarmentFlattener::forget() {
+void GarmentFlattener::reset() {
     const std::lock_guard lock(mutex_);
     kept_.clear();
 }

@@ -47,7 +47,7 @@ public:
     PieceResults settle(PieceResults results, Progress& progress, int threads = 0);
 
     /// Begins anew.
-    void forget();
+    void reset();
 
     /// About what is kept now, meshes and results aside.
     std::size_t keptBytes() const;

@@ -140,12 +140,12 @@ bool isDividedAlike(const GarmentInputs& inputs, GarmentInputs before) {
     return inputs == before;
 }
 
-/// The garment up to its wholes.
+/// The garment up to its uncut pieces.
 Result<Garment> divideFiles(const GarmentInputs& inputs, const Progress& progress,
                             const Garment* before) {
     Garment garment;
     std::vector<std::shared_ptr<SourceFile>> files;
-    std::vector<std::shared_ptr<Piece>> wholes;
+    std::vector<std::shared_ptr<Piece>> uncut;
     const std::vector<std::string> prefix = prefixes(inputs.files);
     const auto count = static_cast<double>(inputs.files.size());
     for (std::size_t k = 0; k < inputs.files.size(); ++k) {
@@ -155,26 +155,26 @@ Result<Garment> divideFiles(const GarmentInputs& inputs, const Progress& progres
             return taken.error();
         }
         files.push_back(std::move(taken->file));
-        wholes.insert(wholes.end(), taken->pieces.begin(), taken->pieces.end());
+        uncut.insert(uncut.end(), taken->pieces.begin(), taken->pieces.end());
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }
         progress.report(static_cast<double>(k + 1) / count);
     }
-    if (wholes.empty()) {
+    if (uncut.empty()) {
         return Error{
             ErrorCode::NoGeometry,
             inputs.files.empty() ? Subject{} : Subject::file(inputs.files.front().path.string()),
             worded("no usable face is left")};
     }
     garment.files.assign(files.begin(), files.end());
-    identify(wholes, garment.files, inputs.loading.known);
-    nameSubjects(files, wholes);
-    garment.wholes.assign(wholes.begin(), wholes.end());
+    identify(uncut, garment.files, inputs.loading.known);
+    nameSubjects(files, uncut);
+    garment.uncut.assign(uncut.begin(), uncut.end());
     if (before) {
-        reusePieces(garment.wholes, *before);
+        reusePieces(garment.uncut, *before);
         garment.pieces = before->pieces;
-        garment.cutWholes = before->cutWholes;
+        garment.cutRecords = before->cutRecords;
     }
     return garment;
 }

@@ -26,9 +26,9 @@ void reusePieces(std::vector<std::shared_ptr<const Piece>>& pieces, const Garmen
     const auto know = [&known](const std::shared_ptr<const Piece>& piece) {
         known[piece->id].push_back(piece);
     };
-    std::ranges::for_each(before.wholes, know);
+    std::ranges::for_each(before.uncut, know);
     std::ranges::for_each(before.pieces, know);
-    for (const CutWhole& cut : before.cutWholes) {
+    for (const CutRecord& cut : before.cutRecords) {
         know(cut.whole);
     }
     for (auto& piece : pieces) {

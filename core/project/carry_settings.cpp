@@ -12,7 +12,7 @@ namespace {
 /// Not more than may be kept, evenly over the list.
 std::vector<Anchor> thinned(std::vector<Anchor> anchors) {
     const auto count = anchors.size();
-    const auto most = static_cast<std::size_t>(kMostAnchors);
+    const auto most = static_cast<std::size_t>(kMaxAnchors);
     if (count <= most) {
         return anchors;
     }

@@ -19,7 +19,7 @@ struct CarriedFrom {
 };
 
 /// At most as many anchors are kept of a piece that is to be flattened anew.
-inline constexpr int kMostAnchors = 128;
+inline constexpr int kMaxAnchors = 128;
 
 /// Which piece each one comes from (`predecessors`): both parts of a cut piece know the whole.
 /// @param settings, results  one per piece of `before`; results may be null or left out

@@ -25,9 +25,9 @@ struct Anchor {
     bool operator==(const Anchor&) const = default;
 };
 
-inline constexpr int kMostCopies = 1000000;  ///< of a piece that can be asked for
+inline constexpr int kMaxCopies = 1000000;  ///< of a piece that can be asked for
 
-/// What a person has said about one piece, beyond its shape; of a quantity, at most kMostCopies.
+/// What a person has said about one piece, beyond its shape; of a quantity, at most kMaxCopies.
 struct PieceSettings : Cutting {
     /// Where the flat piece lies; none until it has been laid out.
     std::optional<Placement> placement{};

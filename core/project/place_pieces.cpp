@@ -41,7 +41,7 @@ public:
         : settings_(std::move(settings)), results_(results) {}
 
     std::vector<PieceSettings> run(const std::vector<std::optional<FlatMotion>>& motions) {
-        forgetWhatIsOver();
+        evictWhatIsOver();
         followUnit();
         const std::vector<std::vector<std::size_t>> cut = partsOfOne();
         std::vector<char> isPart(settings_.size(), 0), changed(settings_.size(), 0);
@@ -66,7 +66,7 @@ private:
     bool isAboutThese(std::size_t i) const {
         return isFlat(i) && settings_[i].flat != 0 && settings_[i].flat == results_[i]->fingerprint;
     }
-    void forgetWhatIsOver() {
+    void evictWhatIsOver() {
         for (std::size_t i = 0; i < settings_.size(); ++i) {
             if (isAboutThese(i)) {
                 settings_[i].anchors.clear();
@@ -116,14 +116,14 @@ private:
 
     /// The parts of each piece that was cut, flat for the first time since.
     std::vector<std::vector<std::size_t>> partsOfOne() const {
-        std::map<PieceId, std::vector<std::size_t>> byWhole;
+        std::map<PieceId, std::vector<std::size_t>> byUncut;
         for (std::size_t i = 0; i < settings_.size(); ++i) {
             if (isPlaced(i) && settings_[i].partOf && !settings_[i].anchors.empty()) {
-                byWhole[settings_[i].partOf].push_back(i);
+                byUncut[settings_[i].partOf].push_back(i);
             }
         }
         std::vector<std::vector<std::size_t>> cut;
-        for (auto& [whole, parts] : byWhole) {
+        for (auto& [whole, parts] : byUncut) {
             if (parts.size() > 1) {
                 cut.push_back(std::move(parts));
             }
@@ -142,14 +142,14 @@ private:
         const std::uint64_t before = std::exchange(settings.flat, results_[i]->fingerprint);
         if (!settings.anchors.empty()) {
             const Points2& Q = results_[i]->flat->Q;
-            const auto misfit = anchorMisfit(settings.anchors, Q);
+            const auto residual = anchorResidual(settings.anchors, Q);
             settings = isPart ? anchoredSettings(std::move(settings), Q, kStays)
                               : anchoredSettings(std::move(settings), Q);
-            return !misfit || *misfit > kChanged;
+            return !residual || *residual > kChanged;
         }
         if (motion && (before == 0 || before == motion->before)) {
-            settings = uprightSettings(std::move(settings), motion->oldOfNew, motion->reach);
-            return motion->misfit > kChanged;
+            settings = uprightSettings(std::move(settings), motion->oldOfNew, motion->radius);
+            return motion->residual > kChanged;
         }
         return false;
     }
@@ -290,7 +290,7 @@ std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
             const RigidMotion motion = bestMotion(now->flat->Q, old->flat->Q);
             motions[i] =
                 FlatMotion{motion, old->fingerprint, now->flat->Q.rowwise().norm().maxCoeff(),
-                           misfit(motion, now->flat->Q, old->flat->Q)};
+                           residual(motion, now->flat->Q, old->flat->Q)};
         }
     }
     return motions;

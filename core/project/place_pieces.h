@@ -15,8 +15,8 @@ namespace toile {
 struct FlatMotion {
     RigidMotion oldOfNew{};
     std::uint64_t before = 0;  ///< the old points' fingerprint
-    double reach = 0;          ///< mm: how far from the origin the new points go
-    double misfit = 0;         ///< mm: how far a point gets at most by the change of shape
+    double radius = 0;         ///< mm: how far from the origin the new points go
+    double residual = 0;       ///< mm: how far a point gets at most by the change of shape
 };
 
 /// Compares two flattenings, piece by piece; none where the result is the same one, or one of the
@@ -26,12 +26,12 @@ std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
                                                    const PieceResults& after);
 
 /// The settings for a new flattening: pieces stay where they are on the sheet, and the grain keeps
-/// its direction on the cloth. A piece that nobody has turned stays upright.
+/// its direction on the cloth. A piece whose turn is unset stays upright.
 /// Of the parts of one piece that was cut the largest stays where it was in the piece. The others
 /// do so too where they lie on nothing there, else they go to a free place nearby; what lies in a
 /// hole of the rest lies on the rest.
 /// Where a piece has another shape and lies on another one now, that one makes room, or the piece
-/// itself does, if nobody has placed it by hand; where both were, both stay.
+/// itself does, if its place is unset; where both were, both stay.
 /// Pieces without a place get one: to the right of all others; or, where no piece has one yet,
 /// all in rows.
 /// @param settings  one per result

@@ -36,7 +36,7 @@ struct ProjectPiece {
 struct ProjectView {
     std::string overlay;  ///< the window's word for it; empty: not stated
     bool wireframe = false;
-    bool designerOutline = false;
+    bool referencePanels = false;
 
     bool operator==(const ProjectView&) const = default;
 };

@@ -15,10 +15,10 @@ namespace toile::project_fields {
 
 /// What a project file says of each thing; included in one file.
 
-inline constexpr double kMostStrain = 10;
-inline constexpr int kMostColour = 1000000;
-inline constexpr double kMostTurns = 2;   ///< round a line that is closed
-inline constexpr double kMostTurn = 1e6;  ///< radians: beyond, the sine of a double is no direction
+inline constexpr double kMaxStrain = 10;
+inline constexpr int kMaxColour = 1000000;
+inline constexpr double kMaxTurns = 2;   ///< round a line that is closed
+inline constexpr double kMaxTurn = 1e6;  ///< radians: beyond, the sine of a double is no direction
 
 inline constexpr auto kReading = [](auto& at, auto& loading) {
     at.field("unit", loading.unit);
@@ -43,8 +43,8 @@ inline constexpr auto kKnownPiece = [](auto& at, auto& piece) {
 inline constexpr auto kStretch = [](auto& at, auto& stretch) {
     at.need("line");
     at.id("line", stretch.line);
-    at.field("from", stretch.from, -kMostTurns, kMostTurns);
-    at.field("to", stretch.to, -kMostTurns, kMostTurns);
+    at.field("from", stretch.from, -kMaxTurns, kMaxTurns);
+    at.field("to", stretch.to, -kMaxTurns, kMaxTurns);
 };
 
 inline constexpr auto kSeamSettings = [](auto& at, auto& said) {
@@ -53,7 +53,7 @@ inline constexpr auto kSeamSettings = [](auto& at, auto& said) {
     if (at.kReads || said.place.right.line) {
         at.object("right", said.place.right, kStretch);
     }
-    at.field("ease", said.ease, -1, kMostEase);
+    at.field("ease", said.ease, -1, kMaxEase);
     if (said.ease && *said.ease <= -1) {
         at.fail("ease", "must be more than -1");
     }
@@ -75,8 +75,7 @@ void strainLimits(Fields& at, const char* key, Limits& limits) {
     at.point(key, numbers);
     if constexpr (Fields::kReads) {
         limits = {numbers[0], numbers[1]};
-        if (limits.least > 0 || limits.most < 0 || limits.least <= -1 ||
-            limits.most > kMostStrain) {
+        if (limits.least > 0 || limits.most < 0 || limits.least <= -1 || limits.most > kMaxStrain) {
             at.fail(key, "must be a number from -1 to 0 and one from 0 to 10");
         }
     }
@@ -105,13 +104,13 @@ inline constexpr auto kPiece = [](auto& at, auto& piece) {
     at.object("placement", settings.placement, [&settings](auto& in, auto& placement) {
         in.need("offset");
         in.point("offset", placement.offset, kFarthestOnSheet);
-        in.field("turn", placement.turn, -kMostTurn, kMostTurn);
+        in.field("turn", placement.turn, -kMaxTurn, kMaxTurn);
         in.field("mirrored", placement.mirrored);
         in.unlessSaid(settings.placedByHand, true);  // older files do not say
         in.field("byHand", settings.placedByHand);
     });
-    at.field("grain", settings.grain, -kMostTurn, kMostTurn);
-    at.field("quantity", settings.quantity, 0, kMostCopies);
+    at.field("grain", settings.grain, -kMaxTurn, kMaxTurn);
+    at.field("quantity", settings.quantity, 0, kMaxCopies);
     at.field("mirroredPair", settings.mirroredPair);
     at.id("partOf", settings.partOf);
     if (at.kReads || !settings.anchors.empty()) {
@@ -127,14 +126,14 @@ inline constexpr auto kLabel = [](auto& at, auto& label) {
     at.id("id", label.first);
     at.text("name", label.second.name);
     if (at.kReads || label.second.colour >= 0) {
-        at.field("colour", label.second.colour, 0, kMostColour);
+        at.field("colour", label.second.colour, 0, kMaxColour);
     }
 };
 
 inline constexpr auto kView = [](auto& at, auto& view) {
     at.text("overlay", view.overlay);
     at.field("wireframe", view.wireframe);
-    at.field("designerOutline", view.designerOutline);
+    at.field("designerOutline", view.referencePanels);
 };
 
 /// Cuts, joins and ease as a seams file has them, and what has been said of seams.

@@ -35,13 +35,13 @@ std::pair<Points2, Points2> pointsOf(const std::vector<Anchor>& anchors, const P
 }
 
 /// Whether a motion is none, for a piece that reaches so far from the origin.
-bool staysThere(const RigidMotion& oldOfNew, double reach) {
-    return std::abs(oldOfNew.turn) * reach + oldOfNew.shift.norm() <= kUnmoved;
+bool staysThere(const RigidMotion& oldOfNew, double radius) {
+    return std::abs(oldOfNew.turn) * radius + oldOfNew.shift.norm() <= kUnmoved;
 }
 
 struct Fit {
     RigidMotion motion{};
-    double misfit = 0;
+    double residual = 0;
     double radius = 0;  ///< of the anchors about their middle
 };
 
@@ -56,7 +56,7 @@ std::optional<Fit> fitOf(const std::vector<Anchor>& anchors, const Points2& Q) {
         return std::nullopt;
     }
     Fit fit{bestMotion(now, then)};
-    fit.misfit = misfit(fit.motion, now, then);
+    fit.residual = residual(fit.motion, now, then);
     fit.radius =
         std::sqrt((now.rowwise() - now.colwise().mean()).rowwise().squaredNorm().maxCoeff());
     return fit;
@@ -87,7 +87,7 @@ RigidMotion bestMotion(const Points2& from, const Points2& to) {
     return motion;
 }
 
-double misfit(const RigidMotion& motion, const Points2& from, const Points2& to) {
+double residual(const RigidMotion& motion, const Points2& from, const Points2& to) {
     double most = 0;
     for (Eigen::Index i = 0; i < from.rows(); ++i) {
         most = std::max(most,
@@ -96,8 +96,8 @@ double misfit(const RigidMotion& motion, const Points2& from, const Points2& to)
     return most;
 }
 
-PieceSettings movedSettings(PieceSettings settings, const RigidMotion& oldOfNew, double reach) {
-    if (staysThere(oldOfNew, reach)) {
+PieceSettings movedSettings(PieceSettings settings, const RigidMotion& oldOfNew, double radius) {
+    if (staysThere(oldOfNew, radius)) {
         return settings;
     }
     if (settings.placement) {
@@ -112,9 +112,9 @@ PieceSettings movedSettings(PieceSettings settings, const RigidMotion& oldOfNew,
     return settings;
 }
 
-PieceSettings uprightSettings(PieceSettings settings, const RigidMotion& oldOfNew, double reach) {
-    if (!settings.placement || settings.placement->turn != 0 || staysThere(oldOfNew, reach)) {
-        return movedSettings(std::move(settings), oldOfNew, reach);
+PieceSettings uprightSettings(PieceSettings settings, const RigidMotion& oldOfNew, double radius) {
+    if (!settings.placement || settings.placement->turn != 0 || staysThere(oldOfNew, radius)) {
+        return movedSettings(std::move(settings), oldOfNew, radius);
     }
     Placement& place = *settings.placement;
     place.offset += place.linear() * (oldOfNew.applied(oldOfNew.middle) - oldOfNew.middle);
@@ -130,15 +130,15 @@ PieceSettings anchoredSettings(PieceSettings settings, const Points2& Q, double 
     if (!fit) {
         return settings;
     }
-    const double reach = Q.rowwise().norm().maxCoeff();
+    const double radius = Q.rowwise().norm().maxCoeff();
     const bool upright = std::abs(fit->motion.turn) * fit->radius <= mostAway;
-    return upright ? uprightSettings(std::move(settings), fit->motion, reach)
-                   : movedSettings(std::move(settings), fit->motion, reach);
+    return upright ? uprightSettings(std::move(settings), fit->motion, radius)
+                   : movedSettings(std::move(settings), fit->motion, radius);
 }
 
-std::optional<double> anchorMisfit(const std::vector<Anchor>& anchors, const Points2& Q) {
+std::optional<double> anchorResidual(const std::vector<Anchor>& anchors, const Points2& Q) {
     const auto fit = fitOf(anchors, Q);
-    return fit ? std::optional(fit->misfit) : std::nullopt;
+    return fit ? std::optional(fit->residual) : std::nullopt;
 }
 
 std::optional<double> anchorGrowth(const std::vector<Anchor>& anchors, const Points2& Q) {

@@ -26,19 +26,19 @@ struct RigidMotion {
 RigidMotion bestMotion(const Points2& from, const Points2& to);
 
 /// How far a point is at most from the one that it was to be brought to, mm.
-double misfit(const RigidMotion& motion, const Points2& from, const Points2& to);
+double residual(const RigidMotion& motion, const Points2& from, const Points2& to);
 
 /// Settings that were said about other flat coordinates of the same piece: the piece stays where it
-/// is on the sheet, and the grain keeps its direction on the cloth. A grain nobody has stated stays
+/// is on the sheet, and the grain keeps its direction on the cloth. An unset grain stays
 /// so. Exactly the same where nothing moves by more than `kUnmoved`.
 /// @param oldOfNew  where points in the new coordinates were in the old ones
-/// @param reach     mm: how far from the origin the piece reaches
-PieceSettings movedSettings(PieceSettings settings, const RigidMotion& oldOfNew, double reach);
+/// @param radius     mm: how far from the origin the piece reaches
+PieceSettings movedSettings(PieceSettings settings, const RigidMotion& oldOfNew, double radius);
 
-/// The same for a piece that must not be turned by the way: one that nobody has turned (its turn is
-/// exactly 0) keeps that, and only its middle stays where it was. A grain nobody has stated then
+/// The same for a piece that must not be turned by the way: one whose turn is unset (its turn is
+/// exactly 0) keeps that, and only its middle stays where it was. An unset grain then
 /// runs exactly upwards.
-PieceSettings uprightSettings(PieceSettings settings, const RigidMotion& oldOfNew, double reach);
+PieceSettings uprightSettings(PieceSettings settings, const RigidMotion& oldOfNew, double radius);
 
 /// Below this two places are the same, mm.
 inline constexpr double kUnmoved = 1e-7;
@@ -47,7 +47,7 @@ inline constexpr double kUnmoved = 1e-7;
 /// Where the anchors cannot be trusted any more (vertices that are not there, or lie at distances
 /// from each other that differ by more than `kAnchorDoubt`), the settings stay as they are.
 /// @param Q         #V x 2, the piece's new flat coordinates
-/// @param mostAway  mm: how far from its place a piece that nobody has turned may get so that it
+/// @param mostAway  mm: how far from its place a piece whose turn is unset may get so that it
 ///                  stays upright (`uprightSettings`)
 /// Pure; linear in the anchors.
 PieceSettings anchoredSettings(PieceSettings settings, const Points2& Q,
@@ -55,7 +55,7 @@ PieceSettings anchoredSettings(PieceSettings settings, const Points2& Q,
 
 /// How far the anchors are from where they were, once fitted: the change of shape, mm. None where
 /// they cannot be trusted.
-std::optional<double> anchorMisfit(const std::vector<Anchor>& anchors, const Points2& Q);
+std::optional<double> anchorResidual(const std::vector<Anchor>& anchors, const Points2& Q);
 
 /// By how much, as a part, anchors may have come nearer to or farther from each other: other
 /// methods and other cuts give other shapes, another mesh any.

@@ -11,7 +11,7 @@ namespace toile {
 
 /// The first fundamental form of the map from the flat piece to the garment, in the flat piece's
 /// coordinates: a short step d on the flat cloth is sqrt(d^T M d) long where the cloth is worn.
-/// (1, 0, 1) where nothing is stretched. Whether a triangle is turned over does not show in it.
+/// (1, 0, 1) where nothing is stretched. Whether a triangle is flipped does not show in it.
 struct MetricTensor {
     double E = 1;  ///< squared stretch along x
     double F = 0;  ///< product of the images of x and y: 0 where they stay at right angles

@@ -16,7 +16,7 @@ namespace toile {
 namespace {
 
 // Layers on one line that are paired with each other; more are no garment.
-constexpr std::size_t kMostLayers = 8;
+constexpr std::size_t kMaxLayers = 8;
 
 /// A boundary edge by what it is in its file.
 struct FileEdge {
@@ -65,7 +65,7 @@ std::vector<Contact> sharedContacts(const std::vector<std::shared_ptr<const Piec
         }
         for (std::size_t i = from; i < to && to - from > 1; ++i) {
             settled[edges[i].edge] = 1;
-            for (std::size_t j = i + 1; j < std::min(to, i + 1 + kMostLayers); ++j) {
+            for (std::size_t j = i + 1; j < std::min(to, i + 1 + kMaxLayers); ++j) {
                 const bool parallel = edges[i].upwards == edges[j].upwards;
                 const double la = outlines.lengthOf(edges[i].edge);
                 const double lb = outlines.lengthOf(edges[j].edge);
@@ -84,7 +84,7 @@ constexpr double kGapOfGarment = 0.004;
 // Cosine between two edges that still count as one line: the turn of one edge on a tight curve.
 constexpr double kSameLine = 0.5;
 // Facing stretches below this part of the shorter edge are end effects of a polyline's corners.
-constexpr double kLeastOverlap = 0.01;
+constexpr double kMinOverlap = 0.01;
 // Ends of a facing stretch this near to a vertex, relative to the edge, are the vertex.
 constexpr double kAtEnd = 1e-7;
 // Below this fraction of the edge length two sides coincide, and which side is which says nothing.
@@ -136,7 +136,7 @@ std::optional<Contact> contactOf(const Outlines& outlines, int ea, int eb, doubl
     const double endA = slopeA * a.length, endB = offset + slopeB * b.length;
     const double low = std::max(0.0, std::min(offset, endB));
     const double high = std::min(endA, std::max(offset, endB));
-    if (high - low < kLeastOverlap * std::min(a.length, b.length)) {
+    if (high - low < kMinOverlap * std::min(a.length, b.length)) {
         return {};
     }
     Contact c{.a = ea, .b = eb};
@@ -162,13 +162,13 @@ std::vector<Contact> nearContacts(const Outlines& outlines, double gap,
                                   const std::vector<char>& settled,
                                   std::vector<CrowdedPlace>& crowded) {
     const double most = kGapOfGarment * outlines.size;
-    std::vector<double> reach;  // so that two edges together reach as far as their tolerance
+    std::vector<double> radius;  // so that two edges together reach as far as their tolerance
     for (const Outline& outline : outlines.list) {
         for (const double spacing : outline.spacing) {
-            reach.push_back(std::min(0.5 * gap * spacing, most));
+            radius.push_back(std::min(0.5 * gap * spacing, most));
         }
     }
-    NearbyEdges nearby = nearbyEdges(outlines, settled, reach);
+    NearbyEdges nearby = nearbyEdges(outlines, settled, radius);
     crowded = std::move(nearby.crowded);
     std::vector<Contact> contacts;
     for (const auto& [a, b] : nearby.pairs) {
@@ -225,7 +225,7 @@ std::vector<Balance> balances(const Outlines& outlines, const std::vector<Contac
 }  // namespace
 
 void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& contacts) {
-    // Pieces as they are wound, and turned over: what is joined is wound alike.
+    // Pieces as they are wound, and flipped: what is joined is wound alike.
     DisjointSets sets(2 * static_cast<int>(outlines.list.size()));
     const auto areAlike = [&sets](int p, int q) { return sets.root(2 * p) == sets.root(2 * q); };
     const auto areAgainst = [&sets](int p, int q) {

@@ -5,7 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/seam/contacts.h"
-#include "core/seam/run.h"
+#include "core/seam/matched_interval.h"
 #include "core/seam/seam_origin.h"
 
 namespace toile {
@@ -108,12 +108,12 @@ SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
 
     SeamGraph graph;
     graph.notes = notesOf(crowded);
-    const std::vector<Run> runs = chainContacts(outlines, contacts);
+    const std::vector<MatchedInterval> intervals = chainContacts(outlines, contacts);
     if (!goesOnAt(0.8)) {
         return {};
     }
-    for (Run& run : chooseRuns(outlines, runs)) {
-        graph.seams.push_back(finishSeam(outlines, std::move(run)));
+    for (MatchedInterval& interval : chooseIntervals(outlines, intervals)) {
+        graph.seams.push_back(finishSeam(outlines, std::move(interval)));
     }
     addFreeEdges(outlines, graph.seams);
     orderAndName(pieces, outlines, graph.seams);

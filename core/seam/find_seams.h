@@ -20,8 +20,9 @@ struct SeamOptions {
 /// Finds which outlines are sewn to which, in three ways that share one machinery:
 /// - edges between the same two positions of one file are the same line of a welded garment;
 /// - edges that coincide, and edges that lie close and run in opposite directions, sampled alike or
-///   not, become contacts; contacts in a row on both outlines become runs (so every run is mutual
-///   and monotone); where runs compete for a place the closer one has it, then the longer one.
+///   not, become contacts; contacts in a row on both outlines become intervals (so every interval
+///   is mutual and monotone); where runs compete for a place the closer one has it, then the longer
+///   one.
 /// Outlines of consistently wound pieces run against each other along a seam. A piece wound the
 /// other way is recognised by the balance of its contacts and matched along instead.
 ///

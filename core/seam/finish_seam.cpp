@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "core/seam/run.h"
+#include "core/seam/matched_interval.h"
 
 namespace toile {
 namespace {
@@ -16,35 +16,36 @@ constexpr double kEndAtVertex = 0.2;
 // matched exactly, so that sides sampled alike have no rounding slivers between them.
 constexpr double kSameVertex = 1e-6;
 
-/// The same run seen from the other side, running along that side's outline.
-Run turned(const Run& run) {
-    Run other = run;
+/// The same interval seen from the other side, running along that side's outline.
+MatchedInterval turned(const MatchedInterval& interval) {
+    MatchedInterval other = interval;
     std::swap(other.outlineA, other.outlineB);
-    for (Facing& f : other.line) {
+    for (Correspondence& f : other.line) {
         std::swap(f.a, f.b);
     }
-    if (!run.parallel) {
+    if (!interval.parallel) {
         std::reverse(other.line.begin(), other.line.end());
     }
     return other;
 }
 
-/// Decides the kind, and turns a run of a piece with itself so that a dart ends at its point.
-SeamKind settleKind(const Outlines& outlines, Run& run) {
-    if (run.outlineA != run.outlineB) {
+/// Decides the kind, and turns an interval of a piece with itself so that a dart ends at its point.
+SeamKind settleKind(const Outlines& outlines, MatchedInterval& interval) {
+    if (interval.outlineA != interval.outlineB) {
         // The rims of holes come after all outlines; the pieces tell which side is the left one.
-        if (outlines.list[run.outlineB].piece < outlines.list[run.outlineA].piece) {
-            run = turned(run);
+        if (outlines.list[interval.outlineB].piece < outlines.list[interval.outlineA].piece) {
+            interval = turned(interval);
         }
         return SeamKind::Seam;
     }
-    const Tips tips = tipsOf(run, outlines);
-    const bool point = tips.start != tips.end;
-    const Outline& outline = outlines.list[run.outlineA];
-    if (point ? tips.start : outline.wrap(run.arcB().from) < outline.wrap(run.arcA().from)) {
-        run = turned(run);
+    const FoldEnds foldEnds = foldEndsOf(interval, outlines);
+    const bool point = foldEnds.start != foldEnds.end;
+    const Outline& outline = outlines.list[interval.outlineA];
+    if (point ? foldEnds.start
+              : outline.wrap(interval.arcB().from) < outline.wrap(interval.arcA().from)) {
+        interval = turned(interval);
     }
-    return !point ? SeamKind::Seam : run.folded ? SeamKind::Fold : SeamKind::Dart;
+    return !point ? SeamKind::Seam : interval.folded ? SeamKind::Fold : SeamKind::Dart;
 }
 
 double onVertex(const Outline& outline, double s) {
@@ -73,20 +74,20 @@ struct Mark {
     bool vertexA, vertexB;
 };
 
-std::vector<SeamMatch> matchesOf(const Outlines& outlines, const Run& run) {
-    const Outline &a = outlines.list[run.outlineA], &b = outlines.list[run.outlineB];
-    const double tiny = kSameVertex * run.spacing(outlines);
-    const Facing first = run.line.front(), last = run.line.back();
+std::vector<SeamMatch> matchesOf(const Outlines& outlines, const MatchedInterval& interval) {
+    const Outline &a = outlines.list[interval.outlineA], &b = outlines.list[interval.outlineB];
+    const double tiny = kSameVertex * interval.spacing(outlines);
+    const Correspondence first = interval.line.front(), last = interval.line.back();
     std::vector<Mark> marks{{{first.a, first.b}, true, true}};
     for (const double s : verticesBetween(a, first.a, last.a, tiny)) {
-        marks.push_back({{s, run.atA(s).b}, true, false});
+        marks.push_back({{s, interval.atA(s).b}, true, false});
     }
     const auto [lowB, highB] = std::minmax(first.b, last.b);
     for (const double s : verticesBetween(b, lowB, highB, tiny)) {
-        marks.push_back({{run.atB(s).a, s}, false, true});
+        marks.push_back({{interval.atB(s).a, s}, false, true});
     }
     marks.push_back({{last.a, last.b}, true, true});
-    const double sign = run.parallel ? 1 : -1;
+    const double sign = interval.parallel ? 1 : -1;
     std::ranges::stable_sort(
         marks, {}, [sign](const Mark& mark) { return mark.at.left + sign * mark.at.right; });
     std::vector<SeamMatch> matches;
@@ -131,25 +132,26 @@ SeamSide sideOf(const Outline& outline, double start, double end) {
 
 }  // namespace
 
-Seam finishSeam(const Outlines& outlines, Run run) {
+Seam finishSeam(const Outlines& outlines, MatchedInterval interval) {
     Seam seam;
-    seam.kind = settleKind(outlines, run);
-    seam.stacked = run.stacked;
-    seam.gap = run.meanGap();
-    const Outline &a = outlines.list[run.outlineA], &b = outlines.list[run.outlineB];
-    for (Facing* f : {&run.line.front(), &run.line.back()}) {
+    seam.kind = settleKind(outlines, interval);
+    seam.stacked = interval.stacked;
+    seam.gap = interval.meanGap();
+    const Outline &a = outlines.list[interval.outlineA], &b = outlines.list[interval.outlineB];
+    for (Correspondence* f : {&interval.line.front(), &interval.line.back()}) {
         f->a = onVertex(a, f->a);
         f->b = onVertex(b, f->b);
     }
-    const double sign = run.parallel ? 1 : -1;
-    const Facing first = run.line.front(), last = run.line.back();
-    for (Facing& f : run.line) {  // an end that moved inwards takes its neighbours with it
+    const double sign = interval.parallel ? 1 : -1;
+    const Correspondence first = interval.line.front(), last = interval.line.back();
+    for (Correspondence& f :
+         interval.line) {  // an end that moved inwards takes its neighbours with it
         f.a = std::clamp(f.a, first.a, last.a);
         f.b = sign * std::clamp(sign * f.b, sign * first.b, sign * last.b);
     }
     seam.left = sideOf(a, first.a, last.a);
     seam.right = sideOf(b, first.b, last.b);
-    seam.matches = matchesOf(outlines, run);
+    seam.matches = matchesOf(outlines, interval);
     for (SeamMatch& match : seam.matches) {
         match.left += seam.left.start - first.a;
         match.right += seam.right.start - first.b;
@@ -161,7 +163,8 @@ Seam finishSeam(const Outlines& outlines, Run run) {
     const auto whole = [](const SeamSide& side, const Outline& outline) {
         return side.length() > (1 - kSameVertex) * outline.length();
     };
-    seam.closed = whole(seam.left, a) && whole(seam.right, b) && run.outlineA != run.outlineB;
+    seam.closed =
+        whole(seam.left, a) && whole(seam.right, b) && interval.outlineA != interval.outlineB;
     return seam;
 }
 

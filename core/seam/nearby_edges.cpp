@@ -14,17 +14,17 @@ namespace {
 constexpr std::size_t kFewEdges = 16;
 // Cells that an edge may be entered in on the way down, on average: dividing a cell parts no edges
 // that lie along each other, or meet in one point.
-constexpr double kMostCopiesPerEdge = 16;
+constexpr double kMaxCopiesPerEdge = 16;
 // More edges than these, and not parted, are a crowd: 64 corners in one point, or 128 layers.
 constexpr std::size_t kCrowd = 128;
 // Halvings of the garment's size: one part in 1e7.
-constexpr int kMostDepth = 24;
-// Of the garment's size: what rounding may take from an edge's reach.
+constexpr int kMaxDepth = 24;
+// Of the garment's size: what rounding may take from an edge's radius.
 constexpr double kRounding = 1e-9;
 
 struct Stretch {
     Eigen::Vector3d from, to;
-    double reach;
+    double radius;
 };
 
 struct Cell {
@@ -39,10 +39,10 @@ struct Cell {
         return {low + half * step, half, depth + 1, copiesThere};
     }
 
-    /// Whether the edge comes within its reach of the cell, along each axis.
+    /// Whether the edge comes within its radius of the cell, along each axis.
     bool isReachedBy(const Stretch& edge) const {
-        const Eigen::Vector3d below = low.array() - edge.reach;
-        const Eigen::Vector3d above = low.array() + side + edge.reach;
+        const Eigen::Vector3d below = low.array() - edge.radius;
+        const Eigen::Vector3d above = low.array() + side + edge.radius;
         const Eigen::Vector3d way = edge.to - edge.from;
         const ShareInBox share = shareInBox(edge.from, way, below, above);
         return share.first <= share.last;
@@ -69,7 +69,7 @@ public:
             entries += std::popcount(octants[i]);
         }
         const double copies = cell.copies * entries / static_cast<double>(edges.size());
-        if (copies > kMostCopiesPerEdge || cell.depth == kMostDepth) {
+        if (copies > kMaxCopiesPerEdge || cell.depth == kMaxDepth) {
             endAt(edges, cell);
             return;
         }
@@ -127,7 +127,7 @@ private:
 }  // namespace
 
 NearbyEdges nearbyEdges(const Outlines& outlines, const std::vector<char>& skip,
-                        const std::vector<double>& reach) {
+                        const std::vector<double>& radius) {
     std::vector<Stretch> stretches;
     std::vector<int> edges;
     Eigen::AlignedBox3d box;
@@ -135,7 +135,7 @@ NearbyEdges nearbyEdges(const Outlines& outlines, const std::vector<char>& skip,
         const Outline& outline = outlines.of(edge);
         const int k = outlines.local(edge);
         stretches.push_back({outline.P.row(k), outline.P.row((k + 1) % outline.size()),
-                             reach[edge] + kRounding * outlines.size});
+                             radius[edge] + kRounding * outlines.size});
         if (!skip[edge]) {
             edges.push_back(edge);
             box.extend(stretches.back().from).extend(stretches.back().to);

@@ -14,7 +14,7 @@ namespace toile {
 namespace {
 
 // Edges on either side that the local edge length is averaged over.
-constexpr int kSpacingReach = 2;
+constexpr int kSpacingRadius = 2;
 
 /// The corner opposite to edge (u, v) in its one triangle.
 int oppositeVertex(const Piece& piece, int u, int v) {
@@ -52,10 +52,10 @@ Outline buildOutline(const Piece& piece, int index, int hole) {
     }
     for (int k = 0; k < n; ++k) {
         double sum = 0;
-        for (int d = -kSpacingReach; d <= kSpacingReach; ++d) {
+        for (int d = -kSpacingRadius; d <= kSpacingRadius; ++d) {
             sum += length[outline.wrapIndex(k + d)];
         }
-        outline.spacing[k] = sum / (2 * kSpacingReach + 1);
+        outline.spacing[k] = sum / (2 * kSpacingRadius + 1);
     }
     outline.angle = boundaryAngles3d(piece.mesh, loop);
     return outline;

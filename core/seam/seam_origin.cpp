@@ -79,7 +79,7 @@ void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces, const
     }
 }
 
-void nameAfterCuts(SeamGraph& graph, const std::vector<MadeCut>& cuts) {
+void nameAfterCuts(SeamGraph& graph, const std::vector<AppliedCut>& cuts) {
     std::map<CutId, std::size_t> order;
     for (std::size_t c = 0; c < cuts.size(); ++c) {
         if (cuts[c].author == CutAuthor::User) {
@@ -99,7 +99,7 @@ void nameAfterCuts(SeamGraph& graph, const std::vector<MadeCut>& cuts) {
             seamsOf[cuts[first].id].push_back(&seam);
         }
     }
-    for (const MadeCut& cut : cuts) {
+    for (const AppliedCut& cut : cuts) {
         const std::vector<Seam*>& seams = seamsOf[cut.id];
         int number = 0;
         for (Seam* seam : seams) {

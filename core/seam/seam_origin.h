@@ -23,6 +23,6 @@ UserJoin joinAlong(const Seam& seam, const std::vector<std::shared_ptr<const Pie
 /// Gives a seam the name of the user's cut that it came of: "inseam"; where a cut left several,
 /// "inseam 1", "inseam 2" in the order of the graph; where two cuts run on into one seam, the
 /// first cut's name. Names stay unique. Other seams keep theirs. n log n.
-void nameAfterCuts(SeamGraph& graph, const std::vector<MadeCut>& cuts);
+void nameAfterCuts(SeamGraph& graph, const std::vector<AppliedCut>& cuts);
 
 }  // namespace toile

@@ -10,8 +10,8 @@ namespace toile {
 namespace {
 
 constexpr double kHalf = 0.5;
-constexpr double kMostSeenEase = 10;  ///< what a file may state
-constexpr double kSame = 1e-9;        ///< shares of a line
+constexpr double kMaxSeenEase = 10;  ///< what a file may state
+constexpr double kSame = 1e-9;       ///< shares of a line
 
 /// The part of `a` that `b` has, 0 to 1.
 double covered(const LineStretch& a, const LineStretch& b) {
@@ -42,7 +42,7 @@ SeamPlace turned(const SeamPlace& place) {
 
 /// A tenth longer on one side is a little less than a tenth shorter on the other.
 std::optional<double> seenFromRight(std::optional<double> ease) {
-    return ease ? std::optional(std::min(kMostSeenEase, 1 / (1 + *ease) - 1)) : std::nullopt;
+    return ease ? std::optional(std::min(kMaxSeenEase, 1 / (1 + *ease) - 1)) : std::nullopt;
 }
 
 SeamSettings turned(SeamSettings said) {

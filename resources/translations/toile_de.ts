@@ -329,8 +329,8 @@
         <translation>Schnittmuster</translation>
     </message>
     <message>
-        <source>right side of the fabric up, net outlines</source>
-        <translation>rechte Stoffseite oben, Umrisse ohne Nahtzugabe</translation>
+        <source>right side of the fabric up, seam lines</source>
+        <translation>rechte Stoffseite oben, Nahtlinien</translation>
     </message>
 </context>
 <context>
@@ -536,7 +536,7 @@
         <translation>die Projektdatei verletzt die Regeln ihres Formats</translation>
     </message>
     <message>
-        <source>Open an older copy of it, or mend the place named with a text editor</source>
+        <source>Open an older copy of it, or correct the place named with a text editor</source>
         <translation>Öffnen Sie eine ältere Kopie oder bessern Sie die genannte Stelle mit einem Texteditor aus</translation>
     </message>
     <message>
@@ -656,7 +656,7 @@
         <translation>Flächen zeigen zur anderen Seite als ihre Nachbarn</translation>
     </message>
     <message>
-        <source>They are turned over to agree with the larger area</source>
+        <source>They are flipped to agree with the larger area</source>
         <translation>Sie werden nach der Seite der größeren Fläche gewendet</translation>
     </message>
     <message>
@@ -708,7 +708,7 @@
         <translation>der flache Umriss kreuzte sich selbst und wurde auseinandergeschoben, mit seinen Längen</translation>
     </message>
     <message>
-        <source>triangles lie turned over in the pattern</source>
+        <source>triangles are flipped in the pattern</source>
         <translation>Dreiecke liegen im Schnittmuster umgeklappt</translation>
     </message>
     <message>
@@ -816,7 +816,7 @@
         <translation>der Einschnitt ist nicht möglich</translation>
     </message>
     <message>
-        <source>Move its points, or mend the piece first</source>
+        <source>Move its points, or repair the piece first</source>
         <translation>Verschieben Sie seine Punkte oder bessern Sie zuerst das Schnittteil aus</translation>
     </message>
     <message>
@@ -904,11 +904,11 @@
         <translation>Umrisse, die sich selbst kreuzen</translation>
     </message>
     <message>
-        <source>Cloth turned over</source>
+        <source>Flipped cloth</source>
         <translation>Umgeklappter Stoff</translation>
     </message>
     <message>
-        <source>triangles lie turned over in the pattern (%1 of %2)</source>
+        <source>triangles are flipped in the pattern (%1 of %2)</source>
         <translation>Dreiecke liegen im Schnittmuster umgeklappt (%1 von %2)</translation>
     </message>
     <message>
@@ -1008,8 +1008,8 @@
         <translation>Fadenlauf nicht angegeben</translation>
     </message>
     <message>
-        <source>nobody has said how the grain runs: it is taken to run upwards</source>
-        <translation>niemand hat gesagt, wie der Fadenlauf liegt: er gilt als nach oben gerichtet</translation>
+        <source>no grain is set: it is taken to run upwards</source>
+        <translation>kein Fadenlauf angegeben: er gilt als nach oben gerichtet</translation>
     </message>
     <message>
         <source>Turn the grain arrow, or let Toile find the best grain</source>
@@ -1036,8 +1036,8 @@
         <translation>Im Programm ist ein unerwarteter Fehler aufgetreten (%1). Bitte melden Sie ihn mit der Datei des Kleidungsstücks.</translation>
     </message>
     <message>
-        <source>net outline, no allowance</source>
-        <translation>Umriss ohne Nahtzugabe</translation>
+        <source>seam line, no allowance</source>
+        <translation>Nahtlinie, ohne Zugabe</translation>
     </message>
     <message>
         <source>mirrored: wrong side of the fabric up</source>
@@ -1568,7 +1568,7 @@
         <translation>Umgeklappte Dreiecke</translation>
     </message>
     <message>
-        <source>Triangles that are turned over: cloth cannot do that</source>
+        <source>Triangles that are flipped: cloth cannot do that</source>
         <translation>Umgeklappte Dreiecke: Stoff kann das nicht</translation>
     </message>
     <message>
@@ -1588,8 +1588,8 @@
         <translation>Was der Löser zuletzt für dieses Schnittteil brauchte</translation>
     </message>
     <message>
-        <source>To the designer’s panel, %1</source>
-        <translation>Zum Schnittteil des Entwerfers, %1</translation>
+        <source>To the reference panel, %1</source>
+        <translation>Zum Referenzteil, %1</translation>
     </message>
     <message>
         <source>Distance to the panel that the file carries, laid on each other as well as may be; root mean square</source>
@@ -1863,7 +1863,7 @@
         <translation>Je Dreieck</translation>
     </message>
     <message>
-        <source>Flag the w&amp;orst spots</source>
+        <source>Mark the w&amp;orst spots</source>
         <translation>&amp;Schlimmste Stellen markieren</translation>
     </message>
     <message>
@@ -1887,12 +1887,12 @@
         <translation>Gitternetz</translation>
     </message>
     <message>
-        <source>&amp;Designer&apos;s outline</source>
-        <translation>&amp;Umriss des Entwurfs</translation>
+        <source>Re&amp;ference panels</source>
+        <translation>&amp;Referenzteile</translation>
     </message>
     <message>
-        <source>Draw the designer&apos;s own panels over the flat pieces, where the file carries them</source>
-        <translation>Die Schnittteile des Entwerfers über die flachen legen, wo die Datei sie enthält</translation>
+        <source>Draw the reference panels, the designer&apos;s own, over the flat pieces, where the file has them</source>
+        <translation>Die Referenzteile, die des Entwerfers, über die flachen legen, wo die Datei sie enthält</translation>
     </message>
     <message>
         <source>Show &amp;seams</source>
@@ -1991,7 +1991,7 @@
         <translation>Zusehen, wie sich das Kleidungsstück abwickelt oder das Schnittmuster wieder zum Kleidungsstück schließt</translation>
     </message>
     <message>
-        <source>Seam lines keep their exact length; the cloth between them stretches as little as that allows, and no triangle is turned over</source>
+        <source>Seam lines keep their exact length; the cloth between them stretches as little as that allows, and no triangle is flipped</source>
         <translation>Nahtlinien behalten genau ihre Länge; der Stoff dazwischen dehnt sich so wenig, wie das erlaubt, und kein Dreieck wird umgeklappt</translation>
     </message>
     <message>
@@ -2007,7 +2007,7 @@
         <translation>Nahtlinien behalten auf rundem Umriss genau ihre Länge; der Stoff innen wird verschoben, bis er sich am wenigsten dehnt</translation>
     </message>
     <message>
-        <source>Seam lines keep their exact length on a round outline: no triangle is ever turned over, but it is no pattern</source>
+        <source>Seam lines keep their exact length on a round outline: no triangle is ever flipped, but it is no pattern</source>
         <translation>Nahtlinien behalten auf rundem Umriss genau ihre Länge: kein Dreieck wird je umgeklappt, doch ein Schnittmuster ist es nicht</translation>
     </message>
     <message>
@@ -2475,16 +2475,16 @@
         <translation>Bester</translation>
     </message>
     <message>
-        <source>&amp;Forget the grain</source>
-        <translation>Fadenlauf &amp;vergessen</translation>
+        <source>&amp;Reset the grain</source>
+        <translation>Fadenlauf &amp;zurücksetzen</translation>
     </message>
     <message>
         <source>Leave it open how the grain of the selected pieces, or of all, runs</source>
         <translation>Offen lassen, wie der Fadenlauf der ausgewählten Schnittteile, sonst aller, liegt</translation>
     </message>
     <message>
-        <source>Forget</source>
-        <translation>Vergessen</translation>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>&amp;Rulers</source>
@@ -2955,8 +2955,8 @@
         <translation>Das Gemessene kopieren</translation>
     </message>
     <message>
-        <source>Forget the measure; without one: back to selecting</source>
-        <translation>Das Maß vergessen; ohne eines: zurück zum Auswählen</translation>
+        <source>Clear the measure; without one: back to selecting</source>
+        <translation>Das Maß löschen; ohne eines: zurück zum Auswählen</translation>
     </message>
     <message>
         <source>Drag on a piece in the pattern view</source>
@@ -3972,12 +3972,12 @@
         <translation>%1: %2, flach %3 (%4)</translation>
     </message>
     <message>
-        <source>Click: measure anew · Ctrl+C: copy · Esc: forget the measure</source>
-        <translation>Klick: neu messen · Strg+C: kopieren · Esc: Maß vergessen</translation>
+        <source>Click: measure anew · Ctrl+C: copy · Esc: clear the measure</source>
+        <translation>Klick: neu messen · Strg+C: kopieren · Esc: Maß löschen</translation>
     </message>
     <message>
-        <source>Click: next place · Double click or Enter: end here · Backspace: take the last place back · Ctrl+C: copy · Esc: forget the measure</source>
-        <translation>Klick: nächste Stelle · Doppelklick oder Eingabe: hier enden · Rücktaste: letzte Stelle zurücknehmen · Strg+C: kopieren · Esc: Maß vergessen</translation>
+        <source>Click: next place · Double click or Enter: end here · Backspace: take the last place back · Ctrl+C: copy · Esc: clear the measure</source>
+        <translation>Klick: nächste Stelle · Doppelklick oder Eingabe: hier enden · Rücktaste: letzte Stelle zurücknehmen · Strg+C: kopieren · Esc: Maß löschen</translation>
     </message>
     <message>
         <source>On the cloth</source>
@@ -4047,7 +4047,7 @@
         <translation>Nicht flach: %1</translation>
     </message>
     <message>
-        <source>Partly turned over</source>
+        <source>Partly flipped</source>
         <translation>Teils umgeklappt</translation>
     </message>
     <message>
@@ -4139,20 +4139,20 @@
         <translation>Stellen, an denen sich der Umriss selbst kreuzt: muss 0 sein</translation>
     </message>
     <message>
-        <source>To designer rms %1</source>
-        <translation>Zum Entwurf, Mittel %1</translation>
+        <source>To reference rms %1</source>
+        <translation>Zur Referenz, Mittel %1</translation>
     </message>
     <message>
-        <source>Distance from the designer&apos;s own panel, laid on as well as it goes: root mean square</source>
-        <translation>Abstand vom Schnittteil des Entwerfers, bestmöglich aufgelegt: quadratisches Mittel</translation>
+        <source>Distance from the reference panel in the file, laid on as well as it goes: root mean square</source>
+        <translation>Abstand vom Referenzteil der Datei, bestmöglich aufgelegt: quadratisches Mittel</translation>
     </message>
     <message>
-        <source>To designer max %1</source>
-        <translation>Zum Entwurf, größter %1</translation>
+        <source>To reference max %1</source>
+        <translation>Zur Referenz, größter %1</translation>
     </message>
     <message>
-        <source>Distance from the designer&apos;s own panel: the largest</source>
-        <translation>Abstand vom Schnittteil des Entwerfers: der größte</translation>
+        <source>Distance from the reference panel in the file: the largest</source>
+        <translation>Abstand vom Referenzteil der Datei: der größte</translation>
     </message>
     <message>
         <source>How many are cut. Double-click or F2 to change it, of all selected pieces at once</source>
@@ -4238,8 +4238,8 @@
         <translation>Dehnung, von … bis</translation>
     </message>
     <message>
-        <source>To designer, rms / max</source>
-        <translation>Zum Entwurf, Mittel / größter</translation>
+        <source>To reference, rms / max</source>
+        <translation>Zur Referenz, Mittel / größter</translation>
     </message>
     <message>
         <source>Uneven stretch (1 = even)</source>
@@ -4553,7 +4553,7 @@
         <translation>Bereit zum Zuschneiden?</translation>
     </message>
     <message>
-        <source>List what must be mended before the cloth is cut</source>
+        <source>List what must be put right before the cloth is cut</source>
         <translation>Aufführen, was vor dem Zuschneiden behoben werden muss</translation>
     </message>
     <message>
@@ -4613,8 +4613,8 @@
         <translation>Liste &amp;leeren</translation>
     </message>
     <message>
-        <source>Forget what was opened last</source>
-        <translation>Vergessen, was zuletzt geöffnet wurde</translation>
+        <source>Clear the list of what was opened last</source>
+        <translation>Die Liste des zuletzt Geöffneten leeren</translation>
     </message>
 </context>
 <context>

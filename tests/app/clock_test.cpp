@@ -94,11 +94,11 @@ private slots:
         PathFinder finder;
         const auto piece =
             std::make_shared<const Piece>(makePiece("sheet", test::makeSheet(200, 100, 700, 350)));
-        const auto wish = [&piece](const Eigen::Vector3d& to) -> PathWish {
+        const auto request = [&piece](const Eigen::Vector3d& to) -> PathRequest {
             return {piece, NearestSurface(piece->mesh).find({1, 1, 0}),
                     NearestSurface(piece->mesh).find(to)};
         };
-        const PathWish first = wish({199, 99, 0}), last = wish({60, 60, 0});
+        const PathRequest first = request({199, 99, 0}), last = request({60, 60, 0});
         VERIFY_WITHIN(50, milliseconds([&] {
                           finder.find(first, [](const Result<PathPolyline>&) {});
                           finder.find(last, [](const Result<PathPolyline>&) {});

@@ -89,7 +89,7 @@ private slots:
         QCOMPARE(table().model()->columnCount(), 4);
         const auto shown = std::ranges::count_if(
             allCriteria(), [](const CriterionTraits& criterion) { return criterion.title; });
-        QCOMPARE(table().model()->rowCount(), static_cast<int>(shown) - 1);  // no designer's panel
+        QCOMPARE(table().model()->rowCount(), static_cast<int>(shown) - 1);  // no reference panel
         for (int m = 0; m < 4; ++m) {
             const ComparedMethod& method = expected.methods[static_cast<std::size_t>(m)];
             const ComparedFigures& figures = method.pieceFigures.front();
@@ -342,7 +342,7 @@ private slots:
         QCOMPARE(entry(3).made.result, solved);
     }
 
-    void closingStopsAndForgets() {
+    void closingStopsAndResets() {
         QVERIFY(fixture_.openAndWait(fixture_.path("hill.obj")));
         openCompareWindow();
         QVERIFY(window().comparison().isBusy());

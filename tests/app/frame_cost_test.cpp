@@ -89,7 +89,7 @@ private:
             const Eigen::AlignedBox3d boxes[] = {scene->box};
             camera.frame(boxes);
             ViewState view;
-            view.wireframe = view.designerOutline = view.valuesPerTriangle = true;
+            view.wireframe = view.referencePanels = view.valuesPerTriangle = true;
             view.overlay = overlay;
             Morph morph;
             morph.way = way;
@@ -105,7 +105,7 @@ private:
             camera.frame(sheetBox(*scene, {}), {});
             camera.pan(20 * turn, 0);
             ViewState view;
-            view.wireframe = view.designerOutline = view.valuesPerTriangle = true;
+            view.wireframe = view.referencePanels = view.valuesPerTriangle = true;
             view.overlay = overlay;
             renderer.paint(camera, view, renderStyle({}), kSize, kSize, 1);
         });
@@ -156,8 +156,8 @@ private slots:
             QVERIFY(firstFrame_.uploadedBytes >=
                     sentPlain + three->garment.triangles.size() / 3 * sizeof(FaceValues));
             QCOMPARE(garment.uploadedBytes, std::size_t{0});
-            const int crosses = overlay == Overlay::Principal ? 1 : 0;
-            QCOMPARE(garment.drawCalls, plain.drawCalls + crosses);
+            const int glyphs = overlay == Overlay::Principal ? 1 : 0;
+            QCOMPARE(garment.drawCalls, plain.drawCalls + glyphs);
             QCOMPARE(garmentFrame(one, 0, overlay).drawCalls, garment.drawCalls);
             QCOMPARE(patternFrame(three, overlay).uploadedBytes, std::size_t{0});
             QCOMPARE(patternFrame(one, overlay).drawCalls, patternFrame(three, overlay).drawCalls);

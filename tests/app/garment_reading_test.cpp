@@ -204,14 +204,14 @@ private slots:
         QCOMPARE(kept->cuts[0].name, std::string("dart"));
     }
 
-    void designersOutlineIsThereWhereTheFileHasPanels() {
+    void referencePanelsAreThereWhereTheFileHasThem() {
         QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
-        QAction& action = fixture_.action(ActionId::DesignerOutline);
+        QAction& action = fixture_.action(ActionId::ReferencePanels);
         QVERIFY(action.isEnabled() && !action.isChecked());
         const Scene& scene = *document().scene();
-        QCOMPARE(scene.patternLines.designer.size(), std::size_t(2));
+        QCOMPARE(scene.patternLines.reference.size(), std::size_t(2));
         // A flat panel flattens to itself: the outline lies on the piece's, closed.
-        const VertexRun run = scene.patternLines.designer[0];
+        const VertexRun run = scene.patternLines.reference[0];
         const auto& first = scene.lineVertices[run.first];
         const auto& last = scene.lineVertices[run.first + run.count - 1];
         QCOMPARE(first.flat[0], last.flat[0]);
@@ -226,18 +226,18 @@ private slots:
 
         const QImage without = fixture_.patternPicture();
         action.trigger();
-        QVERIFY(document().view().designerOutline);
+        QVERIFY(document().view().referencePanels);
         QVERIFY(fixture_.patternPicture() != without);
         const auto& table = fixture_.find<QTreeView>("pieceTable");
-        QVERIFY(!table.isColumnHidden(PiecesModel::DesignerRms));
-        QCOMPARE(table.model()->index(0, PiecesModel::DesignerRms).data().toString(),
+        QVERIFY(!table.isColumnHidden(PiecesModel::ReferenceRms));
+        QCOMPARE(table.model()->index(0, PiecesModel::ReferenceRms).data().toString(),
                  QString("0.00"));
 
         test::writeObj(fixture_.path("plain.obj").toStdString(),
                        {{"strip", test::makeSheet(300, 400, 4, 4)}});
         QVERIFY(fixture_.openAndWait(fixture_.path("plain.obj")));
         QVERIFY(!action.isEnabled());
-        QVERIFY(table.isColumnHidden(PiecesModel::DesignerMax));
+        QVERIFY(table.isColumnHidden(PiecesModel::ReferenceMax));
     }
 };
 

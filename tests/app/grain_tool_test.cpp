@@ -58,7 +58,7 @@ private slots:
         action(ActionId::GrainUpwards).trigger();
         QVERIFY(std::abs(directionOnSheet(placement(0), *document().settings()[0].grain) -
                          kRightAngle) < 1e-9);
-        action(ActionId::ForgetGrain).trigger();
+        action(ActionId::ResetGrain).trigger();
         QVERIFY(!document().settings()[0].grain);
     }
 
@@ -88,7 +88,7 @@ private slots:
         QVERIFY(arrow->length * scale >= 28 - 1e-9);
         QVERIFY2(arrow->length > 12, "longer than the band is wide");
         const LabelPlace label = document().marks().of(document(), 0, {}).label;
-        const double words = textExtent({"net outline, no allowance"}, label.height).x();
+        const double words = textExtent({"seam line, no allowance"}, label.height).x();
         const double beside = arrow->middle.x() - placement(0).offset.x() - label.position.x();
         QVERIFY2(std::abs(beside) > 0.5 * words, qPrintable(QString::number(beside)));
         QVERIFY(box(0).contains(arrow->middle));

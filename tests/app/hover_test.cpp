@@ -15,7 +15,7 @@
 using namespace toile;
 using namespace toile::app;
 using test::countPixels;
-using test::kLit;
+using test::kHighlight;
 
 class HoverTest : public test::PointerBench {
     Q_OBJECT
@@ -23,20 +23,20 @@ class HoverTest : public test::PointerBench {
 private slots:
     void aSeamUnderThePointerLightsUpInBothViews() {
         const int seam = firstSeam();
-        QCOMPARE(litInGarment() + litInPattern(), 0);
+        QCOMPARE(highlightedInGarment() + highlightedInPattern(), 0);
         moveTo(patternView(), onPatternSeam(seam, 1));
         QVERIFY(document().hover());
         QCOMPARE(document().hover()->seam, seam);
-        QVERIFY(litInPattern() > 100);  // both edges
-        QVERIFY(litInGarment() > 50);
+        QVERIFY(highlightedInPattern() > 100);  // both edges
+        QVERIFY(highlightedInGarment() > 50);
         leave(patternView());
         QVERIFY(!document().hover());
-        QCOMPARE(litInGarment() + litInPattern(), 0);
+        QCOMPARE(highlightedInGarment() + highlightedInPattern(), 0);
 
         moveTo(garmentView(), onGarmentSeam(seam));
         QVERIFY(document().hover());
         QCOMPARE(document().hover()->seam, seam);
-        QVERIFY(litInPattern() > 100);
+        QVERIFY(highlightedInPattern() > 100);
         leave(garmentView());
     }
 
@@ -56,7 +56,7 @@ private slots:
         const QImage pattern = fixture_.patternPicture(), garment = fixture_.garmentPicture();
         const auto isLit = [](const QImage& image, const QPointF& place) {
             const QRect around = QRect(place.toPoint() - QPoint(5, 5), QSize(11, 11));
-            return countPixels(image.copy(around), kLit, 40) > 0;
+            return countPixels(image.copy(around), kHighlight, 40) > 0;
         };
         QVERIFY(isLit(pattern, onPatternSeam(seam, 0)));
         QVERIFY(isLit(pattern, onPatternSeam(seam, 1)));
@@ -65,8 +65,8 @@ private slots:
         QVERIFY2(told.contains("from corner to corner") && told.contains(" mm, Δ "),
                  qPrintable(told));
         QVERIFY(fixture_.find<QLabel>("toolHint").text().startsWith(told));
-        QVERIFY(litInGarment() > 50);
-        QVERIFY(litInPattern() > 50);
+        QVERIFY(highlightedInGarment() > 50);
+        QVERIFY(highlightedInPattern() > 50);
         click(patternView(), onPatternPiece(0));
         QVERIFY(!document().mark());
         QCOMPARE(document().selection(), Document::Selection{0});

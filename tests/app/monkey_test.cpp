@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kActionsPerGarment = 3340;
 constexpr int kActionsPerRound = 600;  ///< then back to the start
-constexpr int kMostSteps = 440;        ///< the history forgets its beginning past 500
+constexpr int kMaxSteps = 440;         ///< the history forgets its beginning past 500
 constexpr int kActionsPerLook = 40;
 
 int numberFrom(const char* variable, int otherwise) {
@@ -50,9 +50,9 @@ void tellWhatItDid() {
 
 void onCrash(int number) {
     std::signal(number, SIG_DFL);
-    constexpr int kMostFrames = 60;
-    void* frames[kMostFrames];
-    backtrace_symbols_fd(frames, backtrace(frames, kMostFrames), STDERR_FILENO);
+    constexpr int kMaxFrames = 60;
+    void* frames[kMaxFrames];
+    backtrace_symbols_fd(frames, backtrace(frames, kMaxFrames), STDERR_FILENO);
     tellWhatItDid();
     std::raise(number);
 }
@@ -181,7 +181,7 @@ class MonkeyTest : public QObject {
     void playOneRound(test::Monkey& monkey, const test::Warnings& warnings, int actions) {
         const test::Moment start = test::momentOf(document());
         const int last = monkey.actionsDone() + actions;
-        while (monkey.actionsDone() < last && document().history().count() < kMostSteps) {
+        while (monkey.actionsDone() < last && document().history().count() < kMaxSteps) {
             monkey.act();
             if (monkey.actionsDone() % kActionsPerLook == 0) {
                 const QString broken = brokenPromise();

@@ -217,7 +217,7 @@ private slots:
         QCOMPARE(fixture_.window().views().patternView()->renderer().meshUploads(), after);
     }
 
-    void crossesAreDrawnInColourOnGreyCloth() {
+    void glyphsAreDrawnInColourOnGreyCloth() {
         showStretched(0.05);
         document().setOverlay(Overlay::Principal);
         const double ground = shareLike(mapColour(Overlay::Principal, 0));

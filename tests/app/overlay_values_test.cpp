@@ -118,7 +118,7 @@ private slots:
         QVERIFY(isNear(valueOf(sheet, Overlay::Strain, kUp, true), 5));
     }
 
-    void clothThatIsTurnedOverIsSeenEverywhere() {
+    void clothThatIsFlippedIsSeenEverywhere() {
         // All edges keep their lengths.
         const BuiltScene sheet = builtScene({{"front", test::makeSheet(100, 60, 10, 6)}},
                                             [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
@@ -169,7 +169,7 @@ private slots:
         QVERIFY(fit && fit->any > 0 && fit->any < 0.01);
     }
 
-    void theWorstFlagIsTheEndOfTheTablesRange() {
+    void theWorstCalloutIsTheEndOfTheTablesRange() {
         const auto garment = test::makeGarment({{"cap", test::makeCap(0)}});
         Progress progress;
         const PieceResults results = flattenGarment(*garment, {}, progress);
@@ -343,7 +343,7 @@ private slots:
         const OverlayScale scale =
             overlayScale(*sheet.scene, Overlay::Warp, *fabricPreset("woven"));
         const auto spots = worstSpots(*sheet.scene, grainAt(kUp), Overlay::Warp, scale);
-        QVERIFY(spots.size() >= 2 && spots.size() <= std::size_t(kMostWorstSpots));
+        QVERIFY(spots.size() >= 2 && spots.size() <= std::size_t(kMaxWorstSpots));
         QVERIFY(isNear(spots.front().flat.x(), 150, 3));
         QVERIFY(isNear(spots.front().value, 100 * (1 / 0.88 - 1), 1));
         QVERIFY(std::ranges::any_of(
@@ -384,22 +384,22 @@ private slots:
         QVERIFY(!isSameQuestion(one, other));
     }
 
-    void crossesStandEvenlyWhateverTheScale() {
+    void glyphsStandEvenlyWhateverTheScale() {
         const BuiltScene sheet = builtScene({{"front", test::makeSheet(400, 400, 60, 60)}},
                                             [](const Eigen::Vector2d& worn) -> Eigen::Vector2d {
                                                 return {worn.x() / 1.05, worn.y()};
                                             });
-        const StretchCrosses& crosses = sheet.scene->crosses;
-        QVERIFY(crosses.vertices.size() <= sheet.scene->faces.size());
+        const StrainGlyphs& glyphs = sheet.scene->glyphs;
+        QVERIFY(glyphs.vertices.size() <= sheet.scene->faces.size());
         for (const double wanted : {10.0, 40.0, 100.0}) {
-            const CrossRun run = crossesAt(crosses, wanted);
+            const GlyphRange run = glyphsAt(glyphs, wanted);
             QVERIFY(run.spacing >= wanted && run.spacing < 1.5 * wanted);
             const double expected = 400 / 1.05 * 400 / (run.spacing * run.spacing);
             QVERIFY2(run.count > 0.6 * expected && run.count < 1.6 * expected + 4,
                      qPrintable(QString("%1 of %2").arg(run.count).arg(expected)));
         }
-        QVERIFY(crossesAt(crosses, 1e9).count >= 1);
-        for (const CrossVertex& cross : crosses.vertices) {
+        QVERIFY(glyphsAt(glyphs, 1e9).count >= 1);
+        for (const GlyphVertex& cross : glyphs.vertices) {
             QVERIFY(isNear(static_cast<double>(cross.strain[0]), 5));
             QVERIFY(isNear(static_cast<double>(cross.strain[1]), 0));
             QVERIFY(isNear(std::abs(static_cast<double>(cross.flatAlong[0])), 1));

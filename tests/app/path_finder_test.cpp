@@ -20,8 +20,8 @@ std::shared_ptr<const Piece> sheet(int columns, int rows) {
         makePiece("sheet", test::makeSheet(200, 100, columns, rows)));
 }
 
-PathWish wish(const std::shared_ptr<const Piece>& piece, const Eigen::Vector3d& from,
-              const Eigen::Vector3d& to) {
+PathRequest request(const std::shared_ptr<const Piece>& piece, const Eigen::Vector3d& from,
+                    const Eigen::Vector3d& to) {
     return {piece, NearestSurface(piece->mesh).find(from), NearestSurface(piece->mesh).find(to)};
 }
 
@@ -35,7 +35,7 @@ private slots:
         PathFinder finder;
         const auto piece = sheet(20, 10);
         std::optional<double> found;
-        finder.find(wish(piece, {3, 4, 0}, {183, 84, 0}),
+        finder.find(request(piece, {3, 4, 0}, {183, 84, 0}),
                     [&](const Result<PathPolyline>& path) { found = path->length; });
         QVERIFY(!found);  // not before the event loop runs
         QVERIFY(QTest::qWaitFor([&] { return found.has_value(); }, test::kPatience));
@@ -44,7 +44,7 @@ private slots:
 
     void followsEdgesWhereAsked() {
         PathFinder finder;
-        PathWish along = wish(sheet(20, 10), {1, 51, 0}, {199, 49, 0});
+        PathRequest along = request(sheet(20, 10), {1, 51, 0}, {199, 49, 0});
         along.alongEdges = true;
         std::optional<double> found;
         finder.find(along, [&](const Result<PathPolyline>& path) { found = path->length; });
@@ -57,7 +57,7 @@ private slots:
         const auto a = sheet(20, 10), b = sheet(7, 5);
         std::vector<int> served;
         for (int i = 0; i < 6; ++i) {
-            finder.find(wish(i % 2 == 0 ? a : b, {1, 1, 0}, {10.0 * i + 40, 60, 0}),
+            finder.find(request(i % 2 == 0 ? a : b, {1, 1, 0}, {10.0 * i + 40, 60, 0}),
                         [&served, i](const Result<PathPolyline>& path) {
                             if (path) {
                                 served.push_back(i);
@@ -81,15 +81,15 @@ private slots:
         bool stale = false, fresh = false;
         std::vector<PathFinder::Ticket> tickets;
         for (int i = 0; i < 5; ++i) {
-            PathWish far = wish(piece, {1, 1, 0}, {199, 99.0 - i, 0});
+            PathRequest far = request(piece, {1, 1, 0}, {199, 99.0 - i, 0});
             far.alongEdges = alongEdges;
             tickets.push_back(finder.find(far, [&](const Result<PathPolyline>&) { stale = true; }));
         }
         for (const PathFinder::Ticket ticket : tickets) {
-            finder.forget(ticket);
+            finder.cancel(ticket);
         }
-        finder.forget(0);
-        finder.find(wish(piece, {1, 1, 0}, {20, 20, 0}),
+        finder.cancel(0);
+        finder.find(request(piece, {1, 1, 0}, {20, 20, 0}),
                     [&](const Result<PathPolyline>&) { fresh = true; });
         QVERIFY(QTest::qWaitFor([&] { return fresh; }, test::kPatience));
         QVERIFY(!stale);
@@ -100,7 +100,7 @@ private slots:
         const auto piece = sheet(60, 30);
         int answers = 0;
         for (int k = 0; k < 3; ++k) {
-            finder.find(wish(piece, {1, 1, 0}, {199 - 30.0 * k, 99, 0}),
+            finder.find(request(piece, {1, 1, 0}, {199 - 30.0 * k, 99, 0}),
                         [&answers](const Result<PathPolyline>&) {
                             ++answers;
                             QCOMPARE(QThread::currentThread(),

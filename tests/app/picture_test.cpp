@@ -84,7 +84,7 @@ private slots:
         openStretched(0);
         document().setOverlay(Overlay::None);
         for (const ViewsShown view : {ViewsShown::Garment, ViewsShown::Pattern}) {
-            QVERIFY(shareLike(view, colourOf(pieceColour(0))) > kMost);
+            QVERIFY(shareLike(view, colourOf(pieceColour(0))) > kMax);
         }
     }
 
@@ -110,11 +110,11 @@ private slots:
         const QColor colour = mapColour(static_cast<Overlay>(overlay), value);
         for (const ViewsShown view : {ViewsShown::Garment, ViewsShown::Pattern}) {
             const double share = shareLike(view, colour);
-            QVERIFY2(share > kMost, qPrintable(QString::number(share)));
+            QVERIFY2(share > kMax, qPrintable(QString::number(share)));
         }
     }
 
-    void crossesStandOnGreyClothInBothViews() {
+    void glyphsStandOnGreyClothInBothViews() {
         openStretched(0.1);
         document().setOverlay(Overlay::Principal);
         for (const ViewsShown view : {ViewsShown::Garment, ViewsShown::Pattern}) {
@@ -131,11 +131,11 @@ private slots:
         for (const ViewsShown view : {ViewsShown::Garment, ViewsShown::Pattern}) {
             setGrain(kGrainUpwards);
             document().setOverlay(Overlay::Weft);
-            QVERIFY(shareLike(view, mapColour(Overlay::Weft, 10)) > kMost);
+            QVERIFY(shareLike(view, mapColour(Overlay::Weft, 10)) > kMax);
             setGrain(0);
-            QVERIFY(shareLike(view, mapColour(Overlay::Weft, 0)) > kMost);
+            QVERIFY(shareLike(view, mapColour(Overlay::Weft, 0)) > kMax);
             document().setOverlay(Overlay::Warp);
-            QVERIFY(shareLike(view, mapColour(Overlay::Warp, 10)) > kMost);
+            QVERIFY(shareLike(view, mapColour(Overlay::Warp, 10)) > kMax);
         }
     }
 
@@ -143,7 +143,7 @@ private slots:
         openFlattened(test::makeGarment({{"strip", test::makeBentStrip(0)}}));
         document().setOverlay(Overlay::Area);
         const double share = shareLike(ViewsShown::Pattern, mapColour(Overlay::Area, 0));
-        QVERIFY2(share > kMost, qPrintable(QString::number(share)));
+        QVERIFY2(share > kMax, qPrintable(QString::number(share)));
     }
 
     void stripesAreThereBeyondTheLimitsAndNotWithin() {
@@ -241,9 +241,9 @@ private slots:
         open(garment,
              {resultOf(garment->pieces[0], flat, {}), resultOf(garment->pieces[1], flat, {})});
         document().setOverlay(Overlay::None);
-        PictureOptions wishes = options(ViewsShown::Garment);
+        PictureOptions asked = options(ViewsShown::Garment);
         const auto middle = [&] {
-            const QImage image = draw(wishes);
+            const QImage image = draw(asked);
             return image.pixelColor(image.width() / 2 + 40, image.height() / 2 + 40);
         };
         const QColor plain = middle();
@@ -300,9 +300,9 @@ private slots:
 
     void theGarmentOnItsWayEndsAsThePattern() {
         openStretched(0.1);
-        PictureOptions wishes = options(ViewsShown::Garment);
-        wishes.morph = 1;
-        const double flat = shareOfCloth(wishes);
+        PictureOptions asked = options(ViewsShown::Garment);
+        asked.morph = 1;
+        const double flat = shareOfCloth(asked);
         const double worn = shareOfCloth(options(ViewsShown::Garment));
         // Framed alike by their widths: what is narrower is drawn larger.
         QVERIFY2(flat > worn * 1.02, qPrintable(QString("%1 of %2").arg(flat).arg(worn)));
@@ -319,10 +319,10 @@ private slots:
     void theBarStandsBelowAndTakesNothingElseAway() {
         openStretched(0.1);
         document().setOverlay(Overlay::Weft);
-        PictureOptions wishes = options(ViewsShown::Pattern);
-        wishes.legend = true;
-        const int height = legendHeight(wishes.font);
-        const QImage image = draw(wishes);
+        PictureOptions asked = options(ViewsShown::Pattern);
+        asked.legend = true;
+        const int height = legendHeight(asked.font);
+        const QImage image = draw(asked);
         QCOMPARE(image.size(), kSize);
         QCOMPARE(image.copy(0, 0, kSize.width(), kSize.height() - height),
                  draw(options(ViewsShown::Pattern, QSize(kSize.width(), kSize.height() - height))));
@@ -348,9 +348,9 @@ private slots:
         document().setView(&ViewState::rulers, true);
         document().setView(&ViewState::worstSpots, true);
         document().setOverlay(Overlay::Strain);
-        PictureOptions wishes = options(ViewsShown::Both, size);
-        wishes.legend = true;
-        QCOMPARE(draw(wishes).size(), size);
+        PictureOptions asked = options(ViewsShown::Both, size);
+        asked.legend = true;
+        QCOMPARE(draw(asked).size(), size);
     }
 
     void tooLargeIsASentence() {
@@ -365,13 +365,13 @@ private slots:
         openFlattened(test::makeSewnCap());
         document().setOverlay(Overlay::Strain);
         document().setView(&ViewState::worstSpots, true);
-        PictureOptions wishes = options(ViewsShown::Both);
-        wishes.legend = true;
+        PictureOptions asked = options(ViewsShown::Both);
+        asked.legend = true;
         QByteArray files[2];
         for (QByteArray& file : files) {
             QBuffer buffer(&file);
             QVERIFY(buffer.open(QIODevice::WriteOnly));
-            QVERIFY(draw(wishes).save(&buffer, "PNG"));
+            QVERIFY(draw(asked).save(&buffer, "PNG"));
         }
         QVERIFY(!files[0].isEmpty());
         QCOMPARE(files[0], files[1]);
@@ -383,10 +383,10 @@ private slots:
         const QString file = fixture.path("cap.obj");
         test::writeObj(file.toStdString(), test::sewnCapParts());
         QVERIFY(fixture.openAndWait(file));
-        PictureOptions wishes;
-        wishes.legend = false;
-        wishes.font = QApplication::font();
-        wishes.palette = QApplication::palette();
+        PictureOptions asked;
+        asked.legend = false;
+        asked.font = QApplication::font();
+        asked.palette = QApplication::palette();
         for (int overlay = 0; overlay < kOverlayCount; ++overlay) {
             fixture.document().setOverlay(static_cast<Overlay>(overlay));
             QTRY_VERIFY_WITH_TIMEOUT(fixture.window().views().isUpToDate(), kPatience);
@@ -394,10 +394,10 @@ private slots:
                 const QImage grabbed = view == ViewsShown::Garment ? fixture.garmentPicture()
                                                                    : fixture.patternPicture();
                 init();  // grabbing has let go of the context
-                wishes.views = view;
-                wishes.size = grabbed.size();
+                asked.views = view;
+                asked.size = grabbed.size();
                 QString problem;
-                const QImage drawn = drawViews(fixture.document(), wishes, problem);
+                const QImage drawn = drawViews(fixture.document(), asked, problem);
                 keep(drawn, QString("%1-%2-drawn").arg(overlay).arg(int(view)));
                 keep(grabbed, QString("%1-%2-grabbed").arg(overlay).arg(int(view)));
                 const double share = differing(drawn, grabbed);

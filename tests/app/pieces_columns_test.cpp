@@ -96,8 +96,8 @@ private slots:
         QTest::keyClick(&table(), Qt::Key_F2);
         typeQuantity("99999999");  // the last digits are not taken
         QCOMPARE(settings(1).quantity, 999999);
-        setQuantity(document(), {1}, kMostCopies + 1);
-        QCOMPARE(settings(1).quantity, kMostCopies);
+        setQuantity(document(), {1}, kMaxCopies + 1);
+        QCOMPARE(settings(1).quantity, kMaxCopies);
         setQuantity(document(), {1}, 0);
         QCOMPARE(settings(1).quantity, 1);
         const int before = steps();

@@ -56,7 +56,7 @@ public:
         return done;
     }
 
-    void forget() {
+    void reset() {
         longest_.clear();
         longestPainting_ = 0;
         events_ = 0;
@@ -156,7 +156,7 @@ class ResponsivenessTest : public QObject {
         const bool any = !application().longest().empty();
         const double longest = any ? application().longest().front().milliseconds : 0;
         const QString worst = lines.join("; ");
-        application().forget();
+        application().reset();
         QVERIFY2(longest <= kBar, qPrintable(QString("%1: %2").arg(when, worst)));
     }
 
@@ -188,7 +188,7 @@ private slots:
         document().setOptions(options);
         // Without frames in between there are far more events.
         fixture_.window().setUpdatesEnabled(false);
-        application().forget();
+        application().reset();
         asEvent([this] { fixture_.window().openFiles({fixture_.path("million.obj")}); });
         fidgetUntilDone(10);
         QVERIFY(document().isFlattened());

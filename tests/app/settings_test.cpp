@@ -104,7 +104,7 @@ private slots:
         const QString file = folder.filePath("settings.ini");
         QSettings(file, QSettings::IniFormat).setValue("choices/autosaveMinutes", 2147483647);
         const int minutes = Preferences(file).choices().autosaveMinutes;
-        QCOMPARE(minutes, Choices::kMostAutosaveMinutes);
+        QCOMPARE(minutes, Choices::kMaxAutosaveMinutes);
         QCOMPARE(autosaveTimes(minutes)->apart, 60 * 60'000);  // and no overflow
     }
 

@@ -46,23 +46,23 @@ private slots:
         QVERIFY(fixture_.action(ActionId::ToolSelect).isChecked());
     }
 
-    void noPlateLiesOverWhatAToolSays() {
+    void noLabelLiesOverWhatAToolSays() {
         openSheets();
-        const auto& plate = *patternView().findChild<QLabel*>("hoverText");
+        const auto& label = *patternView().findChild<QLabel*>("hoverText");
         const QPointF inside = at(patternView(), 0, {50, 40, 0});
         for (const ToolId id :
              {ToolId::Cut, ToolId::Loop, ToolId::Dart, ToolId::Join, ToolId::Measure}) {
             tools().choose(id);
             moveTo(patternView(), inside);
             QVERIFY(document().hover());  // it lights up in both views all the same
-            QVERIFY(!plate.isVisible());
+            QVERIFY(!label.isVisible());
         }
         tools().choose(ToolId::Select);
         moveTo(patternView(), inside + QPointF(1, 0));
-        QVERIFY(plate.isVisible());
+        QVERIFY(label.isVisible());
     }
 
-    void backspaceTooManyForgetsNoEase() {
+    void backspaceTooManyResetsNoEase() {
         openCap();
         const int seam = *sewn();
         document().setSeamEase(seam, 0.02);

@@ -31,7 +31,7 @@ private slots:
         workspace().setMethod(Method::Natural);
         document().history().undo();
         QVERIFY(workspace().writing().isUnderWay(first));
-        held.letGo();
+        held.release();
         QVERIFY(waitUntilWritten());
         QVERIFY(waitUntilDone());
         // The pattern as it was when the writing was asked for.

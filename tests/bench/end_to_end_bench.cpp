@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Seconds = std::map<std::string, double>;
 
-/// The road, walked once.
+/// The pipeline, walked once.
 struct Walk {
     Garment garment;
     PieceResults results;
@@ -66,7 +66,7 @@ Walk walk(const fs::path& file, const FlattenOptions& options) {
     return done;
 }
 
-/// The stages of the road. What cannot be timed from outside is done once more alone, and taken
+/// The stages of the pipeline. What cannot be timed from outside is done once more alone, and taken
 /// off the stage it is part of.
 Seconds stagesOf(const fs::path& file, const Walk& walk) {
     const double read = std::min(walk.load, secondsOf([&] {

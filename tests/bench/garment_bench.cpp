@@ -56,7 +56,7 @@ void measureUnchanged(benchmark::State& state, bool knowing) {
         Progress progress;
         benchmark::DoNotOptimize(flattener.flatten(*garment, {}, progress, 1));
         if (!knowing) {
-            flattener.forget();
+            flattener.reset();
         }
     }
 }

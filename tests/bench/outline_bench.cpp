@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every stage of the road over the length of the outline: `outline/STAGE/VERTICES`. The pieces are
-// strips, whose vertices all lie on the outline, so that a stage that is more than linear in it
+// Every stage of the pipeline over the length of the outline: `outline/STAGE/VERTICES`. The pieces
+// are strips, whose vertices all lie on the outline, so that a stage that is more than linear in it
 // shows as soon as it can: the time per vertex is to stay what it is.
 #include <array>
 #include <cmath>

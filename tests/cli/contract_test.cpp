@@ -161,7 +161,7 @@ TEST(Contract, ABrokenPromiseIsStatusOneAndNoPlainFlat) {
     const auto run = test::toileRun(
         {"flatten", input, "--unit", "mm", "--report", (folder / "out.json").string()});
     EXPECT_EQ(run.status, 1);
-    EXPECT_NE(run.err.find("triangles lie turned over"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("triangles are flipped"), std::string::npos) << run.err;
     EXPECT_EQ(run.err.find("can be used as it is"), std::string::npos) << run.err;
     const auto report = nlohmann::json::parse(folder.read("out.json"));
     EXPECT_EQ(report["pieces"][0]["status"], "flipped");
@@ -174,7 +174,7 @@ TEST(Contract, ABrokenPromiseIsStatusOneAndNoPlainFlat) {
     // The others promise nothing, and say so.
     const auto other = test::toileRun({"flatten", input, "--unit", "mm", "--method", "curvature"});
     EXPECT_EQ(other.status, 0);
-    EXPECT_NE(other.err.find("triangles lie turned over"), std::string::npos) << other.err;
+    EXPECT_NE(other.err.find("triangles are flipped"), std::string::npos) << other.err;
 }
 
 TEST(Contract, WrongUsageIsStatusTwoAndWritesNothing) {
@@ -242,14 +242,14 @@ TEST(Contract, EndsWhereMemoryDoesNotSuffice) {
 INSTANTIATE_TEST_SUITE_P(Samples, ContractOfThreads, testing::Values("samples/tshirt.obj"));
 INSTANTIATE_TEST_SUITE_P(Shared, ContractOfThreads, testing::Values("disks/maxface.obj"));
 
-TEST(Contract, StrictRefusesWhatIsMendedOtherwise) {
+TEST(Contract, StrictRefusesWhatIsRepairedOtherwise) {
     const test::TemporaryFolder folder;
     const auto input = folder.write("yoke.obj",
                                     "v 0 0 0\nv 900 0 0\nv 0 900 0\nv 900 900 0\n"
                                     "f 1 2 3\nf 2 3 4\n");
-    const auto mended = test::toileRun({"flatten", input.string(), "--unit", "mm"});
-    EXPECT_EQ(mended.status, 0);
-    EXPECT_NE(mended.err.find("turned"), std::string::npos) << mended.err;
+    const auto repaired = test::toileRun({"flatten", input.string(), "--unit", "mm"});
+    EXPECT_EQ(repaired.status, 0);
+    EXPECT_NE(repaired.err.find("turned"), std::string::npos) << repaired.err;
     const auto refused = test::toileRun({"flatten", input.string(), "--unit", "mm", "--strict"});
     EXPECT_EQ(refused.status, 1) << refused.err;  // the piece stays as it is and is named
     EXPECT_FALSE(refused.err.empty());

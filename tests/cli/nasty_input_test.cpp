@@ -154,8 +154,8 @@ int counted(const Json& problems, const std::string& code) {
     return count;
 }
 
-/// What is said to be read, left out and mended agrees with independent counts; false where nothing
-/// could be read.
+/// What is said to be read, left out and repaired agrees with independent counts; false where
+/// nothing could be read.
 bool countsAgree(const std::filesystem::path& path, const Json& entry) {
     const std::pair<const char*, const char*> kSame[] = {
         {"index-out-of-range", "faces_out_of_range"},

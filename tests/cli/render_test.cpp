@@ -100,23 +100,23 @@ TEST(Render, TheSameInputGivesTheSameBytesWithoutATime) {
 TEST(Render, EveryViewAndSideIsAnotherPicture) {
     const test::TemporaryFolder folder;
     std::vector<std::string> pictures;
-    for (const std::vector<std::string>& wish : {std::vector<std::string>{},
-                                                 {"--view", "garment"},
-                                                 {"--view", "pattern"},
-                                                 {"--look", "back"},
-                                                 {"--look", "-30.5,20"},
-                                                 {"--morph", "0.5"},
-                                                 {"--wireframe"},
-                                                 {"--xray"},
-                                                 {"--dark"},
-                                                 {"--seams-shown", "off"},
-                                                 {"--bar", "on"},
-                                                 {"--overlay", "none"},
-                                                 {"--overlay", "area"},
-                                                 {"--overlay", "area", "--bar", "off"}}) {
+    for (const std::vector<std::string>& options : {std::vector<std::string>{},
+                                                    {"--view", "garment"},
+                                                    {"--view", "pattern"},
+                                                    {"--look", "back"},
+                                                    {"--look", "-30.5,20"},
+                                                    {"--morph", "0.5"},
+                                                    {"--wireframe"},
+                                                    {"--xray"},
+                                                    {"--dark"},
+                                                    {"--seams-shown", "off"},
+                                                    {"--bar", "on"},
+                                                    {"--overlay", "none"},
+                                                    {"--overlay", "area"},
+                                                    {"--overlay", "area", "--bar", "off"}}) {
         std::vector<std::string> typed{
             kCap, "--unit", "mm", "--size", "400x300", "-o", (folder / "out.png").string()};
-        typed.insert(typed.end(), wish.begin(), wish.end());
+        typed.insert(typed.end(), options.begin(), options.end());
         const auto run = render(typed);
         TOILE_NEEDS_DRAWING(run);
         ASSERT_EQ(run.status, 0) << run.err;

@@ -11,8 +11,8 @@
 namespace toile::fuzz {
 namespace {
 
-constexpr std::size_t kMostDocumentBytes = 16 * 1024;
-constexpr std::size_t kMostCutPoints = 30;  ///< beyond, cuts are not made: a fuzzer wants many runs
+constexpr std::size_t kMaxDocumentBytes = 16 * 1024;
+constexpr std::size_t kMaxCutPoints = 30;  ///< beyond, cuts are not made: a fuzzer wants many runs
 constexpr auto kName = "fuzz";
 constexpr auto kFolder = "/meshes";
 constexpr int kSide = 4;     ///< quads along the panel, and up the tube
@@ -62,11 +62,11 @@ Garment smallGarment() {
                                             std::to_string(quads) + " 0\n" + vertices + faces),
         kName, progress));
     Garment garment;
-    auto wholes = divide(*file, 0, "", {}).pieces;
+    auto uncut = divide(*file, 0, "", {}).pieces;
     garment.files.push_back(std::move(file));
-    identify(wholes, garment.files, {});
-    garment.wholes.assign(wholes.begin(), wholes.end());
-    garment.pieces = garment.wholes;
+    identify(uncut, garment.files, {});
+    garment.uncut.assign(uncut.begin(), uncut.end());
+    garment.pieces = garment.uncut;
     return garment;
 }
 
@@ -79,7 +79,7 @@ std::optional<Garment> cutSmall(const LoadOptions& loading) {
     for (const UserJoin& join : loading.seams.joins) {
         points += join.points.size();
     }
-    if (points > kMostCutPoints) {
+    if (points > kMaxCutPoints) {
         return std::nullopt;
     }
     static const Garment small = smallGarment();
@@ -99,7 +99,7 @@ std::string brokenByRefusal(const Error& error) {
 }  // namespace
 
 std::string whatBreaksInSeams(std::string bytes) {
-    if (bytes.size() > kMostDocumentBytes) {
+    if (bytes.size() > kMaxDocumentBytes) {
         return "";
     }
     const auto file = parseSeamsFile(bytes, kName);
@@ -118,7 +118,7 @@ std::string whatBreaksInSeams(std::string bytes) {
 }
 
 std::string whatBreaksInProject(std::string bytes) {
-    if (bytes.size() > kMostDocumentBytes) {
+    if (bytes.size() > kMaxDocumentBytes) {
         return "";
     }
     auto read = parseProject(bytes, kName, kFolder);

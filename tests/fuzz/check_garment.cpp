@@ -13,8 +13,8 @@
 namespace toile::fuzz {
 namespace {
 
-constexpr int kMostGarmentFaces = 400;
-constexpr std::size_t kMostGarmentBytes = 16 * 1024;
+constexpr int kMaxGarmentFaces = 400;
+constexpr std::size_t kMaxGarmentBytes = 16 * 1024;
 
 double areaOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
     double area = 0;
@@ -28,19 +28,19 @@ double areaOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
 Garment cutAndSewn(SourceFile file) {
     Garment garment;
     file.path = "fuzz.off";
-    auto wholes = divide(file, 0, "", {}).pieces;
+    auto uncut = divide(file, 0, "", {}).pieces;
     garment.files.push_back(std::make_shared<SourceFile>(std::move(file)));
-    identify(wholes, garment.files, {});
-    garment.wholes.assign(wholes.begin(), wholes.end());
+    identify(uncut, garment.files, {});
+    garment.uncut.assign(uncut.begin(), uncut.end());
     std::vector<UserCut> cuts;
-    if (!garment.wholes.empty()) {
-        const Points3& V = garment.wholes.front()->mesh.V;
+    if (!garment.uncut.empty()) {
+        const Points3& V = garment.uncut.front()->mesh.V;
         cuts.push_back({"line",
                         UserCut::Kind::Path,
                         {V.topRows<1>().transpose(), V.bottomRows<1>().transpose()},
                         false});
     }
-    CutPieces cut = cutPieces(garment.wholes, cuts, true, Progress());
+    CutPieces cut = cutPieces(garment.uncut, cuts, true, Progress());
     garment.pieces = std::move(cut.pieces);
     garment.cuts = std::move(cut.cuts);
     garment.problems = std::move(cut.problems);
@@ -51,7 +51,7 @@ Garment cutAndSewn(SourceFile file) {
 }  // namespace
 
 std::string whatBreaksIn(const Garment& garment) {
-    const double before = areaOf(garment.wholes);
+    const double before = areaOf(garment.uncut);
     if (std::isfinite(before) && std::abs(areaOf(garment.pieces) - before) > 1e-9 * before) {
         return "cutting has changed the area";
     }
@@ -89,12 +89,12 @@ std::string whatBreaksIn(const Garment& garment, const PieceResults& results,
 }
 
 std::string whatBreaksOnTheWay(std::string bytes) {
-    if (bytes.size() > kMostGarmentBytes) {
+    if (bytes.size() > kMaxGarmentBytes) {
         return "";
     }
     Progress progress;
     auto soup = readOff(std::make_shared<const std::string>(std::move(bytes)), "fuzz", progress);
-    if (!soup || soup->faceCount() > kMostGarmentFaces) {
+    if (!soup || soup->faceCount() > kMaxGarmentFaces) {
         return "";
     }
     SourceFile file;

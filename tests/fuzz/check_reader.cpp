@@ -68,7 +68,7 @@ std::string brokenByDivision(const SourceFile& file, const DivideOptions& option
 }  // namespace
 
 std::string whatBreaks(ReadFunction reader, std::string bytes) {
-    if (bytes.size() > kMostBytes) {
+    if (bytes.size() > kMaxBytes) {
         return "";
     }
     Progress progress;
@@ -80,7 +80,7 @@ std::string whatBreaks(ReadFunction reader, std::string bytes) {
     if (std::string broken = test::brokenPromise(*soup); !broken.empty()) {
         return broken;
     }
-    if (soup->faceCount() > kMostFaces) {
+    if (soup->faceCount() > kMaxFaces) {
         return "";
     }
     if (std::string broken = brokenByTriangles(*soup); !broken.empty()) {

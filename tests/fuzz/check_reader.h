@@ -12,11 +12,11 @@ using ReadFunction = Result<PolygonSoup> (*)(std::shared_ptr<const std::string>,
                                              Progress&);
 
 /// Inputs beyond these bounds are passed over: a fuzzer learns nothing from them but patience.
-inline constexpr std::size_t kMostBytes = 64 * 1024;
-inline constexpr int kMostFaces = 5000;
+inline constexpr std::size_t kMaxBytes = 64 * 1024;
+inline constexpr int kMaxFaces = 5000;
 
 /// Reads the bytes, and where they are taken in goes on as the program does: triangles, division
-/// into pieces (each way there is to divide, mended and not), check for disks, half-edges.
+/// into pieces (each way there is to divide, repaired and not), check for disks, half-edges.
 /// @return the first promise that is broken, in words; empty where all are kept, which includes
 ///         every refusal that gives its reason
 /// Cost: linear in the bytes but for polygons of many corners. Re-entrant.

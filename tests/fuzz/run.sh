@@ -4,10 +4,10 @@
 # What is found along the way stays in build/fuzz/found; an input that breaks something is named at
 # the end and the status is 1. Reduce such an input with
 #   build/fuzz/tests/fuzz/toile_fuzz_obj -minimize_crash=1 -max_total_time=60 INPUT
-# mend the reader, and add the reduced input to seeds/ under a name that tells what it did.
+# repair the reader, and add the reduced input to seeds/ under a name that tells what it did.
 #
 #   tests/fuzz/run.sh [SECONDS]           seconds per target, 300 if not given
-#   FORMATS="obj ply" tests/fuzz/run.sh   only these targets; "garment" is the whole road
+#   FORMATS="obj ply" tests/fuzz/run.sh   only these targets; "garment" is the whole pipeline
 #   BUILD=folder JOBS=1 tests/fuzz/run.sh build there instead of in build/fuzz, one file at a time
 set -euo pipefail
 seconds=${1:-300}
@@ -24,7 +24,7 @@ for format in ${FORMATS:-obj off ply stl project seams garment}; do
     mkdir -p "$work/corpus" "$work/broken"
     printf '\n== %s, %s seconds\n' "$format" "$seconds"
     case $format in
-        garment) words=off ;; # the whole road starts from an OFF file
+        garment) words=off ;; # the whole pipeline starts from an OFF file
         project | seams) words=json ;;
         *) words=$format ;;
     esac

@@ -14,7 +14,7 @@ struct Target {
     std::string (*whatBreaks)(std::string bytes);
 };
 
-/// One per reader, and "garment": the whole road.
+/// One per reader, and "garment": the whole pipeline.
 std::span<const Target> targets();
 
 }  // namespace toile::fuzz

@@ -177,7 +177,7 @@ TEST_P(Samples, VerticesShareAPlaceOnSelfSeamsOnly) {
 }
 
 TEST_P(Samples, TrianglesAreWellShaped) {
-    constexpr double kLeastAngle = 20.0 * std::numbers::pi / 180.0;
+    constexpr double kMinAngle = 20.0 * std::numbers::pi / 180.0;
     constexpr double kGreatestAngle = 125.0 * std::numbers::pi / 180.0;
     for (const SamplePiece& piece : pieces_) {
         SCOPED_TRACE(piece.name);
@@ -187,7 +187,7 @@ TEST_P(Samples, TrianglesAreWellShaped) {
                     return piece.vertices[static_cast<std::size_t>(corners[slot % 3])];
                 };
                 const double angle = angleAt(at(k), at(k + 1), at(k + 2));
-                EXPECT_GT(angle, kLeastAngle);
+                EXPECT_GT(angle, kMinAngle);
                 EXPECT_LT(angle, kGreatestAngle);
             }
         }
@@ -212,7 +212,7 @@ TEST_P(Samples, InnerEdgesJoinOutlineVerticesAtSharpTipsOnly) {
 }
 
 TEST_P(Samples, CurvatureIsThatOfClothing) {
-    constexpr double kMost = 1.5;  // radians: 2 pi minus the angle sum, over the inner vertices
+    constexpr double kMax = 1.5;  // radians: 2 pi minus the angle sum, over the inner vertices
     for (const SamplePiece& piece : pieces_) {
         SCOPED_TRACE(piece.name);
         const std::set<int> outline = outlineVertices(piece);
@@ -228,7 +228,7 @@ TEST_P(Samples, CurvatureIsThatOfClothing) {
                 }
             }
         }
-        EXPECT_LT(std::abs(curvature), kMost);
+        EXPECT_LT(std::abs(curvature), kMax);
     }
 }
 

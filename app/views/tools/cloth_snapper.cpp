@@ -42,13 +42,13 @@ struct Best {
 
 void offerRim(const ToolView& view, const Piece& piece, int index, const PieceRim& rim,
               const QPointF& at, const std::optional<Eigen::Vector3d>& near, Best& best) {
-    const double reach = kSameLayer * kToCorner / view.pixelsPerMillimetre();
+    const double radius = kSameLayer * kToCorner / view.pixelsPerMillimetre();
     for (const int use : rim.uses) {
         const int face = use / 3, k = use % 3, next = (k + 1) % 3;
         const int tail = piece.mesh.F(face, k), head = piece.mesh.F(face, next);
         if (near) {
             const Eigen::Vector3d a = piece.mesh.V.row(tail), b = piece.mesh.V.row(head);
-            if ((0.5 * (a + b) - *near).norm() > reach + 0.5 * (b - a).norm()) {
+            if ((0.5 * (a + b) - *near).norm() > radius + 0.5 * (b - a).norm()) {
                 continue;
             }
         }

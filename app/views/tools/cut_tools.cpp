@@ -108,8 +108,8 @@ UserCut::Kind DartTool::kindFor(const std::vector<ClothPoint>& points) {
     // A dart's beginning is moved onto the rim of the piece as it was before other cuts. One that
     // begins at such a cut must stay there.
     const Eigen::Vector3d begin = positionOf(draft_.piece()->mesh, points.front().at);
-    const auto& wholes = workspace_.document().garment()->wholes;
-    const bool isAtRim = std::ranges::any_of(wholes, [&](const auto& whole) {
+    const auto& uncut = workspace_.document().garment()->uncut;
+    const bool isAtRim = std::ranges::any_of(uncut, [&](const auto& whole) {
         return whole == draft_.piece() || liesOn(*whole, snapper_.rim(whole), begin);
     });
     return isAtRim ? UserCut::Kind::Dart : UserCut::Kind::Path;

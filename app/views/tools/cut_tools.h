@@ -5,7 +5,7 @@
 
 namespace toile::app {
 
-/// Cuts a piece along the shortest way through places on it.
+/// Cuts a piece along the shortest path through places on it.
 class CutTool : public PathTool {
     Q_OBJECT
 

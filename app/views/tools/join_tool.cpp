@@ -13,7 +13,7 @@ namespace toile::app {
 namespace {
 
 /// Pixels within which a seam is meant.
-constexpr double kSeamReach = 8;
+constexpr double kSeamRadius = 8;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::optional<int> JoinTool::seamAt(const ToolView& view, const Pointer& pointer
     if (!garment) {
         return std::nullopt;
     }
-    const auto hit = view.seamHitAt(pointer.at, kSeamReach, [&garment](int seam) -> bool {
+    const auto hit = view.seamHitAt(pointer.at, kSeamRadius, [&garment](int seam) -> bool {
         const auto at = static_cast<std::size_t>(seam);
         // The scene may be of the garment before, for a moment.
         return at < garment->seams.seams.size() && garment->seams.seams[at].kind != SeamKind::Free;
@@ -48,7 +48,7 @@ void JoinTool::hover(ToolView& view, const Pointer& pointer) {
     pointerView_ = view.kind();
     show(seamAt(view, pointer));
     if (seam_) {
-        view.repaintSoon();  // the plate follows the pointer
+        view.repaintSoon();  // the label follows the pointer
     }
 }
 

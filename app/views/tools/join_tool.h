@@ -30,7 +30,7 @@ public:
     void cancel() override { show(std::nullopt); }
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
 
-    /// The seam that is lit up.
+    /// The seam that is highlighted.
     std::optional<int> seam() const { return seam_; }
 
 private:

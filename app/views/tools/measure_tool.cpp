@@ -50,9 +50,9 @@ QString MeasureTool::hint(ViewKind) const {
             "Click: measure from here · Esc: back to selecting · two places on an edge are "
             "measured along it too");
     }
-    return isEnded_ ? tr("Click: measure anew · Ctrl+C: copy · Esc: forget the measure")
+    return isEnded_ ? tr("Click: measure anew · Ctrl+C: copy · Esc: clear the measure")
                     : tr("Click: next place · Double click or Enter: end here · Backspace: take "
-                         "the last place back · Ctrl+C: copy · Esc: forget the measure");
+                         "the last place back · Ctrl+C: copy · Esc: clear the measure");
 }
 
 void MeasureTool::click(ToolView& view, const Pointer& pointer) {

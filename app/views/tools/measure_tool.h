@@ -27,7 +27,7 @@ struct MeasuredLength {
 double flatDistance(const Piece& piece, const Points2& Q, const SurfacePoint& from,
                     const SurfacePoint& to);
 
-/// Along the outline, or along the rim of a hole, the shorter way round on the garment; none where
+/// Along the outline, or along the rim of a hole, the shorter path round on the garment; none where
 /// the places are not on one and the same loop.
 /// @param Q  the piece's flat points; null where it is not flat
 std::optional<MeasuredLength> alongOutline(const Piece& piece, const Points2* Q,

@@ -14,7 +14,7 @@ PathDraft::PathDraft(PathFinder& finder, QObject* parent) : QObject(parent), fin
 
 PathDraft::~PathDraft() {
     for (const Leg& leg : legs_) {
-        finder_.forget(leg.ticket);
+        finder_.cancel(leg.ticket);
     }
 }
 
@@ -96,7 +96,7 @@ void PathDraft::refresh() {
         }
     }
     for (const Leg& old : legs_) {
-        finder_.forget(old.ticket);
+        finder_.cancel(old.ticket);
     }
     legs_ = std::move(wanted);
     for (Leg& leg : legs_) {

@@ -16,7 +16,8 @@ class QPainter;
 namespace toile::app {
 
 /// A line over one piece that a person is about to draw: the places set so far, one that follows
-/// the pointer, and the shortest ways between them, which come a moment later from the path finder.
+/// the pointer, and the shortest paths between them, which come a moment later from the path
+/// finder.
 class PathDraft : public QObject {
     Q_OBJECT
 

@@ -135,8 +135,8 @@ void PathTool::cancel() {
 }
 
 bool PathTool::bends() const {
-    const auto& wholes = workspace_.document().garment()->wholes;
-    return std::ranges::find(wholes, draft_.piece()) == wholes.end() && !draft_.alongEdges();
+    const auto& uncut = workspace_.document().garment()->uncut;
+    return std::ranges::find(uncut, draft_.piece()) == uncut.end() && !draft_.alongEdges();
 }
 
 std::vector<Eigen::Vector3d> PathTool::cutPoints() {

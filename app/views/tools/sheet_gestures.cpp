@@ -42,16 +42,16 @@ bool touches(const Eigen::AlignedBox2d& box, const Points2& outline) {
         QRectF(QPointF(box.min().x(), box.min().y()), QPointF(box.max().x(), box.max().y())));
 }
 
-constexpr double kReach = 8;          // pixels
-constexpr double kGridReaches = 2.5;  // that grid lines are apart at least: else all is near one
+constexpr double kSnapRadius = 8;   // pixels
+constexpr double kGridRadii = 2.5;  // that grid lines are apart at least: else all is near one
 constexpr double kStep = 15 * kDegree;
 constexpr double kGoodAngle = 3 * kDegree;
 
 /// The finest grid that is drawn and wide enough to leave room between its lines.
 double gridStep(double pixelsPerMillimetre) {
     const GridSteps steps = gridSteps(pixelsPerMillimetre, LengthDisplay::instance().format().unit);
-    return steps.minor() * pixelsPerMillimetre >= kGridReaches * kReach ? steps.minor()
-                                                                        : steps.major;
+    return steps.minor() * pixelsPerMillimetre >= kGridRadii * kSnapRadius ? steps.minor()
+                                                                           : steps.major;
 }
 
 /// The corners of the pieces' outlines as they lie.
@@ -150,9 +150,9 @@ void MoveGesture::drag(ToolView& view, const Pointer& pointer) {
     pointer_ = pointer.at;
     const Eigen::Vector2d way = view.onSheet(pointer.at) - pressed_;
     targets_.gridStep = gridStep(view.pixelsPerMillimetre());
-    move_ = snaps(pointer)
-                ? snappedMove(box_, corners_, way, targets_, kReach / view.pixelsPerMillimetre())
-                : SnappedMove{way};
+    move_ = snaps(pointer) ? snappedMove(box_, corners_, way, targets_,
+                                         kSnapRadius / view.pixelsPerMillimetre())
+                           : SnappedMove{way};
     PiecePlacements moved = before_;
     for (auto& [piece, placement] : moved) {
         placement = movedBy(placement, move_.way);

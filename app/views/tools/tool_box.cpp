@@ -27,7 +27,7 @@ ToolBox::ToolBox(Workspace& workspace, QObject* parent) : ToolChoice(parent) {
             for (const auto& [id, tool] : tools_) {
                 tool->cancel();
             }
-            finder_.forgetPiece();
+            finder_.evictPiece();
         }
     });
 }

@@ -118,15 +118,15 @@ void paintNote(QPainter& painter, const RenderStyle& style, const QPointF& point
     double x = pointer.x() + kAway, y = pointer.y() + kAway;
     x = x + size.width() + kMargin > room.width() ? pointer.x() - kAway - size.width() : x;
     y = y + size.height() + kMargin > room.height() ? pointer.y() - kAway - size.height() : y;
-    const QRectF plate(QPointF(std::max(kMargin, x), std::max(kMargin, y)), size);
+    const QRectF box(QPointF(std::max(kMargin, x), std::max(kMargin, y)), size);
     painter.save();
-    QColor ground = style.plate;
+    QColor ground = style.labelFill;
     ground.setAlpha(235);
     painter.setPen(QPen(style.faintText, 1));
     painter.setBrush(ground);
-    painter.drawRoundedRect(plate, 6, 6);
+    painter.drawRoundedRect(box, 6, 6);
     painter.setPen(style.text);
-    QRectF row(plate.left() + kPadX, plate.top() + kPadY, plate.width(), metrics.height());
+    QRectF row(box.left() + kPadX, box.top() + kPadY, box.width(), metrics.height());
     for (const QString& line : lines) {
         painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, line);
         row.translate(0, metrics.height());
@@ -163,7 +163,7 @@ void paintSelectionFrame(QPainter& painter, const RenderStyle& style, const Docu
     painter.drawRect(*frame);
     painter.setPen(QPen(line, 1));
     painter.drawLine(QPointF(handle.x(), frame->top()), handle + QPointF(0, kFrameHandle));
-    QColor ground = style.plate;
+    QColor ground = style.labelFill;
     ground.setAlpha(255);
     painter.setPen(QPen(style.selection, 1.5));
     painter.setBrush(handleHovered ? style.selection : ground);

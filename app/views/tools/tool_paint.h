@@ -36,7 +36,7 @@ void paintHandle(const ToolView& view, QPainter& painter, const RenderStyle& sty
 void paintStraight(QPainter& painter, const RenderStyle& style, const QPointF& from,
                    const QPointF& to);
 
-/// Lines of text on a plate beside the pointer, inside the view.
+/// Lines of text on a label beside the pointer, inside the view.
 void paintNote(QPainter& painter, const RenderStyle& style, const QPointF& pointer,
                const QStringList& lines);
 

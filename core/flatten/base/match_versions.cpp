@@ -22,7 +22,7 @@ namespace {
 constexpr double kOutside = 0.01;
 /// A face of the file that has been divided into more triangles than these is not searched: a
 /// polygon with thousands of corners would take its square.
-constexpr std::size_t kMostCandidates = 64;
+constexpr std::size_t kMaxCandidates = 64;
 
 bool sameArrays(const Piece& a, const Piece& b) {
     return a.mesh.F.rows() == b.mesh.F.rows() && a.mesh.V.rows() == b.mesh.V.rows() &&
@@ -102,7 +102,7 @@ private:
     /// Those to be looked at besides the likeliest.
     std::span<const int> candidates(int face) const {
         const auto all = allCandidates(face);
-        return all.size() <= kMostCandidates ? all : std::span<const int>();
+        return all.size() <= kMaxCandidates ? all : std::span<const int>();
     }
 
     /// Triangles of the earlier version that come from the same face of the file.

@@ -25,13 +25,13 @@ struct PieceResult {
     double seconds = 0;
 };
 
-/// "flat", "flipped" (flat, but triangles lie turned over) or "failed": the report's words.
+/// "flat", "flipped" (flat, but triangles are flipped) or "failed": the report's words.
 inline std::string_view statusOf(const PieceResult& result) {
     const bool flipped = result.quality && result.quality->flippedTriangles > 0;
     return !result.flat ? "failed" : flipped ? "flipped" : "flat";
 }
 
-/// Whether triangles lie turned over although the method promises that none does.
+/// Whether triangles are flipped although the method promises that none does.
 inline bool breaksPromise(const PieceResult& result) {
     return result.options.method == Method::Isometric && statusOf(result) == "flipped";
 }

@@ -136,7 +136,7 @@ Result<Points2> solvePinned(const ConformalEnergy& energy, std::array<int, 2> pi
         return factorised.error();
     }
     // From "all free vertices at the first pin", every step solves for what is missing: the first
-    // finds the solution as the normal equations see it, the others mend it.
+    // finds the solution as the normal equations see it, the others restore it.
     Eigen::VectorXcd z = Eigen::VectorXcd::Zero(vertexCount);
     z[pins[1]] = distance;
     double last = std::numeric_limits<double>::infinity();

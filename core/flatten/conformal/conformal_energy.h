@@ -54,7 +54,7 @@ Result<Eigen::VectorXcd> solveFree(const SparseCholesky& cholesky, const std::ve
                                    const Eigen::VectorXcd& right);
 
 /// Least E with two vertices held. Solved by its normal equations and then refined: the residual is
-/// taken triangle by triangle, which mends the digits that squaring M's condition costs.
+/// taken triangle by triangle, which restores the digits that squaring M's condition costs.
 /// @param pins  two different vertices  @param distance  between their images, at the origin and on
 ///     the x axis
 /// @return #V x 2, unit of the distance

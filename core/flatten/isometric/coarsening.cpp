@@ -24,7 +24,7 @@ constexpr double kGoodShape = 0.3;
 constexpr double kKept = 0.1;
 constexpr double kTooMany = 0.5;
 /// A round that takes out less than this part of the vertices was the last.
-constexpr double kFewest = 0.02;
+constexpr double kMin = 0.02;
 /// Vertices between two looks at the progress: some milliseconds.
 constexpr int kLookEvery = 1 << 14;
 
@@ -74,7 +74,7 @@ public:
         while (interior_ > wanted && !progress_.isCancelled()) {
             const int before = interior_;
             round(wanted);
-            if (before - interior_ <= kFewest * before) {
+            if (before - interior_ <= kMin * before) {
                 break;
             }
         }

@@ -23,17 +23,17 @@ namespace {
 
 /// Energy from which on another start may be better: the mean strain is beyond thirtyfold.
 constexpr double kSqueezedStart = 1e3;
-/// Steps after which a descent from carried positions has gone astray; most need two to six.
-constexpr int kMostCarriedSteps = 15;
+/// Steps after which a descent from warm positions has gone astray; most need two to six.
+constexpr int kMaxWarmSteps = 15;
 /// Vertices from which conjugate gradients cost less than a factorisation where steps are few.
 constexpr int kRoundsForFew = 15000;
 /// Accuracy of steps by conjugate gradients (`TwoLevelSolver`) that takes as many of them as
 /// exact ones would be.
 constexpr double kRoughSteps = 0.2;
-constexpr int kMostSteppedApart = 40;  // with the outline held apart
+constexpr int kMaxSteppedApart = 40;  // with the outline held apart
 /// Crossings for each edge of the outline beyond which no simple outline is near: two sides that
 /// cross from end to end do so about once an edge.
-constexpr int kMostCrossingsEach = 10;
+constexpr int kMaxCrossingsEach = 10;
 
 /// Where the descent begins: at the conformal result, which is the best start, unless it has flips
 /// (its energy is infinite then) or triangles squeezed to almost nothing. Then Tutte's embedding on
@@ -83,15 +83,14 @@ void keep(DescentResult lowest, const Points2* simple, FlatteningMemory& memory)
 /// A simple outline with the same lengths, if one is near, held apart on the way: after an edit
 /// from the crossing one with its sides parted, or from the last one; else from a circle.
 std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& crossing,
-                                     DescentOptions options, const CarriedStart* carried,
+                                     DescentOptions options, const WarmStart* warm,
                                      const Progress& progress) {
     options.keepOutlineSimple = true;
     options.sharesModel = false;
-    const auto start =
-        carried != nullptr ? carried->simplePositions(crossing.Q, progress) : std::nullopt;
+    const auto start = warm != nullptr ? warm->simplePositions(crossing.Q, progress) : std::nullopt;
     if (start) {
         DescentOptions again = options;
-        again.maxIterations = std::min(options.maxIterations, kMostSteppedApart);
+        again.maxIterations = std::min(options.maxIterations, kMaxSteppedApart);
         again.multipliers = crossing.multipliers;
         auto simple = descend(piece, *start, again, progress);
         if (simple && simple->converged && isNear(simple->distortion, crossing.distortion)) {
@@ -111,7 +110,7 @@ std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& cr
 
 /// What follows the descent: a look at the outline, and at the clock.
 Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece flat,
-                         const DescentOptions& descent, const CarriedStart* carried,
+                         const DescentOptions& descent, const WarmStart* warm,
                          const Stopwatch& time, const Progress& progress,
                          FlatteningMemory* memory) {
     flat.notes.clear();  // what there was to say of the start
@@ -124,8 +123,8 @@ Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece fla
     bool isSimple = true;
     if (const int crossings = outlineCrossings(flat.Q, piece.boundary); crossings > 0) {
         isSimple = false;
-        const bool mayBeNear = crossings <= kMostCrossingsEach * std::ssize(piece.boundary);
-        auto simple = mayBeNear ? uncross(piece, lowest, descent, carried, progress) : std::nullopt;
+        const bool mayBeNear = crossings <= kMaxCrossingsEach * std::ssize(piece.boundary);
+        auto simple = mayBeNear ? uncross(piece, lowest, descent, warm, progress) : std::nullopt;
         if (simple) {
             flat.notes.push_back(uncrossedNote(piece, crossings));
             flat.interiorIterations += simple->iterations;
@@ -146,22 +145,21 @@ Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece fla
 }
 
 /// The descent from the positions kept of an earlier version. Nothing where these do not suit.
-std::optional<DescentResult> descendFromCarried(const Piece& piece, DescentOptions options,
-                                                const CarriedStart& carried,
-                                                const Progress& progress) {
+std::optional<DescentResult> descendWarm(const Piece& piece, DescentOptions options,
+                                         const WarmStart& warm, const Progress& progress) {
     std::optional<IsometricStart> start;
-    if (auto Q = carried.positions(progress)) {
-        start = IsometricStart{std::move(*Q), carried.multipliers()};
-        options.model = carried.model();
+    if (auto Q = warm.positions(progress)) {
+        start = IsometricStart{std::move(*Q), warm.multipliers()};
+        options.model = warm.model();
     } else {
-        start = carried.fromCoarse(options.tolerance, progress);
+        start = warm.fromCoarse(options.tolerance, progress);
         options.sizes.large = kRoundsForFew;
         options.sizes.accuracy = kRoughSteps;
     }
     if (!start) {
         return std::nullopt;
     }
-    options.maxIterations = std::min(options.maxIterations, kMostCarriedSteps);
+    options.maxIterations = std::min(options.maxIterations, kMaxWarmSteps);
     options.multipliers = std::move(start->multipliers);
     auto lowest = descend(piece, start->Q, options, progress);
     if (!lowest || !lowest->converged) {
@@ -222,15 +220,15 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
                                    const Progress& progress, FlatteningMemory* memory) {
     const Stopwatch time;
     if (memory != nullptr && memory->Q) {
-        const CarriedStart carried(piece, *memory);
+        const WarmStart warm(piece, *memory);
         DescentOptions descent = descentOptions(options.quality);
         descent.sharesModel = true;
-        auto again = descendFromCarried(piece, descent, carried, progress);
+        auto again = descendWarm(piece, descent, warm, progress);
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }
         if (again) {
-            auto flat = finish(piece, std::move(*again), memory->start, descent, &carried, time,
+            auto flat = finish(piece, std::move(*again), memory->start, descent, &warm, time,
                                progress, memory);
             if (flat) {
                 flat->warm = true;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/flatten/isometric/descent_pace.h"
+#include "core/flatten/isometric/refactorisation_policy.h"
 #include "core/quality/measures.h"
 #include "core/quality/outline_crossings.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMaxCorrections = 6;
 constexpr int kMaxApproaches = 12;         // to exact lengths, from a start that has none
-constexpr double kLeastApproach = 0.05;    // of the way, for the next to be worth trying
+constexpr double kMinApproach = 0.05;      // of the way, for the next to be worth trying
 constexpr double kSmallCorrection = 1e-3;  // of an edge: the boundary alone may take it
 constexpr double kLargestCorrection = 1;   // of an edge: the quadratic model says nothing beyond
 constexpr double kSufficientDecrease = 1e-4;
@@ -59,11 +59,11 @@ public:
 
     /// The step of the quadratic programme, and how much it promises to take off the objective. The
     /// model may be some steps old: what they told of the curvature since makes up for it.
-    Result<Points2> step(const Points2& Q, const IsometricObjective::Value& at, double& promised) {
-        if (slope_.rows() == 0) {
-            slope_ = objective_.gradient(Q, at);
+    Result<Points2> step(const Points2& Q, const IsometricObjective::Value& at, double& predicted) {
+        if (gradient_.rows() == 0) {
+            gradient_ = objective_.gradient(Q, at);
         }
-        const Points2 g = lagrangian(Q, slope_);
+        const Points2 g = lagrangian(Q, gradient_);
         Points2 reduced = g;
         const std::vector<double> taken = memory_.reduce(reduced);
         Eigen::VectorXd more = Eigen::VectorXd::Zero(lengths_.size());
@@ -71,14 +71,14 @@ public:
         if (P) {
             memory_.complete(taken, *P);
             multipliers_ += more;
-            promised = -0.5 * dot(g, *P);
+            predicted = -0.5 * dot(g, *P);
         }
         return P;
     }
 
     /// Takes the last `step`, or as much of it as lowers the objective.
     /// @return how much of it; 0 where none does
-    double advance(Points2& Q, IsometricObjective::Value& at, const Points2& P, double promised,
+    double advance(Points2& Q, IsometricObjective::Value& at, const Points2& P, double predicted,
                    bool stale) {
         double t = usefulPart(Q, at, P);
         const int halvings = stale ? kMaxStaleHalvings : kMaxHalvings;
@@ -88,11 +88,11 @@ public:
                 continue;
             }
             IsometricObjective::Value reached = objective_.evaluate(moved);
-            if (reached.total < at.total - 2 * kSufficientDecrease * t * promised &&
+            if (reached.total < at.total - 2 * kSufficientDecrease * t * predicted &&
                 mayLieSo(moved)) {
-                Points2 slope = objective_.gradient(moved, reached);
-                memory_.add(moved - Q, lagrangian(moved, slope) - lagrangian(Q, slope_));
-                slope_ = std::move(slope);
+                Points2 gradient = objective_.gradient(moved, reached);
+                memory_.add(moved - Q, lagrangian(moved, gradient) - lagrangian(Q, gradient_));
+                gradient_ = std::move(gradient);
                 Q = std::move(moved);
                 at = std::move(reached);
                 return t;
@@ -107,7 +107,7 @@ public:
     /// cheapest on the way; in one go, or as far at a time as no triangle loses its area.
     Result<void> makeExact(Points2& Q, IsometricObjective::Value& at) {
         double part = 1;
-        for (int k = 0; k <= kMaxApproaches && part > kLeastApproach; ++k) {
+        for (int k = 0; k <= kMaxApproaches && part > kMinApproach; ++k) {
             if (progress_.isCancelled()) {
                 return Error{ErrorCode::Cancelled};
             }
@@ -140,12 +140,12 @@ public:
     void relax(Points2& Q, IsometricObjective::Value& at) {
         objective_.relax(Q, kRelaxingPasses, progress_);
         at = objective_.evaluate(Q);
-        slope_.resize(0, 2);
+        gradient_.resize(0, 2);
     }
 
     /// What `renew` costs, in steps.
     double renewingCost() const { return kkt_.renewingCost(); }
-    void forgetSteps() { memory_.clear(); }
+    void clearHistory() { memory_.clear(); }
     const Eigen::VectorXd& multipliers() const { return multipliers_; }
     const KktSolver& kkt() const { return kkt_; }
 
@@ -156,8 +156,8 @@ private:
     }
 
     /// @param slope  the objective's gradient at Q
-    Points2 lagrangian(const Points2& Q, const Points2& slope) const {
-        Points2 g = slope;
+    Points2 lagrangian(const Points2& Q, const Points2& gradient) const {
+        Points2 g = gradient;
         constraints_.addForces(constraints_.directions(Q), multipliers_, g);
         return g;
     }
@@ -228,9 +228,9 @@ private:
     IsometricObjective objective_;
     LengthConstraints constraints_;
     KktSolver kkt_;
-    StepMemory memory_;
+    LbfgsHistory memory_;
     Eigen::VectorXd multipliers_;
-    Points2 slope_;  ///< of the objective at the present point; no rows where it is not known
+    Points2 gradient_;  ///< of the objective at the present point; no rows where it is not known
 };
 
 }  // namespace
@@ -246,9 +246,9 @@ DescentOptions descentOptions(Quality quality) {
 
 bool isNear(double energy, double before) {
     constexpr double kSlight = 2 * 0.05 * 0.05;
-    constexpr double kMost = 2 * 0.16 * 0.16;
+    constexpr double kMax = 2 * 0.16 * 0.16;
     constexpr double kShare = 10;  // of the energy, which is the square of the strain
-    return energy - before <= std::max(kSlight, std::min(kMost, kShare * (before - 1)));
+    return energy - before <= std::max(kSlight, std::min(kMax, kShare * (before - 1)));
 }
 
 Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTable& table,
@@ -268,11 +268,11 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
         }
     }
     const Points2 exactStart = result.Q;
-    DescentPace pace(options.model == nullptr);
+    RefactorisationPolicy policy(options.model == nullptr);
     while (result.iterations < options.maxIterations && !progress.isCancelled()) {
-        const bool fresh = pace.isFresh();
+        const bool fresh = policy.isFresh();
         if (fresh) {
-            descent.forgetSteps();
+            descent.clearHistory();
             if (const auto renewed = descent.renew(result.Q, at); !renewed) {
                 if (renewed.error().code == ErrorCode::OutOfMemory) {
                     return renewed.error();
@@ -280,32 +280,33 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
                 break;  // what was reached stands
             }
         }
-        double promised = 0;
-        const auto step = descent.step(result.Q, at, promised);
+        double predicted = 0;
+        const auto step = descent.step(result.Q, at, predicted);
         if (!step && step.error().code == ErrorCode::OutOfMemory) {
             return step.error();
         }
         const double wanted = options.tolerance * std::max(at.total - 1, kNoExcess);
         const double enough = fresh ? wanted : kStaleTolerance * wanted;
         // A step that promises a rise was not found exactly enough to go on with.
-        result.converged = step && std::abs(promised) <= enough;
+        result.converged = step && std::abs(predicted) <= enough;
         const double before = at.total;
-        const double part =
-            step && promised > enough ? descent.advance(result.Q, at, *step, promised, !fresh) : 0;
+        const double part = step && predicted > enough
+                                ? descent.advance(result.Q, at, *step, predicted, !fresh)
+                                : 0;
         if (part == 0) {
             if (fresh || result.converged) {
                 break;
             }
-            pace.renew();
+            policy.renew();
             continue;
         }
         ++result.iterations;
-        pace.count(part, promised, before - at.total, descent.renewingCost());
-        if (pace.hasArrived(wanted)) {
+        policy.count(part, predicted, before - at.total, descent.renewingCost());
+        if (policy.hasArrived(wanted)) {
             result.converged = true;
             break;
         }
-        if (pace.wasStopped()) {
+        if (policy.wasStopped()) {
             descent.relax(result.Q, at);
         }
         progress.step();

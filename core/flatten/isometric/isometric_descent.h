@@ -59,7 +59,7 @@ struct DescentResult {
 /// (sequential quadratic programming): the KKT system is solved by the augmented Lagrangian, whose
 /// matrix has the mesh's own sparsity (kkt_solver.h). Its factorisation serves several steps, as
 /// long as they go down faster than a new one would be worth; the steps since tell what changed
-/// (descent_pace.h).
+/// (refactorisation_policy.h).
 /// The step is cut off before a triangle loses its area, a second-order correction with the same
 /// factorisation gives the lengths back, and the step is shortened until the objective falls, or
 /// stretched as long as it does. Where single triangles stop it, their vertices are moved first.

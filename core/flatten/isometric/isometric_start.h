@@ -51,13 +51,13 @@ Result<DescentResult> lowerFromCoarse(const MeshArrays& mesh, const EdgeTable& t
 void partCutSides(const Piece& piece, const Eigen::VectorXd& gap, Points2& Q);
 
 /// What the isometric descent of an earlier version left behind, carried over to a later one.
-class CarriedStart {
+class WarmStart {
 public:
     /// @param memory  with positions (`Q`). Outlives this, as does the piece
-    CarriedStart(const Piece& piece, const FlatteningMemory& memory);
+    WarmStart(const Piece& piece, const FlatteningMemory& memory);
 
     /// A start from the flat positions: they are carried over vertex by vertex, the outline is
-    /// moved to the new lengths, the interior follows harmonically, which mends what moving the
+    /// moved to the new lengths, the interior follows harmonically, which restores what moving the
     /// outline alone would fold, and single vertices are given room. Where the last outline was
     /// moved apart, positions before that come first, and then those after.
     /// @return positions without flipped triangles and with exact boundary lengths; nothing where
@@ -91,8 +91,7 @@ private:
     bool isSmallEdit() const;
     std::optional<Points2> startFrom(const Points2& before, bool apart,
                                      const Progress& progress) const;
-    std::optional<Points2> fitted(const Points2& carried, bool apart,
-                                  const Progress& progress) const;
+    std::optional<Points2> fitted(const Points2& warm, bool apart, const Progress& progress) const;
 
     const Piece& piece_;
     const FlatteningMemory& memory_;

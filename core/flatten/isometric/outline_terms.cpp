@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-constexpr double kReach = 0.1;    // of an edge
+constexpr double kBarrierRadius = 0.1;  // of an edge
 constexpr double kWeight = 1e-4;  // of all contacts together, in units of the isometric energy
 
 struct Box {
@@ -133,25 +133,25 @@ void OutlineBending::addHessian(const Points2& Q, BlockMatrix& hessian) const {
 
 OutlineBarrier::OutlineBarrier(std::vector<int> boundary, const Eigen::VectorXd& lengths)
     : boundary_(std::move(boundary)),
-      reach_(kReach * lengths),
+      radius_(kBarrierRadius * lengths),
       weight_(kWeight / lengths.sum() * lengths) {}
 
-Eigen::VectorXd OutlineBarrier::reach() const {
-    const Eigen::Index n = reach_.size();
-    Eigen::VectorXd reach(n);
+Eigen::VectorXd OutlineBarrier::radius() const {
+    const Eigen::Index n = radius_.size();
+    Eigen::VectorXd radius(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        reach[i] = std::min(reach_[i], reach_[(i + n - 1) % n]);
+        radius[i] = std::min(radius_[i], radius_[(i + n - 1) % n]);
     }
-    return reach;
+    return radius;
 }
 
 std::vector<OutlineBarrier::Contact> OutlineBarrier::contacts(const Points2& Q) const {
     const int n = static_cast<int>(boundary_.size());
-    const auto vertexReach = [ofVertex = reach()](int i) -> double { return ofVertex[i]; };
+    const auto vertexRadius = [ofVertex = radius()](int i) -> double { return ofVertex[i]; };
     std::vector<Box> vertices(n);
     std::vector<Box> edges(n);
     for (int i = 0; i < n; ++i) {
-        vertices[i] = around({Q.row(boundary_[i])}, vertexReach(i));
+        vertices[i] = around({Q.row(boundary_[i])}, vertexRadius(i));
         edges[i] = around({Q.row(boundary_[i]), Q.row(boundary_[(i + 1) % n])}, 0);
     }
     std::vector<std::pair<int, int>> pairs;
@@ -167,14 +167,14 @@ std::vector<OutlineBarrier::Contact> OutlineBarrier::contacts(const Points2& Q) 
         contact.vertex = boundary_[i];
         contact.from = boundary_[j];
         contact.to = boundary_[(j + 1) % n];
-        contact.reach = std::min(vertexReach(i), reach_[j]);
+        contact.radius = std::min(vertexRadius(i), radius_[j]);
         contact.weight = weight_[i];
         const Eigen::RowVector2d edge = Q.row(contact.to) - Q.row(contact.from);
         const Eigen::RowVector2d to = Q.row(contact.vertex) - Q.row(contact.from);
         contact.place = std::clamp(to.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
         const Eigen::RowVector2d gap = to - contact.place * edge;
         contact.distance = gap.norm();
-        if (contact.distance < contact.reach) {
+        if (contact.distance < contact.radius) {
             contact.away = gap / contact.distance;
             found.push_back(contact);
         }
@@ -185,7 +185,7 @@ std::vector<OutlineBarrier::Contact> OutlineBarrier::contacts(const Points2& Q) 
 double OutlineBarrier::energy(const std::vector<Contact>& contacts) {
     double sum = 0;
     for (const Contact& c : contacts) {
-        const double over = c.reach / c.distance - 1;
+        const double over = c.radius / c.distance - 1;
         sum += c.weight * over * over;
     }
     return sum;
@@ -194,7 +194,7 @@ double OutlineBarrier::energy(const std::vector<Contact>& contacts) {
 void OutlineBarrier::addGradient(const std::vector<Contact>& contacts, Points2& g) {
     for (const Contact& c : contacts) {
         const double slope =
-            -2 * c.weight * (c.reach / c.distance - 1) * c.reach / (c.distance * c.distance);
+            -2 * c.weight * (c.radius / c.distance - 1) * c.radius / (c.distance * c.distance);
         g.row(c.vertex) += slope * c.away;
         g.row(c.from) -= slope * (1 - c.place) * c.away;
         g.row(c.to) -= slope * c.place * c.away;
@@ -203,7 +203,7 @@ void OutlineBarrier::addGradient(const std::vector<Contact>& contacts, Points2& 
 
 void OutlineBarrier::addHessian(const std::vector<Contact>& contacts, BlockMatrix& hessian) {
     for (const Contact& c : contacts) {
-        const double ratio = c.reach / c.distance;
+        const double ratio = c.radius / c.distance;
         const double curvature = 2 * c.weight * ratio * (3 * ratio - 2) / (c.distance * c.distance);
         const Eigen::Matrix2d block = curvature * c.away.transpose() * c.away;
         const int vertex[3] = {c.vertex, c.from, c.to};

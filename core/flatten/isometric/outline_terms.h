@@ -45,23 +45,24 @@ private:
 };
 
 /// Keeps an outline from crossing itself, as [SS15] section 4 does: each boundary vertex that comes
-/// nearer than `reach` to a boundary edge it does not belong to adds
+/// nearer than `radius` to a boundary edge it does not belong to adds
 ///   B = weight (reach / d - 1)^2
-/// to the energy, d its distance from the edge. Infinite at contact, zero beyond the reach, once
-/// differentiable. The reach is a tenth of the shortest edge concerned, so that two sides of a slit
-/// come to lie side by side. Immutable. Cost: O(n log n) per call on outlines that are not coiled.
+/// to the energy, d its distance from the edge. Infinite at contact, zero beyond the radius, once
+/// differentiable. The radius is a tenth of the shortest edge concerned, so that two sides of a
+/// slit come to lie side by side. Immutable. Cost: O(n log n) per call on outlines that are not
+/// coiled.
 class OutlineBarrier {
 public:
     /// @param boundary  loop of vertices  @param lengths  of its edges, unit of Q
     OutlineBarrier(std::vector<int> boundary, const Eigen::VectorXd& lengths);
 
     /// Of each boundary vertex: nearer to an edge as long as its own it is in contact.
-    Eigen::VectorXd reach() const;
+    Eigen::VectorXd radius() const;
 
     /// A vertex near an edge.
     struct Contact {
         int vertex, from, to;  ///< mesh vertices
-        double reach, weight;
+        double radius, weight;
         double distance;
         double place;             ///< of the nearest point along the edge, in [0, 1]
         Eigen::RowVector2d away;  ///< unit vector from the nearest point to the vertex
@@ -80,7 +81,7 @@ public:
 
 private:
     std::vector<int> boundary_;
-    Eigen::VectorXd reach_;   ///< of each edge
+    Eigen::VectorXd radius_;  ///< of each edge
     Eigen::VectorXd weight_;  ///< of each vertex
 };
 

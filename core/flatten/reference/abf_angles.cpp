@@ -30,7 +30,7 @@ constexpr double kChange = 1e-6;
 constexpr double kWayToLimit = 0.8;
 constexpr double kUnmet = 1e-6;  // radians: more than this can be seen in the map
 /// The diagonal Hessian stays above this part of the objective's own.
-constexpr double kLeastCurvature = 0.1;
+constexpr double kMinCurvature = 0.1;
 
 /// One Newton iteration's matrices are small per triangle: its three angles take part in the sums
 /// around its three vertices (rows 0 to 2) and in their wheels (rows 3 to 5).
@@ -133,7 +133,7 @@ private:
             }
             const double weight = 2 / (target_(f, k) * target_(f, k));
             t.gradient[k] = weight * (x_(f, k) - target_(f, k));
-            t.inverse[k] = 1 / std::max(weight + bend / (sine * sine), kLeastCurvature * weight);
+            t.inverse[k] = 1 / std::max(weight + bend / (sine * sine), kMinCurvature * weight);
         }
         return t;
     }

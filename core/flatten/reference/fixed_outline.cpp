@@ -37,9 +37,9 @@ Result<Points2> fillConvex(const Piece& piece, const Points2& outline, const Pro
     return floater && flipped <= flips(*tutte, piece) ? floater : tutte;
 }
 
-constexpr int kMostWeightings = 60;
+constexpr int kMaxWeightings = 60;
 /// Exponents below this no longer change the map to speak of.
-constexpr double kLeastExponent = 0.25;
+constexpr double kMinExponent = 0.25;
 /// A step that lowers the stretch by less than this part is the last.
 constexpr double kWorthwhile = 1e-4;
 
@@ -174,7 +174,7 @@ Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& optio
         best = current;
     }
     double exponent = 1;
-    while (exponent >= kLeastExponent && flat->interiorIterations < kMostWeightings) {
+    while (exponent >= kMinExponent && flat->interiorIterations < kMaxWeightings) {
         Weights next = weights.divided(current.vertexStretch.array().pow(exponent));
         auto points = next.solve(outline, progress);
         ++flat->interiorIterations;

@@ -28,9 +28,9 @@ bool canFlip(const Patch& patch, int t, int k) {
 /// Turns every inner edge whose opposite angles in space sum to more than two right angles.
 void turnEdges(Patch& patch) {
     TriangleNet& net = patch.net;
-    constexpr int kMostPasses = 50;
+    constexpr int kMaxPasses = 50;
     bool turned = true;
-    for (int pass = 0; pass < kMostPasses && turned; ++pass) {
+    for (int pass = 0; pass < kMaxPasses && turned; ++pass) {
         turned = false;
         for (int t = 0; t < net.size(); ++t) {
             for (int k = 0; k < 3; ++k) {
@@ -92,8 +92,8 @@ void moveVertices(Patch& patch, const Surface& surface) {
         }
         const Vec2 before = patch.flat[v];
         Vec2 step = (1.0 / weight) * sum - before;
-        constexpr int kMostHalvings = 4;
-        for (int trial = 0; trial < kMostHalvings; ++trial, step = 0.5 * step) {
+        constexpr int kMaxHalvings = 4;
+        for (int trial = 0; trial < kMaxHalvings; ++trial, step = 0.5 * step) {
             patch.flat[v] = before + step;
             bool upright = true;
             for (const int t : around[v]) {

@@ -23,8 +23,8 @@ namespace toile::test {
 using namespace app;
 
 /// Does what a person might do with a window and a garment in it, at random and without sense:
-/// mouse and keys in the views, actions, numbers in the panels, wishes to the workspace, any of it
-/// in the middle of a drag or a job. The same seed gives the same intentions; what comes of them
+/// mouse and keys in the views, actions, numbers in the panels, requests to the workspace, any of
+/// it in the middle of a drag or a job. The same seed gives the same intentions; what comes of them
 /// depends on how far jobs are.
 ///
 /// It never opens another garment and never leaves: those clear the history.

@@ -28,7 +28,7 @@ using namespace app;
 inline constexpr int kSameColour = 6;
 /// Of a line, whose rim is blended with what is beside it.
 inline constexpr int kLineColour = 20;
-inline constexpr double kMost = 0.9, kSamePicture = 0.02;
+inline constexpr double kMax = 0.9, kSamePicture = 0.02;
 inline constexpr QSize kSize(700, 600);
 
 inline QColor colourOf(Rgb rgb) {
@@ -111,9 +111,9 @@ protected:
         return made;
     }
 
-    QImage draw(const PictureOptions& wishes) {
+    QImage draw(const PictureOptions& asked) {
         QString problem;
-        QImage image = drawViews(document(), wishes, problem);
+        QImage image = drawViews(document(), asked, problem);
         if (!problem.isEmpty()) {
             qWarning("%s", qPrintable(problem));
         }
@@ -220,12 +220,12 @@ protected:
     }
 
     /// Pixels between two views drawn with and without something.
-    double shareOfCloth(const PictureOptions& wishes) {
+    double shareOfCloth(const PictureOptions& asked) {
         document().setOverlay(Overlay::None);
         document().setView(&ViewState::pieceColours, true);
         document().setView(&ViewState::seams, false);
         const QColor cloth = colourOf(pieceColour(0));
-        const QImage image = draw(wishes);
+        const QImage image = draw(asked);
         int count = 0;
         for (int y = 0; y < image.height(); ++y) {
             for (int x = 0; x < image.width(); ++x) {

@@ -14,7 +14,7 @@ namespace toile::test {
 
 using namespace app;
 
-inline const QColor kLit(255, 214, 10);  ///< of a seam that is lit up
+inline const QColor kHighlight(255, 214, 10);  ///< of a seam that is highlighted
 
 /// A window with two parts of a cap, sewn together, and a pointer in it.
 class PointerBench : public QObject {
@@ -93,9 +93,9 @@ protected:
         return {at.x(), at.y()};
     }
 
-    int litInGarment() { return countPixels(fixture_.garmentPicture(), kLit, 30); }
-    int litInPattern() { return countPixels(fixture_.patternPicture(), kLit, 30); }
-    QLabel& plate(QWidget& view) { return *view.findChild<QLabel*>("hoverText"); }
+    int highlightedInGarment() { return countPixels(fixture_.garmentPicture(), kHighlight, 30); }
+    int highlightedInPattern() { return countPixels(fixture_.patternPicture(), kHighlight, 30); }
+    QLabel& label(QWidget& view) { return *view.findChild<QLabel*>("hoverText"); }
 };
 
 }  // namespace toile::test

@@ -35,7 +35,7 @@ protected:
     int steps() { return document().history().index(); }
 
     QPointF onScreen(const Eigen::Vector2d& point) { return SheetMap(view())(point); }
-    /// Well inside the piece, away from its name's plate.
+    /// Well inside the piece, away from its name's label.
     QPointF on(int piece);
 
     void press(const QPointF& at) {

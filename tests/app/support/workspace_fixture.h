@@ -33,18 +33,18 @@ private:
 /// Holds jobs up as long as it lives, or until it is told to let go.
 class Hold {
 public:
-    ~Hold() { letGo(); }
-    void letGo() { *held_ = false; }
+    ~Hold() { release(); }
+    void release() { *held_ = false; }
 
     std::unique_ptr<Job> job() const { return std::make_unique<HeldJob>(held_); }
 
 private:
-    using Flag = std::shared_ptr<std::atomic<bool>>;
+    using Callout = std::shared_ptr<std::atomic<bool>>;
 
     /// Does nothing until it is let go or cancelled.
     class HeldJob : public Job {
     public:
-        explicit HeldJob(Flag held) : held_(std::move(held)) {}
+        explicit HeldJob(Callout held) : held_(std::move(held)) {}
         QString title() const override { return "Held"; }
         Result<void> process(Progress& progress) override {
             while (*held_ && !progress.isCancelled()) {
@@ -55,10 +55,10 @@ private:
         void finalize() override {}
 
     private:
-        Flag held_;
+        Callout held_;
     };
 
-    Flag held_ = std::make_shared<std::atomic<bool>>(true);
+    Callout held_ = std::make_shared<std::atomic<bool>>(true);
 };
 
 /// A workspace with a garment of two pieces, and files of others.

@@ -13,8 +13,8 @@ namespace toile::bench {
 inline constexpr const char* kSurfaces[] = {"panel", "head"};
 inline constexpr const char* kSizes[] = {"3000", "45000", "500000", "1000000"};
 
-/// The stages that are measured over the length of the outline, in the order of the road, and its
-/// vertices.
+/// The stages that are measured over the length of the outline, in the order of the pipeline, and
+/// its vertices.
 inline constexpr const char* kOutlineStages[] = {
     "load",    "seams",     "circle",    "newton", "slcp",      "bending", "barrier",
     "lengths", "curvature", "isometric", "rims",   "crossings", "measure", "sheet",

@@ -8,7 +8,7 @@
 #include "tests/bench/report/cells.h"
 #include "tests/bench/report/figures.h"
 #include "tests/bench/report/markdown.h"
-#include "tests/bench/report/road_tables.h"
+#include "tests/bench/report/pipeline_tables.h"
 #include "tests/bench/report/solve_tables.h"
 
 namespace toile::bench {
@@ -67,7 +67,7 @@ of `isometric` are exact, which costs a little energy on a nearly flat piece.
 
 constexpr const char* kEndToEnd = R"(## From file to files
 
-In one process: an OBJ file is read, divided into pieces, mended and checked, its seams are found,
+In one process: an OBJ file is read, divided into pieces, repaired and checked, its seams are found,
 it is flattened and measured, and SVG, DXF, OBJ and the JSON report are written. The whole in
 seconds of wall-clock time; the stages in seconds of processor time, and their shares.
 

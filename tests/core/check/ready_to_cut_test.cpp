@@ -334,7 +334,7 @@ TEST(ReadyToCut, AMessageLeadsToThePieceWhateverItIsCalledNow) {
     const PieceId divided{77};  // cut since: two of the pieces are its parts
     for (const std::size_t part : {1U, 2U}) {
         auto cut = std::make_shared<Piece>(*garment->pieces[part]);
-        cut->lineage.wholes = {divided};
+        cut->lineage.uncut = {divided};
         garment->pieces[part] = cut;
     }
     garment->problems = {{ErrorCode::HolesKept, Subject::piece("old", garment->pieces[0]->id)},

@@ -23,7 +23,7 @@ AutoCut expectOneDisk(const MeshArrays& mesh, const std::string& what,
         return proposal;
     }
     if (proposal.holesToFill.empty()) {
-        expectSoundCut(mesh, *result, what);
+        expectValidCut(mesh, *result, what);
     }
     EXPECT_EQ(expectDisks(result->mesh, what), 1) << what;
     for (const PathPolyline& cut : proposal.cuts) {

@@ -10,7 +10,7 @@ namespace toile::test {
 /// The proposal; a failed expectation and nothing where there is none.
 AutoCut propose(const MeshArrays& mesh, const AutoCutOptions& options = {});
 
-/// Proposes and cuts; expects a sound cut and one disk.
+/// Proposes and cuts; expects a valid cut and one disk.
 AutoCut expectOneDisk(const MeshArrays& mesh, const std::string& what,
                       const AutoCutOptions& options = {});
 

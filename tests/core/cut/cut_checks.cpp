@@ -105,7 +105,7 @@ Result<PathPolyline> randomPath(const SurfaceLinks& links, std::mt19937& random)
     return geodesicPath(links, from, to);
 }
 
-void expectSoundCut(const MeshArrays& source, const CutResult& cut, const std::string& what) {
+void expectValidCut(const MeshArrays& source, const CutResult& cut, const std::string& what) {
     const double area = totalArea(source);
     EXPECT_NEAR(totalArea(cut.mesh), area, 1e-12 * area) << what;
     ASSERT_EQ(cut.sourceFace.size(), static_cast<std::size_t>(cut.mesh.F.rows())) << what;

@@ -15,7 +15,7 @@
 namespace toile {
 namespace {
 
-using test::expectSoundPath;
+using test::expectValidPath;
 using test::Surface;
 
 TEST(Straightened, KeepsALoopAroundAHandle) {
@@ -29,7 +29,7 @@ TEST(Straightened, KeepsALoopAroundAHandle) {
     const PathPolyline tight = straightened(s.links, loop);
     EXPECT_LT(tight.length, loop.length);
     EXPECT_GT(tight.length, 2 * std::numbers::pi * 30 * 0.98);  // not less than the inner equator
-    expectSoundPath(s, tight);
+    expectValidPath(s, tight);
 }
 
 TEST(NearestSurface, FindsWhatASearchOfAllTrianglesFinds) {

@@ -22,7 +22,7 @@ struct Surface {
 };
 
 /// Neighbours share a triangle, and the points measure what the path says.
-inline void expectSoundPath(const Surface& s, const PathPolyline& path) {
+inline void expectValidPath(const Surface& s, const PathPolyline& path) {
     for (std::size_t i = 1; i < path.points.size(); ++i) {
         EXPECT_GE(s.links.commonFace(path.points[i - 1], path.points[i]), 0);
     }

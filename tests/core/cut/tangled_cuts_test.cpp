@@ -55,7 +55,7 @@ TEST(TangledCuts, AHundredLinesThroughAFewTrianglesAreCut) {
     const std::vector<PathPolyline> some(paths.begin(), paths.begin() + 30);
     const auto first = cutAlong(s.mesh, some);
     ASSERT_TRUE(first) << sentence(first.error());
-    test::expectSoundCut(s.mesh, *first, "lines");
+    test::expectValidCut(s.mesh, *first, "lines");
     const auto result = cutAlong(s.mesh, paths);
     ASSERT_TRUE(result) << sentence(result.error());
     EXPECT_NEAR(test::totalArea(result->mesh), 180 * 180, 1e-6);
@@ -103,7 +103,7 @@ TEST(TangledCuts, EverySlitOfOneEdgeOpens) {
     }
     const auto result = cutAlong(s.mesh, slits);
     ASSERT_TRUE(result);
-    test::expectSoundCut(s.mesh, *result, "slits");
+    test::expectValidCut(s.mesh, *result, "slits");
     for (const OpenedCut& slit : result->cuts) {
         ASSERT_EQ(slit.runs.size(), 1U);
         EXPECT_EQ(slit.runs[0].left.size(), 3U);
@@ -123,8 +123,8 @@ TEST(TangledCuts, EveryStepCanBeCancelled) {
               ErrorCode::Cancelled);
     EXPECT_EQ(codeOf(edgePath(s.links, 0, 48, cancelled)), ErrorCode::Cancelled);
     for (const bool alongEdges : {false, true}) {
-        EXPECT_EQ(codeOf(wayOfCut(s.links, s.links.atVertex(0), s.links.atVertex(48), alongEdges,
-                                  cancelled)),
+        EXPECT_EQ(codeOf(pathOfCut(s.links, s.links.atVertex(0), s.links.atVertex(48), alongEdges,
+                                   cancelled)),
                   ErrorCode::Cancelled);
     }
     const Surface tube(test::tube(12, 4));
@@ -134,11 +134,11 @@ TEST(TangledCuts, EveryStepCanBeCancelled) {
 TEST(WayOfCut, AlongEdgesRunsBetweenTheNearestVertices) {
     const Surface s(test::planeGrid(6, 6, 10));
     const SurfacePoint from{0, {0.8, 0.1, 0.1}};
-    const auto way = wayOfCut(s.links, from, s.links.atVertex(6), true);
+    const auto way = pathOfCut(s.links, from, s.links.atVertex(6), true);
     ASSERT_TRUE(way);
     EXPECT_EQ(way->points.size(), 7U);
     EXPECT_NEAR(way->length, 60, 1e-12);
-    test::expectSoundPath(s, *way);
+    test::expectValidPath(s, *way);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(Draw, NamesPiecesAndSaysThatThereIsNoAllowance) {
     const Drawing drawing = test::sewingDrawing();
     ASSERT_EQ(drawing.texts.size(), 5u);
     EXPECT_EQ(drawing.texts[1].lines,
-              (std::vector<std::string>{"前身頃", "net outline, no allowance"}));
+              (std::vector<std::string>{"前身頃", "seam line, no allowance"}));
     EXPECT_EQ(drawing.texts[1].layer, LayerKind::Text);
     EXPECT_EQ(drawing.paths[1].layer, LayerKind::Cut);
     std::set<std::string> ids;
@@ -107,7 +107,7 @@ TEST(Draw, SaysHowOftenAPieceIsCut) {
     EXPECT_EQ(second(0), "cut 3");
     EXPECT_EQ(second(1), "cut 1 pair");
     EXPECT_EQ(second(2), "cut 2 pairs");
-    EXPECT_EQ(second(3), "net outline, no allowance");
+    EXPECT_EQ(second(3), "seam line, no allowance");
     for (const std::string& file : {writeSvg(drawing), writeDxf(drawing)}) {
         for (const char* note : {"cut 3", "cut 1 pair", "cut 2 pairs"}) {
             EXPECT_NE(file.find(note), std::string::npos) << note;

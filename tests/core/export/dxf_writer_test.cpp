@@ -58,7 +58,7 @@ TEST(WriteDxf, WritesNamesInAscii) {
     EXPECT_TRUE(file.faults.empty()) << file.faults.front();
     ASSERT_EQ(file.texts.size(), 9u);
     EXPECT_EQ(file.texts[0].value, "Armel <links> & \"rechts\"");
-    EXPECT_EQ(file.texts[1].value, "net outline, no allowance");
+    EXPECT_EQ(file.texts[1].value, "seam line, no allowance");
     EXPECT_EQ(file.texts[2].value, "___");
     EXPECT_EQ(file.texts[4].value, "50_% cotton _I_");
     EXPECT_EQ(file.texts[0].layer, "TEXT");

@@ -147,7 +147,7 @@ TEST(WriteSvg, KeepsNamesOfAnyScript) {
     ASSERT_EQ(lines.size(), 8u);
     EXPECT_EQ(lines[0], "Ärmel <links> & \"rechts\"");
     EXPECT_EQ(lines[2], "前身頃");
-    EXPECT_EQ(lines[3], "net outline, no allowance");
+    EXPECT_EQ(lines[3], "seam line, no allowance");
 }
 
 TEST(WriteSvg, StaysWellFormedWithNamesThatAreNoText) {

@@ -63,7 +63,7 @@ TEST(FlatNotes, SayNothingOfASimpleOutline) {
     EXPECT_TRUE(notes.empty());
 }
 
-TEST(FlatNotes, NameTrianglesTurnedOverInPlaceOfAnEarlyEnd) {
+TEST(FlatNotes, NameTrianglesFlippedInPlaceOfAnEarlyEnd) {
     const auto piece = test::asPiece(test::planeGrid(2, 2, 10), "yoke");
     Points2 Q = piece->mesh.V.leftCols(2);
     Q(4, 0) = 25;  // the middle, beyond the right side
@@ -78,7 +78,7 @@ TEST(FlatNotes, NameTrianglesTurnedOverInPlaceOfAnEarlyEnd) {
     EXPECT_EQ(sentence(notes.front()).find("as it is"), std::string::npos);
 }
 
-TEST(FlatNotes, WhatIsTurnedOverIsNotSimplyFlat) {
+TEST(FlatNotes, WhatIsFlippedIsNotSimplyFlat) {
     PieceResult result;
     EXPECT_EQ(statusOf(result), "failed");
     result.flat = FlatPiece{};

@@ -145,7 +145,7 @@ TEST(KeptModel, TakesNoMoreThanExpected) {
     }
 }
 
-TEST(CarriedStart, OpensADartOfAStrainedPieceFromACoarseOne) {
+TEST(WarmStart, OpensADartOfAStrainedPieceFromACoarseOne) {
     const PiecePointer before = head();
     PieceFlattener flattener;
     ASSERT_TRUE(flattener.flatten(before, byIsometric(), Progress()));
@@ -157,7 +157,7 @@ TEST(CarriedStart, OpensADartOfAStrainedPieceFromACoarseOne) {
     }
 }
 
-TEST(CarriedStart, SaysNothingWhereAllIsOtherwise) {
+TEST(WarmStart, SaysNothingWhereAllIsOtherwise) {
     const PiecePointer before = head();
     FlatteningMemory memory;
     memory.flattened = before;
@@ -166,22 +166,22 @@ TEST(CarriedStart, SaysNothingWhereAllIsOtherwise) {
     memory.distortion = 2;
     memory.multipliers = std::make_shared<const Eigen::VectorXd>(
         Eigen::VectorXd::Ones(static_cast<Eigen::Index>(before->boundary.size())));
-    const CarriedStart same(*before, memory);
+    const WarmStart same(*before, memory);
     EXPECT_EQ(same.multipliers(), *memory.multipliers);
     MeshArrays pulled = before->mesh;
     pulled.V.col(0) *= 3;
     const PiecePointer other = test::originalPiece(std::move(pulled));
-    const CarriedStart carried(*other, memory);
-    EXPECT_FALSE(carried.positions(Progress()));
-    EXPECT_FALSE(carried.fromCoarse(1e-4, Progress()));
+    const WarmStart warm(*other, memory);
+    EXPECT_FALSE(warm.positions(Progress()));
+    EXPECT_FALSE(warm.fromCoarse(1e-4, Progress()));
     // A dart's own edges do not pull yet.
     const PiecePointer cut = withDart(before, 10, 6);
-    const Eigen::VectorXd pulls = CarriedStart(*cut, memory).multipliers();
-    EXPECT_EQ(pulls.size(), static_cast<Eigen::Index>(cut->boundary.size()));
-    EXPECT_EQ(pulls.sum(), static_cast<double>(before->boundary.size()));
+    const Eigen::VectorXd multipliers = WarmStart(*cut, memory).multipliers();
+    EXPECT_EQ(multipliers.size(), static_cast<Eigen::Index>(cut->boundary.size()));
+    EXPECT_EQ(multipliers.sum(), static_cast<double>(before->boundary.size()));
 }
 
-TEST(CarriedStart, PartsTheSidesOfADartThatOverlap) {
+TEST(WarmStart, PartsTheSidesOfADartThatOverlap) {
     const PiecePointer before = waist();
     PieceFlattener flattener;
     ASSERT_TRUE(flattener.flatten(before, byIsometric(), Progress()));

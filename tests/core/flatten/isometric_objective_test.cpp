@@ -176,7 +176,7 @@ TEST(OutlineBarrier, SeesAVertexNearAnEdge) {
     EXPECT_FALSE(at.contacts.empty());
     EXPECT_GT(at.total, objective.distortion(Q));
     for (const auto& contact : at.contacts) {
-        EXPECT_LT(contact.distance, contact.reach);
+        EXPECT_LT(contact.distance, contact.radius);
         EXPECT_NEAR(contact.away.norm(), 1, 1e-12);
     }
     EXPECT_TRUE(objectiveOf(*grid(), true).evaluate(flatGrid(*grid())).contacts.empty());

@@ -12,9 +12,9 @@
 #include "core/flatten/boundary/length_constraints.h"
 #include "core/flatten/interior/interior.h"
 #include "core/flatten/isometric/coarsening.h"
-#include "core/flatten/isometric/descent_pace.h"
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric_descent.h"
+#include "core/flatten/isometric/refactorisation_policy.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/shapes.h"
@@ -135,11 +135,11 @@ TEST(SymmetricDirichlet, RelaxingLowersTheEnergyAndLeavesTheFixed) {
 }
 
 /// On a quadratic function of two unknowns two steps tell all of the curvature.
-TEST(StepMemory, KnowsAQuadraticAfterAsManySteps) {
+TEST(LbfgsHistory, KnowsAQuadraticAfterAsManySteps) {
     Eigen::Matrix2d H;
     H << 5, 2, 2, 3;
     const auto asStep = [](const Eigen::Vector2d& p) -> Points2 { return p.transpose(); };
-    StepMemory memory;
+    LbfgsHistory memory;
     const Eigen::Vector2d first(1, 0);
     const Eigen::Vector2d second = Eigen::Vector2d(-2, 5);  // conjugate to the first
     memory.add(asStep(first), asStep(H * first));
@@ -156,36 +156,36 @@ TEST(StepMemory, KnowsAQuadraticAfterAsManySteps) {
 
 constexpr double kFactorisingCost = 12;  // in steps
 
-TEST(DescentPace, StaysWithAFactorisationThatServes) {
-    DescentPace pace;
-    EXPECT_TRUE(pace.isFresh());
-    pace.count(1, 100, 100, kFactorisingCost);
-    EXPECT_FALSE(pace.isFresh());
-    pace.count(1, 10, 9, kFactorisingCost);  // more than 109 / 13
-    EXPECT_FALSE(pace.isFresh());
-    pace.count(1, 0.1, 0.09, kFactorisingCost);  // little, but as promised
-    EXPECT_FALSE(pace.isFresh());
-    pace.count(1, 0.1, 0.01, kFactorisingCost);  // little, and less than promised
-    EXPECT_TRUE(pace.isFresh());
+TEST(RefactorisationPolicy, StaysWithAFactorisationThatServes) {
+    RefactorisationPolicy policy;
+    EXPECT_TRUE(policy.isFresh());
+    policy.count(1, 100, 100, kFactorisingCost);
+    EXPECT_FALSE(policy.isFresh());
+    policy.count(1, 10, 9, kFactorisingCost);  // more than 109 / 13
+    EXPECT_FALSE(policy.isFresh());
+    policy.count(1, 0.1, 0.09, kFactorisingCost);  // little, but as promised
+    EXPECT_FALSE(policy.isFresh());
+    policy.count(1, 0.1, 0.01, kFactorisingCost);  // little, and less than promised
+    EXPECT_TRUE(policy.isFresh());
 }
 
-TEST(DescentPace, RenewsSoonerWhatCostsLess) {
+TEST(RefactorisationPolicy, RenewsSoonerWhatCostsLess) {
     for (const double cost : {1.0, kFactorisingCost}) {
-        DescentPace pace;
-        pace.count(1, 100, 100, cost);
-        pace.count(1, 100, 20, cost);
-        EXPECT_EQ(pace.isFresh(), cost == 1);
+        RefactorisationPolicy policy;
+        policy.count(1, 100, 100, cost);
+        policy.count(1, 100, 20, cost);
+        EXPECT_EQ(policy.isFresh(), cost == 1);
     }
 }
 
-TEST(DescentPace, DoesNotTakeAStoppedStepForTheEnd) {
-    DescentPace pace;
-    pace.count(0.01, 5, 1e-6, kFactorisingCost);
-    EXPECT_TRUE(pace.wasStopped());
-    EXPECT_TRUE(pace.isFresh());
-    EXPECT_FALSE(pace.hasArrived(1e-4));
-    pace.count(1, 1e-5, 1e-5, kFactorisingCost);
-    EXPECT_TRUE(pace.hasArrived(1e-4));
+TEST(RefactorisationPolicy, DoesNotTakeAStoppedStepForTheEnd) {
+    RefactorisationPolicy policy;
+    policy.count(0.01, 5, 1e-6, kFactorisingCost);
+    EXPECT_TRUE(policy.wasStopped());
+    EXPECT_TRUE(policy.isFresh());
+    EXPECT_FALSE(policy.hasArrived(1e-4));
+    policy.count(1, 1e-5, 1e-5, kFactorisingCost);
+    EXPECT_TRUE(policy.hasArrived(1e-4));
 }
 
 }  // namespace

@@ -252,7 +252,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, IsometricDisks,
                                          std::pair{"samples/trousers.obj", 1.00076},
                                          std::pair{"samples/tshirt.obj", 1.0047}));
 
-/// Mean distance from the designer's own panels, weighted solvedBy area: at most this, and not
+/// Mean distance from the reference panels, weighted by area: at most this, and not
 /// above any other method that keeps the lengths.
 class IsometricGarments : public testing::TestWithParam<std::pair<const char*, double>> {};
 

@@ -199,7 +199,7 @@ TEST(PieceFlattener, NeedsFewerStepsAfterASmallEdit) {
     EXPECT_LT(again->interiorIterations, cold->interiorIterations);
 }
 
-TEST(PieceFlattener, KeepsWhatIsometricCanUseUntilItForgets) {
+TEST(PieceFlattener, KeepsWhatIsometricCanUseUntilItIsReset) {
     const PiecePointer panel = test::originalPiece(test::bentPanel(30));
     PieceFlattener flattener;
     EXPECT_EQ(flattener.keptBytes(), 0U);

@@ -250,7 +250,7 @@ TEST(RimLengths, WhereThereIsNoWayANoteSaysSoAndThePieceStays) {
     const auto conformal = flatten(*piece, rimsBy(Method::Curvature), Progress());
     ASSERT_TRUE(conformal);
     FlatPiece flat = *conformal;
-    flat.Q.col(0) *= -1;  // all triangles turned over: no start for the descent
+    flat.Q.col(0) *= -1;  // all triangles flipped: no start for the descent
     const Points2 before = flat.Q;
     ASSERT_TRUE(keepRimLengths(*piece, Quality::Standard, flat, Progress()));
     ASSERT_TRUE(hasNote(flat, ErrorCode::RimsNotKept));

@@ -88,7 +88,7 @@ TEST(CutPieces, NumberPartsPastNamesThatAreTaken) {
     EXPECT_EQ(made.pieces[2]->name, "leg 1");
 }
 
-TEST(CutPieces, KeepTheDesignersPanel) {
+TEST(CutPieces, KeepTheReferencePanel) {
     auto piece = std::make_shared<Piece>(*fromFile(test::planeGrid(6, 6, 10), "front"));
     piece->reference = piece->mesh.V.leftCols<2>() * 2;
     const UserCut dart{"dart", UserCut::Kind::Dart, {{31, 1, 0}, {33, 37, 0}}, false};

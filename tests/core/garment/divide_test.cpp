@@ -70,7 +70,7 @@ TEST(Divide, ABadPieceLeavesTheGoodOnesAlone) {
     EXPECT_FALSE(divided.pieces[1]->defect);
 }
 
-TEST(Divide, MendsAndSaysSo) {
+TEST(Divide, RepairsAndSaysSo) {
     const DividedFile divided = divide(fileOf("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
                                               "o yoke\nf 1 2 3\nf 2 3 4\n"),
                                        0, "", {});

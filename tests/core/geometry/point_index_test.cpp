@@ -61,10 +61,10 @@ TEST(PointIndex, WithoutToleranceFindsTheSameBits) {
 }
 
 TEST(PointIndex, TakesCoordinatesOfAnySize) {
-    constexpr double kMost = std::numeric_limits<double>::max();
+    constexpr double kMax = std::numeric_limits<double>::max();
     Points points;
     PointIndex index(points, 1e-9);
-    const Points far{{0, 0, 0}, {kMost, 0, 0}, {-kMost, 0, 0}, {1e30, 1e30, 0}};
+    const Points far{{0, 0, 0}, {kMax, 0, 0}, {-kMax, 0, 0}, {1e30, 1e30, 0}};
     for (int i = 0; i < 4; ++i) {
         EXPECT_EQ(index.insert(far[static_cast<std::size_t>(i)]), std::pair(i, true));
     }

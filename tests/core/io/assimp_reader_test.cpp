@@ -77,7 +77,7 @@ protected:
 TEST_F(AssimpReader, MakesAnObjectOfEveryNodeThatHasAMesh) {
     const Result<PolygonSoup> soup = readAs("a.gltf", kGltf);
     ASSERT_TRUE(soup) << sentence(soup.error());
-    expectSound(soup.value());
+    expectValid(soup.value());
     EXPECT_EQ(soup.value().objects, (std::vector<std::string>{"front", "lining", "back"}));
     EXPECT_EQ(soup.value().faceObject, (std::vector<int>{0, 0, 1, 1, 2, 2}));
     EXPECT_EQ(soup.value().materials, std::vector<std::string>{"denim"});
@@ -129,7 +129,7 @@ TEST_F(AssimpReader, GltfIsInMetres) {
 TEST_F(AssimpReader, ColladaKeepsPolygonsAndStatesItsUnit) {
     const Result<PolygonSoup> soup = readAs("a.dae", kCollada);
     ASSERT_TRUE(soup) << sentence(soup.error());
-    expectSound(soup.value());
+    expectValid(soup.value());
     EXPECT_EQ(soup.value().objects, std::vector<std::string>{"yoke"});
     EXPECT_EQ(face(soup.value(), 0), (std::vector<int>{0, 1, 2, 3}));
     EXPECT_TRUE(soup.value().positions[2].isApprox(Eigen::Vector3d(0.3, 1.2, 0), 1e-6));

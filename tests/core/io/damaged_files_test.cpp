@@ -11,8 +11,8 @@
 namespace toile::test {
 namespace {
 
-/// Whatever a reader gets, it either refuses with a reason or gives a sound soup.
-void expectSoundOrRefused(ReadFunction reader, const std::string& bytes) {
+/// Whatever a reader gets, it either refuses with a reason or gives a valid soup.
+void expectValidOrRefused(ReadFunction reader, const std::string& bytes) {
     const Result<PolygonSoup> soup = read(reader, bytes);
     if (!soup) {
         EXPECT_TRUE(soup.error().code == ErrorCode::MalformedFile ||
@@ -20,7 +20,7 @@ void expectSoundOrRefused(ReadFunction reader, const std::string& bytes) {
         EXPECT_FALSE(soup.error().detail.empty());
         return;
     }
-    expectSound(*soup);
+    expectValid(*soup);
     const Triangulation triangles = triangulate(*soup, "test");
     ASSERT_EQ(triangles.F.rows(), static_cast<Eigen::Index>(triangles.sourceFace.size()));
     if (triangles.F.size() > 0) {
@@ -40,7 +40,7 @@ class DamagedFile : public testing::TestWithParam<Format> {};
 TEST_P(DamagedFile, EveryPrefixIsReadOrRefused) {
     const std::string sample = GetParam().sample();
     for (std::size_t length = 0; length <= sample.size(); ++length) {
-        expectSoundOrRefused(GetParam().reader, sample.substr(0, length));
+        expectValidOrRefused(GetParam().reader, sample.substr(0, length));
         ASSERT_FALSE(HasFailure()) << "prefix of " << length << " bytes";
     }
 }
@@ -67,7 +67,7 @@ TEST_P(DamagedFile, RandomBytesAreReadOrRefused) {
             }
             bytes += bytes.empty() ? "x" : "";
         }
-        expectSoundOrRefused(GetParam().reader, bytes);
+        expectValidOrRefused(GetParam().reader, bytes);
         ASSERT_FALSE(HasFailure()) << "round " << round;
     }
 }
@@ -79,7 +79,7 @@ TEST_P(DamagedFile, PureNoiseIsReadOrRefused) {
         for (char& c : bytes) {
             c = static_cast<char>(random());
         }
-        expectSoundOrRefused(GetParam().reader, bytes);
+        expectValidOrRefused(GetParam().reader, bytes);
         ASSERT_FALSE(HasFailure()) << "round " << round;
     }
 }

@@ -35,7 +35,7 @@ TEST_P(FuzzSeeds, BreakNoPromise) {
     EXPECT_GE(runSeeds(name, GetParam().whatBreaks), name == "garment" ? 5 : 10);
 }
 
-TEST(ReaderSeeds, BreakNoPromiseOnTheWholeRoad) {
+TEST(ReaderSeeds, BreakNoPromiseOnTheWholePipeline) {
     EXPECT_GE(runSeeds("off", whatBreaksOnTheWay), 10);
 }
 

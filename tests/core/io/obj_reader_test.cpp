@@ -17,7 +17,7 @@ using Corners = std::vector<int>;
 const std::string kThreePoints = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 PolygonSoup readObjSoup(const std::string& text) {
-    return readSound(readObj, text);
+    return readValid(readObj, text);
 }
 
 TEST(ObjReader, ReadsEveryFormOfCorner) {
@@ -192,7 +192,7 @@ TEST(ObjReader, LeavesOutFacesWithIndicesOutOfRange) {
     }
 }
 
-TEST(ObjReader, ForgetsUvsOutOfRange) {
+TEST(ObjReader, DropsUvsOutOfRange) {
     const PolygonSoup soup = readObjSoup(kThreePoints + "vt 0 0\nf 1/1 2/2 3/0\nf 1/-2 2/-1 3/1\n");
     EXPECT_EQ(soup.faceCount(), 2);
     EXPECT_EQ(soup.cornerUvs, (Corners{0, -1, -1, -1, 0, 0}));

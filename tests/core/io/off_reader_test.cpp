@@ -13,7 +13,7 @@ namespace {
 using Corners = std::vector<int>;
 
 PolygonSoup readOffSoup(const std::string& text) {
-    return readSound(readOff, text);
+    return readValid(readOff, text);
 }
 
 TEST(OffReader, ReadsASample) {

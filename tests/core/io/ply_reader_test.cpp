@@ -18,7 +18,7 @@ const std::string kList = "property list uchar int vertex_indices\n";
 const std::string kThree = "0 0 0\n1 0 0\n0 1 0\n";
 
 PolygonSoup readPlySoup(const std::string& text) {
-    return readSound(readPly, text);
+    return readValid(readPly, text);
 }
 
 std::string ascii(const std::string& elements, const std::string& body) {

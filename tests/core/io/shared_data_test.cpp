@@ -39,7 +39,7 @@ void expectAsIndexed(const json& entry) {
         return;
     }
     ASSERT_TRUE(soup) << soup.error().detail;
-    expectSound(*soup);
+    expectValid(*soup);
     EXPECT_EQ(soup->positions.size(), entry["vertices"].get<std::size_t>());
     EXPECT_EQ(soup->faceCount(), faces);
     const auto nonFinite = std::count_if(soup->positions.begin(), soup->positions.end(),

@@ -15,17 +15,17 @@ Result<PolygonSoup> read(ReadFunction reader, std::string bytes) {
     return reader(std::make_shared<const std::string>(std::move(bytes)), "test", progress);
 }
 
-PolygonSoup readSound(ReadFunction reader, const std::string& bytes) {
+PolygonSoup readValid(ReadFunction reader, const std::string& bytes) {
     const Result<PolygonSoup> soup = read(reader, bytes);
     EXPECT_TRUE(soup) << (soup ? "" : soup.error().detail);
     if (!soup) {
         return {};
     }
-    expectSound(*soup);
+    expectValid(*soup);
     return *soup;
 }
 
-void expectSound(const PolygonSoup& soup) {
+void expectValid(const PolygonSoup& soup) {
     EXPECT_EQ(brokenPromise(soup), "");
 }
 

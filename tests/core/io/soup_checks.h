@@ -18,10 +18,10 @@ Result<PolygonSoup> read(ReadFunction reader, std::string bytes);
 
 /// The soup of bytes that are to be read without an error; fails the test where they are not, or
 /// where the soup breaks a promise.
-PolygonSoup readSound(ReadFunction reader, const std::string& bytes);
+PolygonSoup readValid(ReadFunction reader, const std::string& bytes);
 
 /// Fails the test where the soup breaks one of the promises in its header.
-void expectSound(const PolygonSoup& soup);
+void expectValid(const PolygonSoup& soup);
 
 /// Corners of a face.
 std::vector<int> face(const PolygonSoup& soup, int index);

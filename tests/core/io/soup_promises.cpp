@@ -15,7 +15,7 @@ bool inRange(const std::vector<int>& indices, int least, std::size_t count) {
     });
 }
 
-bool facesAreSound(const PolygonSoup& soup) {
+bool facesAreValid(const PolygonSoup& soup) {
     const auto& start = soup.faceStart;
     if (start.empty() || start.front() != 0 ||
         start.back() != static_cast<int>(soup.corners.size())) {
@@ -29,13 +29,13 @@ bool facesAreSound(const PolygonSoup& soup) {
     return true;
 }
 
-bool namesAreSound(const std::vector<int>& perFace, const std::vector<std::string>& names,
+bool namesAreValid(const std::vector<int>& perFace, const std::vector<std::string>& names,
                    int faceCount) {
     return perFace.size() == (names.empty() ? 0U : static_cast<std::size_t>(faceCount)) &&
            inRange(perFace, -1, names.size());
 }
 
-bool textIsSound(const PolygonSoup& soup) {
+bool textIsValid(const PolygonSoup& soup) {
     if (soup.positionText.empty()) {
         return true;
     }
@@ -51,7 +51,7 @@ bool textIsSound(const PolygonSoup& soup) {
 }  // namespace
 
 std::string brokenPromise(const PolygonSoup& soup) {
-    if (!facesAreSound(soup)) {
+    if (!facesAreValid(soup)) {
         return "a face has fewer than three corners, or faceStart does not fit the corners";
     }
     if (!inRange(soup.corners, 0, soup.positions.size())) {
@@ -63,12 +63,12 @@ std::string brokenPromise(const PolygonSoup& soup) {
     if (!inRange(soup.cornerUvs, -1, soup.uvs.size())) {
         return "a corner's uv index is out of range";
     }
-    if (!namesAreSound(soup.faceObject, soup.objects, soup.faceCount()) ||
-        !namesAreSound(soup.faceGroup, soup.groups, soup.faceCount()) ||
-        !namesAreSound(soup.faceMaterial, soup.materials, soup.faceCount())) {
+    if (!namesAreValid(soup.faceObject, soup.objects, soup.faceCount()) ||
+        !namesAreValid(soup.faceGroup, soup.groups, soup.faceCount()) ||
+        !namesAreValid(soup.faceMaterial, soup.materials, soup.faceCount())) {
         return "a face's name is out of range, or not every face has one";
     }
-    if (!textIsSound(soup)) {
+    if (!textIsValid(soup)) {
         return "a position's text lies outside of the file";
     }
     return "";

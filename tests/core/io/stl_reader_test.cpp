@@ -16,7 +16,7 @@ namespace {
 using Corners = std::vector<int>;
 
 PolygonSoup readStlSoup(const std::string& text) {
-    return readSound(readStl, text);
+    return readValid(readStl, text);
 }
 
 std::string binary(const std::string& header, const std::vector<std::vector<float>>& facets) {

@@ -84,7 +84,7 @@ MeshArrays needles(int side, double length) {
     return mesh;
 }
 
-// Needles of 1e-11 were refused where those of 1e-9 and of 1e-13 were mended: all around was as
+// Needles of 1e-11 were refused where those of 1e-9 and of 1e-13 were repaired: all around was as
 // flat, and each face without height was given to another.
 TEST(Repair, ANeedleIsNoWorseThanALongerOrAShorterOne) {
     int collapsed = 0;

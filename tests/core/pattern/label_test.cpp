@@ -15,7 +15,7 @@ using test::curvedPanel;
 using test::horseshoe;
 using test::rectangle;
 
-const std::vector<std::string> kLines{"front", "net outline, no allowance"};
+const std::vector<std::string> kLines{"front", "seam line, no allowance"};
 
 bool isWithin(const std::vector<Points2>& loops, const Eigen::Vector2d& p) {
     bool inside = false;
@@ -145,7 +145,7 @@ TEST(PlaceLabel, DoesNotDependOnHowFineTheOutlineIs) {
 
 TEST(PlaceLabel, OfCrowdedOutlinesIsWhereSortedEdgesPutIt) {
     const std::vector<std::string> lines{"sleeve left with a longer name", "cut 2 pairs",
-                                         "net outline, no allowance"};
+                                         "seam line, no allowance"};
     const LabelPlace ofComb = placeLabel({comb(5000, 600, 60)}, lines);
     EXPECT_EQ(ofComb.height, 1.5);
     EXPECT_DOUBLE_EQ(ofComb.position.x(), 32.07);

@@ -37,7 +37,7 @@ Garment garmentOfMeshes(const std::vector<MeshArrays>& meshes, std::uint64_t fir
         test::identify(*piece, firstId + garment.pieces.size());
         garment.pieces.push_back(std::move(piece));
     }
-    garment.wholes = garment.pieces;
+    garment.uncut = garment.pieces;
     return garment;
 }
 

@@ -167,7 +167,7 @@ LoadOptions asOnePiece() {
 void expectOpenByThemselves(const Flat& legs, double length, double tolerance) {
     expectAllFlat(legs);
     ASSERT_EQ(legs.garment.cuts.size(), 2U);
-    for (const MadeCut& cut : legs.garment.cuts) {
+    for (const AppliedCut& cut : legs.garment.cuts) {
         EXPECT_EQ(cut.author, CutAuthor::Automatic);
         EXPECT_NEAR(cut.length, length, tolerance);
     }
@@ -321,7 +321,7 @@ TEST(GarmentSeams, CuttingAnewKeepsThePiecesWithoutCuts) {
     ASSERT_TRUE(after);
     EXPECT_EQ(after->pieces[0], before->pieces[0]);
     EXPECT_NE(after->pieces[1], before->pieces[1]);
-    EXPECT_EQ(after->wholes, before->wholes);
+    EXPECT_EQ(after->uncut, before->uncut);
     EXPECT_EQ(after->cuts.size(), 1U);
     const auto undone = cutGarment(*after, {}, progress);
     ASSERT_TRUE(undone);
@@ -341,7 +341,7 @@ TEST(GarmentSeams, ASecondCutKeepsThePiecesOfTheFirst) {
     ASSERT_TRUE(after);
     EXPECT_NE(after->pieces[0], before->pieces[0]);
     EXPECT_EQ(after->pieces.back(), before->pieces.back());
-    EXPECT_NE(before->pieces.back(), before->wholes.back());  // a cut one
+    EXPECT_NE(before->pieces.back(), before->uncut.back());  // a cut one
 }
 
 /// A triangle drawn on the surface of a piece, about its middle.
@@ -368,7 +368,7 @@ void expectPatchIsSewn(const std::filesystem::path& path, std::size_t which) {
     for (const Seam& seam : whole->seams.seams) {
         sewnBefore += seam.kind != SeamKind::Free;
     }
-    load.seams.cuts = {loopOn(*whole->wholes[which], 50)};
+    load.seams.cuts = {loopOn(*whole->uncut[which], 50)};
     load.seams.ease = {{"loop", 0.02}};
     Flat flat;
     auto made = cutGarment(*whole, load, progress);

@@ -59,7 +59,7 @@ TEST_P(JoinedGarments, TakeOutASeamAndPutItInAgain) {
     EXPECT_EQ(after->joins[0].name, sewn->name);
     EXPECT_NEAR(after->joins[0].length, sewn->length3d[0], 1e-6 * sewn->length3d[0]);
     EXPECT_EQ(after->pieces.size(), before->pieces.size() - 1);
-    EXPECT_EQ(after->wholes, before->wholes);
+    EXPECT_EQ(after->uncut, before->uncut);
     EXPECT_NEAR(areaOf(*after), areaOf(*before), 1e-6 * areaOf(*before));
     // The pieces that it does not touch are the same.
     for (std::size_t i = 0; i < before->pieces.size(); ++i) {
@@ -95,7 +95,7 @@ TEST(JoinedGarment, ComesFromASeamsFileToo) {
     ASSERT_EQ(garment->pieces.size(), 1U);
     EXPECT_EQ(garment->pieces[0]->name, "left + right");
     EXPECT_NEAR(garment->joins.at(0).length, 10, 1e-9);
-    EXPECT_EQ(garment->wholes.size(), 2U);
+    EXPECT_EQ(garment->uncut.size(), 2U);
 }
 
 TEST(SeamOrigin, KnowsTheSeamThatACutLeft) {

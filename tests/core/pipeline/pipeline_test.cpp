@@ -170,7 +170,7 @@ TEST(Pipeline, WritesTurnedFacesTurned) {
     Progress progress;
     const PieceResults results = flattenGarment(garment, {}, progress);
     ASSERT_TRUE(exportFile(folder / "out.obj", garment, results, inRows(garment, results)));
-    EXPECT_NE(folder.read("out.obj").find("1 face turned over"), std::string::npos);
+    EXPECT_NE(folder.read("out.obj").find("1 face flipped"), std::string::npos);
     const Garment again = load({folder / "out.obj"});
     EXPECT_TRUE(again.files[0]->problems.empty());
     EXPECT_EQ(again.pieces[0]->mesh.F.rows(), 6);

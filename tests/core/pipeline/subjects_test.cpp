@@ -39,7 +39,7 @@ Kinds kindsOf(ErrorCode code) {
         case ErrorCode::NonFinitePosition:
         case ErrorCode::DegenerateFaceRecord:
         case ErrorCode::UnusedVertices:
-            return {Kind::File, Kind::Piece};  // of reading, of mending
+            return {Kind::File, Kind::Piece};  // of reading, of repairing
         case ErrorCode::CutImpossible:
             return {Kind::Cut, Kind::Piece};  // the user's, Toile's own
         case ErrorCode::JoinImpossible:
@@ -62,7 +62,7 @@ Problems everythingSaid(const Garment& garment) {
     for (const auto& file : garment.files) {
         take(file->problems);
     }
-    for (const auto& piece : garment.wholes) {
+    for (const auto& piece : garment.uncut) {
         take(piece->defect ? Problems{*piece->defect} : Problems{});
     }
     Progress progress;
@@ -88,7 +88,7 @@ std::multimap<std::uint64_t, std::string> namesById(const Garment& garment,
             names.emplace(cut.id.value, cut.name);
         }
     } else {
-        for (const auto* pieces : {&garment.pieces, &garment.wholes}) {
+        for (const auto* pieces : {&garment.pieces, &garment.uncut}) {
             for (const auto& piece : *pieces) {
                 names.emplace(piece->id.value, piece->name);
             }
@@ -113,7 +113,7 @@ void expectToLeadThere(const Garment& garment, const std::vector<UserCut>& cuts)
     }
 }
 
-/// A file, its only piece, a cut and a join of one name; a face turned over, a vertex unused, a
+/// A file, its only piece, a cut and a join of one name; a face flipped, a vertex unused, a
 /// size that leaves doubt, a hole.
 constexpr const char* kOneName = "front.obj";
 constexpr const char* kText =
@@ -135,7 +135,7 @@ TEST(Subjects, LeadToWhatTheyNameWhateverElseIsCalledSo) {
     const test::TemporaryFolder folder;
     LoadOptions options;
     const Garment garment = garmentOfOneName(folder, options);
-    ASSERT_EQ(garment.wholes.size(), 1U);
+    ASSERT_EQ(garment.uncut.size(), 1U);
     expectToLeadThere(garment, options.seams.cuts);
     std::map<std::string_view, Subject::Kind> said;
     for (const Error& problem : everythingSaid(garment)) {

@@ -22,7 +22,7 @@ Garment twoPanels() {
         test::identify(*piece, x == 0 ? 1 : 2);
         garment.pieces.push_back(std::move(piece));
     }
-    garment.wholes = garment.pieces;
+    garment.uncut = garment.pieces;
     return garment;
 }
 
@@ -75,7 +75,7 @@ TEST(CarrySettings, BothPartsOfACutPieceKnowTheWhole) {
         EXPECT_EQ(carried[i].quantity, from.quantity);
         EXPECT_EQ(carried[i].anchors.empty(), whole);
         EXPECT_EQ(carried[i].partOf, whole ? PieceId{} : garment.pieces[0]->id);
-        EXPECT_LE(carried[i].anchors.size(), static_cast<std::size_t>(kMostAnchors));
+        EXPECT_LE(carried[i].anchors.size(), static_cast<std::size_t>(kMaxAnchors));
         // Anchors say where the vertex lay: the panel is flat, so that is where it is in space.
         for (const Anchor& a : carried[i].anchors) {
             for (const Anchor& b : carried[i].anchors) {

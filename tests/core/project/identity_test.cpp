@@ -67,7 +67,7 @@ std::string renumbered(const std::string& obj, unsigned seed) {
 /// An ease that was typed, and where: the line in space, and the pieces of the division beside it.
 struct Typed {
     Points3 line;
-    std::set<PieceId> wholes;
+    std::set<PieceId> uncut;
     PieceId left;
     double ease = 0;
     std::vector<CutId> cuts;  ///< two may lie in one place
@@ -153,8 +153,8 @@ public:
         for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
             const Piece& piece = *garment.pieces[i];
             EXPECT_TRUE(ids.insert(piece.id).second) << piece.name;
-            ASSERT_EQ(piece.lineage.wholes.size(), 1U);
-            const auto said = said_.find(piece.lineage.wholes.front());
+            ASSERT_EQ(piece.lineage.uncut.size(), 1U);
+            const auto said = said_.find(piece.lineage.uncut.front());
             ASSERT_NE(said, said_.end()) << piece.name;
             const PieceSettings& now = state_.settings[i];
             EXPECT_EQ(now.quantity, said->second.quantity) << piece.name;
@@ -184,8 +184,8 @@ public:
 private:
     int upTo(std::size_t count) { return static_cast<int>(random_() % count); }
 
-    PieceId wholeOf(const SeamSide& side) const {
-        return state_.garment.pieces[static_cast<std::size_t>(side.piece)]->lineage.wholes.front();
+    PieceId uncutOf(const SeamSide& side) const {
+        return state_.garment.pieces[static_cast<std::size_t>(side.piece)]->lineage.uncut.front();
     }
 
     Points3 lineOf(const Seam& seam) const {
@@ -200,11 +200,11 @@ private:
         const Eigen::RowVector3d middle = 0.5 * (line.row(k - 1) + line.row(k));
         std::optional<double> ease;
         for (const Typed& typed : state_.typed) {
-            const std::set<PieceId> wholes{wholeOf(seam.left), wholeOf(seam.right)};
-            if (typed.wholes == wholes && typed.cuts == seam.cuts &&
+            const std::set<PieceId> uncut{uncutOf(seam.left), uncutOf(seam.right)};
+            if (typed.uncut == uncut && typed.cuts == seam.cuts &&
                 distanceTo(typed.line, middle) < 1e-6) {
-                const bool turned = wholes.size() > 1 ? wholeOf(seam.left) != typed.left
-                                                      : seam.ease.value_or(0) < 0;
+                const bool turned =
+                    uncut.size() > 1 ? uncutOf(seam.left) != typed.left : seam.ease.value_or(0) < 0;
                 ease = turned ? 1 / (1 + typed.ease) - 1 : typed.ease;
             }
         }
@@ -331,8 +331,8 @@ private:
         const double ease = 0.01 * ++count_;
         state_.loading.seamSettings = withEase(state_.loading.seamSettings, seam, ease);
         state_.typed.push_back({lineOf(seam),
-                                {wholeOf(seam.left), wholeOf(seam.right)},
-                                wholeOf(seam.left),
+                                {uncutOf(seam.left), uncutOf(seam.right)},
+                                uncutOf(seam.left),
                                 ease,
                                 seam.cuts});
         seam.ease = ease;

@@ -30,7 +30,7 @@ Garment panels(const std::vector<MeshArrays>& meshes) {
         test::identify(*piece, 1 + garment.pieces.size());
         garment.pieces.push_back(std::move(piece));
     }
-    garment.wholes = garment.pieces;
+    garment.uncut = garment.pieces;
     return garment;
 }
 
@@ -335,7 +335,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, PlacedGarments,
 INSTANTIATE_TEST_SUITE_P(Shared, PlacedGarments,
                          testing::Values(std::pair("garments/tee_sim.obj", 4)));
 
-TEST(PlacePieces, APieceThatGrowsPushesOnlyThoseThatNobodyPlaced) {
+TEST(PlacePieces, APieceThatGrowsPushesOnlyThoseWithoutASetPlace) {
     const Garment garment = panels({test::planeGrid(10, 10, 20), test::planeGrid(8, 8, 20)});
     PieceResults before = flat(garment);
     std::vector<PieceSettings> settings(2);

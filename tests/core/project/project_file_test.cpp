@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using Json = JsonDocument;
 
 const fs::path kFolder = "/garments/patterns";
-constexpr double kFarthest = 1e9, kMostTurn = 1e6;
+constexpr double kFarthest = 1e9, kMaxTurn = 1e6;
 
 /// Any value of every field, numbers of any magnitude.
 class RandomProject {
@@ -123,10 +123,10 @@ private:
         PieceSettings settings;
         if (flag()) {
             settings.placement =
-                Placement{{number(kFarthest), number(kFarthest)}, number(kMostTurn), flag()};
+                Placement{{number(kFarthest), number(kFarthest)}, number(kMaxTurn), flag()};
         }
         if (flag()) {
-            settings.grain = number(kMostTurn);
+            settings.grain = number(kMaxTurn);
         }
         settings.quantity = upTo(1000);
         settings.mirroredPair = flag();

@@ -110,7 +110,7 @@ TEST(RigidMotion, SettingsAreTheSameToTheBitWhereNothingMoves) {
     EXPECT_EQ(anchoredSettings(anchored, Q), before);
 }
 
-TEST(RigidMotion, AGrainThatNobodyStatedStaysUnstated) {
+TEST(RigidMotion, AGrainThatIsUnsetStaysUnset) {
     PieceSettings settings = turnedSettings(false);
     settings.grain.reset();
     EXPECT_FALSE(movedSettings(settings, {0.5, {1, 2}}, 100).grain);
@@ -153,7 +153,7 @@ TEST(AnchoredPlacement, AnchorsAreSpreadOverTheWholeOutline) {
     }
 }
 
-TEST(AnchoredPlacement, APieceThatNobodyTurnedKeepsItsTurnToTheBit) {
+TEST(AnchoredPlacement, APieceWithoutASetTurnKeepsItsTurnToTheBit) {
     const Points2 then = someShape();
     for (const bool mirrored : {false, true}) {
         for (const double turn : {-0.3, 0.001, 1.0}) {
@@ -213,9 +213,9 @@ TEST(AnchoredPlacement, OneOddAnchorDoesNotTurnAPiece) {
         other.placement->turn += turn;
         EXPECT_GE(distance(other), distance(after) - kTight);
     }
-    EXPECT_NEAR(*anchorMisfit(before.anchors, then), 0, kTight);
-    EXPECT_GT(*anchorMisfit(before.anchors, now), 1);
-    EXPECT_LE(*anchorMisfit(before.anchors, now), 5);
+    EXPECT_NEAR(*anchorResidual(before.anchors, then), 0, kTight);
+    EXPECT_GT(*anchorResidual(before.anchors, now), 1);
+    EXPECT_LE(*anchorResidual(before.anchors, now), 5);
 }
 
 TEST(AnchoredPlacement, AnchorsOfAnotherMeshAreNotFollowed) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "core/seam/run.h"
+#include "core/seam/matched_interval.h"
 
 namespace toile {
 namespace {

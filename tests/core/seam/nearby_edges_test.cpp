@@ -34,18 +34,18 @@ MeshArrays star(int corners, double outer, double inner) {
     return mesh;
 }
 
-NearbyEdges nearbyOf(const Outlines& outlines, const std::vector<double>& reach) {
-    return nearbyEdges(outlines, std::vector<char>(reach.size(), 0), reach);
+NearbyEdges nearbyOf(const Outlines& outlines, const std::vector<double>& radius) {
+    return nearbyEdges(outlines, std::vector<char>(radius.size(), 0), radius);
 }
 
 std::vector<double> reachesOf(const Outlines& outlines, double share) {
-    std::vector<double> reach;
+    std::vector<double> radius;
     for (const Outline& outline : outlines.list) {
         for (const double spacing : outline.spacing) {
-            reach.push_back(share * spacing);
+            radius.push_back(share * spacing);
         }
     }
-    return reach;
+    return radius;
 }
 
 double distanceBetween(const Outlines& outlines, int a, int b) {
@@ -82,8 +82,8 @@ TEST(NearbyEdges, AreAllThoseWithinReachHoweverUnevenTheSampling) {
     };
     const Outlines outlines = buildOutlines(pieces);
     for (const double share : {0.01, 0.125}) {
-        const auto reach = reachesOf(outlines, share);
-        const NearbyEdges nearby = nearbyOf(outlines, reach);
+        const auto radius = reachesOf(outlines, share);
+        const NearbyEdges nearby = nearbyOf(outlines, radius);
         EXPECT_TRUE(nearby.crowded.empty()) << share;
         EXPECT_TRUE(std::ranges::is_sorted(nearby.pairs));
         EXPECT_EQ(std::ranges::adjacent_find(nearby.pairs), nearby.pairs.end());
@@ -91,7 +91,7 @@ TEST(NearbyEdges, AreAllThoseWithinReachHoweverUnevenTheSampling) {
         for (int a = 0; a < outlines.edgeCount(); ++a) {
             for (int b = a + 1; b < outlines.edgeCount(); ++b) {
                 if (distanceBetween(outlines, a, b) <=
-                    reach[static_cast<std::size_t>(a)] + reach[static_cast<std::size_t>(b)]) {
+                    radius[static_cast<std::size_t>(a)] + radius[static_cast<std::size_t>(b)]) {
                     ++near;
                     ASSERT_TRUE(std::ranges::binary_search(nearby.pairs, std::pair(a, b)))
                         << share << ": " << a << " and " << b;

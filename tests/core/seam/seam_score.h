@@ -26,7 +26,7 @@ public:
 
     double arcOf(int piece, int sourceVertex) const;
     double length(int piece) const { return lengths_[piece]; }
-    /// The signed shortest way from one place to another.
+    /// The signed shortest path from one place to another.
     double way(int piece, double from, double to) const;
 
 private:

@@ -98,7 +98,7 @@ std::vector<std::string> summary(const SeamGraph& graph, double unit, int digits
     return lines;
 }
 
-void expectSound(const SeamGraph& graph, const Pieces& pieces) {
+void expectValid(const SeamGraph& graph, const Pieces& pieces) {
     ASSERT_EQ(graph.seamsOfEdge.size(), pieces.size());
     std::vector<double> covered(pieces.size(), 0);
     std::vector<bool> layered(pieces.size(), false);

@@ -30,6 +30,6 @@ Seam named(const SeamGraph& graph, const std::string& name);
 std::vector<std::string> summary(const SeamGraph& graph, double unit = 1, int digits = 6);
 /// Checks what holds for every seam graph: matches are monotone and reach from end to end, places
 /// are in range, edges know their seams, and sewn and free edges cover each outline.
-void expectSound(const SeamGraph& graph, const Pieces& pieces);
+void expectValid(const SeamGraph& graph, const Pieces& pieces);
 
 }  // namespace toile::test

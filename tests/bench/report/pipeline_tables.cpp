@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/bench/report/road_tables.h"
+#include "tests/bench/report/pipeline_tables.h"
 
 #include <algorithm>
 #include <map>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where names and flags go: legible, told apart and not on each other.
+// Where names and callouts go: legible, told apart and not on each other.
 #include <QTest>
 
-#include "app/views/flags.h"
+#include "app/views/callouts.h"
 #include "app/views/pattern_text.h"
 #include "app/views/view_text.h"
 #include "tests/app/support/run_test.h"
@@ -30,10 +30,10 @@ std::vector<NamedPiece> strips(const QStringList& names, double width) {
     return pieces;
 }
 
-bool anyMeet(const std::vector<QRectF>& plates) {
-    for (std::size_t i = 0; i < plates.size(); ++i) {
+bool anyMeet(const std::vector<QRectF>& boxes) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
-            if (plates[i].intersects(plates[k])) {
+            if (boxes[i].intersects(boxes[k])) {
                 return true;
             }
         }
@@ -41,37 +41,37 @@ bool anyMeet(const std::vector<QRectF>& plates) {
     return false;
 }
 
-std::vector<QRectF> platesOf(const std::vector<NamePlate>& names) {
-    std::vector<QRectF> plates;
-    for (const NamePlate& name : names) {
-        plates.push_back(name.plate);
+std::vector<QRectF> boxesOf(const std::vector<NameLabel>& names) {
+    std::vector<QRectF> boxes;
+    for (const NameLabel& name : names) {
+        boxes.push_back(name.box);
     }
-    return plates;
+    return boxes;
 }
 
 }  // namespace
 
-class PlatesTest : public QObject {
+class NameLabelsTest : public QObject {
     Q_OBJECT
 
 private slots:
     void aNameIsWrittenOutWhereThereIsRoom() {
         // Narrower than its name, with nothing beside it.
-        const auto alone = namePlates(kFont, {pieceAt("side_front_left", {200, 60, 12, 200})}, {});
+        const auto alone = nameLabels(kFont, {pieceAt("side_front_left", {200, 60, 12, 200})}, {});
         QCOMPARE(alone.size(), std::size_t{1});
         QCOMPARE(alone[0].text, QString("side_front_left"));
         QVERIFY(alone[0].plate.width() > 60);
-        QCOMPARE(alone[0].plate.size(), plateSize(kFont, "side_front_left", false));
+        QCOMPARE(alone[0].plate.size(), labelSize(kFont, "side_front_left", false));
         const auto mirrored =
-            namePlates(kFont, {{"cuff", " · wrong side up", {250, 200}, {200, 100, 100, 200}}}, {});
+            nameLabels(kFont, {{"cuff", " · wrong side up", {250, 200}, {200, 100, 100, 200}}}, {});
         QCOMPARE(mirrored.at(0).text, QString("cuff · wrong side up"));
     }
 
     void whatAllNamesBeginWithGoesFirst() {
         const auto names =
-            namePlates(kFont, strips({"panel 5", "panel 15", "panel 25", "panel 115"}, 22), {});
+            nameLabels(kFont, strips({"panel 5", "panel 15", "panel 25", "panel 115"}, 22), {});
         QStringList texts;
-        for (const NamePlate& name : names) {
+        for (const NameLabel& name : names) {
             texts << name.text;
         }
         texts.sort();
@@ -82,10 +82,10 @@ private slots:
         const QStringList all{"side_front_left", "side_back_left", "collar_undercollar"};
         for (double width = 4; width < 90; width += 1.5) {
             const auto pieces = strips(all, width);
-            const auto names = namePlates(kFont, pieces, {});
-            QVERIFY(!anyMeet(platesOf(names)));
-            for (const NamePlate& name : names) {
-                QCOMPARE(name.plate.size(), plateSize(kFont, name.text, false));
+            const auto names = nameLabels(kFont, pieces, {});
+            QVERIFY(!anyMeet(boxesOf(names)));
+            for (const NameLabel& name : names) {
+                QCOMPARE(name.box.size(), labelSize(kFont, name.text, false));
                 const qsizetype gap = name.text.indexOf(kGap);
                 if (gap < 0) {
                     QVERIFY(all.contains(name.text));
@@ -102,19 +102,19 @@ private slots:
         }
     }
 
-    void platesKeepOffEachOtherAndOffOtherWords() {
+    void labelsKeepOffEachOtherAndOffOtherWords() {
         // Both names belong in one place, and something else is written there already.
         const QRectF box(100, 60, 200, 300);
         const QRectF taken(150, 190, 100, 30);
         const auto names =
-            namePlates(kFont, {pieceAt("back_left", box), pieceAt("back_right", box)}, {taken});
+            nameLabels(kFont, {pieceAt("back_left", box), pieceAt("back_right", box)}, {taken});
         QCOMPARE(names.size(), std::size_t{2});
-        std::vector<QRectF> plates = platesOf(names);
-        for (const QRectF& plate : plates) {
-            QVERIFY(box.contains(plate));
+        std::vector<QRectF> boxes = boxesOf(names);
+        for (const QRectF& box : boxes) {
+            QVERIFY(box.contains(box));
         }
-        plates.push_back(taken);
-        QVERIFY(!anyMeet(plates));
+        boxes.push_back(taken);
+        QVERIFY(!anyMeet(boxes));
     }
 
     void theSelectedPieceChoosesFirst() {
@@ -124,32 +124,32 @@ private slots:
             piece.box = QRectF(30, 190, 60, 20);  // room for one
         }
         pieces[1].selected = true;
-        const auto names = namePlates(kFont, pieces, {});
+        const auto names = nameLabels(kFont, pieces, {});
         QCOMPARE(names.size(), std::size_t{1});
         QCOMPARE(names[0].piece, 1);
     }
 
-    void flagsKeepWithinTheViewAndOffOtherWords() {
-        const QRectF caption = captionPlate(kFont, {20, 20}, "Pattern", "net outlines");
-        const FlagRoom room{kView, {caption, QRectF(30, 370, 160, 40)}};
-        std::vector<Flag> flags;
+    void calloutsKeepWithinTheViewAndOffOtherWords() {
+        const QRectF caption = captionBox(kFont, {20, 20}, "Pattern", "seam lines");
+        const CalloutRoom room{kView, {caption, QRectF(30, 370, 160, 40)}};
+        std::vector<Callout> callouts;
         for (const QPointF& at :
              {QPointF(22, 22), QPointF(24, 200), QPointF(60, 40), QPointF(518, 30),
               QPointF(519, 419), QPointF(25, 415), QPointF(100, 390), QPointF(300, 21)}) {
-            flags.push_back({at, static_cast<int>(flags.size()) + 1, "−12.5 %"});
+            callouts.push_back({at, static_cast<int>(callouts.size()) + 1, "−12.5 %"});
         }
-        flags.push_back({{10, 200}, 9, "+1.0 %"});  // under the ruler
-        const auto plates = flagPlates(kFont, room, flags);
-        QCOMPARE(plates.size(), flags.size());
-        QVERIFY(plates.back().isEmpty());
+        callouts.push_back({{10, 200}, 9, "+1.0 %"});  // under the ruler
+        const auto boxes = calloutBoxes(kFont, room, callouts);
+        QCOMPARE(boxes.size(), callouts.size());
+        QVERIFY(boxes.back().isEmpty());
         std::vector<QRectF> all = room.taken;
-        for (std::size_t i = 0; i + 1 < plates.size(); ++i) {
-            QVERIFY2(kView.contains(plates[i]), qPrintable(QString::number(i + 1)));
-            all.push_back(plates[i]);
+        for (std::size_t i = 0; i + 1 < boxes.size(); ++i) {
+            QVERIFY2(kView.contains(boxes[i]), qPrintable(QString::number(i + 1)));
+            all.push_back(boxes[i]);
         }
         QVERIFY(!anyMeet(all));
     }
 };
 
-TOILE_WINDOW_TEST(PlatesTest)
+TOILE_WINDOW_TEST(NameLabelsTest)
 #include "plates_test.moc"

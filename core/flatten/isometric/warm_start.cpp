@@ -26,18 +26,18 @@ namespace {
 /// Motion of the outline, in parts of its mean edge, that the interior need not follow.
 constexpr double kStill = 1e-9;
 /// Energy above 1 up to which a start is taken: so many times that before the edit, or so much. An
-/// edit that folds or squeezes the carried positions makes the way down longer than the usual one.
-constexpr double kMostGrowth = 2;
+/// edit that folds or squeezes the warm positions makes the way down longer than the usual one.
+constexpr double kMaxGrowth = 2;
 constexpr double kSlightExcess = 0.05;
 /// And never from here on: the mean strain is beyond thirtyfold.
 constexpr double kSqueezed = 1e3;
 
-/// Between two sides that are parted, in parts of the barrier's reach.
+/// Between two sides that are parted, in parts of the barrier's radius.
 constexpr double kGap = 0.7;
-constexpr int kMostPartings = 5;
-constexpr int kCarriedPasses = 4;
+constexpr int kMaxPartings = 5;
+constexpr int kWarmPasses = 4;
 /// Part of the vertices that a small edit leaves where they were in space.
-constexpr double kMostStay = 0.9;
+constexpr double kMaxStay = 0.9;
 /// Of a coarse piece: vertices from which one is made, and times the tolerance.
 constexpr int kFewVertices = 200;
 constexpr double kCoarseTolerance = 3;
@@ -45,22 +45,22 @@ constexpr double kCoarseTolerance = 3;
 constexpr double kFarLength = 0.5;
 
 double mostEnergy(double before) {
-    return std::min(kSqueezed, 1 + std::max(kSlightExcess, kMostGrowth * (before - 1)));
+    return std::min(kSqueezed, 1 + std::max(kSlightExcess, kMaxGrowth * (before - 1)));
 }
 
 /// The interior follows the outline's motion harmonically.
-std::optional<Points2> following(const Piece& piece, const Points2& carried, const Points2& outline,
+std::optional<Points2> following(const Piece& piece, const Points2& warm, const Points2& outline,
                                  const Progress& progress) {
     const auto interior = ConformalInterior::make(piece, progress);
     if (!interior) {
         return std::nullopt;
     }
-    const Points2 motion = outline - carried;
+    const Points2 motion = outline - warm;
     const auto followed = interior->extend(motion(piece.boundary, Eigen::all));
     if (!followed) {
         return std::nullopt;
     }
-    Points2 moved = carried + *followed;
+    Points2 moved = warm + *followed;
     moved(piece.boundary, Eigen::all) = outline(piece.boundary, Eigen::all);  // to the last digit
     return moved;
 }
@@ -69,8 +69,8 @@ std::optional<Points2> following(const Piece& piece, const Points2& carried, con
 /// @return false where the outline crosses or touches itself still
 bool partedWithLengths(const Piece& piece, const LengthConstraints& constraints,
                        const Eigen::VectorXd& lengths, Points2& Q) {
-    const Eigen::VectorXd gap = kGap * OutlineBarrier(piece.boundary, lengths).reach();
-    for (int k = 0; k < kMostPartings; ++k) {
+    const Eigen::VectorXd gap = kGap * OutlineBarrier(piece.boundary, lengths).radius();
+    for (int k = 0; k < kMaxPartings; ++k) {
         partCutSides(piece, gap, Q);
         if (!constraints.restore(Q)) {
             return false;
@@ -109,10 +109,10 @@ std::vector<int> mates(const Piece& piece) {
 
 }  // namespace
 
-CarriedStart::CarriedStart(const Piece& piece, const FlatteningMemory& memory)
+WarmStart::WarmStart(const Piece& piece, const FlatteningMemory& memory)
     : piece_(piece), memory_(memory), match_(matchVersions(piece, *memory.flattened)) {}
 
-std::optional<Points2> CarriedStart::positions(const Progress& progress) const {
+std::optional<Points2> WarmStart::positions(const Progress& progress) const {
     auto start = startFrom(*memory_.Q, false, progress);
     if (!start && memory_.simple && memory_.simple != memory_.Q) {
         start = startFrom(*memory_.simple, false, progress);
@@ -120,8 +120,8 @@ std::optional<Points2> CarriedStart::positions(const Progress& progress) const {
     return start;
 }
 
-std::optional<Points2> CarriedStart::simplePositions(const Points2& crossing,
-                                                     const Progress& progress) const {
+std::optional<Points2> WarmStart::simplePositions(const Points2& crossing,
+                                                  const Progress& progress) const {
     auto parted = fitted(crossing, true, progress);
     if (parted || !memory_.simple) {
         return parted;
@@ -129,24 +129,23 @@ std::optional<Points2> CarriedStart::simplePositions(const Points2& crossing,
     return startFrom(*memory_.simple, true, progress);
 }
 
-std::optional<Points2> CarriedStart::startFrom(const Points2& before, bool apart,
-                                               const Progress& progress) const {
-    const auto carried = carriedOver(match_, *memory_.flattened, before);
-    return carried ? fitted(*carried, apart, progress) : std::nullopt;
+std::optional<Points2> WarmStart::startFrom(const Points2& before, bool apart,
+                                            const Progress& progress) const {
+    const auto warm = carriedOver(match_, *memory_.flattened, before);
+    return warm ? fitted(*warm, apart, progress) : std::nullopt;
 }
 
-std::optional<Points2> CarriedStart::fitted(const Points2& carried, bool apart,
-                                            const Progress& progress) const {
+std::optional<Points2> WarmStart::fitted(const Points2& warm, bool apart,
+                                         const Progress& progress) const {
     if (progress.isCancelled()) {
         return std::nullopt;
     }
     const Eigen::VectorXd lengths = boundaryLengths3d(piece_.mesh.V, piece_.boundary);
     const LengthConstraints constraints(piece_.boundary, lengths);
-    if (constraints.residual(carried).cwiseQuotient(lengths).lpNorm<Eigen::Infinity>() >
-        kFarLength) {
+    if (constraints.residual(warm).cwiseQuotient(lengths).lpNorm<Eigen::Infinity>() > kFarLength) {
         return std::nullopt;
     }
-    Points2 start = carried;
+    Points2 start = warm;
     if (!(apart ? partedWithLengths(piece_, constraints, lengths, start)
                 : constraints.restore(start))) {
         return std::nullopt;
@@ -158,8 +157,8 @@ std::optional<Points2> CarriedStart::fitted(const Points2& carried, bool apart,
     }
     const SymmetricDirichlet energy(piece_.mesh, piece_.table);
     double least = energy.energy(start);
-    if ((start - carried).lpNorm<Eigen::Infinity>() > kStill * lengths.mean()) {
-        auto moved = following(piece_, carried, start, progress);
+    if ((start - warm).lpNorm<Eigen::Infinity>() > kStill * lengths.mean()) {
+        auto moved = following(piece_, warm, start, progress);
         if (const double other = moved ? energy.energy(*moved) : least; other < least) {
             start = std::move(*moved);
             least = other;
@@ -168,18 +167,17 @@ std::optional<Points2> CarriedStart::fitted(const Points2& carried, bool apart,
     if (!(least < mostEnergy(memory_.distortion)) || progress.isCancelled()) {
         return std::nullopt;
     }
-    energy.relax(start, piece_.boundary, kCarriedPasses, progress);
+    energy.relax(start, piece_.boundary, kWarmPasses, progress);
     return start;
 }
 
-std::optional<IsometricStart> CarriedStart::fromCoarse(double tolerance,
-                                                       const Progress& progress) const {
-    const auto carried = carriedOver(match_, *memory_.flattened, *memory_.Q);
-    if (!carried || piece_.mesh.V.rows() < kFewVertices || !isSmallEdit() ||
-        progress.isCancelled()) {
+std::optional<IsometricStart> WarmStart::fromCoarse(double tolerance,
+                                                    const Progress& progress) const {
+    const auto warm = carriedOver(match_, *memory_.flattened, *memory_.Q);
+    if (!warm || piece_.mesh.V.rows() < kFewVertices || !isSmallEdit() || progress.isCancelled()) {
         return std::nullopt;
     }
-    const Coarsening coarsening(piece_.mesh, piece_.boundary, *carried, progress);
+    const Coarsening coarsening(piece_.mesh, piece_.boundary, *warm, progress);
     if (!coarsening.savesWork() || progress.isCancelled()) {
         return std::nullopt;
     }
@@ -197,29 +195,29 @@ std::optional<IsometricStart> CarriedStart::fromCoarse(double tolerance,
     options.tolerance = kCoarseTolerance * tolerance;
     auto lowest =
         lowerFromCoarse(coarse.mesh, coarse.table, coarse.boundary, flat->Q, options, progress);
-    auto fine = lowest ? coarsening.followed(*carried, lowest->Q) : std::nullopt;
+    auto fine = lowest ? coarsening.followed(*warm, lowest->Q) : std::nullopt;
     if (!fine || progress.isCancelled()) {
         return std::nullopt;
     }
     SymmetricDirichlet(piece_.mesh, piece_.table)
-        .relax(*fine, piece_.boundary, kCarriedPasses, progress);
+        .relax(*fine, piece_.boundary, kWarmPasses, progress);
     return IsometricStart{std::move(*fine), std::move(lowest->multipliers)};
 }
 
-bool CarriedStart::isSmallEdit() const {
+bool WarmStart::isSmallEdit() const {
     const Points3& before = memory_.flattened->mesh.V;
     int stay = 0;
     for (std::size_t v = 0; v < match_.vertex.size(); ++v) {
         const int was = match_.vertex[v];
         stay += was >= 0 && piece_.mesh.V.row(static_cast<Eigen::Index>(v)) == before.row(was);
     }
-    return stay >= kMostStay * static_cast<double>(match_.vertex.size());
+    return stay >= kMaxStay * static_cast<double>(match_.vertex.size());
 }
 
-Eigen::VectorXd CarriedStart::multipliers() const {
+Eigen::VectorXd WarmStart::multipliers() const {
     const std::vector<int>& boundary = piece_.boundary;
     const std::vector<int>& before = memory_.flattened->boundary;
-    Eigen::VectorXd pulls = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(boundary.size()));
+    Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(boundary.size()));
     std::vector<int> place(static_cast<std::size_t>(memory_.flattened->mesh.V.rows()), -1);
     for (std::size_t i = 0; i < before.size(); ++i) {
         place[before[i]] = static_cast<int>(i);
@@ -229,13 +227,13 @@ Eigen::VectorXd CarriedStart::multipliers() const {
         const int w = match_.vertex[boundary[(i + 1) % boundary.size()]];
         const int at = v >= 0 ? place[v] : -1;
         if (w >= 0 && at >= 0 && before[(static_cast<std::size_t>(at) + 1) % before.size()] == w) {
-            pulls[static_cast<Eigen::Index>(i)] = (*memory_.multipliers)[at];
+            multipliers[static_cast<Eigen::Index>(i)] = (*memory_.multipliers)[at];
         }
     }
-    return pulls;
+    return multipliers;
 }
 
-std::shared_ptr<const KktModel> CarriedStart::model() const {
+std::shared_ptr<const KktModel> WarmStart::model() const {
     const Piece& before = *memory_.flattened;
     const bool same = piece_.mesh.V.rows() == before.mesh.V.rows() &&
                       piece_.mesh.F.rows() == before.mesh.F.rows() &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the stages of the crosses share. Joined in front of them.
-const float kLeastShare = 0.1;  // of the full length, so that a place without strain is seen too
+// What the stages of the glyphs share. Joined in front of them.
+const float kMinShare = 0.1;  // of the full length, so that a place without strain is seen too
 
 uniform vec2 overlayRange;  // strains at the two ends of the colour bar, percent
 
@@ -11,5 +11,5 @@ float strokeSeverity(float strain) {
 
 // Length of a stroke, as a part of the longest.
 float strokeShare(float strain) {
-    return clamp(strokeSeverity(strain), kLeastShare, 1.0);
+    return clamp(strokeSeverity(strain), kMinShare, 1.0);
 }

@@ -9,30 +9,30 @@
 
 namespace toile {
 
-/// A way from loop vertex `from` to loop vertex `to` of the outline, with the piece's vertices.
-struct InnerWay {
+/// A path from loop vertex `from` to loop vertex `to` of the outline, with the piece's vertices.
+struct InteriorPath {
     int from, to;  ///< indices into Piece::boundary
     std::vector<int> path;
     double length;  ///< mm
 };
 
-/// Shortest ways along edges through the inside of a piece: they touch the outline only at their
+/// Shortest paths along edges through the inside of a piece: they touch the outline only at their
 /// ends, and no hole's rim. Keeps a reference to the piece. One thread at a time: searches share
 /// their workspace.
-class InnerWays {
+class InteriorPaths {
 public:
     /// Cost: linear.
-    explicit InnerWays(const Piece& piece);
+    explicit InteriorPaths(const Piece& piece);
 
-    /// For each target that can be reached, in order: the way from the nearest source. Equal ways
+    /// For each target that can be reached, in order: the path from the nearest source. Equal paths
     /// are decided by index.
     /// @param sources, targets  indices into Piece::boundary
-    /// @param longest           mm: longer ways are left out, the others are the same as without
+    /// @param longest           mm: longer paths are left out, the others are the same as without
     /// Cost: O(m log m) for the m edges within `longest` of the sources, and the targets.
-    std::vector<InnerWay> find(const std::vector<int>& sources, const std::vector<int>& targets,
-                               double longest = std::numeric_limits<double>::infinity());
+    std::vector<InteriorPath> find(const std::vector<int>& sources, const std::vector<int>& targets,
+                                   double longest = std::numeric_limits<double>::infinity());
 
-    /// Whether the last find() may have left out longer ways.
+    /// Whether the last find() may have left out longer paths.
     bool hasLeftOut() const { return hasLeftOut_; }
 
 private:

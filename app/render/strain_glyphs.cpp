@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/render/stretch_crosses.h"
+#include "app/render/strain_glyphs.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,7 +15,7 @@ namespace toile::app {
 
 namespace {
 
-constexpr double kMostCrosses = 40000;
+constexpr double kMaxCrosses = 40000;
 /// Levels of density: each has half of the places of the one before, as the black squares of a
 /// chessboard are of all, and the next again upright.
 constexpr int kLevels = 24;
@@ -47,7 +47,7 @@ double finestSpacing(const Scene& scene) {
     for (const FaceValues& face : scene.faces) {
         area += static_cast<double>(face.flatArea);
     }
-    const double count = std::min(kMostCrosses, static_cast<double>(scene.faces.size()));
+    const double count = std::min(kMaxCrosses, static_cast<double>(scene.faces.size()));
     return count > 0 && area > 0 ? std::sqrt(area / count) : 1.0;
 }
 
@@ -86,7 +86,7 @@ std::vector<Place> placesOf(const Scene& scene, const PieceScene& piece, double 
     return places;
 }
 
-CrossVertex crossOf(const Scene& scene, std::size_t face, float index) {
+GlyphVertex glyphOf(const Scene& scene, std::size_t face, float index) {
     constexpr double kThird = 1.0 / 3;
     Eigen::Vector2d u[3], middle = Eigen::Vector2d::Zero();
     Eigen::Vector3d X[3], position3 = Eigen::Vector3d::Zero();
@@ -111,7 +111,7 @@ CrossVertex crossOf(const Scene& scene, std::size_t face, float index) {
     };
     const Eigen::Vector2d along = stretch.direction, across(-along.y(), along.x());
 
-    CrossVertex vertex{};
+    GlyphVertex vertex{};
     Eigen::Map<Eigen::Vector3f>(vertex.position) = position3.cast<float>();
     Eigen::Map<Eigen::Vector2f>(vertex.flat) = middle.cast<float>();
     Eigen::Map<Eigen::Vector2f>(vertex.flatAlong) = along.cast<float>();
@@ -125,26 +125,26 @@ CrossVertex crossOf(const Scene& scene, std::size_t face, float index) {
 
 }  // namespace
 
-CrossRun crossesAt(const StretchCrosses& crosses, double leastSpacing) {
-    if (crosses.counts.empty()) {
+GlyphRange glyphsAt(const StrainGlyphs& glyphs, double leastSpacing) {
+    if (glyphs.counts.empty()) {
         return {};
     }
     std::size_t level = 0;
-    double spacing = crosses.finest;
-    while (spacing < leastSpacing && level + 1 < crosses.counts.size()) {
+    double spacing = glyphs.finest;
+    while (spacing < leastSpacing && level + 1 < glyphs.counts.size()) {
         spacing *= std::numbers::sqrt2;
         ++level;
     }
-    return {crosses.counts[level], spacing};
+    return {glyphs.counts[level], spacing};
 }
 
-StretchCrosses makeStretchCrosses(const Scene& scene) {
-    StretchCrosses crosses;
-    crosses.finest = finestSpacing(scene);
+StrainGlyphs makeStrainGlyphs(const Scene& scene) {
+    StrainGlyphs glyphs;
+    glyphs.finest = finestSpacing(scene);
     std::vector<std::pair<int, Place>> places;  // with their pieces
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         if (scene.pieces[i].flat) {
-            for (const Place& place : placesOf(scene, scene.pieces[i], crosses.finest)) {
+            for (const Place& place : placesOf(scene, scene.pieces[i], glyphs.finest)) {
                 places.emplace_back(static_cast<int>(i), place);
             }
         }
@@ -154,15 +154,15 @@ StretchCrosses makeStretchCrosses(const Scene& scene) {
         return std::pair(-a.second.level(), a.second.face) <
                std::pair(-b.second.level(), b.second.face);
     });
-    crosses.vertices.reserve(places.size());
-    crosses.counts.assign(kLevels, 0);
+    glyphs.vertices.reserve(places.size());
+    glyphs.counts.assign(kLevels, 0);
     for (const auto& [piece, place] : places) {
-        crosses.vertices.push_back(crossOf(scene, place.face, static_cast<float>(piece)));
+        glyphs.vertices.push_back(glyphOf(scene, place.face, static_cast<float>(piece)));
         for (int level = 0; level <= place.level(); ++level) {
-            ++crosses.counts[static_cast<std::size_t>(level)];
+            ++glyphs.counts[static_cast<std::size_t>(level)];
         }
     }
-    return crosses;
+    return glyphs;
 }
 
 }  // namespace toile::app

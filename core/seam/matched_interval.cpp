@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/seam/run.h"
+#include "core/seam/matched_interval.h"
 
 #include <algorithm>
 #include <array>
@@ -9,20 +9,21 @@ namespace toile {
 namespace {
 
 // An end is a tip where its two sides are at most this many local edges apart on the outline.
-constexpr double kTipReach = 1.05;
+constexpr double kFoldEndRadius = 1.05;
 
-Facing between(const Facing& p, const Facing& q, double t) {
+Correspondence between(const Correspondence& p, const Correspondence& q, double t) {
     return {p.a + t * (q.a - p.a), p.b + t * (q.b - p.b), p.gap + t * (q.gap - p.gap)};
 }
 
 /// The facing places at a place on one side; that side runs upwards times `sign`.
-Facing facingAt(const std::vector<Facing>& line, double Facing::*side, double sign, double s) {
-    const auto next = std::ranges::lower_bound(line, sign * s, {},
-                                               [&](const Facing& f) { return sign * f.*side; });
+Correspondence correspondenceAt(const std::vector<Correspondence>& line,
+                                double Correspondence::*side, double sign, double s) {
+    const auto next = std::ranges::lower_bound(
+        line, sign * s, {}, [&](const Correspondence& f) { return sign * f.*side; });
     if (next == line.begin() || next == line.end()) {
         return next == line.end() ? line.back() : line.front();
     }
-    const Facing& p = *(next - 1);
+    const Correspondence& p = *(next - 1);
     const double before = p.*side, after = *next.*side;
     return after != s ? between(p, *next, (s - before) / (after - before)) : *next;
 }
@@ -68,21 +69,21 @@ std::vector<Arc> ArcSet::outside(Arc arc) const {
     return parts;
 }
 
-Arc Run::arcB() const {
+Arc MatchedInterval::arcB() const {
     return parallel ? Arc{line.front().b, line.back().b} : Arc{line.back().b, line.front().b};
 }
 
-Facing Run::atA(double a) const {
-    return facingAt(line, &Facing::a, 1, a);
+Correspondence MatchedInterval::atA(double a) const {
+    return correspondenceAt(line, &Correspondence::a, 1, a);
 }
 
-Facing Run::atB(double b) const {
-    return facingAt(line, &Facing::b, parallel ? 1 : -1, b);
+Correspondence MatchedInterval::atB(double b) const {
+    return correspondenceAt(line, &Correspondence::b, parallel ? 1 : -1, b);
 }
 
-Run Run::part(Arc onA) const {
-    Run cut{outlineA, outlineB, parallel, certain, folded, stacked, {atA(onA.from)}};
-    auto next = std::ranges::upper_bound(line, onA.from, {}, &Facing::a);
+MatchedInterval MatchedInterval::part(Arc onA) const {
+    MatchedInterval cut{outlineA, outlineB, parallel, certain, folded, stacked, {atA(onA.from)}};
+    auto next = std::ranges::upper_bound(line, onA.from, {}, &Correspondence::a);
     for (; next != line.end() && next->a < onA.to; ++next) {
         cut.line.push_back(*next);
     }
@@ -92,12 +93,12 @@ Run Run::part(Arc onA) const {
     return cut;
 }
 
-Run Run::partOnB(Arc onB) const {
+MatchedInterval MatchedInterval::partOnB(Arc onB) const {
     const double first = atB(onB.from).a, second = atB(onB.to).a;
     return part({std::min(first, second), std::max(first, second)});
 }
 
-double Run::meanGap() const {
+double MatchedInterval::meanGap() const {
     double sum = 0;
     for (std::size_t k = 1; k < line.size(); ++k) {
         sum += (line[k].a - line[k - 1].a) * 0.5 * (line[k].gap + line[k - 1].gap);
@@ -105,28 +106,29 @@ double Run::meanGap() const {
     return length() > 0 ? sum / length() : line.front().gap;
 }
 
-double Run::spacing(const Outlines& outlines) const {
-    const Facing middle = atA(0.5 * (line.front().a + line.back().a));
+double MatchedInterval::spacing(const Outlines& outlines) const {
+    const Correspondence middle = atA(0.5 * (line.front().a + line.back().a));
     return 0.5 * (outlines.list[outlineA].spacingAt(middle.a) +
                   outlines.list[outlineB].spacingAt(middle.b));
 }
 
-Tips tipsOf(const Run& run, const Outlines& outlines) {
-    Tips tips;
-    if (run.outlineA != run.outlineB || run.parallel) {
-        return tips;
+FoldEnds foldEndsOf(const MatchedInterval& interval, const Outlines& outlines) {
+    FoldEnds foldEnds;
+    if (interval.outlineA != interval.outlineB || interval.parallel) {
+        return foldEnds;
     }
-    const Outline& outline = outlines.list[run.outlineA];
-    const auto meet = [&](const Facing& f, double step) {
-        // From the end of one side on to the end of the other, in the direction away from the run.
+    const Outline& outline = outlines.list[interval.outlineA];
+    const auto meet = [&](const Correspondence& f, double step) {
+        // From the end of one side on to the end of the other, in the direction away from the
+        // interval.
         const double apart = outline.wrap(step * (f.b - f.a));
-        const double reach = kTipReach * outline.spacingAt(f.a);
-        return apart < reach || outline.length() - apart < 0.01 * reach;
+        const double radius = kFoldEndRadius * outline.spacingAt(f.a);
+        return apart < radius || outline.length() - apart < 0.01 * radius;
     };
-    tips.end = meet(run.line.back(), 1);
-    tips.start = meet(run.line.front(), -1);
-    if (tips.start != tips.end) {
-        const Facing& f = tips.end ? run.line.back() : run.line.front();
+    foldEnds.end = meet(interval.line.back(), 1);
+    foldEnds.start = meet(interval.line.front(), -1);
+    if (foldEnds.start != foldEnds.end) {
+        const Correspondence& f = foldEnds.end ? interval.line.back() : interval.line.front();
         double apart = outline.wrap(f.b - f.a);
         apart = apart > 0.5 * outline.length() ? apart - outline.length() : apart;
         const double tip = outline.wrap(f.a + 0.5 * apart);
@@ -134,10 +136,10 @@ Tips tipsOf(const Run& run, const Outlines& outlines) {
         const bool first = tip - outline.arc[k] < outline.arc[k + 1] - tip;
         const bool atVertex =
             std::abs(outline.nearestVertex(tip) - tip) < 0.25 * outline.spacingAt(tip);
-        tips.angle =
+        foldEnds.angle =
             atVertex ? outline.angle[first ? k : outline.wrapIndex(k + 1)] : std::numbers::pi;
     }
-    return tips;
+    return foldEnds;
 }
 
 namespace {
@@ -152,13 +154,13 @@ public:
     Chainer(const Outlines& outlines, const std::vector<Contact>& contacts)
         : outlines_(outlines), contacts_(contacts), seen_(contacts.size(), 0) {}
 
-    std::vector<Run> runs() {
-        std::vector<Run> found;
+    std::vector<MatchedInterval> intervals() {
+        std::vector<MatchedInterval> found;
         for (std::size_t c = 0; c < contacts_.size(); ++c) {
             if (!seen_[c]) {
-                Run run = walkFrom(static_cast<int>(c));
-                if (run.line.size() > 1) {
-                    found.push_back(std::move(run));
+                MatchedInterval interval = walkFrom(static_cast<int>(c));
+                if (interval.line.size() > 1) {
+                    found.push_back(std::move(interval));
                 }
             }
         }
@@ -173,50 +175,52 @@ private:
         bool swapped;
     };
 
-    Run walkFrom(int first) {
+    MatchedInterval walkFrom(int first) {
         const Contact& c = contacts_[first];
-        Run run;
-        run.outlineA = outlines_.outlineOf[c.a];
-        run.outlineB = outlines_.outlineOf[c.b];
-        run.parallel = c.parallel;
-        run.certain = true;
+        MatchedInterval interval;
+        interval.outlineA = outlines_.outlineOf[c.a];
+        interval.outlineB = outlines_.outlineOf[c.b];
+        interval.parallel = c.parallel;
+        interval.certain = true;
         std::vector<Step> todo{{first, outlines_.local(c.a), outlines_.local(c.b), false}};
         seen_[first] = 1;
         while (!todo.empty()) {
             const Step step = todo.back();
             todo.pop_back();
-            run.certain = run.certain && contacts_[step.contact].certain;
-            addFacing(run, step);
-            pushNeighbours(run, step, todo);
+            interval.certain = interval.certain && contacts_[step.contact].certain;
+            addCorrespondence(interval, step);
+            pushNeighbours(interval, step, todo);
         }
-        straighten(run);
-        const Tips tips = tipsOf(run, outlines_);
-        run.folded = tips.start != tips.end && tips.angle < kDartAngle && !run.certain;
-        return run;
+        straighten(interval);
+        const FoldEnds foldEnds = foldEndsOf(interval, outlines_);
+        interval.folded =
+            foldEnds.start != foldEnds.end && foldEnds.angle < kDartAngle && !interval.certain;
+        return interval;
     }
 
-    void addFacing(Run& run, const Step& step) const {
+    void addCorrespondence(MatchedInterval& interval, const Step& step) const {
         const Contact& c = contacts_[step.contact];
-        const double a = outlines_.list[run.outlineA].arcOf(step.i);
-        const double b = outlines_.list[run.outlineB].arcOf(step.j);
-        run.line.push_back(
+        const double a = outlines_.list[interval.outlineA].arcOf(step.i);
+        const double b = outlines_.list[interval.outlineB].arcOf(step.j);
+        interval.line.push_back(
             {a + (step.swapped ? c.b0 : c.a0), b + (step.swapped ? c.a0 : c.b0), c.gap0});
-        run.line.push_back(
+        interval.line.push_back(
             {a + (step.swapped ? c.b1 : c.a1), b + (step.swapped ? c.a1 : c.b1), c.gap1});
     }
 
-    void pushNeighbours(const Run& run, const Step& step, std::vector<Step>& todo) {
-        const int along = run.parallel ? 1 : -1;
+    void pushNeighbours(const MatchedInterval& interval, const Step& step,
+                        std::vector<Step>& todo) {
+        const int along = interval.parallel ? 1 : -1;
         const std::array<std::array<int, 2>, 6> moves{
             {{1, 0}, {0, along}, {1, along}, {-1, 0}, {0, -along}, {-1, -along}}};
         for (const auto& [di, dj] : moves) {
             const int i = step.i + di, j = step.j + dj;
-            const int a =
-                outlines_.firstEdge[run.outlineA] + outlines_.list[run.outlineA].wrapIndex(i);
-            const int b =
-                outlines_.firstEdge[run.outlineB] + outlines_.list[run.outlineB].wrapIndex(j);
+            const int a = outlines_.firstEdge[interval.outlineA] +
+                          outlines_.list[interval.outlineA].wrapIndex(i);
+            const int b = outlines_.firstEdge[interval.outlineB] +
+                          outlines_.list[interval.outlineB].wrapIndex(j);
             const int next = find(std::min(a, b), std::max(a, b));
-            if (next >= 0 && !seen_[next] && contacts_[next].parallel == run.parallel) {
+            if (next >= 0 && !seen_[next] && contacts_[next].parallel == interval.parallel) {
                 seen_[next] = 1;
                 todo.push_back({next, i, j, a > b});
             }
@@ -232,29 +236,29 @@ private:
 
     /// Puts the facing places in order along the seam and takes out what runs back: at corners of
     /// differently sampled outlines neighbouring contacts overlap a little.
-    void straighten(Run& run) const {
-        const double sign = run.parallel ? 1 : -1;
-        std::vector<Facing>& line = run.line;
-        std::ranges::sort(line, {},
-                          [sign](const Facing& f) { return std::pair(f.a + sign * f.b, f.a); });
+    void straighten(MatchedInterval& interval) const {
+        const double sign = interval.parallel ? 1 : -1;
+        std::vector<Correspondence>& line = interval.line;
+        std::ranges::sort(
+            line, {}, [sign](const Correspondence& f) { return std::pair(f.a + sign * f.b, f.a); });
         for (std::size_t k = 1; k < line.size(); ++k) {
             line[k].a = std::max(line[k].a, line[k - 1].a);
             line[k].b = sign * std::max(sign * line[k].b, sign * line[k - 1].b);
         }
-        const double tiny = 1e-9 * outlines_.list[run.outlineA].spacingAt(line.front().a);
+        const double tiny = 1e-9 * outlines_.list[interval.outlineA].spacingAt(line.front().a);
         line.erase(std::unique(line.begin(), line.end(),
-                               [tiny](const Facing& p, const Facing& q) {
+                               [tiny](const Correspondence& p, const Correspondence& q) {
                                    return std::abs(q.a - p.a) <= tiny &&
                                           std::abs(q.b - p.b) <= tiny;
                                }),
                    line.end());
         // A seam that closes may overlap itself by a rounding error or a corner: once round is all.
-        const bool self = run.outlineA == run.outlineB;
-        const double used = run.length() + (self ? run.lengthB() : 0.0);
-        const double there = outlines_.list[run.outlineA].length();
+        const bool self = interval.outlineA == interval.outlineB;
+        const double used = interval.length() + (self ? interval.lengthB() : 0.0);
+        const double there = outlines_.list[interval.outlineA].length();
         if (used > there) {
             const double from = line.front().a;
-            run = run.part({from, from + run.length() * there / used});
+            interval = interval.part({from, from + interval.length() * there / used});
         }
     }
 
@@ -265,8 +269,9 @@ private:
 
 }  // namespace
 
-std::vector<Run> chainContacts(const Outlines& outlines, const std::vector<Contact>& contacts) {
-    return Chainer(outlines, contacts).runs();
+std::vector<MatchedInterval> chainContacts(const Outlines& outlines,
+                                           const std::vector<Contact>& contacts) {
+    return Chainer(outlines, contacts).intervals();
 }
 
 }  // namespace toile

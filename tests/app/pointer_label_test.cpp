@@ -18,16 +18,16 @@ using namespace toile;
 using namespace toile::app;
 using test::countPixels;
 
-class PointerPlateTest : public test::PointerBench {
+class PointerLabelTest : public test::PointerBench {
     Q_OBJECT
 
 private slots:
-    void thePlateTellsWhatIsUnderThePointer() {
+    void theLabelTellsWhatIsUnderThePointer() {
         const int seam = firstSeam();
         const Seam& sewn = document().garment()->seams.seams[std::size_t(seam)];
         moveTo(patternView(), onPatternSeam(seam, 0));
-        QVERIFY(plate(patternView()).isVisible());
-        const QString text = plate(patternView()).text();
+        QVERIFY(label(patternView()).isVisible());
+        const QString text = label(patternView()).text();
         QVERIFY2(text.startsWith(QString::fromStdString(sewn.name)), qPrintable(text));
         QVERIFY2(text.contains(QString::number(sewn.length3d[0], 'f', 1) + " / " +
                                QString::number(sewn.length3d[1], 'f', 1) + " mm"),
@@ -35,50 +35,50 @@ private slots:
         QVERIFY2(text.contains("Δ"), qPrintable(text));
 
         moveTo(patternView(), onPatternPiece(0));
-        QVERIFY(plate(patternView()).text().startsWith("narrow · "));
-        QVERIFY(plate(patternView()).text().endsWith(" cm²"));
+        QVERIFY(label(patternView()).text().startsWith("narrow · "));
+        QVERIFY(label(patternView()).text().endsWith(" cm²"));
         moveTo(patternView(), {3, patternView().height() - 90.0});
-        QVERIFY(!plate(patternView()).isVisible());
+        QVERIFY(!label(patternView()).isVisible());
         QVERIFY(!document().hover());
     }
 
-    void thePlateLeavesNoPictureOfItselfBehind() {
+    void theLabelLeavesNoPictureOfItselfBehind() {
         // On the screen: what the view itself draws is not what a person sees.
         QWidget& view = patternView();
         const QColor ground = QToolTip::palette().color(QPalette::ToolTipBase);
         const auto screenshot = [&]() -> QImage {
             return fixture_.window().screen()->grabWindow(fixture_.window().winId()).toImage();
         };
-        const auto platePixels = [&] { return countPixels(screenshot(), ground, 0); };
+        const auto labelPixels = [&] { return countPixels(screenshot(), ground, 0); };
         const auto isThere = [&] {
-            const QPoint corner = plate(view).mapTo(&fixture_.window(), QPoint(3, 3));
+            const QPoint corner = label(view).mapTo(&fixture_.window(), QPoint(3, 3));
             return screenshot().pixelColor(corner) == ground;
         };
-        const int before = platePixels();
+        const int before = labelPixels();
         const QPointF middle = onPatternPiece(0);
         const auto onPiece = [&](double y) { return middle + QPointF(0, y); };
         moveTo(view, onPiece(-60));
         QTRY_VERIFY_WITH_TIMEOUT(isThere(), test::kPatience);
-        QTRY_VERIFY_WITH_TIMEOUT(platePixels() > before + 200, test::kPatience);
-        const int one = platePixels() - before;
+        QTRY_VERIFY_WITH_TIMEOUT(labelPixels() > before + 200, test::kPatience);
+        const int one = labelPixels() - before;
         for (const double y : {-20.0, 20.0, 60.0}) {
             moveTo(view, onPiece(y));
-            QVERIFY(plate(view).isVisible());
+            QVERIFY(label(view).isVisible());
             QTRY_VERIFY_WITH_TIMEOUT(isThere(), test::kPatience);
-            QTRY_VERIFY2_WITH_TIMEOUT(platePixels() - before <= 1.2 * one,
+            QTRY_VERIFY2_WITH_TIMEOUT(labelPixels() - before <= 1.2 * one,
                                       "one plate, at the pointer", test::kPatience);
         }
         leave(view);
-        QTRY_COMPARE_WITH_TIMEOUT(platePixels(), before, test::kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(labelPixels(), before, test::kPatience);
     }
 
-    void thePlateDoesNotStayWhereTheCameraMoves() {
+    void theLabelDoesNotStayWhereTheCameraMoves() {
         const auto isGone = [&](QWidget& view) {
-            return !plate(view).isVisible() && !document().hover();
+            return !label(view).isVisible() && !document().hover();
         };
         const auto point = [&] {
             moveTo(patternView(), onPatternPiece(0));
-            return plate(patternView()).isVisible();
+            return label(patternView()).isVisible();
         };
         QVERIFY(point());
         fixture_.action(ActionId::Frame).trigger();
@@ -87,7 +87,7 @@ private slots:
         fixture_.window().resize(fixture_.window().size() - QSize(120, 60));
         QTRY_VERIFY_WITH_TIMEOUT(isGone(patternView()), test::kPatience);
         moveTo(garmentView(), garmentView().rect().center());
-        QVERIFY(plate(garmentView()).isVisible());
+        QVERIFY(label(garmentView()).isVisible());
         garmentView().look(ViewKey::Opposite);
         QVERIFY(isGone(garmentView()));
         // The wheel turns where the pointer is: what is there now is told.
@@ -95,13 +95,13 @@ private slots:
         QVERIFY(point());
         zoomIn(patternView(), 40);
         const auto there = patternView().hitAt(patternView().rect().center());
-        QVERIFY(there ? plate(patternView()).isVisible() : isGone(patternView()));
+        QVERIFY(there ? label(patternView()).isVisible() : isGone(patternView()));
     }
 
-    void thePlateTellsTheOverlaysValueAsTheBarDoes() {
+    void theLabelTellsTheOverlaysValueAsTheBarDoes() {
         const auto& bar = fixture_.find<ColourBar>("colourBar");
         const auto tellsTheSame = [&](QWidget& view) {
-            return !bar.valueText().isEmpty() && plate(view).text().contains(bar.valueText());
+            return !bar.valueText().isEmpty() && label(view).text().contains(bar.valueText());
         };
         const QPointF middle = onPatternPiece(0);
         fixture_.action(ActionId::OverlayArea).trigger();
@@ -109,21 +109,21 @@ private slots:
         for (int i = -5; i <= 5; ++i) {
             moveTo(patternView(), middle + QPointF(0, 20 * i));
             if (document().hover() && document().hover()->kind == Feature::Kind::Piece) {
-                QVERIFY2(tellsTheSame(patternView()), qPrintable(plate(patternView()).text()));
-                texts << plate(patternView()).text();
+                QVERIFY2(tellsTheSame(patternView()), qPrintable(label(patternView()).text()));
+                texts << label(patternView()).text();
             }
         }
         QVERIFY2(texts.size() > 1, "it is another value at another place");
         moveTo(patternView(), middle);
-        QVERIFY(!plate(patternView()).text().contains("limit"));  // no fabric limits areas
+        QVERIFY(!label(patternView()).text().contains("limit"));  // no fabric limits areas
         fixture_.action(ActionId::OverlayWarp).trigger();
         QVERIFY(tellsTheSame(patternView()));
-        QVERIFY(plate(patternView()).text().contains("Strain along warp"));
-        QVERIFY(plate(patternView()).text().contains("(limit "));
+        QVERIFY(label(patternView()).text().contains("Strain along warp"));
+        QVERIFY(label(patternView()).text().contains("(limit "));
         moveTo(garmentView(), garmentView().rect().center());
         QVERIFY(tellsTheSame(garmentView()));
         fixture_.action(ActionId::OverlayChecker).trigger();
-        QVERIFY(plate(garmentView()).text().endsWith("cm²"));
+        QVERIFY(label(garmentView()).text().endsWith("cm²"));
 
         // From near by, of a vertex.
         fixture_.action(ActionId::OverlayArea).trigger();
@@ -141,8 +141,8 @@ private slots:
         moveTo(patternView(), near(0.01));
         QVERIFY(document().hover());
         QCOMPARE(document().hover()->kind, Feature::Kind::Vertex);
-        QVERIFY2(tellsTheSame(patternView()), qPrintable(plate(patternView()).text()));
-        QVERIFY(plate(patternView()).text().contains("Area change"));
+        QVERIFY2(tellsTheSame(patternView()), qPrintable(label(patternView()).text()));
+        QVERIFY(label(patternView()).text().contains("Area change"));
         const QString atVertex = bar.valueText();
         moveTo(patternView(), near(0.002));
         QCOMPARE(document().hover()->kind, Feature::Kind::Vertex);
@@ -164,25 +164,25 @@ private slots:
         QVERIFY(document().hover());
         QCOMPARE(document().hover()->kind, Feature::Kind::Vertex);
         QCOMPARE(document().hover()->vertex, piece.mesh.F(middle, 0));
-        const QString text = plate(patternView()).text();
+        const QString text = label(patternView()).text();
         QVERIFY2(text.startsWith("Vertex ") && text.contains("strain"), qPrintable(text));
-        QVERIFY(litInPattern() > 10);
-        QVERIFY(litInGarment() > 10);
+        QVERIFY(highlightedInPattern() > 10);
+        QVERIFY(highlightedInGarment() > 10);
         click(patternView(), corner());
         QVERIFY(document().mark());
         QCOMPARE(document().mark()->vertex, piece.mesh.F(middle, 0));
     }
 
-    void thePlateFollowsWhatItTells() {
+    void theLabelFollowsWhatItTells() {
         moveTo(patternView(), onPatternSeam(firstSeam(), 0));
-        QVERIFY(plate(patternView()).text().contains(" mm"));
+        QVERIFY(label(patternView()).text().contains(" mm"));
         LengthDisplay::instance().choose(LengthUnit::Inch);
-        const QString inches = plate(patternView()).text();
+        const QString inches = label(patternView()).text();
         LengthDisplay::instance().choose(LengthUnit::Millimetre);
         QVERIFY2(inches.contains(" in"), qPrintable(inches));
-        QVERIFY(!plate(patternView()).text().contains("on the garment"));
+        QVERIFY(!label(patternView()).text().contains("on the garment"));
         test::setResults(document(), PieceResults(2), document().scene());
-        QVERIFY(plate(patternView()).text().contains("on the garment"));  // nothing is flat
+        QVERIFY(label(patternView()).text().contains("on the garment"));  // nothing is flat
     }
 
     void aStretchIsSewnToWhatLiesOnIt() {
@@ -250,7 +250,7 @@ private slots:
         const auto beside = [&](const QImage& image, int x) {
             return image.pixelColor(QPoint(kRulerBreadth + x, kRulerBreadth + 21));
         };
-        constexpr int kInside = 9, kOutside = 3;  // of the plate, left of the words
+        constexpr int kInside = 9, kOutside = 3;  // of the label, left of the words
         const auto difference = [&](const QImage& image) {
             const QColor a = beside(image, kInside), b = beside(image, kOutside);
             return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) +
@@ -269,5 +269,5 @@ private slots:
     }
 };
 
-TOILE_WINDOW_TEST(PointerPlateTest)
+TOILE_WINDOW_TEST(PointerLabelTest)
 #include "pointer_plate_test.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/flatten/isometric/descent_pace.h"
+#include "core/flatten/isometric/refactorisation_policy.h"
 
 namespace toile {
 namespace {
@@ -16,11 +16,11 @@ constexpr double kOfAll = 10;
 
 constexpr std::size_t kKeptSteps = 4;
 /// Cosine between a step and its change of gradient from which on it tells something.
-constexpr double kLeastCosine = 1e-12;
+constexpr double kMinCosine = 1e-12;
 
 }  // namespace
 
-void DescentPace::count(double part, double promised, double fall, double renewingCost) {
+void RefactorisationPolicy::count(double part, double predicted, double fall, double renewingCost) {
     part_ = part;
     fall_ = fall;
     if (fresh_) {
@@ -32,23 +32,23 @@ void DescentPace::count(double part, double promised, double fall, double renewi
         fallen_ += fall;
         spent_ += 1;
         went_ = went_ || part >= kShortStep;
-        const bool kept = fall > kKeptShare * promised && fall < promised / kKeptShare;
+        const bool kept = fall > kKeptShare * predicted && fall < predicted / kKeptShare;
         fresh_ = part < kShortStep || (fall < fallen_ / spent_ && !kept);
     }
 }
 
-bool DescentPace::hasArrived(double tolerance) const {
+bool RefactorisationPolicy::hasArrived(double tolerance) const {
     return (!wasStopped() && fall_ <= kOfOne * tolerance) ||
            (fresh_ && went_ && fallen_ <= kOfAll * tolerance);
 }
 
-bool DescentPace::wasStopped() const {
+bool RefactorisationPolicy::wasStopped() const {
     return part_ < kShortStep;
 }
 
-void StepMemory::add(Points2 moved, Points2 turned) {
+void LbfgsHistory::add(Points2 moved, Points2 turned) {
     const double product = dot(moved, turned);
-    if (!(product > kLeastCosine * moved.norm() * turned.norm())) {
+    if (!(product > kMinCosine * moved.norm() * turned.norm())) {
         return;
     }
     if (steps_.size() == kKeptSteps) {
@@ -57,7 +57,7 @@ void StepMemory::add(Points2 moved, Points2 turned) {
     steps_.push_back({std::move(moved), std::move(turned), product});
 }
 
-std::vector<double> StepMemory::reduce(Points2& gradient) const {
+std::vector<double> LbfgsHistory::reduce(Points2& gradient) const {
     std::vector<double> taken(steps_.size());
     for (std::size_t k = steps_.size(); k-- > 0;) {
         taken[k] = dot(steps_[k].moved, gradient) / steps_[k].product;
@@ -66,7 +66,7 @@ std::vector<double> StepMemory::reduce(Points2& gradient) const {
     return taken;
 }
 
-void StepMemory::complete(const std::vector<double>& taken, Points2& step) const {
+void LbfgsHistory::complete(const std::vector<double>& taken, Points2& step) const {
     for (std::size_t k = 0; k < steps_.size(); ++k) {
         const double has = dot(steps_[k].turned, step) / steps_[k].product;
         step -= (taken[k] + has) * steps_[k].moved;

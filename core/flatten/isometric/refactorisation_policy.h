@@ -13,10 +13,10 @@ namespace toile {
 /// As long as steps with the old factorisation lower the objective by more than the average since,
 /// its own cost included, they are the cheaper way down; and where they keep their promises a new
 /// one would do no better. All O(1).
-class DescentPace {
+class RefactorisationPolicy {
 public:
     /// @param fresh  false where there is a factorisation to begin with
-    explicit DescentPace(bool fresh = true) : fresh_(fresh) {}
+    explicit RefactorisationPolicy(bool fresh = true) : fresh_(fresh) {}
 
     /// True where the next step is to be with a new factorisation.
     bool isFresh() const { return fresh_; }
@@ -26,7 +26,7 @@ public:
     /// @param part      of the step that was taken, above 0
     /// @param promised  fall of the objective  @param fall  that came
     /// @param renewingCost  what a factorisation costs, in steps with an old one
-    void count(double part, double promised, double fall, double renewingCost);
+    void count(double part, double predicted, double fall, double renewingCost);
 
     /// True where the last step, or all with one factorisation, brought hardly more than
     /// `tolerance`, and not because single triangles stopped them.
@@ -45,7 +45,7 @@ private:
 /// What the last steps of a descent told of the objective's curvature, by which a factorisation
 /// that is some steps old still gives good steps (L-BFGS, the two loops of [NW06] algorithm 7.4).
 /// Cost: linear in the unknowns for each step kept.
-class StepMemory {
+class LbfgsHistory {
 public:
     void clear() { steps_.clear(); }
     /// @param moved  by how much the unknowns changed  @param turned  and the gradient with them.

@@ -22,27 +22,27 @@ class Document;
 struct RenderStyle;
 
 /// A place that asks for a person's eye.
-struct Flag {
+struct Callout {
     QPointF at;          ///< logical pixels
     int number = 1;      ///< the same in every view
     QString text;        ///< "+12.4 %"
     bool faint = false;  ///< on the far side of the cloth
 };
 
-/// What flags may use of a view. Logical pixels.
-struct FlagRoom {
-    QRectF view;                  ///< flags outside of it are left out
-    std::vector<QRectF> taken{};  ///< by other words: plates stay beside them
+/// What callouts may use of a view. Logical pixels.
+struct CalloutRoom {
+    QRectF view;                  ///< callouts outside of it are left out
+    std::vector<QRectF> taken{};  ///< by other words: labels stay beside them
 };
 
-/// A ring at each place and beside it a plate with its number and text; see `flagPlates`.
-void paintFlags(QPainter& painter, const RenderStyle& style, const FlagRoom& room,
-                const std::vector<Flag>& flags);
+/// A ring at each place and beside it a label with its number and text; see `calloutBoxes`.
+void paintCallouts(QPainter& painter, const RenderStyle& style, const CalloutRoom& room,
+                   const std::vector<Callout>& callouts);
 
-/// The plates of the flags, one each: within the view and, where there is a way, neither on each
-/// other nor on what is taken. Empty rectangles for flags that are left out.
-std::vector<QRectF> flagPlates(const QFont& font, const FlagRoom& room,
-                               const std::vector<Flag>& flags);
+/// The labels of the callouts, one each: within the view and, where there is a way, neither on each
+/// other nor on what is taken. Empty rectangles for callouts that are left out.
+std::vector<QRectF> calloutBoxes(const QFont& font, const CalloutRoom& room,
+                                 const std::vector<Callout>& callouts);
 
 /// A ring around a place that a person has asked for: it reads on any cloth.
 void paintSpotRing(QPainter& painter, const RenderStyle& style, const QPointF& at);
@@ -63,9 +63,9 @@ struct SpotPlace {
 std::optional<SpotPlace> placeOfSpot(const WorstSpot& spot, const Camera3D& camera);
 SpotPlace placeOfSpot(const WorstSpot& spot, const Camera2D& camera, const SheetPlaces& places);
 
-/// Flags the spots, as far as they are of what the document shows and it wants them flagged.
-void paintSpotFlags(QPainter& painter, const RenderStyle& style, const FlagRoom& room,
-                    const Document& document, const FlaggedSpots& flagged,
-                    const std::function<std::optional<SpotPlace>(const WorstSpot&)>& place);
+/// Marks the spots, as far as they are of what the document shows and it wants them marked.
+void paintSpotCallouts(QPainter& painter, const RenderStyle& style, const CalloutRoom& room,
+                       const Document& document, const FlaggedSpots& flagged,
+                       const std::function<std::optional<SpotPlace>(const WorstSpot&)>& place);
 
 }  // namespace toile::app

@@ -6,7 +6,7 @@
 
 namespace toile::bench {
 
-/// Tables of performance.md about the road from file to files.
+/// Tables of performance.md about the pipeline from file to files.
 MarkdownTable endToEndTable(const Measurements& run);  ///< a row per garment and method
 MarkdownTable stageTable(const Measurements& run);     ///< of a million triangles, a row per stage
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/views/flags.h"
+#include "app/views/callouts.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -16,83 +16,84 @@ namespace toile::app {
 namespace {
 
 constexpr double kRing = 4.5;  ///< radius
-constexpr double kAway = 13;   ///< from the place to the plate, along both axes
+constexpr double kAway = 13;   ///< from the place to the label, along both axes
 constexpr double kPadding = 6;
-constexpr double kBadge = 17;   ///< width of the number's part of the plate
-constexpr int kMostSteps = 24;  ///< of half a plate, in search of a free place
+constexpr double kBadge = 17;  ///< width of the number's part of the label
+constexpr int kMaxSteps = 24;  ///< of half a label, in search of a free place
 
-bool overlaps(const QRectF& plate, const std::vector<QRectF>& taken) {
+bool overlaps(const QRectF& box, const std::vector<QRectF>& taken) {
     return std::ranges::any_of(
-        taken, [&plate](const QRectF& other) -> bool { return plate.intersects(other); });
+        taken, [&box](const QRectF& other) -> bool { return box.intersects(other); });
 }
 
 /// Above on the right, where nothing is in the way; else at another corner or farther off.
-QRectF plateFor(const QPointF& at, const QSizeF& size, const QRectF& view,
-                const std::vector<QRectF>& taken) {
+QRectF boxFor(const QPointF& at, const QSizeF& size, const QRectF& view,
+              const std::vector<QRectF>& taken) {
     for (const double away : {kAway, 2.5 * kAway, 4 * kAway}) {
         const double right = kAway, left = -kAway - size.width();
         const double above = -away - size.height(), below = away;
         for (const QPointF& corner : {QPointF(right, above), QPointF(left, above),
                                       QPointF(right, below), QPointF(left, below)}) {
-            const QRectF plate(at + corner, size);
-            if (view.contains(plate) && !overlaps(plate, taken)) {
-                return plate;
+            const QRectF box(at + corner, size);
+            if (view.contains(box) && !overlaps(box, taken)) {
+                return box;
             }
         }
     }
     // In a corner, or among many: pushed into the view, and up or down until it lies free.
-    QRectF plate(at + QPointF(kAway, -kAway - size.height()), size);
-    plate.moveLeft(std::max(view.left(), std::min(plate.left(), view.right() - size.width())));
+    QRectF box(at + QPointF(kAway, -kAway - size.height()), size);
+    box.moveLeft(std::max(view.left(), std::min(box.left(), view.right() - size.width())));
     const auto atHeight = [&](double top) -> QRectF {
         const double lowest = std::max(view.top(), view.bottom() - size.height());
-        return {QPointF(plate.left(), std::clamp(top, view.top(), lowest)), size};
+        return {QPointF(box.left(), std::clamp(top, view.top(), lowest)), size};
     };
-    for (int step = 0; step <= kMostSteps; ++step) {
+    for (int step = 0; step <= kMaxSteps; ++step) {
         for (const int way : {1, -1}) {
-            const QRectF moved = atHeight(plate.top() + way * step * size.height() / 2);
+            const QRectF moved = atHeight(box.top() + way * step * size.height() / 2);
             if (!overlaps(moved, taken)) {
                 return moved;
             }
         }
     }
-    return atHeight(plate.top());
+    return atHeight(box.top());
 }
 
-QFont flagFont(QFont font) {
+QFont calloutFont(QFont font) {
     font.setPointSizeF(std::max(6.5, font.pointSizeF() * 0.9));
     font.setWeight(QFont::DemiBold);
     return font;
 }
 
-/// The point of the plate where the line from the place ends.
-QPointF nearestOn(const QRectF& plate, const QPointF& at) {
-    return {std::clamp(at.x(), plate.left() + 3, plate.right() - 3),
-            std::clamp(at.y(), plate.top(), plate.bottom())};
+/// The point of the label where the line from the place ends.
+QPointF nearestOn(const QRectF& box, const QPointF& at) {
+    return {std::clamp(at.x(), box.left() + 3, box.right() - 3),
+            std::clamp(at.y(), box.top(), box.bottom())};
 }
 
-void paintFlag(QPainter& painter, const RenderStyle& style, const Flag& flag, const QRectF& plate) {
+void paintCallout(QPainter& painter, const RenderStyle& style, const Callout& callout,
+                  const QRectF& box) {
     painter.save();
-    painter.setOpacity(flag.faint ? 0.5 : 1.0);
-    const QPointF end = nearestOn(plate, flag.at);
-    QColor halo = style.plate;
+    painter.setOpacity(callout.faint ? 0.5 : 1.0);
+    const QPointF end = nearestOn(box, callout.at);
+    QColor halo = style.labelFill;
     halo.setAlpha(230);
     for (const auto& [colour, width] : {std::pair(halo, 4.0), std::pair(style.text, 1.5)}) {
-        painter.setPen(QPen(colour, width, flag.faint ? Qt::DotLine : Qt::SolidLine));
+        painter.setPen(QPen(colour, width, callout.faint ? Qt::DotLine : Qt::SolidLine));
         painter.setBrush(Qt::NoBrush);
-        painter.drawLine(flag.at, end);
-        painter.drawEllipse(flag.at, kRing, kRing);
+        painter.drawLine(callout.at, end);
+        painter.drawEllipse(callout.at, kRing, kRing);
     }
     painter.setPen(QPen(style.text, 1));
     painter.setBrush(halo);
-    painter.drawRoundedRect(plate, 4, 4);
+    painter.drawRoundedRect(box, 4, 4);
     QPainterPath badge;
-    badge.addRoundedRect(QRectF(plate.topLeft(), QSizeF(kBadge, plate.height())), 4, 4);
+    badge.addRoundedRect(QRectF(box.topLeft(), QSizeF(kBadge, box.height())), 4, 4);
     painter.fillPath(badge, style.text);
     painter.setPen(halo);
-    painter.drawText(QRectF(plate.topLeft(), QSizeF(kBadge, plate.height())), Qt::AlignCenter,
-                     QString::number(flag.number));
+    painter.drawText(QRectF(box.topLeft(), QSizeF(kBadge, box.height())), Qt::AlignCenter,
+                     QString::number(callout.number));
     painter.setPen(style.text);
-    painter.drawText(plate.adjusted(kBadge, 0, 0, 0), Qt::AlignCenter, flag.text);
+    painter.drawText(box.adjusted(kBadge, 0, 0, 0), Qt::AlignCenter, callout.text);
     painter.restore();
 }
 
@@ -113,36 +114,37 @@ void paintSpotRing(QPainter& painter, const RenderStyle& style, const QPointF& a
     painter.restore();
 }
 
-std::vector<QRectF> flagPlates(const QFont& font, const FlagRoom& room,
-                               const std::vector<Flag>& flags) {
-    const QFontMetricsF metrics(flagFont(font));
+std::vector<QRectF> calloutBoxes(const QFont& font, const CalloutRoom& room,
+                                 const std::vector<Callout>& callouts) {
+    const QFontMetricsF metrics(calloutFont(font));
     std::vector<QRectF> taken = room.taken;
-    for (const Flag& flag : flags) {
-        if (room.view.contains(flag.at)) {
-            taken.emplace_back(flag.at.x() - kRing, flag.at.y() - kRing, 2 * kRing, 2 * kRing);
+    for (const Callout& callout : callouts) {
+        if (room.view.contains(callout.at)) {
+            taken.emplace_back(callout.at.x() - kRing, callout.at.y() - kRing, 2 * kRing,
+                               2 * kRing);
         }
     }
-    std::vector<QRectF> plates;
-    for (const Flag& flag : flags) {
-        QRectF& plate = plates.emplace_back();
-        if (room.view.contains(flag.at)) {
-            const QSizeF size(kBadge + metrics.horizontalAdvance(flag.text) + 2 * kPadding,
+    std::vector<QRectF> boxes;
+    for (const Callout& callout : callouts) {
+        QRectF& box = boxes.emplace_back();
+        if (room.view.contains(callout.at)) {
+            const QSizeF size(kBadge + metrics.horizontalAdvance(callout.text) + 2 * kPadding,
                               metrics.height() + 3);
-            plate = plateFor(flag.at, size, room.view, taken);
-            taken.push_back(plate);
+            box = boxFor(callout.at, size, room.view, taken);
+            taken.push_back(box);
         }
     }
-    return plates;
+    return boxes;
 }
 
-void paintFlags(QPainter& painter, const RenderStyle& style, const FlagRoom& room,
-                const std::vector<Flag>& flags) {
-    const std::vector<QRectF> plates = flagPlates(painter.font(), room, flags);
+void paintCallouts(QPainter& painter, const RenderStyle& style, const CalloutRoom& room,
+                   const std::vector<Callout>& callouts) {
+    const std::vector<QRectF> boxes = calloutBoxes(painter.font(), room, callouts);
     painter.save();
-    painter.setFont(flagFont(painter.font()));
-    for (std::size_t i = 0; i < flags.size(); ++i) {
-        if (!plates[i].isEmpty()) {
-            paintFlag(painter, style, flags[i], plates[i]);
+    painter.setFont(calloutFont(painter.font()));
+    for (std::size_t i = 0; i < callouts.size(); ++i) {
+        if (!boxes[i].isEmpty()) {
+            paintCallout(painter, style, callouts[i], boxes[i]);
         }
     }
     painter.restore();
@@ -165,26 +167,26 @@ SpotPlace placeOfSpot(const WorstSpot& spot, const Camera2D& camera, const Sheet
     return {{at.x(), at.y()}, false};
 }
 
-void paintSpotFlags(QPainter& painter, const RenderStyle& style, const FlagRoom& room,
-                    const Document& document, const FlaggedSpots& flagged,
-                    const std::function<std::optional<SpotPlace>(const WorstSpot&)>& place) {
+void paintSpotCallouts(QPainter& painter, const RenderStyle& style, const CalloutRoom& room,
+                       const Document& document, const FlaggedSpots& flagged,
+                       const std::function<std::optional<SpotPlace>(const WorstSpot&)>& place) {
     const Scene* scene = document.scene().get();
     if (!document.view().worstSpots || flagged.overlay != document.view().overlay || !scene) {
         return;
     }
-    std::vector<Flag> flags;
+    std::vector<Callout> callouts;
     for (std::size_t i = 0; i < flagged.spots.size(); ++i) {
         // They may be of the scene before, for a moment.
         const WorstSpot& spot = flagged.spots[i];
         const auto piece = static_cast<std::size_t>(spot.piece);
         if (piece < scene->pieces.size() && scene->pieces[piece].flat) {
             if (const auto seen = place(spot)) {
-                flags.push_back({seen->at, static_cast<int>(i) + 1,
-                                 overlayValueText(flagged.overlay, spot.value), seen->behind});
+                callouts.push_back({seen->at, static_cast<int>(i) + 1,
+                                    overlayValueText(flagged.overlay, spot.value), seen->behind});
             }
         }
     }
-    paintFlags(painter, style, {room.view.adjusted(4, 4, -4, -4), room.taken}, flags);
+    paintCallouts(painter, style, {room.view.adjusted(4, 4, -4, -4), room.taken}, callouts);
 }
 
 }  // namespace toile::app

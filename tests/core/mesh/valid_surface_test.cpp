@@ -15,8 +15,8 @@ namespace {
 
 using test::meshOf;
 
-bool isSound(const MeshArrays& mesh) {
-    return isSoundSurface(mesh, buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows())));
+bool isValid(const MeshArrays& mesh) {
+    return isValidSurface(mesh, buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows())));
 }
 
 /// Both meshes as one, with the second's vertex `glued` made the first's vertex 0.
@@ -41,21 +41,21 @@ MeshArrays joinedAt(const MeshArrays& a, const MeshArrays& b, int glued) {
     return both;
 }
 
-TEST(SoundSurface, HoldsForDisksTubesAndClosedSurfacesAtAnyScale) {
+TEST(ValidSurface, HoldsForDisksTubesAndClosedSurfacesAtAnyScale) {
     for (const double scale : {1e-6, 1.0, 1e9}) {
         for (MeshArrays mesh :
              {test::planeGrid(4, 3, 10), test::sphericalCap(5, 100, 1), test::tube(12, 3),
               test::octahedron(), test::piercedTorus(9, 7), test::cubeOpenedAlongH()}) {
             mesh.V *= scale;
-            EXPECT_TRUE(isSound(mesh));
+            EXPECT_TRUE(isValid(mesh));
         }
     }
     for (unsigned seed = 0; seed < 50; ++seed) {
-        EXPECT_TRUE(isSound(test::randomPiece(seed))) << seed;
+        EXPECT_TRUE(isValid(test::randomPiece(seed))) << seed;
     }
 }
 
-TEST(SoundSurface, ComesBackFromRepairAsItWasWithItsEdges) {
+TEST(ValidSurface, ComesBackFromRepairAsItWasWithItsEdges) {
     const MeshArrays mesh = test::randomPiece(3);
     MeshPart part{mesh, std::vector<int>(static_cast<std::size_t>(mesh.V.rows()), 1),
                   std::vector<int>(static_cast<std::size_t>(mesh.F.rows()), 2)};
@@ -65,63 +65,63 @@ TEST(SoundSurface, ComesBackFromRepairAsItWasWithItsEdges) {
     EXPECT_EQ(result.part.mesh.F, mesh.F);
     EXPECT_EQ(result.part.sourceVertex, part.sourceVertex);
     EXPECT_EQ(result.part.sourceFace, part.sourceFace);
-    ASSERT_TRUE(result.soundTable);
+    ASSERT_TRUE(result.validTable);
     const DiskCheck check = checkDisk(mesh, "piece");
-    EXPECT_EQ(result.soundTable->edges, check.table.edges);
-    EXPECT_EQ(checkDisk(mesh, "piece", *result.soundTable).boundary, check.boundary);
+    EXPECT_EQ(result.validTable->edges, check.table.edges);
+    EXPECT_EQ(checkDisk(mesh, "piece", *result.validTable).boundary, check.boundary);
 }
 
-TEST(SoundSurface, DoubtsPositions) {
+TEST(ValidSurface, DoubtsPositions) {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity(), 1e200}) {
         for (int v = 0; v < 6; ++v) {
             MeshArrays mesh = test::planeGrid(2, 1, 10);
             mesh.V(v, v % 3) = bad;
-            EXPECT_FALSE(isSound(mesh)) << bad << " at " << v;
+            EXPECT_FALSE(isValid(mesh)) << bad << " at " << v;
         }
     }
 }
 
-TEST(SoundSurface, DoubtsUnusedVertices) {
+TEST(ValidSurface, DoubtsUnusedVertices) {
     MeshArrays mesh = test::planeGrid(2, 2, 10);
     mesh.V.conservativeResize(mesh.V.rows() + 1, 3);
     mesh.V.bottomRows(1).setZero();
-    EXPECT_FALSE(isSound(mesh));
+    EXPECT_FALSE(isValid(mesh));
 }
 
-TEST(SoundSurface, DoubtsTrianglesWithoutHeightOrSide) {
+TEST(ValidSurface, DoubtsTrianglesWithoutHeightOrSide) {
     for (const double height : {0.0, 1e-12, 1e-10}) {
         const MeshArrays flat =
             meshOf({{0, 0, 0}, {2, 0, 0}, {1, height, 0}, {1, 2, 0}}, {{0, 1, 2}, {0, 2, 3}});
         const MeshArrays needle =
             meshOf({{0, 0, 0}, {1, 0, 0}, {1, height, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
-        EXPECT_FALSE(isSound(flat)) << height;
-        EXPECT_FALSE(isSound(needle)) << height;
+        EXPECT_FALSE(isValid(flat)) << height;
+        EXPECT_FALSE(isValid(needle)) << height;
     }
-    EXPECT_FALSE(isSound(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 1}, {0, 1, 2}})));
+    EXPECT_FALSE(isValid(meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 1}, {0, 1, 2}})));
 }
 
-TEST(SoundSurface, DoubtsEdges) {
+TEST(ValidSurface, DoubtsEdges) {
     const auto points = {Eigen::RowVector3d(0, 0, 0), Eigen::RowVector3d(1, 0, 0),
                          Eigen::RowVector3d(0, 1, 0), Eigen::RowVector3d(0, -1, 0),
                          Eigen::RowVector3d(0, 0, 1)};
-    EXPECT_FALSE(isSound(meshOf(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})));  // three faces
+    EXPECT_FALSE(isValid(meshOf(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})));  // three faces
     MeshArrays opposed = meshOf(points, {{0, 1, 2}, {0, 1, 3}});
     opposed.V.conservativeResize(4, 3);
-    EXPECT_FALSE(isSound(opposed));
+    EXPECT_FALSE(isValid(opposed));
     MeshArrays doubled = meshOf(points, {{0, 1, 2}, {0, 2, 1}});  // a pillow
     doubled.V.conservativeResize(3, 3);
-    EXPECT_FALSE(isSound(doubled));
-    EXPECT_FALSE(isSound(test::moebiusStrip(7)));
+    EXPECT_FALSE(isValid(doubled));
+    EXPECT_FALSE(isValid(test::moebiusStrip(7)));
 }
 
-TEST(SoundSurface, DoubtsPinchedVertices) {
+TEST(ValidSurface, DoubtsPinchedVertices) {
     const MeshArrays disk = test::planeGrid(2, 2, 10);  // vertex 0 at a corner, 4 inside
     const MeshArrays closed = test::octahedron();
-    EXPECT_FALSE(isSound(joinedAt(disk, disk, 0)));    // two open fans
-    EXPECT_FALSE(isSound(joinedAt(disk, closed, 0)));  // an open and a closed one
-    EXPECT_FALSE(isSound(joinedAt(closed, disk, 4)));  // two closed ones
-    EXPECT_FALSE(isSound(joinedAt(closed, closed, 3)));
+    EXPECT_FALSE(isValid(joinedAt(disk, disk, 0)));    // two open fans
+    EXPECT_FALSE(isValid(joinedAt(disk, closed, 0)));  // an open and a closed one
+    EXPECT_FALSE(isValid(joinedAt(closed, disk, 4)));  // two closed ones
+    EXPECT_FALSE(isValid(joinedAt(closed, closed, 3)));
 }
 
 }  // namespace

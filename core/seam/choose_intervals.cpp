@@ -3,7 +3,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "core/seam/run.h"
+#include "core/seam/matched_interval.h"
 
 namespace toile {
 namespace {
@@ -20,7 +20,7 @@ constexpr double kFoldFactor = 10;
 /// A part of a candidate run: the unit of choice.
 struct Part {
     int parent = 0;  ///< the candidate run
-    Run run;
+    MatchedInterval interval;
     double cost = 0;         ///< gap relative to the local edge length, 0 where it coincides
     bool contested = false;  ///< another part lies on the same place
 };
@@ -39,12 +39,13 @@ std::vector<double> inside(const std::vector<double>& places, double length, Arc
     return found;
 }
 
-std::vector<std::vector<double>> runEnds(const Outlines& outlines, const std::vector<Run>& runs) {
+std::vector<std::vector<double>> intervalEnds(const Outlines& outlines,
+                                              const std::vector<MatchedInterval>& intervals) {
     std::vector<std::vector<double>> ends(outlines.list.size());
-    for (const Run& run : runs) {
-        for (const Facing& f : {run.line.front(), run.line.back()}) {
-            ends[run.outlineA].push_back(outlines.list[run.outlineA].wrap(f.a));
-            ends[run.outlineB].push_back(outlines.list[run.outlineB].wrap(f.b));
+    for (const MatchedInterval& interval : intervals) {
+        for (const Correspondence& f : {interval.line.front(), interval.line.back()}) {
+            ends[interval.outlineA].push_back(outlines.list[interval.outlineA].wrap(f.a));
+            ends[interval.outlineB].push_back(outlines.list[interval.outlineB].wrap(f.b));
         }
     }
     for (auto& places : ends) {
@@ -53,10 +54,10 @@ std::vector<std::vector<double>> runEnds(const Outlines& outlines, const std::ve
     return ends;
 }
 
-double costOf(const Run& run, const Outlines& outlines) {
-    double cost = run.meanGap() / run.spacing(outlines);
+double costOf(const MatchedInterval& interval, const Outlines& outlines) {
+    double cost = interval.meanGap() / interval.spacing(outlines);
     cost = cost < kNoGap ? 0 : cost;
-    return run.folded ? kFoldFactor * std::max(cost, kNoGap) : cost;
+    return interval.folded ? kFoldFactor * std::max(cost, kNoGap) : cost;
 }
 
 struct Claim {
@@ -90,8 +91,8 @@ void findContests(const Outlines& outlines, std::vector<Part>& parts) {
         }
     };
     for (std::size_t k = 0; k < parts.size(); ++k) {
-        claim(parts[k].run.outlineA, parts[k].run.arcA(), static_cast<int>(k));
-        claim(parts[k].run.outlineB, parts[k].run.arcB(), static_cast<int>(k));
+        claim(parts[k].interval.outlineA, parts[k].interval.arcA(), static_cast<int>(k));
+        claim(parts[k].interval.outlineB, parts[k].interval.arcB(), static_cast<int>(k));
     }
     for (std::size_t p = 0; p < claims.size(); ++p) {
         const Outline& outline = outlines.list[p];
@@ -101,26 +102,27 @@ void findContests(const Outlines& outlines, std::vector<Part>& parts) {
     }
 }
 
-/// Cuts every run at the places where others begin or end on either of its outlines, and finds out
-/// which parts compete.
-std::vector<Part> cutIntoParts(const Outlines& outlines, const std::vector<Run>& runs) {
-    const auto ends = runEnds(outlines, runs);
+/// Cuts every interval at the places where others begin or end on either of its outlines, and finds
+/// out which parts compete.
+std::vector<Part> cutIntoParts(const Outlines& outlines,
+                               const std::vector<MatchedInterval>& intervals) {
+    const auto ends = intervalEnds(outlines, intervals);
     std::vector<Part> parts;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        const Run& run = runs[k];
-        std::vector<double> cuts =
-            inside(ends[run.outlineA], outlines.list[run.outlineA].length(), run.arcA());
-        for (const double b :
-             inside(ends[run.outlineB], outlines.list[run.outlineB].length(), run.arcB())) {
-            cuts.push_back(run.atB(b).a);
+    for (std::size_t k = 0; k < intervals.size(); ++k) {
+        const MatchedInterval& interval = intervals[k];
+        std::vector<double> cuts = inside(
+            ends[interval.outlineA], outlines.list[interval.outlineA].length(), interval.arcA());
+        for (const double b : inside(ends[interval.outlineB],
+                                     outlines.list[interval.outlineB].length(), interval.arcB())) {
+            cuts.push_back(interval.atB(b).a);
         }
         std::sort(cuts.begin(), cuts.end());
-        const double margin = kMargin * run.spacing(outlines);
-        double from = run.line.front().a;
-        const double to = run.line.back().a;
+        const double margin = kMargin * interval.spacing(outlines);
+        double from = interval.line.front().a;
+        const double to = interval.line.back().a;
         const auto add = [&](double until) {
-            Part part{.parent = static_cast<int>(k), .run = run.part({from, until})};
-            part.cost = costOf(part.run, outlines);
+            Part part{.parent = static_cast<int>(k), .interval = interval.part({from, until})};
+            part.cost = costOf(part.interval, outlines);
             parts.push_back(std::move(part));
             from = until;
         };
@@ -136,11 +138,11 @@ std::vector<Part> cutIntoParts(const Outlines& outlines, const std::vector<Run>&
 }
 
 // Rests shorter than this many local edges, left over beside runs already chosen, are end effects.
-constexpr double kLeastRest = 0.25;
+constexpr double kMinRest = 0.25;
 // The same for edges that are certainly one: only rounding is less.
-constexpr double kLeastCertain = 1e-9;
-// Where the seams of a garment are closed more tightly than the tolerance, a run is believed if its
-// gap is below this many times the garment's own, or below this fraction of the edge length.
+constexpr double kMinCertain = 1e-9;
+// Where the seams of a garment are closed more tightly than the tolerance, an interval is believed
+// if its gap is below this many times the garment's own, or below this fraction of the edge length.
 constexpr double kGapTimesMedian = 10;
 constexpr double kGapAlways = 0.05;
 // A run found by nearness that is shorter than this many local edges is not believed.
@@ -152,26 +154,26 @@ constexpr double kStackedGap = 0.05;
 
 class Chooser {
 public:
-    Chooser(const Outlines& outlines, const std::vector<Run>& candidates)
+    Chooser(const Outlines& outlines, const std::vector<MatchedInterval>& candidates)
         : outlines_(outlines), candidates_(candidates), parts_(cutIntoParts(outlines, candidates)) {
-        retake({});
+        revisit({});
     }
 
-    std::vector<Run> choose() {
+    std::vector<MatchedInterval> choose() {
         const std::vector<int> order = orderOfChoice();
-        std::vector<Run> chosen;
+        std::vector<MatchedInterval> chosen;
         for (const int k : order) {
             takeFree(parts_[k], chosen);
         }
-        chosen = joinRuns(outlines_, std::move(chosen), taken_);
-        believe(chosen);
-        retake(chosen);
-        std::vector<Run> layers;
+        chosen = joinIntervals(outlines_, std::move(chosen), taken_);
+        accept(chosen);
+        revisit(chosen);
+        std::vector<MatchedInterval> layers;
         for (const int k : order) {
             takeStacked(parts_[k], layers);
         }
-        layers = joinRuns(outlines_, std::move(layers), taken_);
-        believe(layers);
+        layers = joinIntervals(outlines_, std::move(layers), taken_);
+        accept(layers);
         chosen.insert(chosen.end(), layers.begin(), layers.end());
         return chosen;
     }
@@ -180,33 +182,33 @@ private:
     std::vector<int> orderOfChoice() const {
         std::vector<double> undisputed(candidates_.size(), 0);
         for (const Part& part : parts_) {
-            undisputed[part.parent] += part.contested ? 0 : part.run.length();
+            undisputed[part.parent] += part.contested ? 0 : part.interval.length();
         }
         std::vector<int> order(parts_.size());
         std::iota(order.begin(), order.end(), 0);
         std::ranges::stable_sort(order, {}, [&](int k) {
             const Part& part = parts_[k];
-            return std::tuple(part.cost, -undisputed[part.parent], -part.run.length());
+            return std::tuple(part.cost, -undisputed[part.parent], -part.interval.length());
         });
         return order;
     }
 
-    void take(const Run& run) {
-        taken_[run.outlineA].add(run.arcA());
-        taken_[run.outlineB].add(run.arcB());
+    void take(const MatchedInterval& interval) {
+        taken_[interval.outlineA].add(interval.arcA());
+        taken_[interval.outlineB].add(interval.arcB());
     }
 
     /// Takes what of the part is free on both sides.
-    void takeFree(const Part& part, std::vector<Run>& chosen) {
+    void takeFree(const Part& part, std::vector<MatchedInterval>& chosen) {
         const double least =
-            (part.run.certain ? kLeastCertain : kLeastRest) * part.run.spacing(outlines_);
-        for (const Arc& a : taken_[part.run.outlineA].outside(part.run.arcA())) {
-            const Run half = part.run.part(a);
+            (part.interval.certain ? kMinCertain : kMinRest) * part.interval.spacing(outlines_);
+        for (const Arc& a : taken_[part.interval.outlineA].outside(part.interval.arcA())) {
+            const MatchedInterval half = part.interval.part(a);
             if (half.line.size() < 2 || half.length() < least) {
                 continue;
             }
             for (const Arc& b : taken_[half.outlineB].outside(half.arcB())) {
-                const Run rest = half.partOnB(b);
+                const MatchedInterval rest = half.partOnB(b);
                 if (rest.line.size() > 1 && std::min(rest.length(), rest.lengthB()) >= least) {
                     chosen.push_back(rest);
                     take(rest);
@@ -216,36 +218,39 @@ private:
     }
 
     /// Takes what of the part is free on one side only.
-    void takeStacked(const Part& part, std::vector<Run>& chosen) {
-        if (part.cost > kStackedGap || part.run.folded) {
+    void takeStacked(const Part& part, std::vector<MatchedInterval>& chosen) {
+        if (part.cost > kStackedGap || part.interval.folded) {
             return;
         }
-        const Run& run = part.run;
-        for (const Arc& a : taken_[run.outlineA].outside(run.arcA())) {
-            takeLayer(run.part(a), chosen);
+        const MatchedInterval& interval = part.interval;
+        for (const Arc& a : taken_[interval.outlineA].outside(interval.arcA())) {
+            takeLayer(interval.part(a), chosen);
         }
-        for (const Arc& b : taken_[run.outlineB].outside(run.arcB())) {
-            takeLayer(run.partOnB(b), chosen);
+        for (const Arc& b : taken_[interval.outlineB].outside(interval.arcB())) {
+            takeLayer(interval.partOnB(b), chosen);
         }
     }
 
-    void takeLayer(const Run& run, std::vector<Run>& chosen) {
-        if (run.line.size() > 1 && run.length() >= kLeastRest * run.spacing(outlines_)) {
-            chosen.push_back(run);
+    void takeLayer(const MatchedInterval& interval, std::vector<MatchedInterval>& chosen) {
+        if (interval.line.size() > 1 &&
+            interval.length() >= kMinRest * interval.spacing(outlines_)) {
+            chosen.push_back(interval);
             chosen.back().stacked = true;
-            take(run);
+            take(interval);
         }
     }
 
-    /// Takes out runs that are too short, or gape more than this garment's seams do.
-    void believe(std::vector<Run>& runs) {
-        const auto gapOf = [&](const Run& run) { return run.meanGap() / run.spacing(outlines_); };
+    /// Takes out intervals that are too short, or gape more than this garment's seams do.
+    void accept(std::vector<MatchedInterval>& intervals) {
+        const auto gapOf = [&](const MatchedInterval& interval) {
+            return interval.meanGap() / interval.spacing(outlines_);
+        };
         if (widest_ < 0) {
             std::vector<std::pair<double, double>> gaps;  // gap, length
             double total = 0;
-            for (const Run& run : runs) {
-                gaps.emplace_back(gapOf(run), run.length());
-                total += run.length();
+            for (const MatchedInterval& interval : intervals) {
+                gaps.emplace_back(gapOf(interval), interval.length());
+                total += interval.length();
             }
             std::sort(gaps.begin(), gaps.end());
             double median = 0, below = 0;
@@ -255,27 +260,28 @@ private:
             }
             widest_ = std::max(kGapAlways, kGapTimesMedian * median);
         }
-        std::erase_if(runs, [&](const Run& run) {
+        std::erase_if(intervals, [&](const MatchedInterval& interval) {
             // One whole edge that coincides with another is no accident; nearness needs more.
-            const double gap = gapOf(run);
-            const double least = gap < kCoincident ? kLeastRest : kShortest;
-            const double length = std::min(run.length(), run.lengthB());
-            return !run.certain && (length < least * run.spacing(outlines_) || gap > widest_);
+            const double gap = gapOf(interval);
+            const double least = gap < kCoincident ? kMinRest : kShortest;
+            const double length = std::min(interval.length(), interval.lengthB());
+            return !interval.certain &&
+                   (length < least * interval.spacing(outlines_) || gap > widest_);
         });
     }
 
-    void retake(const std::vector<Run>& runs) {
+    void revisit(const std::vector<MatchedInterval>& intervals) {
         taken_.clear();
         for (const Outline& outline : outlines_.list) {
             taken_.emplace_back(outline.length());
         }
-        for (const Run& run : runs) {
-            take(run);
+        for (const MatchedInterval& interval : intervals) {
+            take(interval);
         }
     }
 
     const Outlines& outlines_;
-    const std::vector<Run>& candidates_;
+    const std::vector<MatchedInterval>& candidates_;
     std::vector<Part> parts_;
     std::vector<ArcSet> taken_;
     double widest_ = -1;  ///< largest believable gap in local edge lengths; negative: not yet known
@@ -283,7 +289,8 @@ private:
 
 }  // namespace
 
-std::vector<Run> chooseRuns(const Outlines& outlines, const std::vector<Run>& candidates) {
+std::vector<MatchedInterval> chooseIntervals(const Outlines& outlines,
+                                             const std::vector<MatchedInterval>& candidates) {
     return Chooser(outlines, candidates).choose();
 }
 

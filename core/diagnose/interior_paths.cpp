@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/diagnose/inner_ways.h"
+#include "core/diagnose/interior_paths.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-InnerWays::InnerWays(const Piece& piece)
+InteriorPaths::InteriorPaths(const Piece& piece)
     : piece_(piece),
       loopIndex_(static_cast<std::size_t>(piece.mesh.V.rows()), -1),
       isHoleRim_(loopIndex_.size(), false),
@@ -40,7 +40,7 @@ InnerWays::InnerWays(const Piece& piece)
     }
 }
 
-void InnerWays::search(const std::vector<int>& sources, double longest) {
+void InteriorPaths::search(const std::vector<int>& sources, double longest) {
     const Points3& V = piece_.mesh.V;
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -72,30 +72,30 @@ void InnerWays::search(const std::vector<int>& sources, double longest) {
     }
 }
 
-std::vector<InnerWay> InnerWays::find(const std::vector<int>& sources,
-                                      const std::vector<int>& targets, double longest) {
+std::vector<InteriorPath> InteriorPaths::find(const std::vector<int>& sources,
+                                              const std::vector<int>& targets, double longest) {
     hasLeftOut_ = false;
     search(sources, longest);
-    std::vector<InnerWay> ways;
+    std::vector<InteriorPath> paths;
     for (const int i : targets) {
         const int end = piece_.boundary[i];
         if (parent_[end] < 0) {
             continue;  // a source, or out of reach
         }
-        InnerWay way{-1, i, {}, distance_[end]};
+        InteriorPath path{-1, i, {}, distance_[end]};
         for (int v = end; v >= 0; v = parent_[v]) {
-            way.path.push_back(v);
+            path.path.push_back(v);
         }
-        std::reverse(way.path.begin(), way.path.end());
-        way.from = loopIndex_[way.path.front()];
-        ways.push_back(std::move(way));
+        std::reverse(path.path.begin(), path.path.end());
+        path.from = loopIndex_[path.path.front()];
+        paths.push_back(std::move(path));
     }
     for (const int v : reached_) {
         distance_[v] = kFar;
         parent_[v] = -1;
     }
     reached_.clear();
-    return ways;
+    return paths;
 }
 
 }  // namespace toile
