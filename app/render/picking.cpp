@@ -13,7 +13,7 @@ namespace {
 
 /// Slab test: how far along the half-line the box begins, a little less rather than more (a flat
 /// piece of cloth has a box without any depth); infinite where it is missed or beyond `farthest`.
-double distanceTo(const Ray& ray, const TriangleTree<3>::Box& box, double farthest) {
+double distanceTo(const Ray& ray, const geometry::TriangleTree<3>::Box& box, double farthest) {
     constexpr double kSlack = 1e-9;
     double from = 0, to = farthest;
     for (int k = 0; k < 3; ++k) {
@@ -66,7 +66,8 @@ std::optional<Meeting> meet(const Ray& ray, const Eigen::Vector3d& a, const Eige
 /// Weights of a triangle's corners at a point in it, whichever way the triangle is turned.
 std::optional<Eigen::Vector3d> weightsAt(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                                          const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    const double u = cross(c - b, p - b), v = cross(a - c, p - c), w = cross(b - a, p - a);
+    const double u = geometry::cross(c - b, p - b), v = geometry::cross(a - c, p - c),
+                 w = geometry::cross(b - a, p - a);
     const bool covered = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     const double sum = u + v + w;
     return covered && sum != 0 ? std::optional<Eigen::Vector3d>(Eigen::Vector3d(u, v, w) / sum)
@@ -81,8 +82,8 @@ double besides(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& 
     // plane, where it is a matter of a point and a segment.
     const Eigen::Vector3d edgeAcross = edge - edge.dot(ray.direction) * ray.direction;
     const Eigen::Vector3d fromAcross = from - from.dot(ray.direction) * ray.direction;
-    const double t =
-        nearestShare<Eigen::Vector3d>(Eigen::Vector3d::Zero(), fromAcross, fromAcross + edgeAcross);
+    const double t = geometry::nearestShare<Eigen::Vector3d>(Eigen::Vector3d::Zero(), fromAcross,
+                                                             fromAcross + edgeAcross);
     const double depth = (from + t * edge).dot(ray.direction);
     return depth > 0 && depth <= farthest ? (fromAcross + t * edgeAcross).norm() / depth
                                           : std::numeric_limits<double>::infinity();
@@ -206,7 +207,7 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
                 continue;
             }
             for (std::uint32_t i = run.first + 1; i < run.first + run.count; ++i) {
-                const double distance = distanceToSegment(
+                const double distance = geometry::distanceToSegment(
                     local, flatPoint(scene.lineVertices[i - 1]), flatPoint(scene.lineVertices[i]));
                 if (distance <= radius && (!nearest || distance < nearest->distance)) {
                     nearest = {static_cast<int>(s), side, static_cast<int>(i - run.first) - 1,

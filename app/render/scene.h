@@ -118,8 +118,8 @@ struct PieceScene {
     Eigen::AlignedBox2d flatBox;  ///< in the piece's own coordinates; empty where not flat
     Eigen::Vector2d label = Eigen::Vector2d::Zero();  ///< a point well inside, likewise
     TriangleRun garmentRun, patternRun;
-    TriangleTree<3> garmentTree;  ///< of garmentRun, counted from its first
-    TriangleTree<2> patternTree;
+    geometry::TriangleTree<3> garmentTree;  ///< of garmentRun, counted from its first
+    geometry::TriangleTree<2> patternTree;
     /// Vertices of the outline where it turns sharply: places in Piece::boundary, ascending.
     std::vector<int> corners;
     SpaceMotion rest;  ///< lays the flat piece where the worn one is, as near as it can be

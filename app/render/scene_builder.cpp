@@ -113,10 +113,11 @@ private:
     }
 
     template <int n>
-    TriangleTree<n> treeOf(float (ClothVertex::*point)[n], const MeshIndices& mesh,
-                           const TriangleRun& run) const {
-        return TriangleTree<n>(scene_.vertices.front().*point, sizeof(ClothVertex) / sizeof(float),
-                               std::span(mesh.triangles).subspan(3 * std::size_t{run.first}));
+    geometry::TriangleTree<n> treeOf(float (ClothVertex::*point)[n], const MeshIndices& mesh,
+                                     const TriangleRun& run) const {
+        return geometry::TriangleTree<n>(
+            scene_.vertices.front().*point, sizeof(ClothVertex) / sizeof(float),
+            std::span(mesh.triangles).subspan(3 * std::size_t{run.first}));
     }
 
     void addFaces(const PieceValues& values) {

@@ -33,8 +33,8 @@ double foldAngle(const SurfaceLinks& links, int edge) {
     if (uses.size() != 2) {
         return 0;
     }
-    return angleBetween(doubleAreaNormal(links.mesh(), uses[0] / 3),
-                        doubleAreaNormal(links.mesh(), uses[1] / 3));
+    return geometry::angleBetween(doubleAreaNormal(links.mesh(), uses[0] / 3),
+                                  doubleAreaNormal(links.mesh(), uses[1] / 3));
 }
 
 class Proposer {

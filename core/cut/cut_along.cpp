@@ -159,7 +159,7 @@ private:
     }
 
     void partVertices() {
-        DisjointSets fans(static_cast<int>(source_.F.size()));
+        geometry::DisjointSets fans(static_cast<int>(source_.F.size()));
         std::vector<char> isTouched(source_.V.rows(), 0);
         for (int e = 0; e < table_.edges.rows(); ++e) {
             const std::span<const int> uses = table_.usesOf(e);

@@ -25,7 +25,8 @@ struct Candidate {
 };
 
 /// From source to source by way of an edge.
-std::vector<int> pathOver(const SurfaceLinks& links, const ShortestForest& forest, int edge) {
+std::vector<int> pathOver(const SurfaceLinks& links, const geometry::ShortestForest& forest,
+                          int edge) {
     const Edges& edges = links.table().edges;
     std::vector<int> way = forest.pathTo(edges(edge, 0), edges);
     const std::vector<int> rest = forest.pathTo(edges(edge, 1), edges);
@@ -34,7 +35,7 @@ std::vector<int> pathOver(const SurfaceLinks& links, const ShortestForest& fores
 }
 
 /// Edges outside the forest, with the length of the way over each.
-std::vector<Candidate> outside(const SurfaceLinks& links, const ShortestForest& forest,
+std::vector<Candidate> outside(const SurfaceLinks& links, const geometry::ShortestForest& forest,
                                const std::vector<double>& weights) {
     const Edges& edges = links.table().edges;
     std::vector<Candidate> candidates;
@@ -51,7 +52,7 @@ std::vector<Candidate> outside(const SurfaceLinks& links, const ShortestForest& 
 
 /// The ways left over when a tree of faces has crossed as many of the dear edges as it can.
 std::vector<Candidate> leftOver(const SurfaceLinks& links, const std::vector<Candidate>& sorted) {
-    DisjointSets faces(links.faceCount());
+    geometry::DisjointSets faces(links.faceCount());
     std::vector<Candidate> left;
     for (auto candidate = sorted.rbegin(); candidate != sorted.rend(); ++candidate) {
         const std::span<const int> use = links.table().usesOf(candidate->edge);
@@ -65,7 +66,7 @@ std::vector<Candidate> leftOver(const SurfaceLinks& links, const std::vector<Can
     return left;
 }
 
-int farthest(const ShortestForest& forest) {
+int farthest(const geometry::ShortestForest& forest) {
     int best = 0;
     for (std::size_t v = 0; v < forest.distance.size(); ++v) {
         const double d = forest.distance[v];
@@ -91,7 +92,7 @@ std::vector<int> peaks(const SurfaceLinks& links, const std::vector<double>& wei
         result.push_back(sharp[i].second);
     }
     const auto from = [&](int v) {
-        return shortestForest(links.table().edges, links.vertexCount(), weights, {{v}});
+        return geometry::shortestForest(links.table().edges, links.vertexCount(), weights, {{v}});
     };
     if (result.empty()) {
         result.push_back(farthest(from(links.mesh().F(0, 0))));
@@ -180,8 +181,8 @@ EdgeWays arcsBetweenRims(const SurfaceLinks& links, const std::vector<double>& w
             rim.push_back(links.tail(use));
         }
     }
-    const ShortestForest forest =
-        shortestForest(links.table().edges, links.vertexCount(), weights, {rim});
+    const geometry::ShortestForest forest =
+        geometry::shortestForest(links.table().edges, links.vertexCount(), weights, {rim});
     EdgeWays arcs;
     for (const Candidate& c : leftOver(links, outside(links, forest, weights))) {
         arcs.push_back(pathOver(links, forest, c.edge));
@@ -194,8 +195,8 @@ EdgeWays loopsAroundHandles(const SurfaceLinks& links, const std::vector<double>
     double least = std::numeric_limits<double>::infinity();
     std::vector<int> tried{links.mesh().F(0, 0)};
     for (int i = 0; i < kBasePointsTried; ++i) {
-        const ShortestForest forest =
-            shortestForest(links.table().edges, links.vertexCount(), weights, {{tried.back()}});
+        const geometry::ShortestForest forest = geometry::shortestForest(
+            links.table().edges, links.vertexCount(), weights, {{tried.back()}});
         double total = 0;
         EdgeSet graph;
         for (const Candidate& c : leftOver(links, outside(links, forest, weights))) {
@@ -208,8 +209,8 @@ EdgeWays loopsAroundHandles(const SurfaceLinks& links, const std::vector<double>
             best = graph.takeApart();
         }
         std::vector<std::vector<int>> sources{tried};
-        tried.push_back(
-            farthest(shortestForest(links.table().edges, links.vertexCount(), weights, sources)));
+        tried.push_back(farthest(
+            geometry::shortestForest(links.table().edges, links.vertexCount(), weights, sources)));
     }
     return best;
 }
@@ -219,9 +220,9 @@ EdgeWays treeThroughPeaks(const SurfaceLinks& links, const std::vector<double>& 
     for (const int v : peaks(links, weights)) {
         sources.push_back({v});
     }
-    const ShortestForest forest =
-        shortestForest(links.table().edges, links.vertexCount(), weights, sources);
-    DisjointSets joined(static_cast<int>(sources.size()));
+    const geometry::ShortestForest forest =
+        geometry::shortestForest(links.table().edges, links.vertexCount(), weights, sources);
+    geometry::DisjointSets joined(static_cast<int>(sources.size()));
     EdgeSet tree;
     for (const Candidate& c : outside(links, forest, weights)) {
         const auto ends = links.table().edges.row(c.edge);

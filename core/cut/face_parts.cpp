@@ -206,11 +206,11 @@ bool shouldTurn(const FlatFace& flat, int a, int b, int c, int d) {
     const Eigen::Vector2d pb = flat.at(b);
     const Eigen::Vector2d pc = flat.at(c);
     const Eigen::Vector2d pd = flat.at(d);
-    const double whole = cross(pb - pa, pc - pa) + cross(pa - pb, pd - pb);
+    const double whole = geometry::cross(pb - pa, pc - pa) + geometry::cross(pa - pb, pd - pb);
     const double least = kMinShare * whole;
-    return angleBetween(pa - pc, pb - pc) + angleBetween(pa - pd, pb - pd) >
+    return geometry::angleBetween(pa - pc, pb - pc) + geometry::angleBetween(pa - pd, pb - pd) >
                std::numbers::pi + kTurnable &&
-           cross(pd - pa, pc - pa) > least && cross(pc - pb, pd - pb) > least;
+           geometry::cross(pd - pa, pc - pa) > least && geometry::cross(pc - pb, pd - pb) > least;
 }
 
 }  // namespace

@@ -41,8 +41,9 @@ int FaceSplitter::insert(const SurfacePoint& point) {
         const Eigen::Vector2d a = flatIn(parts_, face, list[p][0]);
         const Eigen::Vector2d b = flatIn(parts_, face, list[p][1]);
         const Eigen::Vector2d c = flatIn(parts_, face, list[p][2]);
-        Eigen::Vector3d here(cross(b - at, c - at), cross(c - at, a - at), cross(a - at, b - at));
-        here /= cross(b - a, c - a);
+        Eigen::Vector3d here(geometry::cross(b - at, c - at), geometry::cross(c - at, a - at),
+                             geometry::cross(a - at, b - at));
+        here /= geometry::cross(b - a, c - a);
         if (here.minCoeff() > depth) {
             depth = here.minCoeff();
             local = here;
@@ -89,8 +90,8 @@ int FaceSplitter::step(int face, int from, int to) {
         const Eigen::Vector2d toA = flatIn(parts_, face, a) - at;
         const Eigen::Vector2d toB = flatIn(parts_, face, b) - at;
         // direction = alpha toA + beta toB, up to a positive factor
-        const double alpha = cross(direction, toB);
-        const double beta = cross(toA, direction);
+        const double alpha = geometry::cross(direction, toB);
+        const double beta = geometry::cross(toA, direction);
         if (alpha + beta <= 0) {
             continue;
         }

@@ -101,11 +101,12 @@ private:
             return std::nullopt;
         }
         double inside =
-            angleBetween(before(i) - bend.at, otherEnd(detour.first, bend.left) - bend.at) +
-            angleBetween(after(i) - bend.at, otherEnd(detour.last, bend.left) - bend.at);
+            geometry::angleBetween(before(i) - bend.at,
+                                   otherEnd(detour.first, bend.left) - bend.at) +
+            geometry::angleBetween(after(i) - bend.at, otherEnd(detour.last, bend.left) - bend.at);
         for (int g = detour.first; g < detour.last; ++g) {
-            inside += angleBetween(otherEnd(g, bend.left) - bend.at,
-                                   otherEnd(g + 1, bend.left) - bend.at);
+            inside += geometry::angleBetween(otherEnd(g, bend.left) - bend.at,
+                                             otherEnd(g + 1, bend.left) - bend.at);
         }
         detour.angle = links_.angleAround(vertex) - inside;
         if (!(detour.angle < std::numbers::pi - kStraightAngle)) {
@@ -181,8 +182,8 @@ private:
             } else {
                 const Eigen::Vector2d a = next == 0 ? flat_.from : bends_[next - 1].at;
                 const Eigen::Vector2d b = next < bends_.size() ? bends_[next].at : flat_.to;
-                const double right = cross(b - a, gate.right - a);
-                const double left = cross(b - a, gate.left - a);
+                const double right = geometry::cross(b - a, gate.right - a);
+                const double left = geometry::cross(b - a, gate.left - a);
                 if (right == left) {  // along the gate: its nearer end
                     t = (a - gate.left).squaredNorm() <= (a - gate.right).squaredNorm() ? 1 : 0;
                 } else {

@@ -196,22 +196,22 @@ std::vector<Bend> shortestThroughGates(const FlatStrip& strip) {
     while (i <= count) {
         const Eigen::Vector2d toLeft = (i < count ? strip.gates[i].left : strip.to) - apex;
         const Eigen::Vector2d toRight = (i < count ? strip.gates[i].right : strip.to) - apex;
-        if (hasLeft && toRight.squaredNorm() > 0 && cross(left, toRight) > 0) {
+        if (hasLeft && toRight.squaredNorm() > 0 && geometry::cross(left, toRight) > 0) {
             restartAt(leftGate, true);  // the right arm would pass over the left one
             i = apexGate + 1;
             continue;
         }
-        if (hasRight && toLeft.squaredNorm() > 0 && cross(right, toLeft) < 0) {
+        if (hasRight && toLeft.squaredNorm() > 0 && geometry::cross(right, toLeft) < 0) {
             restartAt(rightGate, false);
             i = apexGate + 1;
             continue;
         }
-        if (toLeft.squaredNorm() > 0 && (!hasLeft || cross(left, toLeft) <= 0)) {
+        if (toLeft.squaredNorm() > 0 && (!hasLeft || geometry::cross(left, toLeft) <= 0)) {
             left = toLeft;
             leftGate = i;
             hasLeft = true;
         }
-        if (toRight.squaredNorm() > 0 && (!hasRight || cross(right, toRight) >= 0)) {
+        if (toRight.squaredNorm() > 0 && (!hasRight || geometry::cross(right, toRight) >= 0)) {
             right = toRight;
             rightGate = i;
             hasRight = true;

@@ -36,8 +36,8 @@ double SurfaceLinks::angleAt(int corner) const {
     const int f = corner / 3;
     const int k = corner % 3;
     const auto at = mesh_.V.row(mesh_.F(f, k));
-    return angleBetween(mesh_.V.row(mesh_.F(f, (k + 1) % 3)) - at,
-                        mesh_.V.row(mesh_.F(f, (k + 2) % 3)) - at);
+    return geometry::angleBetween(mesh_.V.row(mesh_.F(f, (k + 1) % 3)) - at,
+                                  mesh_.V.row(mesh_.F(f, (k + 2) % 3)) - at);
 }
 
 bool SurfaceLinks::isInner(int vertex) const {

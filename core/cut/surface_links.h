@@ -65,7 +65,7 @@ private:
     const MeshArrays& mesh_;
     const EdgeTable& table_;
     std::vector<int> twin_;
-    Buckets<> corners_;  ///< by vertex
+    geometry::Buckets<> corners_;  ///< by vertex
 };
 
 }  // namespace toile

@@ -21,7 +21,7 @@ std::vector<double> edgeLengths(const MeshArrays& mesh, const Edges& edges) {
 Result<PathPolyline> edgePath(const SurfaceLinks& links, int from, int to,
                               const Progress& progress) {
     const Edges& edges = links.table().edges;
-    const ShortestForest forest = shortestForest(
+    const geometry::ShortestForest forest = geometry::shortestForest(
         edges, links.vertexCount(), edgeLengths(links.mesh(), edges), {{from}}, to, progress);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};

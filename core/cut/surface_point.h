@@ -54,7 +54,7 @@ public:
 
 private:
     const MeshArrays& mesh_;
-    TriangleTree<3, double> tree_;
+    geometry::TriangleTree<3, double> tree_;
 };
 
 /// Weights of the point of a triangle nearest to `p`; exact zeros on its edges and corners.

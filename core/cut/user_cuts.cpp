@@ -42,7 +42,7 @@ SurfacePoint nearestOnRim(const SurfaceLinks& links, const Eigen::Vector3d& p, d
         }
         const Eigen::Vector3d a = links.mesh().V.row(links.tail(use));
         const Eigen::Vector3d b = links.mesh().V.row(links.head(use));
-        const double t = nearestShare(p, a, b);
+        const double t = geometry::nearestShare(p, a, b);
         const double d = (a + t * (b - a) - p).norm();
         if (d < distance) {
             distance = d;

@@ -39,9 +39,9 @@ private:
     void search(const std::vector<int>& sources, double longest);
 
     const Piece& piece_;
-    std::vector<int> loopIndex_;   ///< of each vertex; -1 inside
-    std::vector<bool> isHoleRim_;  ///< of each vertex
-    Buckets<> neighbours_;         ///< of each vertex: along the edges inside
+    std::vector<int> loopIndex_;      ///< of each vertex; -1 inside
+    std::vector<bool> isHoleRim_;     ///< of each vertex
+    geometry::Buckets<> neighbours_;  ///< of each vertex: along the edges inside
     // Between two searches: infinite, -1, empty.
     std::vector<double> distance_;
     std::vector<int> parent_;

@@ -19,7 +19,7 @@ struct PieceTriangle {
 };
 
 /// The triangles of a file by the face that they came of; before them all those of none.
-Buckets<PieceTriangle> trianglesByFace(const Garment& garment, int file, int faceCount) {
+geometry::Buckets<PieceTriangle> trianglesByFace(const Garment& garment, int file, int faceCount) {
     return {faceCount + 1, [&garment, file](auto add) {
                 for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
                     const Piece& piece = *garment.pieces[p];
@@ -174,7 +174,8 @@ private:
 FaceChanges appendFaces(std::string& out, const Garment& garment, int file,
                         const ObjIndices& indices) {
     const PolygonSoup& soup = *garment.files[file]->soup;
-    const Buckets<PieceTriangle> triangles = trianglesByFace(garment, file, soup.faceCount());
+    const geometry::Buckets<PieceTriangle> triangles =
+        trianglesByFace(garment, file, soup.faceCount());
     FaceWriter writer(out, garment, file, indices);
     for (int face = 0; face < soup.faceCount(); ++face) {
         const std::span corners(soup.corners.data() + soup.faceStart[face],

@@ -163,7 +163,7 @@ Result<FlatPiece> PieceFlattener::flatten(const std::shared_ptr<const Piece>& pi
 }
 
 std::size_t PieceFlattener::expectedBytes(const Piece& piece) {
-    const bool hasModel = piece.mesh.V.rows() < KktSizes{}.large;
+    const bool hasModel = piece.mesh.V.rows() < isometric::KktSizes{}.large;
     const std::size_t each = kBytesPerTriangle + (hasModel ? kModelBytesPerTriangle : 0);
     return piece.defect ? 0 : each * static_cast<std::size_t>(piece.mesh.F.rows());
 }

@@ -53,13 +53,13 @@ std::string nameInFile(const PolygonSoup& soup, SplitMode mode, int face) {
 /// Triangles and vertices of a division by their part, ascending in each. Vertices are in order of
 /// their position in the file, so that a piece does not depend on the order of corners.
 struct Parts {
-    Buckets<> triangles, vertices;
+    geometry::Buckets<> triangles, vertices;
 };
 
 Parts partsOf(const Division& division) {
     const std::vector<int>& partOf = division.partOfTriangle;
     const auto byPart = [&division](const std::vector<int>& part) {
-        return Buckets<>(division.partCount, [&part](auto add) {
+        return geometry::Buckets<>(division.partCount, [&part](auto add) {
             for (std::size_t i = 0; i < part.size(); ++i) {
                 add(part[i], static_cast<int>(i));
             }

@@ -92,7 +92,7 @@ private:
 
     OnEdge nearestOn(int e, const Eigen::Vector3d& point) const {
         const Eigen::Vector3d a = tailOf(e), b = headOf(e);
-        const double t = nearestShare(point, a, b);
+        const double t = geometry::nearestShare(point, a, b);
         return {t * (b - a).norm(), (a + t * (b - a) - point).norm()};
     }
 
@@ -255,7 +255,7 @@ private:
         const bool itself = weld.left == weld.right;
         const auto offset = static_cast<int>(itself ? 0 : left.mesh.V.rows());
         const auto total = static_cast<int>(offset + right.mesh.V.rows());
-        DisjointSets same(total);
+        geometry::DisjointSets same(total);
         for (const auto& [l, r] : weld.vertices) {
             same.join(l, offset + r);
         }

@@ -34,7 +34,7 @@ public:
     double of(const Eigen::RowVector3d& point) {
         double least = std::numeric_limits<double>::infinity(), along = 0;
         for (std::size_t k = last_; k + 1 < points_.size(); ++k) {
-            const double t = nearestShare(point, points_[k], points_[k + 1]);
+            const double t = geometry::nearestShare(point, points_[k], points_[k + 1]);
             const double away = (points_[k] + t * (points_[k + 1] - points_[k]) - point).norm();
             if (away < least) {
                 least = away;
@@ -72,7 +72,7 @@ std::vector<Lineage> partLineages(const Lineage& whole, std::span<const CutId> c
         if (std::ranges::find(borders, c, &Border::cut) == borders.end()) {
             continue;  // it parts nothing
         }
-        DisjointSets together(parts);
+        geometry::DisjointSets together(parts);
         for (const Border& border : borders) {
             if (border.cut > c) {
                 together.join(border.left, border.right);

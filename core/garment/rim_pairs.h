@@ -56,7 +56,7 @@ private:
     std::vector<Edge> edges_;
     std::vector<std::vector<int>> rims_;
     std::vector<Eigen::Vector3d> places_;
-    PointIndex index_;                          ///< of the places
+    geometry::PointIndex index_;                ///< of the places
     std::vector<Ends> ends_;                    ///< per edge
     std::map<Ends, std::vector<int>> between_;  ///< edges by their ends
 };

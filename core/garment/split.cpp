@@ -54,7 +54,7 @@ void numberVertices(const Triangles& F, const std::vector<int>& kind, int positi
     }
     // Buckets by position, small sorts by kind inside.
     using Corner = std::pair<int, int>;  // kind, corner
-    Buckets<Corner> corners(positionCount, [&](auto add) {
+    geometry::Buckets<Corner> corners(positionCount, [&](auto add) {
         for (int c = 0; c < cornerCount; ++c) {
             add(position[c], Corner(kind[c], c));
         }

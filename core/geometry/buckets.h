@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace toile {
+namespace toile::geometry {
 
 /// Items by a key from 0 on, those of one key side by side in the order in which they came: the
 /// edges at each vertex, the triangles of each face. Two passes over the items, no sorting.
@@ -44,4 +44,4 @@ private:
     std::vector<Item> items_;
 };
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-namespace toile {
+namespace toile::geometry {
 
 /// Union-find over 0 .. size-1, with path halving. The root of a set is its least member, so that
 /// results do not depend on the order of joins.
@@ -32,4 +32,4 @@ private:
     std::vector<int> parent_;
 };
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -7,7 +7,7 @@
 #include "core/base/tolerances.h"
 #include "core/geometry/segment.h"
 
-namespace toile {
+namespace toile::geometry {
 namespace {
 
 using Eigen::Vector2d;
@@ -161,4 +161,4 @@ EarTriangles clipEars(const std::vector<Eigen::Vector2d>& polygon) {
     return crossesItself(polygon) ? EarTriangles{} : EarClipper(polygon).run();
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

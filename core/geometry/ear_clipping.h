@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace toile {
+namespace toile::geometry {
 
 /// Corners of a polygon's triangles, as indices into the polygon's corners; anti-clockwise where
 /// the polygon is.
@@ -20,4 +20,4 @@ using EarTriangles = std::vector<std::array<int, 3>>;
 /// Cost: quadratic in the corners.
 EarTriangles clipEars(const std::vector<Eigen::Vector2d>& polygon);
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-namespace toile {
+namespace toile::geometry {
 namespace {
 
 constexpr std::size_t kFirstBuckets = 1024;
@@ -89,4 +89,4 @@ void PointIndex::add(int index) {
     first = index;
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-namespace toile {
+namespace toile::geometry {
 
 /// Finds points again that lie on each other: a list of points, and a hash of the cells they stand
 /// in. Not thread-safe.
@@ -41,4 +41,4 @@ private:
     std::vector<int> next_;   ///< per point: the one added to its bucket before, or -1
 };
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace toile {
+namespace toile::geometry {
 namespace {
 
 /// Half a unit in the last place of 1, and the bound of the rounding error of a determinant of
@@ -68,4 +68,4 @@ int exactOrientation(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
     return exact.sign();
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace toile {
+namespace toile::geometry {
 
 /// The cross product of two vectors of the plane: twice the signed area between them.
 template <class A, class B>
@@ -82,4 +82,4 @@ double distanceToSegment(const Vector& point, const Vector& a, const Vector& b) 
 int exactOrientation(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
                      const Eigen::RowVector2d& c);
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace toile {
+namespace toile::geometry {
 namespace {
 
 /// A cell is halved where its sweep leaves more than this many pairs for each segment.
@@ -227,4 +227,4 @@ bool visitSegmentPairs(const std::vector<Segment2>& segments, double margin,
     return Search(segments, margin, visit).run(segments);
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace toile {
+namespace toile::geometry {
 
 struct Segment2 {
     Eigen::RowVector2d a, b;
@@ -38,4 +38,4 @@ using PairVisitor = std::function<bool(int, int, const PlaneCell&)>;
 bool visitSegmentPairs(const std::vector<Segment2>& segments, double margin,
                        const PairVisitor& visit);
 
-}  // namespace toile
+}  // namespace toile::geometry

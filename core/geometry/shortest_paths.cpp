@@ -8,7 +8,7 @@
 
 #include "core/geometry/buckets.h"
 
-namespace toile {
+namespace toile::geometry {
 namespace {
 
 /// Between two looks at whether the search is still wanted: well below a millisecond.
@@ -74,4 +74,4 @@ ShortestForest shortestForest(const VertexPairs& edges, int vertexCount,
     return forest;
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

@@ -7,7 +7,7 @@
 
 #include "core/base/progress.h"
 
-namespace toile {
+namespace toile::geometry {
 
 /// The edges of a graph, #E x 2: the two vertices of each.
 using VertexPairs = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
@@ -32,4 +32,4 @@ ShortestForest shortestForest(const VertexPairs& edges, int vertexCount,
                               const std::vector<std::vector<int>>& sources, int stopAt = -1,
                               const Progress& progress = Progress());
 
-}  // namespace toile
+}  // namespace toile::geometry

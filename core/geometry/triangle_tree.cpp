@@ -3,7 +3,7 @@
 
 #include <bit>
 
-namespace toile {
+namespace toile::geometry {
 
 namespace {
 
@@ -102,4 +102,4 @@ template class TriangleTree<2>;
 template class TriangleTree<3>;
 template class TriangleTree<3, double>;
 
-}  // namespace toile
+}  // namespace toile::geometry

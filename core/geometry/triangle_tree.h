@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace toile {
+namespace toile::geometry {
 
 /// Boxes within boxes around triangles, for finding the few that a ray or a point may meet. Built
 /// once, in order of the places the triangles have on a curve that fills space (Morton's), which
@@ -90,4 +90,4 @@ extern template class TriangleTree<2>;
 extern template class TriangleTree<3>;
 extern template class TriangleTree<3, double>;
 
-}  // namespace toile
+}  // namespace toile::geometry

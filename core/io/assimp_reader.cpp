@@ -113,8 +113,8 @@ private:
     int firstPosition_, firstUv_;
     std::vector<Vector3d> positions_;
     std::vector<Vector3d> uvs_;  ///< position index, u, v
-    PointIndex positionIndex_{positions_};
-    PointIndex uvIndex_{uvs_};
+    geometry::PointIndex positionIndex_{positions_};
+    geometry::PointIndex uvIndex_{uvs_};
 };
 
 class SceneReader {
@@ -188,7 +188,7 @@ private:
     /// Assimp does not check the indices of every format; the builder leaves out what is not there.
     void readCorner(const aiMesh& mesh, unsigned v, const Matrix4d& placement, int place,
                     ObjectCorners& corners) {
-        int position = kNoSuchPosition, uv = kNoUv;
+        int position = io::kNoSuchPosition, uv = io::kNoUv;
         if (mesh.HasPositions() && v < mesh.mNumVertices) {
             const Vector3d placed =
                 scale_ * (placement * vectorOf(mesh.mVertices[v]).homogeneous()).head<3>();
@@ -197,7 +197,8 @@ private:
             if (found.second) {
                 builder_.addPosition(placed, place);
             }
-            uv = mesh.HasTextureCoords(0) ? corners.uv(position, mesh.mTextureCoords[0][v]) : kNoUv;
+            uv = mesh.HasTextureCoords(0) ? corners.uv(position, mesh.mTextureCoords[0][v])
+                                          : io::kNoUv;
         }
         soup_.corners.push_back(position);
         soup_.cornerUvs.push_back(uv);
@@ -215,11 +216,11 @@ private:
     static constexpr std::size_t kMaxCorners = std::numeric_limits<int>::max();
 
     const aiScene& scene_;
-    SoupBuilder builder_;
+    io::SoupBuilder builder_;
     PolygonSoup& soup_;
     double scale_;
-    FaceNames objects_{soup_.objects, soup_.faceObject};
-    FaceNames materials_{soup_.materials, soup_.faceMaterial};
+    io::FaceNames objects_{soup_.objects, soup_.faceObject};
+    io::FaceNames materials_{soup_.materials, soup_.faceMaterial};
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-namespace toile {
+namespace toile::io {
 
 /// A number as it lies in a file of the given byte order. @param bytes at least sizeof(T) of them
 template <class T>
@@ -20,4 +20,4 @@ T readBytes(const char* bytes, std::endian order) {
     return value;
 }
 
-}  // namespace toile
+}  // namespace toile::io

@@ -27,7 +27,7 @@ public:
 
     Result<PolygonSoup> read(const Progress& progress) {
         for (int lines = 1; !cursor_.atEnd(); ++lines) {
-            if (lines % kRecordsPerCancelCheck == 0 && progress.isCancelled()) {
+            if (lines % io::kRecordsPerCancelCheck == 0 && progress.isCancelled()) {
                 return builder_.cancelled();
             }
             cursor_.skipBlanks();
@@ -35,7 +35,7 @@ public:
             cursor_.nextLine();
         }
         if (!soup_.uvs.empty()) {
-            soup_.cornerUvs.resize(soup_.corners.size(), kNoUv);
+            soup_.cornerUvs.resize(soup_.corners.size(), io::kNoUv);
         }
         return builder_.finish();
     }
@@ -116,21 +116,22 @@ private:
 
     /// "a", "a/b", "a//c", "a/b/c"; empty parts after a slash are tolerated.
     bool readCorner() {
-        int position = kNoSuchPosition, uv = kNoUv, normal = 0;
-        if (!readIndex(soup_.positions.size(), kNoSuchPosition, position)) {
+        int position = io::kNoSuchPosition, uv = io::kNoUv, normal = 0;
+        if (!readIndex(soup_.positions.size(), io::kNoSuchPosition, position)) {
             return false;
         }
         if (cursor_.skip('/') && !cursor_.at('/') && !cursor_.atTokenEnd() &&
-            !readIndex(soup_.uvs.size(), kNoSuchUv, uv)) {
+            !readIndex(soup_.uvs.size(), io::kNoSuchUv, uv)) {
             return false;
         }
         if (cursor_.skip('/') && !cursor_.atTokenEnd() && !readIndex(0, 0, normal)) {
             return false;
         }
-        if (uv != kNoUv && soup_.cornerUvs.empty()) {  // most files have none: nothing is kept then
-            soup_.cornerUvs.resize(soup_.corners.size(), kNoUv);
+        if (uv != io::kNoUv &&
+            soup_.cornerUvs.empty()) {  // most files have none: nothing is kept then
+            soup_.cornerUvs.resize(soup_.corners.size(), io::kNoUv);
         }
-        if (uv != kNoUv || !soup_.cornerUvs.empty()) {
+        if (uv != io::kNoUv || !soup_.cornerUvs.empty()) {
             soup_.cornerUvs.push_back(uv);
         }
         soup_.corners.push_back(position);
@@ -138,18 +139,18 @@ private:
     }
 
     bool readIndex(std::size_t countSoFar, int none, int& index) {
-        using Status = TextCursor::IntStatus;
+        using Status = io::TextCursor::IntStatus;
         const Status status = cursor_.readInt(index);
         index = status == Status::Ok ? fromZero(index, countSoFar, none) : none;
         return status != Status::NotANumber;
     }
 
-    SoupBuilder builder_;
+    io::SoupBuilder builder_;
     PolygonSoup& soup_;
-    TextCursor cursor_;
-    FaceNames objects_{soup_.objects, soup_.faceObject};
-    FaceNames groups_{soup_.groups, soup_.faceGroup};
-    FaceNames materials_{soup_.materials, soup_.faceMaterial};
+    io::TextCursor cursor_;
+    io::FaceNames objects_{soup_.objects, soup_.faceObject};
+    io::FaceNames groups_{soup_.groups, soup_.faceGroup};
+    io::FaceNames materials_{soup_.materials, soup_.faceMaterial};
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ public:
             if (cursor_.atEnd()) {
                 return truncated(i, vertexCount, faceCount);
             }
-            if (i % kRecordsPerCancelCheck == 0 && progress.isCancelled()) {
+            if (i % io::kRecordsPerCancelCheck == 0 && progress.isCancelled()) {
                 return builder_.cancelled();
             }
             i < vertexCount ? readVertex() : readFace();
@@ -74,7 +74,7 @@ private:
 
     bool readCount(int& count) {
         cursor_.skipBlanks();
-        return cursor_.readInt(count) == TextCursor::IntStatus::Ok && count >= 0 &&
+        return cursor_.readInt(count) == io::TextCursor::IntStatus::Ok && count >= 0 &&
                cursor_.atTokenEnd();
     }
 
@@ -97,11 +97,12 @@ private:
         int cornerCount = 0;
         bool readable = readCount(cornerCount);
         for (int i = 0; readable && i < cornerCount; ++i) {
-            int index = kNoSuchPosition;
+            int index = io::kNoSuchPosition;
             cursor_.skipBlanks();
-            const TextCursor::IntStatus status = cursor_.readInt(index);
-            readable = status != TextCursor::IntStatus::NotANumber && cursor_.atTokenEnd();
-            soup_.corners.push_back(status == TextCursor::IntStatus::Ok ? index : kNoSuchPosition);
+            const io::TextCursor::IntStatus status = cursor_.readInt(index);
+            readable = status != io::TextCursor::IntStatus::NotANumber && cursor_.atTokenEnd();
+            soup_.corners.push_back(status == io::TextCursor::IntStatus::Ok ? index
+                                                                            : io::kNoSuchPosition);
         }
         readable ? static_cast<void>(builder_.endFace(line)) : builder_.dropUnreadableFace(line);
     }
@@ -122,9 +123,9 @@ private:
         return builder_.malformed("line " + std::to_string(cursor_.line()) + ": " + what);
     }
 
-    SoupBuilder builder_;
+    io::SoupBuilder builder_;
     PolygonSoup& soup_;
-    TextCursor cursor_;
+    io::TextCursor cursor_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "core/base/words.h"
 #include "core/io/text_cursor.h"
 
-namespace toile {
+namespace toile::io {
 namespace {
 
 constexpr Word<PlyType> kTypes[] = {
@@ -168,4 +168,4 @@ Result<PlyHeader> readPlyHeader(std::string_view bytes, const std::string& name)
     return HeaderReader(bytes, name).read();
 }
 
-}  // namespace toile
+}  // namespace toile::io

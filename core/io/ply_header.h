@@ -14,7 +14,7 @@
 #include "core/io/byte_order.h"
 #include "core/io/text_cursor.h"
 
-namespace toile {
+namespace toile::io {
 
 enum class PlyFormat { Ascii, LittleEndian, BigEndian };
 
@@ -145,4 +145,4 @@ private:
     std::endian order_;
 };
 
-}  // namespace toile
+}  // namespace toile::io

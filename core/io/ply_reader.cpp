@@ -15,10 +15,11 @@ namespace toile {
 namespace {
 
 /// Index of the first property of one of the names that is (or is not) a list, or -1.
-int indexOf(const PlyElement& element, bool list, std::initializer_list<std::string_view> names) {
+int indexOf(const io::PlyElement& element, bool list,
+            std::initializer_list<std::string_view> names) {
     for (const std::string_view name : names) {
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
-            const PlyProperty& property = element.properties[i];
+            const io::PlyProperty& property = element.properties[i];
             if (property.name == name && property.countType.has_value() == list) {
                 return static_cast<int>(i);
             }
@@ -29,7 +30,7 @@ int indexOf(const PlyElement& element, bool list, std::initializer_list<std::str
 
 /// Which properties of a vertex are its coordinates.
 struct VertexLayout {
-    explicit VertexLayout(const PlyElement& vertex)
+    explicit VertexLayout(const io::PlyElement& vertex)
         : x(indexOf(vertex, false, {"x"})),
           y(indexOf(vertex, false, {"y"})),
           z(indexOf(vertex, false, {"z"})),
@@ -45,7 +46,7 @@ struct VertexLayout {
     int x, y, z, u, v;
 };
 
-int cornerList(const PlyElement& face) {
+int cornerList(const io::PlyElement& face) {
     return indexOf(face, true, {"vertex_indices", "vertex_index"});
 }
 
@@ -54,27 +55,27 @@ bool isIndex(double value) {
 }
 
 int cornerIndex(double value) {
-    return isIndex(value) ? static_cast<int>(value) : kNoSuchPosition;
+    return isIndex(value) ? static_cast<int>(value) : io::kNoSuchPosition;
 }
 
 template <class Numbers>
 class PlyBodyReader {
 public:
-    PlyBodyReader(const PlyHeader& header, std::shared_ptr<const std::string> bytes,
-                  SoupBuilder& builder, const Progress& progress)
+    PlyBodyReader(const io::PlyHeader& header, std::shared_ptr<const std::string> bytes,
+                  io::SoupBuilder& builder, const Progress& progress)
         : header_(header),
           builder_(builder),
           soup_(builder.soup()),
           progress_(progress),
           numbers_(*bytes, header) {
-        if (header.format == PlyFormat::Ascii) {
+        if (header.format == io::PlyFormat::Ascii) {
             soup_.text = std::move(bytes);
         }
     }
 
     Result<PolygonSoup> read() {
         bool hasVertices = false, hasFaces = false;
-        for (const PlyElement& element : header_.elements) {
+        for (const io::PlyElement& element : header_.elements) {
             Result<void> done;
             if (element.name == "vertex" && !std::exchange(hasVertices, true)) {
                 done = readVertices(element);
@@ -96,7 +97,7 @@ public:
     }
 
 private:
-    Result<void> readVertices(const PlyElement& element) {
+    Result<void> readVertices(const io::PlyElement& element) {
         const VertexLayout layout(element);
         if (!layout.hasPosition()) {
             return builder_.malformed("the header gives vertices no x, y and z");
@@ -145,12 +146,12 @@ private:
 
     /// Reads the faces whose corners the given property lists; passes over the element where that
     /// is -1. Records without properties take no room, whatever their count.
-    Result<void> readFaces(const PlyElement& element, int list) {
+    Result<void> readFaces(const io::PlyElement& element, int list) {
         for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i) {
             bool readable = true;
             double unused = 0;
             for (int k = 0; k < static_cast<int>(element.properties.size()); ++k) {
-                const PlyProperty& property = element.properties[static_cast<std::size_t>(k)];
+                const io::PlyProperty& property = element.properties[static_cast<std::size_t>(k)];
                 if (k == list ? !readCorners(property, readable)
                               : !readProperty(property, unused)) {
                     return truncated(element, i);
@@ -168,7 +169,7 @@ private:
         return {};
     }
 
-    bool readCorners(const PlyProperty& property, bool& readable) {
+    bool readCorners(const io::PlyProperty& property, bool& readable) {
         std::size_t count = 0;
         double index = 0;
         numbers_.takeUnreadable();  // of the record's other properties: of no consequence
@@ -183,7 +184,7 @@ private:
     }
 
     /// A plain number, or a list that is passed over.
-    bool readProperty(const PlyProperty& property, double& value) {
+    bool readProperty(const io::PlyProperty& property, double& value) {
         if (!property.countType) {
             return numbers_.next(property.type, value);
         }
@@ -198,7 +199,7 @@ private:
     }
 
     /// Number of entries of a list; false also where it is none, as nothing after it has a place.
-    bool readCount(const PlyProperty& property, std::size_t& count) {
+    bool readCount(const io::PlyProperty& property, std::size_t& count) {
         double value = 0;
         if (!numbers_.next(*property.countType, value) || !isIndex(value)) {
             return false;
@@ -208,17 +209,17 @@ private:
     }
 
     bool isCancelled(std::size_t record) const {
-        return record % kRecordsPerCancelCheck == 0 && progress_.isCancelled();
+        return record % io::kRecordsPerCancelCheck == 0 && progress_.isCancelled();
     }
 
-    Error truncated(const PlyElement& element, std::size_t record) const {
+    Error truncated(const io::PlyElement& element, std::size_t record) const {
         return builder_.malformed("\"" + element.name + "\" " + std::to_string(record + 1) +
                                   " of " + std::to_string(element.count) +
                                   " breaks off or has a list without a proper count");
     }
 
-    const PlyHeader& header_;
-    SoupBuilder& builder_;
+    const io::PlyHeader& header_;
+    io::SoupBuilder& builder_;
     PolygonSoup& soup_;
     const Progress& progress_;
     Numbers numbers_;
@@ -228,15 +229,16 @@ private:
 
 Result<PolygonSoup> readPly(std::shared_ptr<const std::string> text, const std::string& name,
                             Progress& progress) {
-    const Result<PlyHeader> header = readPlyHeader(*text, name);
+    const Result<io::PlyHeader> header = io::readPlyHeader(*text, name);
     if (!header) {
         return header.error();
     }
-    const bool ascii = header->format == PlyFormat::Ascii;
-    SoupBuilder builder(name, ascii ? "line" : "record");
-    return ascii
-               ? PlyBodyReader<PlyTextNumbers>(*header, std::move(text), builder, progress).read()
-               : PlyBodyReader<PlyByteNumbers>(*header, std::move(text), builder, progress).read();
+    const bool ascii = header->format == io::PlyFormat::Ascii;
+    io::SoupBuilder builder(name, ascii ? "line" : "record");
+    return ascii ? PlyBodyReader<io::PlyTextNumbers>(*header, std::move(text), builder, progress)
+                       .read()
+                 : PlyBodyReader<io::PlyByteNumbers>(*header, std::move(text), builder, progress)
+                       .read();
 }
 
 }  // namespace toile

@@ -9,7 +9,7 @@
 #include "core/base/text.h"
 #include "core/io/text_cursor.h"
 
-namespace toile {
+namespace toile::io {
 namespace {
 
 bool inRange(int index, std::size_t count) {
@@ -190,4 +190,4 @@ Problems ProblemCounter::problems(const std::string& file) const {
     return problems;
 }
 
-}  // namespace toile
+}  // namespace toile::io

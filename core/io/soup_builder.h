@@ -10,7 +10,7 @@
 #include "core/base/result.h"
 #include "core/io/soup.h"
 
-namespace toile {
+namespace toile::io {
 
 /// Counts what a reader meets, so that a file with a thousand faults of a kind gives one message
 /// with the count and the first place.
@@ -128,4 +128,4 @@ private:
     int current_ = -1;
 };
 
-}  // namespace toile
+}  // namespace toile::io

@@ -22,7 +22,7 @@ constexpr std::size_t kNormalBytes = 12;
 constexpr std::size_t kCornerBytes = 12;
 
 std::uint32_t promisedFacets(const std::string& bytes) {
-    return readBytes<std::uint32_t>(bytes.data() + 80, std::endian::little);
+    return io::readBytes<std::uint32_t>(bytes.data() + 80, std::endian::little);
 }
 
 /// Decided by the size, as some binary files begin with "solid" too. A file that does not may
@@ -34,7 +34,7 @@ bool isBinary(const std::string& bytes) {
     if (bytes.size() == kHeaderBytes + kFacetBytes * std::size_t{promisedFacets(bytes)}) {
         return true;
     }
-    TextCursor cursor(bytes);
+    io::TextCursor cursor(bytes);
     cursor.skipSpace();
     return !equalsIgnoringCase(cursor.token().substr(0, 5), "solid");
 }
@@ -42,7 +42,7 @@ bool isBinary(const std::string& bytes) {
 Eigen::Vector3d positionAt(const char* bytes) {
     const auto number = [bytes](std::size_t axis) {
         return static_cast<double>(
-            readBytes<float>(bytes + sizeof(float) * axis, std::endian::little));
+            io::readBytes<float>(bytes + sizeof(float) * axis, std::endian::little));
     };
     return {number(0), number(1), number(2)};
 }
@@ -69,7 +69,7 @@ public:
         soup_.faceStart.reserve(count + 1);
         const char* facet = bytes_.data() + kHeaderBytes;
         for (std::size_t i = 0; i < count; ++i, facet += kFacetBytes) {
-            if (i % kRecordsPerCancelCheck == 0 && progress.isCancelled()) {
+            if (i % io::kRecordsPerCancelCheck == 0 && progress.isCancelled()) {
                 return builder_.cancelled();
             }
             const int place = static_cast<int>(i) + 1;
@@ -82,7 +82,7 @@ public:
     }
 
     Result<PolygonSoup> readAscii(const Progress& progress) {
-        TextCursor cursor(bytes_);
+        io::TextCursor cursor(bytes_);
         cursor.skipSpace();
         if (!equalsIgnoringCase(cursor.token(), "solid")) {
             return builder_.malformed(
@@ -92,7 +92,7 @@ public:
         cursor.nextLine();
         int words = 0;
         for (cursor.skipSpace(); !cursor.atEnd(); cursor.skipSpace()) {
-            if (++words % kRecordsPerCancelCheck == 0 && progress.isCancelled()) {
+            if (++words % io::kRecordsPerCancelCheck == 0 && progress.isCancelled()) {
                 return builder_.cancelled();
             }
             readWord(cursor);
@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    void readWord(TextCursor& cursor) {
+    void readWord(io::TextCursor& cursor) {
         const std::string_view word = cursor.token();
         if (equalsIgnoringCase(word, "vertex")) {
             readVertex(cursor);
@@ -115,7 +115,7 @@ private:
         }
     }
 
-    void readVertex(TextCursor& cursor) {
+    void readVertex(io::TextCursor& cursor) {
         const std::string_view text = cursor.restOfLine();
         Eigen::Vector3d position;
         if (cursor.readDoubles(position.data(), 3)) {
@@ -143,9 +143,9 @@ private:
 
     std::shared_ptr<const std::string> file_;
     const std::string& bytes_;
-    SoupBuilder builder_;
+    io::SoupBuilder builder_;
     PolygonSoup& soup_;
-    PointIndex index_;
+    geometry::PointIndex index_;
 };
 
 }  // namespace

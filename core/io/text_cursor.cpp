@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-namespace toile {
+namespace toile::io {
 namespace {
 
 bool isDigit(char c) {
@@ -122,4 +122,4 @@ bool hasDecimalComma(std::string_view text) {
     return false;
 }
 
-}  // namespace toile
+}  // namespace toile::io

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace toile {
+namespace toile::io {
 
 inline bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
@@ -112,4 +112,4 @@ private:
 /// decimal commas.
 bool hasDecimalComma(std::string_view text);
 
-}  // namespace toile
+}  // namespace toile::io

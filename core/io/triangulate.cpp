@@ -141,7 +141,8 @@ private:
 
     void divideLarger() {
         const Vector3d n = normal();
-        const EarTriangles triangles = n.isZero(0) ? EarTriangles{} : clipEars(projected(n));
+        const geometry::EarTriangles triangles =
+            n.isZero(0) ? geometry::EarTriangles{} : geometry::clipEars(projected(n));
         if (triangles.empty()) {
             fan(kCrossing);
         }
@@ -185,7 +186,7 @@ private:
 
     const PolygonSoup& soup_;
     std::string name_;
-    ProblemCounter counter_{"face"};
+    io::ProblemCounter counter_{"face"};
     Triangulation result_;
     int face_ = 0;
     std::vector<int> sorted_;

@@ -35,7 +35,8 @@ void thin(const std::vector<Point>& points, std::size_t from, std::size_t to, do
         double farthest = most;
         std::size_t at = 0;
         for (std::size_t i = a + 1; i < b; ++i) {
-            const double d = distanceToSegment(points[i], points[a], points[b % points.size()]);
+            const double d =
+                geometry::distanceToSegment(points[i], points[a], points[b % points.size()]);
             if (d > farthest) {
                 farthest = d;
                 at = i;
@@ -85,8 +86,8 @@ Shape shapeOf(const Points2& outline, double most) {
 }
 
 bool segmentsCross(const Point& a, const Point& b, const Point& c, const Point& d) {
-    return (cross(b - a, c - a) > 0) != (cross(b - a, d - a) > 0) &&
-           (cross(d - c, a - c) > 0) != (cross(d - c, b - c) > 0);
+    return (geometry::cross(b - a, c - a) > 0) != (geometry::cross(b - a, d - a) > 0) &&
+           (geometry::cross(d - c, a - c) > 0) != (geometry::cross(d - c, b - c) > 0);
 }
 
 bool contains(const Shape& shape, const Point& p) {
@@ -140,9 +141,10 @@ bool inTheWay(const Shape& moving, const Point& move, const Shape& other, double
             Box there(c);
             there.extend(d);
             if (there.intersects(nearby) &&
-                (distanceToSegment(a, c, d) < gap || distanceToSegment(b, c, d) < gap ||
-                 distanceToSegment(c, a, b) < gap || distanceToSegment(d, a, b) < gap ||
-                 segmentsCross(a, b, c, d))) {
+                (geometry::distanceToSegment(a, c, d) < gap ||
+                 geometry::distanceToSegment(b, c, d) < gap ||
+                 geometry::distanceToSegment(c, a, b) < gap ||
+                 geometry::distanceToSegment(d, a, b) < gap || segmentsCross(a, b, c, d))) {
                 return true;
             }
         }

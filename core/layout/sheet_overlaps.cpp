@@ -34,7 +34,7 @@ PointRow next(const Points2& outline, Eigen::Index i) {
     return outline.row((i + 1) % outline.rows());
 }
 
-void addEdgesIn(const Box& box, const Points2& outline, std::vector<Segment2>& segments) {
+void addEdgesIn(const Box& box, const Points2& outline, std::vector<geometry::Segment2>& segments) {
     for (Eigen::Index i = 0; i < outline.rows(); ++i) {
         Box edge;
         edge.extend(Eigen::Vector2d(outline.row(i).transpose()));
@@ -45,7 +45,7 @@ void addEdgesIn(const Box& box, const Points2& outline, std::vector<Segment2>& s
     }
 }
 
-double distanceToLine(const PointRow& p, const Segment2& line) {
+double distanceToLine(const PointRow& p, const geometry::Segment2& line) {
     const PointRow along = line.b - line.a;
     const PointRow off = p - line.a;
     const double length = along.norm();
@@ -53,9 +53,10 @@ double distanceToLine(const PointRow& p, const Segment2& line) {
 }
 
 /// True where the segments cross, and one of them by more than a touch.
-bool crossWell(const Segment2& s, const Segment2& t) {
-    const bool crosses = exactOrientation(s.a, s.b, t.a) * exactOrientation(s.a, s.b, t.b) < 0 &&
-                         exactOrientation(t.a, t.b, s.a) * exactOrientation(t.a, t.b, s.b) < 0;
+bool crossWell(const geometry::Segment2& s, const geometry::Segment2& t) {
+    const bool crosses =
+        geometry::exactOrientation(s.a, s.b, t.a) * geometry::exactOrientation(s.a, s.b, t.b) < 0 &&
+        geometry::exactOrientation(t.a, t.b, s.a) * geometry::exactOrientation(t.a, t.b, s.b) < 0;
     return crosses && std::min(distanceToLine(t.a, s), distanceToLine(t.b, s)) > kTouching &&
            std::min(distanceToLine(s.a, t), distanceToLine(s.b, t)) > kTouching;
 }
@@ -66,9 +67,9 @@ bool contains(const Points2& outline, const PointRow& p) {
     for (Eigen::Index i = 0; i < outline.rows(); ++i) {
         const PointRow a = outline.row(i), b = next(outline, i);
         if (a.y() <= p.y() && b.y() > p.y()) {
-            winding += exactOrientation(a, b, p) > 0;
+            winding += geometry::exactOrientation(a, b, p) > 0;
         } else if (a.y() > p.y() && b.y() <= p.y()) {
-            winding -= exactOrientation(a, b, p) < 0;
+            winding -= geometry::exactOrientation(a, b, p) < 0;
         }
     }
     return winding != 0;
@@ -78,7 +79,7 @@ double distanceTo(const Points2& outline, const PointRow& p) {
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < outline.rows(); ++i) {
         const PointRow a = outline.row(i), b = next(outline, i);
-        least = std::min(least, distanceToSegment(p, a, b));
+        least = std::min(least, geometry::distanceToSegment(p, a, b));
     }
     return least;
 }
@@ -108,12 +109,12 @@ bool hasPlaceIn(const Points2& outer, const Points2& inner, const Box& both) {
 }
 
 bool overlap(const Points2& one, const Points2& other, const Box& both) {
-    std::vector<Segment2> segments;
+    std::vector<geometry::Segment2> segments;
     addEdgesIn(both, one, segments);
     const auto split = static_cast<int>(segments.size());
     addEdgesIn(both, other, segments);
     bool found = false;
-    visitSegmentPairs(segments, 0, [&](int i, int j, const PlaneCell&) -> bool {
+    geometry::visitSegmentPairs(segments, 0, [&](int i, int j, const geometry::PlaneCell&) -> bool {
         const bool ofBoth = i < split && j >= split;
         found = found || (ofBoth && crossWell(segments[static_cast<std::size_t>(i)],
                                               segments[static_cast<std::size_t>(j)]));

@@ -182,7 +182,7 @@ std::optional<double> nearestEdgeDirection(const Points2& outline, const Eigen::
         if (!(edge.squaredNorm() > 0)) {
             continue;
         }
-        const double distance = distanceToSegment(point, from, to);
+        const double distance = geometry::distanceToSegment(point, from, to);
         if (!direction || distance < least) {
             least = distance;
             const double angle = std::atan2(edge.y(), edge.x());

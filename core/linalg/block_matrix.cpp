@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-namespace toile {
+namespace toile::linalg {
 
 // Columns 2 v and 2 v + 1 hold, in order, the diagonal block's lower triangle and two rows for each
 // edge from v to a larger vertex; every place follows from the edge's number alone.
-BlockMatrix::BlockMatrix(const VertexPairs& edges, int vertexCount)
+BlockMatrix::BlockMatrix(const geometry::VertexPairs& edges, int vertexCount)
     : edges_(edges), firstEdge_(static_cast<std::size_t>(vertexCount) + 1, 0) {
     for (int e = 0; e < edges.rows(); ++e) {
         ++firstEdge_[edges(e, 0) + 1];
@@ -151,4 +151,4 @@ Eigen::RowVector2d BlockMatrix::solveVertex(int v, const Eigen::RowVector2d& rig
            determinant;
 }
 
-}  // namespace toile
+}  // namespace toile::linalg

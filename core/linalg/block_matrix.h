@@ -8,7 +8,7 @@
 #include "core/geometry/shortest_paths.h"
 #include "core/linalg/sparse_cholesky.h"
 
-namespace toile {
+namespace toile::linalg {
 
 /// Two numbers for each vertex, #V x 2.
 using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
@@ -19,7 +19,7 @@ using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 class BlockMatrix {
 public:
     /// @param edges  pairs (smaller, larger), sorted, each once
-    BlockMatrix(const VertexPairs& edges, int vertexCount);
+    BlockMatrix(const geometry::VertexPairs& edges, int vertexCount);
 
     void setZero();
     /// Multiplies the diagonal entries.
@@ -53,9 +53,9 @@ private:
     void addBelow(int v, const Eigen::RowVector2d& x, BlockVector& y) const;
     Eigen::RowVector2d solveVertex(int v, const Eigen::RowVector2d& right) const;
 
-    VertexPairs edges_;
+    geometry::VertexPairs edges_;
     std::vector<int> firstEdge_;  ///< #V + 1: edges whose smaller vertex is v
     SymmetricMatrix matrix_;
 };
 
-}  // namespace toile
+}  // namespace toile::linalg

@@ -8,7 +8,7 @@
 
 #include "core/geometry/buckets.h"
 
-namespace toile {
+namespace toile::linalg {
 namespace {
 
 constexpr int kUndivided = 16;  ///< so many unknowns are eliminated as they come
@@ -16,8 +16,8 @@ constexpr double kLongest = 4;  ///< what lies between the sides of n unknowns, 
 constexpr int kSmallest = 4000;  ///< where n is less it need not be looked at
 
 /// Each unknown's neighbours.
-Buckets<> neighboursIn(const SymmetricMatrix& pattern) {
-    return Buckets<>(pattern.size, [&pattern](auto add) {
+geometry::Buckets<> neighboursIn(const SymmetricMatrix& pattern) {
+    return geometry::Buckets<>(pattern.size, [&pattern](auto add) {
         for (int j = 0; j < pattern.size; ++j) {
             for (int k = pattern.columnStart[j] + 1; k < pattern.columnStart[j + 1]; ++k) {
                 add(pattern.row[k], j);
@@ -42,7 +42,7 @@ int longestAxis(std::span<const int> unknowns, const Places& places) {
 }  // namespace
 
 std::vector<int> eliminationOrder(const SymmetricMatrix& pattern, const Places& places) {
-    const Buckets<> neighbours = neighboursIn(pattern);
+    const geometry::Buckets<> neighbours = neighboursIn(pattern);
     std::vector<int> order(static_cast<std::size_t>(pattern.size));
     std::iota(order.begin(), order.end(), 0);
     std::vector<int> cut(order.size(), 0);  // the last one that an unknown was on the near side of
@@ -74,4 +74,4 @@ std::vector<int> eliminationOrder(const SymmetricMatrix& pattern, const Places& 
     return order;
 }
 
-}  // namespace toile
+}  // namespace toile::linalg

@@ -7,7 +7,7 @@
 
 #include "core/linalg/sparse_cholesky.h"
 
-namespace toile {
+namespace toile::linalg {
 
 /// Where unknowns lie, # x 3.
 using Places = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
@@ -20,4 +20,4 @@ using Places = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// many vertices, as when it is rolled up. Pure. Cost: n log n.
 std::vector<int> eliminationOrder(const SymmetricMatrix& pattern, const Places& places);
 
-}  // namespace toile
+}  // namespace toile::linalg

@@ -18,7 +18,7 @@ extern "C" void openblas_set_num_threads(int count) __attribute__((weak));
 static void (*const openblas_set_num_threads)(int) = nullptr;
 #endif
 
-namespace toile {
+namespace toile::linalg {
 
 SymmetricMatrix SymmetricBuilder::build() const {
     Eigen::SparseMatrix<double> sum(size_, size_);
@@ -245,4 +245,4 @@ std::size_t SparseCholesky::bytes() const {
     return entries + 4 * sizeof(int) * factor->n;
 }
 
-}  // namespace toile
+}  // namespace toile::linalg

@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::linalg {
 
 /// Lower triangle of a sparse symmetric matrix, column by column, rows ascending, the diagonal
 /// entry first in each column and always present.
@@ -80,4 +80,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace toile
+}  // namespace toile::linalg

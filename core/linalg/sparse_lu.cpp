@@ -5,7 +5,7 @@
 
 #include <umfpack.h>
 
-namespace toile {
+namespace toile::linalg {
 namespace {
 
 /// UMFPACK's objects of one factorisation.
@@ -58,4 +58,4 @@ Result<Eigen::MatrixXd> solveUnsymmetric(const std::vector<Eigen::Triplet<double
     return status == UMFPACK_OK ? Result<Eigen::MatrixXd>(std::move(X)) : failureOf(status);
 }
 
-}  // namespace toile
+}  // namespace toile::linalg

@@ -7,7 +7,7 @@
 
 #include "core/base/result.h"
 
-namespace toile {
+namespace toile::linalg {
 
 /// X with A X = B for a sparse unsymmetric matrix whose entries lie symmetrically, as those of a
 /// weighted Laplacian with different weights to and fro: an LU factorisation by UMFPACK, with
@@ -19,4 +19,4 @@ namespace toile {
 Result<Eigen::MatrixXd> solveUnsymmetric(const std::vector<Eigen::Triplet<double>>& entries,
                                          const Eigen::MatrixXd& B);
 
-}  // namespace toile
+}  // namespace toile::linalg

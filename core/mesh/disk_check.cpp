@@ -114,7 +114,7 @@ private:
     /// Tells a winding that can be turned (flood fill by parity) from a one-sided surface.
     bool checkOrientation() {
         Fault opposed;
-        DisjointSets sides(2 * faceCount());  // a face as it is, and the face flipped
+        geometry::DisjointSets sides(2 * faceCount());  // a face as it is, and the face flipped
         for (int e = 0; e < edgeCount(); ++e) {
             if (uses(e).size() != 2) {
                 continue;
@@ -141,7 +141,7 @@ private:
 
     /// The faces around a vertex must hang together by edges.
     bool checkFans() {
-        DisjointSets corners(3 * faceCount());
+        geometry::DisjointSets corners(3 * faceCount());
         for (int e = 0; e < edgeCount(); ++e) {
             if (uses(e).size() == 2) {
                 joinCorners(mesh_.F, uses(e)[0], uses(e)[1], corners);

@@ -34,7 +34,7 @@ int useOf(Side side) {
 
 EdgeTable buildEdgeTable(const Triangles& F, int vertexCount) {
     const int sideCount = static_cast<int>(F.size());
-    Buckets<Side> sides(vertexCount, [&F, sideCount](auto add) {
+    geometry::Buckets<Side> sides(vertexCount, [&F, sideCount](auto add) {
         for (int use = 0; use < sideCount; ++use) {
             const int a = tailOf(F, use), b = headOf(F, use);
             add(std::min(a, b), makeSide(std::max(a, b), use));
@@ -62,7 +62,7 @@ EdgeTable buildEdgeTable(const Triangles& F, int vertexCount) {
 }
 
 std::vector<int> faceComponents(const Triangles& F, int vertexCount) {
-    DisjointSets sets(vertexCount);
+    geometry::DisjointSets sets(vertexCount);
     for (int f = 0; f < F.rows(); ++f) {
         sets.join(F(f, 0), F(f, 1));
         sets.join(F(f, 0), F(f, 2));

@@ -55,7 +55,7 @@ public:
     double oppositeCotangent(int h) const {
         const Eigen::Vector2d& a = halfedges_[next(h)].vector;
         const Eigen::Vector2d& b = halfedges_[previous(h)].vector;
-        return -a.dot(b) / cross(a, b);
+        return -a.dot(b) / geometry::cross(a, b);
     }
 
     /// True where the angles opposite to an interior edge sum to more than pi, by more than
@@ -71,8 +71,8 @@ public:
         const Eigen::Vector2d& d = halfedges_[previous(t)].vector;
         // The sine of alpha + beta times the four lengths, and cot alpha + cot beta times both
         // areas.
-        const double firstArea = cross(a, b);
-        const double secondArea = cross(c, d);
+        const double firstArea = geometry::cross(a, b);
+        const double secondArea = geometry::cross(c, d);
         const double first = -a.dot(b) * secondArea;
         const double second = -c.dot(d) * firstArea;
         const double sum = first + second;
@@ -97,15 +97,15 @@ public:
         // complex number -vector(h) / vector(t), times the other's length.
         const Eigen::Vector2d& u = halfedges_[h].vector;
         const Eigen::Vector2d& v = halfedges_[t].vector;
-        const Eigen::Vector2d turn = Eigen::Vector2d(-u.dot(v), cross(u, v)).normalized();
+        const Eigen::Vector2d turn = Eigen::Vector2d(-u.dot(v), geometry::cross(u, v)).normalized();
         const auto turned = [&turn](const Eigen::Vector2d& w) {
             return Eigen::Vector2d(turn.x() * w.x() - turn.y() * w.y(),
                                    turn.y() * w.x() + turn.x() * w.y());
         };
         const Eigen::Vector2d newAfterT = turned(halfedges_[afterT].vector);
         const Eigen::Vector2d newBeforeT = turned(halfedges_[beforeT].vector);
-        if (!(cross(halfedges_[beforeH].vector, newAfterT) > 0 &&
-              cross(newBeforeT, halfedges_[afterH].vector) > 0)) {
+        if (!(geometry::cross(halfedges_[beforeH].vector, newAfterT) > 0 &&
+              geometry::cross(newBeforeT, halfedges_[afterH].vector) > 0)) {
             return false;
         }
         halfedges_[afterT].vector = newAfterT;
@@ -188,7 +188,7 @@ double weightOf(const FlippableSurface& surface, int h) {
 
 /// Each edge once, sorted, parallel ones summed, in linear time as `buildEdgeTable` does it.
 WeightedEdges collect(const FlippableSurface& surface, int vertexCount) {
-    Buckets<Link> links(vertexCount, [&surface](auto add) {
+    geometry::Buckets<Link> links(vertexCount, [&surface](auto add) {
         for (int h = 0; h < surface.halfedgeCount(); ++h) {
             const auto [a, b] = std::minmax({surface.origin(h), surface.target(h)});
             if (h > surface.twin(h) && a != b) {

@@ -91,7 +91,7 @@ inline std::vector<RimLoop> followRims(std::vector<int> next, const Points3& V) 
 
 /// Makes the corners at either end of an edge one fan, of two triangles with a side there; they may
 /// run the same way.
-inline void joinCorners(const Triangles& F, int side, int other, DisjointSets& fans) {
+inline void joinCorners(const Triangles& F, int side, int other, geometry::DisjointSets& fans) {
     const bool alike = tailOf(F, side) == tailOf(F, other);
     fans.join(side, alike ? other : nextSide(other));
     fans.join(nextSide(side), alike ? nextSide(other) : other);
@@ -102,7 +102,7 @@ inline void joinCorners(const Triangles& F, int side, int other, DisjointSets& f
 /// @param divides  of a vertex: false where its fans are to stay together
 /// @return the vertex that each new one is a copy of
 template <class Divides>
-std::vector<int> divideVertices(Triangles& F, int vertexCount, DisjointSets& fans,
+std::vector<int> divideVertices(Triangles& F, int vertexCount, geometry::DisjointSets& fans,
                                 Divides divides) {
     const int cornerCount = static_cast<int>(F.size());
     std::vector<char> isTaken(static_cast<std::size_t>(vertexCount), 0);

@@ -59,7 +59,7 @@ bool repeatsCorner(const Triangles& F, int f) {
 bool collapseRound(MeshPart& part, RepairNotes& notes) {
     MeshArrays& mesh = part.mesh;
     bool any = false;
-    DisjointSets same(static_cast<int>(mesh.V.rows()));
+    geometry::DisjointSets same(static_cast<int>(mesh.V.rows()));
     for (int f = 0; f < mesh.F.rows(); ++f) {
         const FaceShape shape = shapeOf(mesh, f);
         const double none = (shape.flat ? kFlatNeedle : kDegenerateHeight) * shape.longest;

@@ -73,7 +73,7 @@ private:
         }
         std::sort(pairs.begin(), pairs.end());
         // Components as they are, and flipped: a join may not make the two one.
-        DisjointSets ways(2 * static_cast<int>(sides.oneSided.size()));
+        geometry::DisjointSets ways(2 * static_cast<int>(sides.oneSided.size()));
         for (std::size_t c = 0; c < sides.oneSided.size(); ++c) {
             if (sides.oneSided[c] != 0) {
                 ways.join(static_cast<int>(2 * c), static_cast<int>(2 * c + 1));

@@ -127,7 +127,7 @@ std::vector<ConnectedPart> connectedParts(MeshPart part) {
             to.part.sourceVertex.push_back(part.sourceVertex[v]);
         }
     }
-    const Buckets<> faces(count, [&label](auto add) {
+    const geometry::Buckets<> faces(count, [&label](auto add) {
         for (std::size_t f = 0; f < label.size(); ++f) {
             add(label[f], static_cast<int>(f));
         }

@@ -6,7 +6,7 @@
 namespace toile {
 
 void separateFans(MeshPart& part, const Gluing& gluing, RepairNotes& notes) {
-    DisjointSets fans(static_cast<int>(part.mesh.F.size()));
+    geometry::DisjointSets fans(static_cast<int>(part.mesh.F.size()));
     for (int side = 0; side < static_cast<int>(part.mesh.F.size()); ++side) {
         if (gluing.twin[side] > side) {
             joinCorners(part.mesh.F, side, gluing.twin[side], fans);

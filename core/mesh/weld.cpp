@@ -36,7 +36,7 @@ Weld findWeld(const Triangles& F, const PointsView& V, const WeldOptions& option
         options.borderOnly ? borderVertices(F, vertexCount) : usedVertices(F, vertexCount);
     std::vector<Eigen::Vector3d> places;
     std::vector<int> vertexAt;  // per place: the first vertex there
-    PointIndex index(places, options.tolerance);
+    geometry::PointIndex index(places, options.tolerance);
     Weld weld;
     weld.target.resize(vertexCount);
     for (int v = 0; v < vertexCount; ++v) {

@@ -22,7 +22,7 @@ constexpr double kClear = 1.5;       // mm between the line and what it keeps of
 std::vector<double> crossings(const std::vector<Points2>& loops, const Eigen::Vector2d& point,
                               const Eigen::Vector2d& direction) {
     std::vector<double> places;
-    const Eigen::Vector2d normal = leftOf(direction);
+    const Eigen::Vector2d normal = geometry::leftOf(direction);
     for (const Points2& loop : loops) {
         const Eigen::Index count = loop.rows();
         for (Eigen::Index i = 0; i < count; ++i) {
@@ -43,7 +43,8 @@ bool meets(const Chord& chord, const Eigen::AlignedBox2d& box) {
         return false;
     }
     const Eigen::Vector2d way = chord.to - chord.from;
-    const ShareInBox share = shareInBox<Eigen::Vector2d>(chord.from, way, box.min(), box.max());
+    const geometry::ShareInBox share =
+        geometry::shareInBox<Eigen::Vector2d>(chord.from, way, box.min(), box.max());
     return share.first <= share.last;
 }
 
@@ -62,7 +63,7 @@ std::optional<Chord> grainLine(const std::vector<Points2>& loops, double angle,
         return std::nullopt;
     }
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-    const Eigen::Vector2d normal = leftOf(direction);
+    const Eigen::Vector2d normal = geometry::leftOf(direction);
     const Eigen::VectorXd across = loops.front() * normal;
     const double low = across.minCoeff(), high = across.maxCoeff();
     Eigen::AlignedBox2d around = off;

@@ -117,7 +117,7 @@ private:
         if (!(way.norm() > 0)) {
             return std::nullopt;
         }
-        const Chord tick{from, from + size * leftOf(way.normalized())};
+        const Chord tick{from, from + size * geometry::leftOf(way.normalized())};
         for (const Chord& other : ticks_) {
             if ((tick.from - other.from).norm() < kSameTick &&
                 (tick.to - other.to).norm() < kSameTick) {
@@ -154,10 +154,11 @@ private:
             const Eigen::Vector2d p = line.row(i).transpose() - before;
             const double place = p.dot(along);
             if (place > 0 && place < 2 * half) {
-                bulge = std::max(bulge, p.dot(leftOf(along)));
+                bulge = std::max(bulge, p.dot(geometry::leftOf(along)));
             }
         }
-        mark.place = {0.5 * (before + after) + (bulge + kOffCut * height) * leftOf(along), height};
+        mark.place = {0.5 * (before + after) + (bulge + kOffCut * height) * geometry::leftOf(along),
+                      height};
         mark.angle = std::atan2(along.y(), along.x());
         if (mark.angle > 0.5 * std::numbers::pi + 1e-9 ||
             mark.angle <= -0.5 * std::numbers::pi + 1e-9) {

@@ -29,8 +29,8 @@ Eigen::MatrixX3d cornerAngles(const Points& P, const Triangles& F) {
     for (int f = 0; f < F.rows(); ++f) {
         for (int k = 0; k < 3; ++k) {
             const auto at = P.row(F(f, k));
-            angles(f, k) =
-                angleBetween(P.row(F(f, (k + 1) % 3)) - at, P.row(F(f, (k + 2) % 3)) - at);
+            angles(f, k) = geometry::angleBetween(P.row(F(f, (k + 1) % 3)) - at,
+                                                  P.row(F(f, (k + 2) % 3)) - at);
         }
     }
     return angles;
@@ -57,8 +57,9 @@ Eigen::VectorXd boundaryAngles3d(const MeshArrays& mesh, const std::vector<int>&
         for (int k = 0; k < 3; ++k) {
             const int v = mesh.F(f, k);
             if (wanted[v] != 0) {
-                sum[v] += angleBetween(mesh.V.row(mesh.F(f, (k + 1) % 3)) - mesh.V.row(v),
-                                       mesh.V.row(mesh.F(f, (k + 2) % 3)) - mesh.V.row(v));
+                sum[v] +=
+                    geometry::angleBetween(mesh.V.row(mesh.F(f, (k + 1) % 3)) - mesh.V.row(v),
+                                           mesh.V.row(mesh.F(f, (k + 2) % 3)) - mesh.V.row(v));
             }
         }
     }
@@ -76,7 +77,7 @@ Eigen::VectorXd boundaryAngles2d(const Points2& Q, const std::vector<int>& bound
         const Eigen::RowVector2d at = Q.row(boundary[i]);
         const Eigen::RowVector2d forward = Q.row(boundary[(i + 1) % n]) - at;
         const Eigen::RowVector2d backward = Q.row(boundary[(i + n - 1) % n]) - at;
-        const double angle = turnBetween(forward, backward);
+        const double angle = geometry::turnBetween(forward, backward);
         angles[i] = angle < 0 ? angle + 2 * std::numbers::pi : angle;
     }
     return angles;
@@ -109,7 +110,8 @@ Eigen::VectorXd triangleAreas3d(const MeshArrays& mesh) {
 Eigen::VectorXd triangleAreas2d(const Points2& Q, const Triangles& F) {
     Eigen::VectorXd areas(F.rows());
     for (int f = 0; f < F.rows(); ++f) {
-        areas[f] = 0.5 * cross(Q.row(F(f, 1)) - Q.row(F(f, 0)), Q.row(F(f, 2)) - Q.row(F(f, 0)));
+        areas[f] =
+            0.5 * geometry::cross(Q.row(F(f, 1)) - Q.row(F(f, 0)), Q.row(F(f, 2)) - Q.row(F(f, 0)));
     }
     return areas;
 }
@@ -138,7 +140,7 @@ Eigen::MatrixX2d singularValues(const MeshArrays& mesh, const Points2& Q) {
         const double uu = u.squaredNorm();
         const double vv = v.squaredNorm();
         const double larger = std::sqrt((uu + vv + std::hypot(uu - vv, 2 * u.dot(v))) / 2);
-        const double determinant = std::abs(cross(u, v));
+        const double determinant = std::abs(geometry::cross(u, v));
         values(f, 0) = larger;
         values(f, 1) = larger > 0 ? determinant / larger : 0.0;
     }

@@ -39,7 +39,7 @@ MetricTensor unboundedMetric(const MeshArrays& mesh, const Points2& Q, Eigen::In
     const Eigen::Vector2d u1 = (Q.row(b) - Q.row(a)).transpose();
     const Eigen::Vector2d u2 = (Q.row(c) - Q.row(a)).transpose();
     // Images of the x and y steps: [X1 X2] times the inverse of [u1 u2].
-    const double determinant = cross(u1, u2);
+    const double determinant = geometry::cross(u1, u2);
     const Eigen::Vector3d alongX = (u2.y() * X1 - u1.y() * X2) / determinant;
     const Eigen::Vector3d alongY = (u1.x() * X2 - u2.x() * X1) / determinant;
     return {alongX.squaredNorm(), alongX.dot(alongY), alongY.squaredNorm()};

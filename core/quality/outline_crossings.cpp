@@ -37,7 +37,7 @@ public:
     /// Those that one of the edges from `from` on takes part in.
     std::vector<OutlineCrossing> crossings(int from, int limit) const {
         std::vector<OutlineCrossing> found;
-        const auto look = [&](int i, int j, const PlaneCell& cell) {
+        const auto look = [&](int i, int j, const geometry::PlaneCell& cell) {
             if (j < from || j - i == 1 || j - i == n_ - 1) {
                 return true;
             }
@@ -48,9 +48,9 @@ public:
             return static_cast<int>(found.size()) < limit;
         };
         if (n_ - from > kFewEdges) {
-            visitSegmentPairs(segments_, touching_, look);
+            geometry::visitSegmentPairs(segments_, touching_, look);
         } else {
-            const PlaneCell plane;
+            const geometry::PlaneCell plane;
             bool goesOn = true;
             for (int j = from; j < n_; ++j) {
                 for (int i = 0; i < j && goesOn; ++i) {
@@ -67,8 +67,8 @@ public:
 private:
     /// Where edges i and j cross; the same place whichever cell asks.
     std::optional<Point> crossing(int i, int j) const {
-        const Segment2& s = segments_[i];
-        const Segment2& t = segments_[j];
+        const geometry::Segment2& s = segments_[i];
+        const geometry::Segment2& t = segments_[j];
         if ((s.a.cwiseMin(s.b).array() > t.a.cwiseMax(t.b).array() + touching_).any() ||
             (t.a.cwiseMin(t.b).array() > s.a.cwiseMax(s.b).array() + touching_).any()) {
             return std::nullopt;
@@ -104,20 +104,22 @@ private:
     int side(const Point& p, const Point& q, const Point& r) const {
         const Point along = q - p;
         const Point to = r - p;
-        const double doubledArea = cross(along, to);
-        return std::abs(doubledArea) <= touching_ * along.norm() ? 0 : exactOrientation(p, q, r);
+        const double doubledArea = geometry::cross(along, to);
+        return std::abs(doubledArea) <= touching_ * along.norm()
+                   ? 0
+                   : geometry::exactOrientation(p, q, r);
     }
 
-    int side(const Segment2& s, const Point& r) const { return side(s.a, s.b, r); }
+    int side(const geometry::Segment2& s, const Point& r) const { return side(s.a, s.b, r); }
 
     /// For a point on the segment's line: between its ends, not at one.
-    bool isInside(const Segment2& s, const Point& p) const {
+    bool isInside(const geometry::Segment2& s, const Point& p) const {
         const Point along = s.b - s.a;
         return (p - s.a).dot(along) > touching_ * along.norm() &&
                (s.b - p).dot(along) > touching_ * along.norm();
     }
 
-    static Point meeting(const Segment2& s, const Segment2& t) {
+    static Point meeting(const geometry::Segment2& s, const geometry::Segment2& t) {
         const Point along = t.b - t.a;
         const auto height = [&](const Point& p) {
             return along.x() * (p.y() - t.a.y()) - along.y() * (p.x() - t.a.x());
@@ -130,7 +132,8 @@ private:
     }
 
     /// For edges on one line in the same direction: the middle of what they share.
-    std::optional<Point> middleOfOverlap(const Segment2& s, const Segment2& t) const {
+    std::optional<Point> middleOfOverlap(const geometry::Segment2& s,
+                                         const geometry::Segment2& t) const {
         const Point along = (s.b - s.a).normalized();
         const double from = std::max(0.0, (t.a - s.a).dot(along));
         const double to = std::min((s.b - s.a).norm(), (t.b - s.a).dot(along));
@@ -166,7 +169,7 @@ private:
     }
 
     int n_;
-    std::vector<Segment2> segments_;
+    std::vector<geometry::Segment2> segments_;
     double touching_ = 0;
 };
 

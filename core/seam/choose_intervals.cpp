@@ -5,7 +5,7 @@
 
 #include "core/seam/matched_interval.h"
 
-namespace toile {
+namespace toile::seam {
 namespace {
 
 // Cuts nearer to each other than this fraction of the local edge length are one cut, and parts that
@@ -294,4 +294,4 @@ std::vector<MatchedInterval> chooseIntervals(const Outlines& outlines,
     return Chooser(outlines, candidates).choose();
 }
 
-}  // namespace toile
+}  // namespace toile::seam

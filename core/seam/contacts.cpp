@@ -12,7 +12,7 @@
 
 #include "core/geometry/disjoint_sets.h"
 
-namespace toile {
+namespace toile::seam {
 namespace {
 
 // Layers on one line that are paired with each other; more are no garment.
@@ -226,7 +226,7 @@ std::vector<Balance> balances(const Outlines& outlines, const std::vector<Contac
 
 void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& contacts) {
     // Pieces as they are wound, and flipped: what is joined is wound alike.
-    DisjointSets sets(2 * static_cast<int>(outlines.list.size()));
+    geometry::DisjointSets sets(2 * static_cast<int>(outlines.list.size()));
     const auto areAlike = [&sets](int p, int q) { return sets.root(2 * p) == sets.root(2 * q); };
     const auto areAgainst = [&sets](int p, int q) {
         return sets.root(2 * p) == sets.root(2 * q + 1);
@@ -244,4 +244,4 @@ void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& conta
     std::ranges::sort(contacts, {}, [](const Contact& c) { return std::pair(c.a, c.b); });
 }
 
-}  // namespace toile
+}  // namespace toile::seam

@@ -10,7 +10,7 @@
 #include "core/garment/piece.h"
 #include "core/seam/outline.h"
 
-namespace toile {
+namespace toile::seam {
 
 /// A place where more edges lie within each other's radius than any garment has.
 struct CrowdedPlace {
@@ -57,4 +57,4 @@ std::vector<Contact> nearContacts(const Outlines& outlines, double gap,
 /// are wound against each other. Sorts by (a, b).
 void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& contacts);
 
-}  // namespace toile
+}  // namespace toile::seam

@@ -14,11 +14,11 @@ namespace {
 // A rest of outline between two seams, shorter than this many local edges, is no free edge.
 constexpr double kShortestFree = 0.5;
 
-void addFreeEdges(const Outlines& outlines, std::vector<Seam>& seams) {
-    std::vector<ArcSet> sewn;
+void addFreeEdges(const seam::Outlines& outlines, std::vector<Seam>& seams) {
+    std::vector<seam::ArcSet> sewn;
     std::vector<double> begin(outlines.list.size(), 0);  // a place where no free edge is cut in two
     std::vector<char> isSewn(outlines.list.size(), 0);
-    for (const Outline& outline : outlines.list) {
+    for (const seam::Outline& outline : outlines.list) {
         sewn.emplace_back(outline.length());
     }
     for (const Seam& seam : seams) {
@@ -31,20 +31,20 @@ void addFreeEdges(const Outlines& outlines, std::vector<Seam>& seams) {
         }
     }
     for (std::size_t p = 0; p < outlines.list.size(); ++p) {
-        const Outline& outline = outlines.list[p];
+        const seam::Outline& outline = outlines.list[p];
         // A buttonhole is no edge that somebody might have forgotten to sew.
         if (outline.size() == 0 || (outline.loop > 0 && !isSewn[p])) {
             continue;
         }
-        for (const Arc& arc : sewn[p].outside({begin[p], begin[p] + outline.length()})) {
+        for (const seam::Arc& arc : sewn[p].outside({begin[p], begin[p] + outline.length()})) {
             if (arc.to - arc.from > kShortestFree * outline.spacingAt(arc.from)) {
-                seams.push_back(freeEdge(outlines, static_cast<int>(p), arc));
+                seams.push_back(seam::freeEdge(outlines, static_cast<int>(p), arc));
             }
         }
     }
 }
 
-void indexEdges(const Outlines& outlines, SeamGraph& graph) {
+void indexEdges(const seam::Outlines& outlines, SeamGraph& graph) {
     const std::size_t pieces = outlines.firstHole.size();
     for (std::size_t p = 0; p < pieces; ++p) {
         graph.seamsOfEdge.emplace_back(outlines.list[p].size());
@@ -71,8 +71,8 @@ void indexEdges(const Outlines& outlines, SeamGraph& graph) {
 }
 
 /// One note about all crowded places, which are many where there is one.
-Problems notesOf(const std::vector<CrowdedPlace>& crowded) {
-    const auto worst = std::ranges::max_element(crowded, {}, &CrowdedPlace::edges);
+Problems notesOf(const std::vector<seam::CrowdedPlace>& crowded) {
+    const auto worst = std::ranges::max_element(crowded, {}, &seam::CrowdedPlace::edges);
     if (worst == crowded.end()) {
         return {};
     }
@@ -92,31 +92,32 @@ SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
         progress.report(share);
         return !progress.isCancelled();
     };
-    const Outlines outlines = buildOutlines(pieces);
+    const seam::Outlines outlines = seam::buildOutlines(pieces);
     if (!goesOnAt(0.3)) {
         return {};
     }
     std::vector<char> settled(outlines.edgeCount(), 0);
-    std::vector<Contact> contacts = sharedContacts(pieces, outlines, settled);
-    std::vector<CrowdedPlace> crowded;
-    const std::vector<Contact> near = nearContacts(outlines, options.gap, settled, crowded);
+    std::vector<seam::Contact> contacts = seam::sharedContacts(pieces, outlines, settled);
+    std::vector<seam::CrowdedPlace> crowded;
+    const std::vector<seam::Contact> near =
+        seam::nearContacts(outlines, options.gap, settled, crowded);
     if (!goesOnAt(0.6)) {
         return {};
     }
     contacts.insert(contacts.end(), near.begin(), near.end());
-    keepConsistentWinding(outlines, contacts);
+    seam::keepConsistentWinding(outlines, contacts);
 
     SeamGraph graph;
     graph.notes = notesOf(crowded);
-    const std::vector<MatchedInterval> intervals = chainContacts(outlines, contacts);
+    const std::vector<seam::MatchedInterval> intervals = seam::chainContacts(outlines, contacts);
     if (!goesOnAt(0.8)) {
         return {};
     }
-    for (MatchedInterval& interval : chooseIntervals(outlines, intervals)) {
-        graph.seams.push_back(finishSeam(outlines, std::move(interval)));
+    for (seam::MatchedInterval& interval : seam::chooseIntervals(outlines, intervals)) {
+        graph.seams.push_back(seam::finishSeam(outlines, std::move(interval)));
     }
     addFreeEdges(outlines, graph.seams);
-    orderAndName(pieces, outlines, graph.seams);
+    seam::orderAndName(pieces, outlines, graph.seams);
     traceOrigins(pieces, outlines, graph.seams);
     indexEdges(outlines, graph);
     progress.report(1);

@@ -7,7 +7,7 @@
 
 #include "core/seam/matched_interval.h"
 
-namespace toile {
+namespace toile::seam {
 namespace {
 
 // An end this near to a vertex, in local edge lengths, is meant to be the vertex.
@@ -238,4 +238,4 @@ void orderAndName(const std::vector<std::shared_ptr<const Piece>>& pieces, const
     seams = std::move(sorted);
 }
 
-}  // namespace toile
+}  // namespace toile::seam

@@ -4,7 +4,7 @@
 
 #include "core/seam/matched_interval.h"
 
-namespace toile {
+namespace toile::seam {
 namespace {
 
 // Intervals with fewer local edges than this between them are one seam: one that gapes a little, or
@@ -146,4 +146,4 @@ std::vector<MatchedInterval> joinIntervals(const Outlines& outlines,
     return Joiner(outlines, std::move(intervals), taken).joined();
 }
 
-}  // namespace toile
+}  // namespace toile::seam

@@ -5,7 +5,7 @@
 #include <array>
 #include <numbers>
 
-namespace toile {
+namespace toile::seam {
 namespace {
 
 // An end is a tip where its two sides are at most this many local edges apart on the outline.
@@ -274,4 +274,4 @@ std::vector<MatchedInterval> chainContacts(const Outlines& outlines,
     return Chainer(outlines, contacts).intervals();
 }
 
-}  // namespace toile
+}  // namespace toile::seam

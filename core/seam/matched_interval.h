@@ -8,7 +8,7 @@
 #include "core/seam/find_seams.h"
 #include "core/seam/outline.h"
 
-namespace toile {
+namespace toile::seam {
 
 /// A stretch of a closed line from `from` to `to` >= from, counted on past the line's length.
 struct Arc {
@@ -105,4 +105,4 @@ Seam freeEdge(const Outlines& outlines, int index, Arc arc);
 void orderAndName(const std::vector<std::shared_ptr<const Piece>>& pieces, const Outlines& outlines,
                   std::vector<Seam>& seams);
 
-}  // namespace toile
+}  // namespace toile::seam

@@ -7,7 +7,7 @@
 #include "core/geometry/segment.h"
 #include "core/seam/contacts.h"
 
-namespace toile {
+namespace toile::seam {
 namespace {
 
 // So few edges of a cell are paired without dividing it further.
@@ -44,7 +44,7 @@ struct Cell {
         const Eigen::Vector3d below = low.array() - edge.radius;
         const Eigen::Vector3d above = low.array() + side + edge.radius;
         const Eigen::Vector3d way = edge.to - edge.from;
-        const ShareInBox share = shareInBox(edge.from, way, below, above);
+        const geometry::ShareInBox share = geometry::shareInBox(edge.from, way, below, above);
         return share.first <= share.last;
     }
 };
@@ -150,4 +150,4 @@ NearbyEdges nearbyEdges(const Outlines& outlines, const std::vector<char>& skip,
     return pairs.take();
 }
 
-}  // namespace toile
+}  // namespace toile::seam

@@ -10,7 +10,7 @@
 #include "core/mesh/mesh_arrays.h"
 #include "core/quality/measures.h"
 
-namespace toile {
+namespace toile::seam {
 namespace {
 
 // Edges on either side that the local edge length is averaged over.
@@ -120,4 +120,4 @@ Outlines buildOutlines(const std::vector<std::shared_ptr<const Piece>>& pieces) 
     return all;
 }
 
-}  // namespace toile
+}  // namespace toile::seam

@@ -9,7 +9,7 @@
 #include "core/garment/piece.h"
 #include "core/garment/seam.h"
 
-namespace toile {
+namespace toile::seam {
 
 /// The boundary of a piece, or the rim of a hole in it, as a closed polyline, ready for measuring.
 /// Arc lengths in mm.
@@ -64,4 +64,4 @@ struct Outlines {
 
 Outlines buildOutlines(const std::vector<std::shared_ptr<const Piece>>& pieces);
 
-}  // namespace toile
+}  // namespace toile::seam

@@ -25,7 +25,7 @@ struct Share {
 };
 
 /// The line that most of a side comes of; the cuts are added to those that it comes of.
-LineStretch stretchOf(const SeamSide& side, const Outline& outline,
+LineStretch stretchOf(const SeamSide& side, const seam::Outline& outline,
                       const std::vector<EdgeOrigin>& origins, std::vector<CutId>* cuts) {
     std::vector<Share> shares;
     const auto [low, high] = std::minmax(side.start, side.end);
@@ -61,8 +61,8 @@ LineStretch stretchOf(const SeamSide& side, const Outline& outline,
 
 }  // namespace
 
-void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces, const Outlines& outlines,
-                  std::vector<Seam>& seams) {
+void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                  const seam::Outlines& outlines, std::vector<Seam>& seams) {
     const auto trace = [&](const SeamSide& side, std::vector<CutId>* cuts) -> LineStretch {
         return stretchOf(side, outlines.list[outlines.indexOf(side)], pieces[side.piece]->origins,
                          cuts);

@@ -13,8 +13,8 @@ namespace toile {
 
 /// Writes down, for every seam and free edge, where its two sides come from, and gives it an id.
 /// Cost: linear in the edges of the seams, times the logarithm of the outlines'.
-void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces, const Outlines& outlines,
-                  std::vector<Seam>& seams);
+void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                  const seam::Outlines& outlines, std::vector<Seam>& seams);
 
 /// The order that takes a seam out which the garment's own division made: points along its left
 /// side, mm, its ends among them.

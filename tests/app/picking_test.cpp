@@ -192,7 +192,7 @@ private slots:
                     ++boxes;
                     const bool covers = box.low[0] <= at.x() && at.x() <= box.high[0] &&
                                         box.low[1] <= at.y() && at.y() <= box.high[1];
-                    return covers ? 0.0 : TriangleTree<2>::kMissed;
+                    return covers ? 0.0 : geometry::TriangleTree<2>::kMissed;
                 },
                 [&faces](std::uint32_t) { ++faces; });
             QVERIFY2(faces > 0 && faces <= 1000, qPrintable(QString::number(faces)));

@@ -90,10 +90,10 @@ Seconds stagesOf(const fs::path& file, const Walk& walk) {
 /// What `curvature` does in one piece. The factorisation is the solver's own, done with the same
 /// matrix once more.
 Seconds solveStagesOf(const Piece& piece, const FlatPiece& flat) {
-    SymmetricMatrix matrix;
+    linalg::SymmetricMatrix matrix;
     Seconds stages;
     stages["assemble"] = secondsOf([&] { matrix = assembleFloor(piece); });
-    SparseCholesky cholesky;
+    linalg::SparseCholesky cholesky;
     stages["order"] = secondsOf([&] { orThrow(cholesky.analyse(matrix)); });
     stages["factorise"] = secondsOf([&] { orThrow(cholesky.refactorise(matrix)); });
     stages["substitute"] = secondsOf([&] {

@@ -94,7 +94,7 @@ std::vector<double> edgeWeights(const Piece& piece) {
     return weight;
 }
 
-cholmod_sparse viewOf(SymmetricMatrix& system) {
+cholmod_sparse viewOf(linalg::SymmetricMatrix& system) {
     cholmod_sparse view{};
     view.nrow = view.ncol = static_cast<std::size_t>(system.size);
     view.nzmax = system.row.size();
@@ -120,7 +120,7 @@ void solve(Cholmod& cholmod, int size, std::size_t columns) {
 
 }  // namespace
 
-SymmetricMatrix assembleFloor(const Piece& piece) {
+linalg::SymmetricMatrix assembleFloor(const Piece& piece) {
     const Edges& edges = piece.table.edges;
     const std::vector<double> weight = edgeWeights(piece);
     std::vector<int> unknown(static_cast<std::size_t>(piece.mesh.V.rows()), 0);
@@ -132,7 +132,7 @@ SymmetricMatrix assembleFloor(const Piece& piece) {
         u = u < 0 ? -1 : size++;
     }
     std::vector<double> diagonal(static_cast<std::size_t>(size), 0.0);
-    SymmetricMatrix system;
+    linalg::SymmetricMatrix system;
     system.size = size;
     system.columnStart.assign(static_cast<std::size_t>(size) + 1, 1);
     system.columnStart[0] = 0;
@@ -184,7 +184,7 @@ FloorTimes runFloor(const Piece& piece, const FloorCandidate& candidate) {
     const ThreadsOf threads(candidate.boundedThreads);
     FloorTimes times;
     const Stopwatch assembling;
-    SymmetricMatrix system = assembleFloor(piece);
+    linalg::SymmetricMatrix system = assembleFloor(piece);
     cholmod_sparse matrix = viewOf(system);
     times.assemble = assembling.seconds();
     if (system.size == 0) {

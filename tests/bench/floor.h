@@ -29,7 +29,7 @@ struct FloorCandidate {
 std::span<const FloorCandidate> floorCandidates();
 
 /// The interior cotangent Laplacian of a piece.
-SymmetricMatrix assembleFloor(const Piece& piece);
+linalg::SymmetricMatrix assembleFloor(const Piece& piece);
 
 /// Seconds of its stages.
 struct FloorTimes {

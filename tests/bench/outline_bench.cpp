@@ -170,14 +170,15 @@ const std::map<std::string, std::function<void(const Strips&)>> kStages = {
     {"bending",
      [](const Strips& s) {
          const EdgeLoops loops(s.piece().boundary);
-         const OutlineBending bending(loops, loops.angles3d(s.piece().mesh), s.lengths(), 0.02);
+         const isometric::OutlineBending bending(loops, loops.angles3d(s.piece().mesh), s.lengths(),
+                                                 0.02);
          Points2 gradient = Points2::Zero(s.Q().rows(), 2);
          bending.addGradient(s.Q(), gradient);
          benchmark::DoNotOptimize(bending.energy(s.Q()));
      }},
     {"barrier",
      [](const Strips& s) {
-         const OutlineBarrier barrier(s.piece().boundary, s.lengths());
+         const isometric::OutlineBarrier barrier(s.piece().boundary, s.lengths());
          benchmark::DoNotOptimize(barrier.contacts(s.Q()));
          benchmark::DoNotOptimize(barrier.largestStep(s.Q(), unevenStep(s), 1));
      }},

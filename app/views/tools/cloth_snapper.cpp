@@ -63,7 +63,7 @@ void offerRim(const ToolView& view, const Piece& piece, int index, const PieceRi
         } else if (toTail <= kToVertex) {
             best.offer({index, {face, corner(k)}, ClothPoint::On::Rim, -1}, 2, toTail);
         }
-        const double t = nearestShare(pixels(at), pixels(*a), pixels(*b));
+        const double t = geometry::nearestShare(pixels(at), pixels(*a), pixels(*b));
         const double distance = length(*a + t * (*b - *a) - at);
         if (distance <= kToRim) {
             best.offer(

@@ -18,7 +18,7 @@ bool liesOn(const Piece& whole, const PieceRim& rim, const Eigen::Vector3d& poin
     return std::ranges::any_of(rim.uses, [&](int use) {
         const Eigen::Vector3d a = whole.mesh.V.row(whole.mesh.F(use / 3, use % 3));
         const Eigen::Vector3d b = whole.mesh.V.row(whole.mesh.F(use / 3, (use % 3 + 1) % 3));
-        return distanceToSegment(point, a, b) <= kOnRim * (b - a).norm();
+        return geometry::distanceToSegment(point, a, b) <= kOnRim * (b - a).norm();
     });
 }
 

@@ -23,8 +23,8 @@ constexpr double kSnappingAngle = 3 * kDegree;
 constexpr double kArrowGrab = 8;  // pixels around an arrow that sticks out of the cloth
 
 double distanceToArrow(const SheetMap& onScreen, const GrainArrow& arrow, const QPointF& at) {
-    return distanceToSegment(pixels(at), pixels(onScreen(arrow.end(-0.5))),
-                             pixels(onScreen(arrow.end(0.5))));
+    return geometry::distanceToSegment(pixels(at), pixels(onScreen(arrow.end(-0.5))),
+                                       pixels(onScreen(arrow.end(0.5))));
 }
 
 }  // namespace

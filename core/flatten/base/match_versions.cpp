@@ -55,7 +55,7 @@ public:
         for (int f = 0; f < faces; ++f) {
             most = std::max(most, sourceOf(before.sourceFace, f));
         }
-        faces_ = Buckets<>(most + 1, [&](auto add) {
+        faces_ = geometry::Buckets<>(most + 1, [&](auto add) {
             for (int f = 0; f < faces; ++f) {
                 if (const int source = sourceOf(before.sourceFace, f); source >= 0) {
                     add(source, f);
@@ -200,8 +200,8 @@ private:
 
     const Piece& piece_;
     const Piece& before_;
-    Buckets<> faces_;        ///< the earlier version's triangles by face of the file
-    std::vector<int> rank_;  ///< of the piece's triangles
+    geometry::Buckets<> faces_;  ///< the earlier version's triangles by face of the file
+    std::vector<int> rank_;      ///< of the piece's triangles
     VersionMatch match_;
 };
 

@@ -38,7 +38,7 @@ Vector circleDirections(const Points2& circle) {
     for (int i = 0; i + 1 < n; ++i) {
         const Eigen::RowVector2d in = circle.row(i) - circle.row((i + n - 1) % n);
         const Eigen::RowVector2d out = circle.row(i + 1) - circle.row(i);
-        turned += turnBetween(in, out);
+        turned += geometry::turnBetween(in, out);
         phi[i] = turned;
     }
     return phi;

@@ -123,7 +123,8 @@ void LengthConstraints::addForces(const Points2& directions, const Eigen::Vector
 }
 
 void LengthConstraints::addHessian(const Points2& Q, const Eigen::VectorXd& stiffness,
-                                   const Eigen::VectorXd& multipliers, BlockMatrix& hessian) const {
+                                   const Eigen::VectorXd& multipliers,
+                                   linalg::BlockMatrix& hessian) const {
     const int n = count();
     for (int i = 0; i < n; ++i) {
         const int v = loops_.vertex(i);

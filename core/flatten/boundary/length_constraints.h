@@ -67,7 +67,7 @@ public:
     /// Adds A^T diag(stiffness) A and, where a multiplier is positive (the edge pulls), the second
     /// derivative of its length times the multiplier.
     void addHessian(const Points2& Q, const Eigen::VectorXd& stiffness,
-                    const Eigen::VectorXd& multipliers, BlockMatrix& hessian) const;
+                    const Eigen::VectorXd& multipliers, linalg::BlockMatrix& hessian) const;
 
     /// True where the lengths are exact, rounding of the positions aside.
     bool areKept(const Points2& Q) const;

@@ -72,7 +72,8 @@ Eigen::VectorXcd ConformalEnergy::adjoint(const Eigen::VectorXcd& r) const {
     return result;
 }
 
-void ConformalEnergy::addTo(SymmetricBuilder& builder, const std::vector<int>& unknown) const {
+void ConformalEnergy::addTo(linalg::SymmetricBuilder& builder,
+                            const std::vector<int>& unknown) const {
     for (int f = 0; f < F_.rows(); ++f) {
         for (int j = 0; j < 3; ++j) {
             const int v = unknown[F_(f, j)];
@@ -97,8 +98,8 @@ void ConformalEnergy::addTo(SymmetricBuilder& builder, const std::vector<int>& u
     }
 }
 
-Result<Eigen::VectorXcd> solveFree(const SparseCholesky& cholesky, const std::vector<int>& unknown,
-                                   const Eigen::VectorXcd& right) {
+Result<Eigen::VectorXcd> solveFree(const linalg::SparseCholesky& cholesky,
+                                   const std::vector<int>& unknown, const Eigen::VectorXcd& right) {
     const auto count = std::ranges::count_if(unknown, [](int u) { return u >= 0; });
     Eigen::VectorXd split(2 * count);
     for (Eigen::Index v = 0; v < right.size(); ++v) {
@@ -124,13 +125,13 @@ Result<Points2> solvePinned(const ConformalEnergy& energy, std::array<int, 2> pi
     const int vertexCount = energy.vertexCount();
     const int count = vertexCount - static_cast<int>(pins.size());
     const std::vector<int> unknown = unknownsBut(pins, vertexCount);
-    SymmetricBuilder builder(2 * count);
+    linalg::SymmetricBuilder builder(2 * count);
     energy.addTo(builder, unknown);
-    const SymmetricMatrix matrix = builder.build();
+    const linalg::SymmetricMatrix matrix = builder.build();
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
-    SparseCholesky cholesky;
+    linalg::SparseCholesky cholesky;
     const auto factorised = cholesky.factorise(matrix);
     if (!factorised) {
         return factorised.error();

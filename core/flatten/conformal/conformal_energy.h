@@ -40,7 +40,7 @@ public:
 
     /// Adds M^H M, the Hessian of E, to a matrix of unknowns 2 i and 2 i + 1: x and y of vertex v,
     /// i = unknown[v]; vertices with i < 0 are left out.
-    void addTo(SymmetricBuilder& builder, const std::vector<int>& unknown) const;
+    void addTo(linalg::SymmetricBuilder& builder, const std::vector<int>& unknown) const;
 
 private:
     Triangles F_;
@@ -50,8 +50,8 @@ private:
 
 /// Solves with a factorised matrix of `addTo`, and puts 0 where a vertex is left out.
 /// @param right  #V  @return #V. Errors: OutOfMemory.
-Result<Eigen::VectorXcd> solveFree(const SparseCholesky& cholesky, const std::vector<int>& unknown,
-                                   const Eigen::VectorXcd& right);
+Result<Eigen::VectorXcd> solveFree(const linalg::SparseCholesky& cholesky,
+                                   const std::vector<int>& unknown, const Eigen::VectorXcd& right);
 
 /// Least E with two vertices held. Solved by its normal equations and then refined: the residual is
 /// taken triangle by triangle, which restores the digits that squaring M's condition costs.

@@ -69,8 +69,8 @@ std::array<int, 2> farPairAlongEdges(const Piece& piece) {
     const Eigen::VectorXd lengths = edgeLengths3d(piece.mesh.V, piece.table.edges);
     const std::vector<double> weights(lengths.begin(), lengths.end());
     return farPair(piece, [&](int v) -> Eigen::VectorXd {
-        const auto forest = shortestForest(piece.table.edges, static_cast<int>(piece.mesh.V.rows()),
-                                           weights, {{v}});
+        const auto forest = geometry::shortestForest(
+            piece.table.edges, static_cast<int>(piece.mesh.V.rows()), weights, {{v}});
         return Eigen::Map<const Eigen::VectorXd>(forest.distance.data(), piece.mesh.V.rows());
     });
 }

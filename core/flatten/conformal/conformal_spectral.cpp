@@ -37,7 +37,7 @@ public:
             if (progress.isCancelled()) {
                 return Error{ErrorCode::Cancelled};
             }
-            SymmetricBuilder builder(2 * energy_.vertexCount());
+            linalg::SymmetricBuilder builder(2 * energy_.vertexCount());
             energy_.addTo(builder, unknown_);
             for (const int v : boundary_) {
                 builder.add(2 * v, 2 * v, shift);
@@ -95,7 +95,7 @@ private:
     const ConformalEnergy& energy_;
     const std::vector<int>& boundary_;
     std::vector<int> unknown_;  ///< all of them
-    SparseCholesky cholesky_;
+    linalg::SparseCholesky cholesky_;
 };
 
 /// The combination of a B-orthonormal basis with the least |M z|, from the singular values of M

@@ -60,7 +60,7 @@ Result<Points2> solveDirected(const DirectedEdges& graph, int vertexCount,
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
-    const auto solved = solveUnsymmetric(entries, right);
+    const auto solved = linalg::solveUnsymmetric(entries, right);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }

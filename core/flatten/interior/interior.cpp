@@ -16,8 +16,9 @@ constexpr int kDissected = 200000;  ///< so many unknowns are worth an order of 
 
 /// Laplacian of the interior vertices. The edges are sorted as a symmetric matrix is, and
 /// numbering the interior in vertex order keeps that, so the matrix is written in one pass.
-SymmetricMatrix interiorLaplacian(const WeightedEdges& graph, const std::vector<int>& interiorIndex,
-                                  std::size_t interiorCount) {
+linalg::SymmetricMatrix interiorLaplacian(const WeightedEdges& graph,
+                                          const std::vector<int>& interiorIndex,
+                                          std::size_t interiorCount) {
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(interiorCount));
     std::size_t inside = 0;
     for (int e = 0; e < graph.edges.rows(); ++e) {
@@ -30,7 +31,7 @@ SymmetricMatrix interiorLaplacian(const WeightedEdges& graph, const std::vector<
         }
         inside += i >= 0 && j >= 0 ? 1 : 0;
     }
-    SymmetricMatrix L;
+    linalg::SymmetricMatrix L;
     L.size = static_cast<int>(interiorCount);
     L.columnStart.reserve(interiorCount + 1);
     L.row.reserve(inside + interiorCount);
@@ -92,14 +93,14 @@ Result<InteriorSystem> InteriorSystem::make(WeightedEdges graph, const Points3& 
 }
 
 Result<void> InteriorSystem::factorise(const Points3& V, const Progress& progress) {
-    const SymmetricMatrix L = interiorLaplacian(graph_, interiorIndex_, interior_.size());
+    const linalg::SymmetricMatrix L = interiorLaplacian(graph_, interiorIndex_, interior_.size());
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
     progress.step();
     std::vector<int> order;
     if (L.size >= kDissected) {
-        order = eliminationOrder(L, V(interior_, Eigen::all));
+        order = linalg::eliminationOrder(L, V(interior_, Eigen::all));
     }
     if (const auto analysed = cholesky_.analyse(L, std::move(order)); !analysed) {
         return analysed.error();

@@ -50,7 +50,7 @@ private:
     std::vector<int> boundary_;
     std::vector<int> interior_;       ///< vertex of each unknown
     std::vector<int> interiorIndex_;  ///< unknown of each vertex, -1 on the boundary
-    SparseCholesky cholesky_;
+    linalg::SparseCholesky cholesky_;
 };
 
 /// Places the interior of a piece by symmetric weights with the boundary held.

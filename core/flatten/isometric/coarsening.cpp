@@ -11,7 +11,7 @@
 
 #include "core/geometry/buckets.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 using Triangle = std::array<int, 3>;
@@ -86,7 +86,7 @@ public:
 private:
     void round(int wanted) {
         const auto count = static_cast<int>(V_.rows());
-        stars_ = Buckets<>(count, [this](auto add) {
+        stars_ = geometry::Buckets<>(count, [this](auto add) {
             for (std::size_t f = 0; f < triangles_.size(); ++f) {
                 for (const int v : triangles_[f]) {
                     add(v, static_cast<int>(f));
@@ -208,7 +208,7 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<char> stays_;
     std::vector<char> gone_;
-    Buckets<> stars_;  ///< triangles at each vertex
+    geometry::Buckets<> stars_;  ///< triangles at each vertex
     int interior_ = 0;
 };
 
@@ -249,4 +249,4 @@ bool Coarsening::savesWork() const {
     return static_cast<double>(kept_.size()) <= kTooMany * static_cast<double>(fineCount_);
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

@@ -8,7 +8,7 @@
 #include "core/flatten/boundary/length_constraints.h"
 #include "core/mesh/mesh_arrays.h"
 
-namespace toile {
+namespace toile::isometric {
 
 /// A disk with fewer interior vertices, and the way back. Interior vertices are taken out one by
 /// one, each by drawing it along an edge onto a neighbour, where that flips no triangle of the flat
@@ -78,4 +78,4 @@ private:
     std::vector<double> share_;  ///< of each ring vertex; a ring's shares sum to 1
 };
 
-}  // namespace toile
+}  // namespace toile::isometric

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 /// The derivative of det J by J: J's entries turned by a quarter.
@@ -126,7 +126,7 @@ Points2 SymmetricDirichlet::gradient(const Points2& Q) const {
 }
 
 void SymmetricDirichlet::addHessian(const Points2& Q, const std::vector<int>& edgeOf,
-                                    BlockMatrix& hessian) const {
+                                    linalg::BlockMatrix& hessian) const {
     for (int f = 0; f < mesh_.F.rows(); ++f) {
         const Matrix4 H = 0.25 * shapes_[f].area * stiffness(jacobian(Q, f));
         // Corner k moves J by q b_k^T: columns of B_k pair the axis with b_k.
@@ -181,4 +181,4 @@ double SymmetricDirichlet::largestStep(const Points2& Q, const Points2& P, doubl
     return most;
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

@@ -9,7 +9,7 @@
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
 
-namespace toile {
+namespace toile::isometric {
 
 /// The symmetric Dirichlet energy of a flattening [SS15],
 ///   E(Q) = sum_T A_T (|J_T|^2 + |J_T^-1|^2) / 4,
@@ -27,7 +27,8 @@ public:
     /// Adds the Hessian, made positive semidefinite triangle by triangle. Of its four eigenvalues
     /// only the twist's can be negative ([SGK19] section 4); it is raised to zero.
     /// @param edgeOf  number of each edge of the mesh in the matrix's pattern
-    void addHessian(const Points2& Q, const std::vector<int>& edgeOf, BlockMatrix& hessian) const;
+    void addHessian(const Points2& Q, const std::vector<int>& edgeOf,
+                    linalg::BlockMatrix& hessian) const;
     /// The largest step up to `limit` along P for which no triangle loses its area on the way.
     double largestStep(const Points2& Q, const Points2& P, double limit) const;
 
@@ -64,4 +65,4 @@ private:
     std::vector<Shape> shapes_;
 };
 
-}  // namespace toile
+}  // namespace toile::isometric

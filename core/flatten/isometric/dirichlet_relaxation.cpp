@@ -6,7 +6,7 @@
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/geometry/buckets.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 /// A move is worth while that promises to take this part off the energy of a vertex's triangles.
@@ -99,7 +99,7 @@ bool SymmetricDirichlet::relaxVertex(Points2& Q, std::span<const int> star, int 
 void SymmetricDirichlet::relax(Points2& Q, const std::vector<int>& held, int passes,
                                const Progress& progress) const {
     const auto count = static_cast<int>(Q.rows());
-    const Buckets<> stars(count, [this](auto add) {
+    const geometry::Buckets<> stars(count, [this](auto add) {
         for (int k = 0; k < static_cast<int>(mesh_.F.size()); ++k) {
             add(mesh_.F.data()[k], k / 3);
         }
@@ -137,4 +137,4 @@ void SymmetricDirichlet::relax(Points2& Q, const std::vector<int>& held, int pas
     }
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

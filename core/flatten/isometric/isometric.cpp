@@ -39,7 +39,7 @@ constexpr int kMaxCrossingsEach = 10;
 /// (its energy is infinite then) or triangles squeezed to almost nothing. Then Tutte's embedding on
 /// a circle, which cannot have flips, if that is better.
 Result<Points2> startOf(const Piece& piece, const Points2* conformal, const Progress& progress) {
-    const SymmetricDirichlet energy(piece.mesh, piece.table);
+    const isometric::SymmetricDirichlet energy(piece.mesh, piece.table);
     const double ofConformal =
         conformal ? energy.energy(*conformal) : std::numeric_limits<double>::infinity();
     if (ofConformal < kSqueezedStart) {
@@ -54,14 +54,16 @@ Result<Points2> startOf(const Piece& piece, const Points2* conformal, const Prog
     return circle;
 }
 
-Result<DescentResult> descend(const Piece& piece, const Points2& start,
-                              const DescentOptions& options, const Progress& progress) {
-    return lowerIsometricEnergy(piece.mesh, piece.table, piece.boundary, start, options, progress);
+Result<isometric::DescentResult> descend(const Piece& piece, const Points2& start,
+                                         const isometric::DescentOptions& options,
+                                         const Progress& progress) {
+    return isometric::lowerIsometricEnergy(piece.mesh, piece.table, piece.boundary, start, options,
+                                           progress);
 }
 
 /// Keeps what an edit of this piece may begin with.
 /// @param simple  positions whose outline does not cross itself, or null
-void keep(DescentResult lowest, const Points2* simple, FlatteningMemory& memory) {
+void keep(isometric::DescentResult lowest, const Points2* simple, FlatteningMemory& memory) {
     memory.flattened = nullptr;
     memory.Q = memory.simple = nullptr;
     memory.model = nullptr;
@@ -82,18 +84,21 @@ void keep(DescentResult lowest, const Points2* simple, FlatteningMemory& memory)
 
 /// A simple outline with the same lengths, if one is near, held apart on the way: after an edit
 /// from the crossing one with its sides parted, or from the last one; else from a circle.
-std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& crossing,
-                                     DescentOptions options, const WarmStart* warm,
-                                     const Progress& progress) {
+std::optional<isometric::DescentResult> uncross(const Piece& piece,
+                                                const isometric::DescentResult& crossing,
+                                                isometric::DescentOptions options,
+                                                const isometric::WarmStart* warm,
+                                                const Progress& progress) {
     options.keepOutlineSimple = true;
     options.sharesModel = false;
     const auto start = warm != nullptr ? warm->simplePositions(crossing.Q, progress) : std::nullopt;
     if (start) {
-        DescentOptions again = options;
+        isometric::DescentOptions again = options;
         again.maxIterations = std::min(options.maxIterations, kMaxSteppedApart);
         again.multipliers = crossing.multipliers;
         auto simple = descend(piece, *start, again, progress);
-        if (simple && simple->converged && isNear(simple->distortion, crossing.distortion)) {
+        if (simple && simple->converged &&
+            isometric::isNear(simple->distortion, crossing.distortion)) {
             return std::move(*simple);
         }
     }
@@ -102,15 +107,15 @@ std::optional<DescentResult> uncross(const Piece& piece, const DescentResult& cr
         return std::nullopt;
     }
     auto simple = descend(piece, *circle, options, progress);
-    if (!simple || !isNear(simple->distortion, crossing.distortion)) {
+    if (!simple || !isometric::isNear(simple->distortion, crossing.distortion)) {
         return std::nullopt;
     }
     return std::move(*simple);
 }
 
 /// What follows the descent: a look at the outline, and at the clock.
-Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece flat,
-                         const DescentOptions& descent, const WarmStart* warm,
+Result<FlatPiece> finish(const Piece& piece, isometric::DescentResult lowest, FlatPiece flat,
+                         const isometric::DescentOptions& descent, const isometric::WarmStart* warm,
                          const Stopwatch& time, const Progress& progress,
                          FlatteningMemory* memory) {
     flat.notes.clear();  // what there was to say of the start
@@ -145,11 +150,13 @@ Result<FlatPiece> finish(const Piece& piece, DescentResult lowest, FlatPiece fla
 }
 
 /// The descent from the positions kept of an earlier version. Nothing where these do not suit.
-std::optional<DescentResult> descendWarm(const Piece& piece, DescentOptions options,
-                                         const WarmStart& warm, const Progress& progress) {
-    std::optional<IsometricStart> start;
+std::optional<isometric::DescentResult> descendWarm(const Piece& piece,
+                                                    isometric::DescentOptions options,
+                                                    const isometric::WarmStart& warm,
+                                                    const Progress& progress) {
+    std::optional<isometric::IsometricStart> start;
     if (auto Q = warm.positions(progress)) {
-        start = IsometricStart{std::move(*Q), warm.multipliers()};
+        start = isometric::IsometricStart{std::move(*Q), warm.multipliers()};
         options.model = warm.model();
     } else {
         start = warm.fromCoarse(options.tolerance, progress);
@@ -182,7 +189,7 @@ FlatPiece figuresOf(const FlatPiece& flat) {
 Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions& options,
                                        const Stopwatch& time, const Progress& progress,
                                        FlatteningMemory* memory) {
-    DescentOptions descent = descentOptions(options.quality);
+    isometric::DescentOptions descent = isometric::descentOptions(options.quality);
     descent.sharesModel = memory != nullptr;
     FlattenOptions conformal = options;
     conformal.authalic = 0;
@@ -198,8 +205,8 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
     if (memory != nullptr) {
         memory->start = flat ? figuresOf(*flat) : FlatPiece{};
     }
-    auto lowest =
-        lowerFromCoarse(piece.mesh, piece.table, piece.boundary, *start, descent, progress);
+    auto lowest = isometric::lowerFromCoarse(piece.mesh, piece.table, piece.boundary, *start,
+                                             descent, progress);
     if (!lowest && lowest.error().code == ErrorCode::NotFinite && flat) {
         // In a piece much deeper than its rim is long even the circle's triangles vanish in
         // rounding. The conformal result is what there is; its flips are counted.
@@ -220,8 +227,8 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
                                    const Progress& progress, FlatteningMemory* memory) {
     const Stopwatch time;
     if (memory != nullptr && memory->Q) {
-        const WarmStart warm(piece, *memory);
-        DescentOptions descent = descentOptions(options.quality);
+        const isometric::WarmStart warm(piece, *memory);
+        isometric::DescentOptions descent = isometric::descentOptions(options.quality);
         descent.sharesModel = true;
         auto again = descendWarm(piece, descent, warm, progress);
         if (progress.isCancelled()) {

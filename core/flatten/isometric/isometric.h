@@ -12,7 +12,9 @@
 
 namespace toile {
 
+namespace isometric {
 struct KktModel;
+}
 struct Piece;
 
 /// What one flattening leaves behind for the next of the same piece, edited (flatten.h).
@@ -32,7 +34,7 @@ struct FlatteningMemory {
     double distortion = 0;  ///< of `Q`; 1 where isometric
     /// How that descent ended: its last model, null for large pieces, and the pulls of the
     /// boundary edges.
-    std::shared_ptr<const KktModel> model{};
+    std::shared_ptr<const isometric::KktModel> model{};
     std::shared_ptr<const Eigen::VectorXd> multipliers{};
 
     /// What the last conformal start of `isometric` had to tell of itself: its figures, no points.

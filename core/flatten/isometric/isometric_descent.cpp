@@ -9,7 +9,7 @@
 #include "core/quality/measures.h"
 #include "core/quality/outline_crossings.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 constexpr int kMaxCorrections = 6;
@@ -328,4 +328,4 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
     return result;
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

@@ -11,7 +11,7 @@
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
 
-namespace toile {
+namespace toile::isometric {
 
 struct DescentOptions {
     /// Ends when a step promises to lower the objective's excess over 1 by less than this part of
@@ -77,4 +77,4 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
                                            const EdgeLoops& loops, const Points2& start,
                                            const DescentOptions& options, const Progress& progress);
 
-}  // namespace toile
+}  // namespace toile::isometric

@@ -7,7 +7,7 @@
 
 #include "core/quality/measures.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 /// Energy of one radian at every vertex of the outline: enough that the outline of a strongly
@@ -95,7 +95,7 @@ bool IsometricObjective::layOut(const std::vector<OutlineBarrier::Contact>& cont
         mesh.emplace_back(table_.edges(e, 0), table_.edges(e, 1));
     }
     std::ranges::set_union(mesh, extra_, std::back_inserter(all));
-    VertexPairs pairs(static_cast<Eigen::Index>(all.size()), 2);
+    geometry::VertexPairs pairs(static_cast<Eigen::Index>(all.size()), 2);
     for (std::size_t e = 0; e < all.size(); ++e) {
         pairs.row(static_cast<Eigen::Index>(e)) << all[e].first, all[e].second;
     }
@@ -113,7 +113,7 @@ constexpr double kStiffness = 1e4;
 
 }  // namespace
 
-Eigen::VectorXd lengthStiffness(const BlockMatrix& hessian, const EdgeLoops& loops) {
+Eigen::VectorXd lengthStiffness(const linalg::BlockMatrix& hessian, const EdgeLoops& loops) {
     Eigen::VectorXd stiffness(loops.count());
     for (int i = 0; i < loops.count(); ++i) {
         stiffness[i] = kStiffness * std::max(hessian.largestOnDiagonal(loops.vertex(i)),
@@ -122,14 +122,14 @@ Eigen::VectorXd lengthStiffness(const BlockMatrix& hessian, const EdgeLoops& loo
     return stiffness;
 }
 
-void addSpring(BlockMatrix& hessian, int v) {
+void addSpring(linalg::BlockMatrix& hessian, int v) {
     hessian.addVertex(v, hessian.largestOnDiagonal(v) * Eigen::Matrix2d::Identity());
 }
 
-void addLengths(BlockMatrix& hessian, const LengthConstraints& constraints, const ModelPoint& point,
-                const Eigen::VectorXd& stiffness, double regularisation) {
+void addLengths(linalg::BlockMatrix& hessian, const LengthConstraints& constraints,
+                const ModelPoint& point, const Eigen::VectorXd& stiffness, double regularisation) {
     hessian.scaleDiagonal(1 + regularisation);
     constraints.addHessian(point.Q, stiffness, point.multipliers, hessian);
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

@@ -9,7 +9,7 @@
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/outline_terms.h"
 
-namespace toile {
+namespace toile::isometric {
 
 /// What the isometric descent makes small: the symmetric Dirichlet energy, a little stiffness of
 /// the outline, and, where the outline must stay simple, the barrier. Linear cost per call. One
@@ -33,7 +33,7 @@ public:
 
     /// The Hessian, positive semidefinite. Contacts may change its pattern.
     struct Hessian {
-        BlockMatrix& matrix;
+        linalg::BlockMatrix& matrix;
         bool samePattern;  ///< as in the call before
     };
 
@@ -57,7 +57,7 @@ private:
     SymmetricDirichlet energy_;
     OutlineBending bending_;
     std::vector<OutlineBarrier> barriers_;  ///< one per loop, where loops must stay simple
-    std::optional<BlockMatrix> matrix_;
+    std::optional<linalg::BlockMatrix> matrix_;
     std::vector<std::pair<int, int>> extra_;  ///< pairs in the pattern beyond the mesh's edges
     std::vector<int> edgeOf_;                 ///< number of each mesh edge in the pattern
 };
@@ -72,16 +72,16 @@ struct ModelPoint {
 /// How stiff the augmented Lagrangian makes the length of each boundary edge: some ten thousand
 /// times what the objective does there, so that each back-substitution lowers the violation of the
 /// linearised lengths by about that factor. @param hessian  of the objective, one vertex held
-Eigen::VectorXd lengthStiffness(const BlockMatrix& hessian, const EdgeLoops& loops);
+Eigen::VectorXd lengthStiffness(const linalg::BlockMatrix& hessian, const EdgeLoops& loops);
 
 /// Holds a vertex by a spring as stiff as it is itself: translations cost nothing, and this takes
 /// their freedom and no other.
-void addSpring(BlockMatrix& hessian, int v);
+void addSpring(linalg::BlockMatrix& hessian, int v);
 
 /// Makes the Hessian of the objective, one vertex held, the matrix of the augmented Lagrangian:
 /// adds the boundary lengths with their stiffness, and a part of the diagonal.
 /// @param regularisation  that part: rotations are nearly free
-void addLengths(BlockMatrix& hessian, const LengthConstraints& constraints, const ModelPoint& point,
-                const Eigen::VectorXd& stiffness, double regularisation);
+void addLengths(linalg::BlockMatrix& hessian, const LengthConstraints& constraints,
+                const ModelPoint& point, const Eigen::VectorXd& stiffness, double regularisation);
 
-}  // namespace toile
+}  // namespace toile::isometric

@@ -8,7 +8,7 @@
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric_descent.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 /// Below this energy the descent is so short that a coarse one would not shorten it.
@@ -58,4 +58,4 @@ Result<DescentResult> lowerFromCoarse(const MeshArrays& mesh, const EdgeTable& t
     return lowerIsometricEnergy(mesh, table, boundary, near.Q, options, progress);
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

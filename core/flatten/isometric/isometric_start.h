@@ -12,8 +12,13 @@
 namespace toile {
 
 struct FlatteningMemory;
-struct KktModel;
 struct Piece;
+
+}  // namespace toile
+
+namespace toile::isometric {
+
+struct KktModel;
 
 /// Where the isometric descent of a piece may begin.
 struct IsometricStart {
@@ -98,4 +103,4 @@ private:
     VersionMatch match_;
 };
 
-}  // namespace toile
+}  // namespace toile::isometric

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/isometric/kkt_solver.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 constexpr int kMaxMultiplierUpdates = 12;
@@ -71,9 +71,9 @@ Result<void> KktSolver::layOut(const ModelPoint& point, double regularisation) {
     return factorise(*K_);
 }
 
-Result<void> KktSolver::factorise(const BlockMatrix& K) {
+Result<void> KktSolver::factorise(const linalg::BlockMatrix& K) {
     if (cholesky_ == nullptr || cholesky_.use_count() > 1) {
-        cholesky_ = std::make_shared<SparseCholesky>();  // what was shared stays as it is
+        cholesky_ = std::make_shared<linalg::SparseCholesky>();  // what was shared stays as it is
         laidOut_ = false;
     }
     if (!laidOut_) {
@@ -141,4 +141,4 @@ Result<void> KktSolver::solveOnce(const Points2& forces, Points2& P, double& fir
     return {};
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

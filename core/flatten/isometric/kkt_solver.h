@@ -9,7 +9,7 @@
 #include "core/flatten/isometric/isometric_objective.h"
 #include "core/linalg/sparse_cholesky.h"
 
-namespace toile {
+namespace toile::isometric {
 
 /// Solves with the matrix of the isometric descent's augmented Lagrangian without a factorisation
 /// of it: by conjugate gradients, preconditioned by two levels [Tat93]. A sweep of Gauss-Seidel
@@ -33,7 +33,7 @@ public:
     /// @param stiffness, regularisation  as given to `addLengths`
     /// Errors: FactorisationFailed (of the coarse matrix, or no coarse piece is to be had),
     /// OutOfMemory, Cancelled. Cost: a tenth of a factorisation of K.
-    Result<void> renew(const BlockMatrix& K, const ModelPoint& point,
+    Result<void> renew(const linalg::BlockMatrix& K, const ModelPoint& point,
                        const Eigen::VectorXd& stiffness, double regularisation);
 
     /// x with K x = right but for that part of the first guess's error, in the norm of K's
@@ -60,7 +60,7 @@ private:
     bool keepOutlineSimple_;
     const Progress& progress_;
     double accuracy_;
-    const BlockMatrix* K_ = nullptr;
+    const linalg::BlockMatrix* K_ = nullptr;
     std::unique_ptr<Coarse> coarse_;
     int rounds_ = 0;
 };
@@ -76,9 +76,9 @@ struct KktSizes {
 /// a piece with the same triangles and nearly the same shape, whose first steps it serves as well
 /// as its own last ones. Immutable: any number of threads may solve with it.
 struct KktModel {
-    std::shared_ptr<const SparseCholesky> factor;  ///< of the augmented Lagrangian
-    Points2 directions;                            ///< of the boundary edges, where it was laid out
-    Eigen::VectorXd stiffness;                     ///< of the boundary edges
+    std::shared_ptr<const linalg::SparseCholesky> factor;  ///< of the augmented Lagrangian
+    Points2 directions;         ///< of the boundary edges, where it was laid out
+    Eigen::VectorXd stiffness;  ///< of the boundary edges
 };
 
 /// The steps of the isometric descent: minimises its quadratic model under the linearised length
@@ -113,20 +113,20 @@ public:
 
 private:
     Result<void> layOut(const ModelPoint& point, double regularisation);
-    Result<void> factorise(const BlockMatrix& K);
+    Result<void> factorise(const linalg::BlockMatrix& K);
     Result<void> solveOnce(const Points2& forces, Points2& P, double& first);
 
     const LengthConstraints& constraints_;
     const Progress& progress_;
     bool large_, huge_;
-    std::optional<TwoLevelSolver> twoLevel_;    ///< nothing where K is factorised
-    std::shared_ptr<const KktModel> adopted_;   ///< until the first model of its own
-    std::shared_ptr<SparseCholesky> cholesky_;  ///< null until needed
-    bool laidOut_ = false;                      ///< cholesky_ for this pattern
-    bool factorised_ = false;                   ///< cholesky_ for the present model
-    const BlockMatrix* K_ = nullptr;
+    std::optional<TwoLevelSolver> twoLevel_;            ///< nothing where K is factorised
+    std::shared_ptr<const KktModel> adopted_;           ///< until the first model of its own
+    std::shared_ptr<linalg::SparseCholesky> cholesky_;  ///< null until needed
+    bool laidOut_ = false;                              ///< cholesky_ for this pattern
+    bool factorised_ = false;                           ///< cholesky_ for the present model
+    const linalg::BlockMatrix* K_ = nullptr;
     Points2 directions_;         ///< of the boundary edges, at the model's point
     Eigen::VectorXd stiffness_;  ///< of the boundary edges, at the model's point
 };
 
-}  // namespace toile
+}  // namespace toile::isometric

@@ -7,7 +7,7 @@
 
 #include "core/geometry/segment.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 constexpr double kBarrierRadius = 0.1;  // of an edge
@@ -83,7 +83,7 @@ OutlineBending::Turn OutlineBending::turnAt(const Points2& Q, int i) const {
     const Eigen::RowVector2d next = Q.row(turn.vertex[2]) - Q.row(turn.vertex[1]);
     const Eigen::RowVector2d back = Q.row(turn.vertex[0]) - Q.row(turn.vertex[1]);
     // The inner angle: from the next edge anti-clockwise to the one before.
-    const double theta = turnBetween(next, back);
+    const double theta = geometry::turnBetween(next, back);
     const double half = 0.5 * (theta - angles_[i]);
     turn.excess = 2 * std::sin(half);
     const auto turned = [](const Eigen::RowVector2d& e) -> Eigen::RowVector2d {
@@ -114,7 +114,7 @@ void OutlineBending::addGradient(const Points2& Q, Points2& g) const {
     }
 }
 
-void OutlineBending::addHessian(const Points2& Q, BlockMatrix& hessian) const {
+void OutlineBending::addHessian(const Points2& Q, linalg::BlockMatrix& hessian) const {
     for (int i = 0; i < loops_.count(); ++i) {
         const Turn turn = turnAt(Q, i);
         for (int a = 0; a < 3; ++a) {
@@ -201,7 +201,8 @@ void OutlineBarrier::addGradient(const std::vector<Contact>& contacts, Points2& 
     }
 }
 
-void OutlineBarrier::addHessian(const std::vector<Contact>& contacts, BlockMatrix& hessian) {
+void OutlineBarrier::addHessian(const std::vector<Contact>& contacts,
+                                linalg::BlockMatrix& hessian) {
     for (const Contact& c : contacts) {
         const double ratio = c.radius / c.distance;
         const double curvature = 2 * c.weight * ratio * (3 * ratio - 2) / (c.distance * c.distance);
@@ -240,9 +241,9 @@ double OutlineBarrier::largestStep(const Points2& Q, const Points2& P, double li
         const Eigen::RowVector2d r = at(i) - at(j);
         const Eigen::RowVector2d de = P.row(boundary_[(j + 1) % n]) - P.row(boundary_[j]);
         const Eigen::RowVector2d dr = P.row(boundary_[i]) - P.row(boundary_[j]);
-        const double a = cross(de, dr);
-        const double b = cross(e, dr) + cross(de, r);
-        const double c = cross(e, r);
+        const double a = geometry::cross(de, dr);
+        const double b = geometry::cross(e, dr) + geometry::cross(de, r);
+        const double c = geometry::cross(e, r);
         const double under = b * b - 4 * a * c;
         if (under < 0) {
             return;
@@ -261,4 +262,4 @@ double OutlineBarrier::largestStep(const Points2& Q, const Points2& P, double li
     return most;
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

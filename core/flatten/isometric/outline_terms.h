@@ -7,7 +7,7 @@
 #include "core/linalg/block_matrix.h"
 #include "core/mesh/mesh_arrays.h"
 
-namespace toile {
+namespace toile::isometric {
 
 /// A little stiffness of the outline in its angles: sum_i weight_i (theta_i - alpha_i)^2, the
 /// objective of [Wang05] eq. (9) with a weight in proportion to the edges beside the vertex. Where
@@ -26,7 +26,7 @@ public:
     void addGradient(const Points2& Q, Points2& g) const;
     /// Gauss-Newton: positive semidefinite. Precondition: the matrix has the edges between each
     /// vertex of the outline, the next and the one after that.
-    void addHessian(const Points2& Q, BlockMatrix& hessian) const;
+    void addHessian(const Points2& Q, linalg::BlockMatrix& hessian) const;
 
 private:
     /// 2 sin((theta - alpha) / 2) at one vertex, which is theta - alpha where small and has no jump
@@ -74,7 +74,7 @@ public:
     static void addGradient(const std::vector<Contact>& contacts, Points2& g);
     /// Gauss-Newton: positive semidefinite. Precondition: the matrix has all edges between the
     /// three vertices of every contact.
-    static void addHessian(const std::vector<Contact>& contacts, BlockMatrix& hessian);
+    static void addHessian(const std::vector<Contact>& contacts, linalg::BlockMatrix& hessian);
 
     /// The largest step up to `limit` along P before a vertex meets an edge.
     double largestStep(const Points2& Q, const Points2& P, double limit) const;
@@ -85,4 +85,4 @@ private:
     Eigen::VectorXd weight_;  ///< of each vertex
 };
 
-}  // namespace toile
+}  // namespace toile::isometric

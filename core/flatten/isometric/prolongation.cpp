@@ -6,7 +6,7 @@
 #include "core/flatten/isometric/coarsening.h"
 #include "core/geometry/segment.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 /// A point well inside the kernel of a ring: the middle of the polygon cut by all its edges' lines.
@@ -23,8 +23,8 @@ std::optional<Eigen::RowVector2d> kernelPoint(const Points2& Q, const int* ring,
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const Eigen::RowVector2d& p = polygon[i];
             const Eigen::RowVector2d& q = polygon[(i + 1) % polygon.size()];
-            const double atP = cross(edge, p - from);
-            const double atQ = cross(edge, q - from);
+            const double atP = geometry::cross(edge, p - from);
+            const double atQ = geometry::cross(edge, q - from);
             if (atP >= 0) {
                 cut.push_back(p);
             }
@@ -47,7 +47,8 @@ std::optional<Eigen::RowVector2d> kernelPoint(const Points2& Q, const int* ring,
 /// True where the triangles from a vertex to its ring are all anti-clockwise.
 bool sees(const Points2& Q, int v, const int* ring, int count) {
     for (int k = 0; k < count; ++k) {
-        if (!(cross(Q.row(ring[k]) - Q.row(v), Q.row(ring[(k + 1) % count]) - Q.row(v)) > 0)) {
+        if (!(geometry::cross(Q.row(ring[k]) - Q.row(v), Q.row(ring[(k + 1) % count]) - Q.row(v)) >
+              0)) {
             return false;
         }
     }
@@ -140,4 +141,4 @@ std::optional<Points2> Coarsening::prolonged(const Points2& coarse) const {
     });
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

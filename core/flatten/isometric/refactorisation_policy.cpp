@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flatten/isometric/refactorisation_policy.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 /// Steps shorter than this part were stopped by single triangles.
@@ -73,4 +73,4 @@ void LbfgsHistory::complete(const std::vector<double>& taken, Points2& step) con
     }
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

@@ -5,7 +5,7 @@
 
 #include "core/mesh/mesh_arrays.h"
 
-namespace toile {
+namespace toile::isometric {
 
 /// Decides when a descent factorises anew, and when it has arrived, from what its steps bring;
 /// never from the clock, so that the same input takes the same way.
@@ -67,4 +67,4 @@ private:
     std::vector<Step> steps_;  ///< oldest first
 };
 
-}  // namespace toile
+}  // namespace toile::isometric

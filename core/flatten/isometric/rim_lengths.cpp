@@ -26,18 +26,19 @@ bool rimsAreSimple(const Piece& piece, const Points2& Q) {
         piece.holes, [&](const std::vector<int>& rim) { return outlineIsSimple(Q, rim); });
 }
 
-Result<DescentResult> descend(const Piece& piece, const Points2& Q, Quality quality,
-                              const Progress& progress) {
+Result<isometric::DescentResult> descend(const Piece& piece, const Points2& Q, Quality quality,
+                                         const Progress& progress) {
     const EdgeLoops loops = allLoops(piece);
-    DescentOptions options = descentOptions(quality);
-    auto found = lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options, progress);
+    isometric::DescentOptions options = isometric::descentOptions(quality);
+    auto found =
+        isometric::lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options, progress);
     const auto isSimple = [&](const Points2& at) -> bool {
         return outlineIsSimple(at, piece.boundary) && rimsAreSimple(piece, at);
     };
     if (found && !isSimple(found->Q) && isSimple(Q)) {
         options.keepOutlineSimple = true;
-        if (auto apart =
-                lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options, progress)) {
+        if (auto apart = isometric::lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options,
+                                                         progress)) {
             return apart;
         }
     }
@@ -45,15 +46,16 @@ Result<DescentResult> descend(const Piece& piece, const Points2& Q, Quality qual
 }
 
 /// What speaks against it; empty where nothing does.
-Wording objection(const Piece& piece, const Points2& before, const DescentResult& kept) {
+Wording objection(const Piece& piece, const Points2& before, const isometric::DescentResult& kept) {
     if (!rimsAreSimple(piece, kept.Q)) {
         return worded("a rim would cross itself");
     }
     if (!outlineIsSimple(kept.Q, piece.boundary) && outlineIsSimple(before, piece.boundary)) {
         return worded("the outline would cross itself");
     }
-    const double energy = SymmetricDirichlet(piece.mesh, piece.table).energy(before);
-    return isNear(kept.distortion, energy) ? Wording() : worded("it would take too much strain");
+    const double energy = isometric::SymmetricDirichlet(piece.mesh, piece.table).energy(before);
+    return isometric::isNear(kept.distortion, energy) ? Wording()
+                                                      : worded("it would take too much strain");
 }
 
 }  // namespace

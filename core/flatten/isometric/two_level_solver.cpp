@@ -6,7 +6,7 @@
 #include "core/flatten/isometric/coarsening.h"
 #include "core/flatten/isometric/kkt_solver.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 /// Error that may stay of a solution that follows, in the energy's norm, where its first guess has
@@ -33,7 +33,7 @@ struct TwoLevelSolver::Coarse {
     EdgeTable table;
     IsometricObjective objective;
     LengthConstraints constraints;
-    SparseCholesky cholesky;
+    linalg::SparseCholesky cholesky;
 };
 
 TwoLevelSolver::TwoLevelSolver(const MeshArrays& mesh, EdgeLoops loops,
@@ -48,7 +48,7 @@ TwoLevelSolver::TwoLevelSolver(const MeshArrays& mesh, EdgeLoops loops,
 
 TwoLevelSolver::~TwoLevelSolver() = default;
 
-Result<void> TwoLevelSolver::renew(const BlockMatrix& K, const ModelPoint& point,
+Result<void> TwoLevelSolver::renew(const linalg::BlockMatrix& K, const ModelPoint& point,
                                    const Eigen::VectorXd& stiffness, double regularisation) {
     K_ = &K;
     coarse_.reset();
@@ -63,7 +63,7 @@ Result<void> TwoLevelSolver::renew(const BlockMatrix& K, const ModelPoint& point
     }
     const Points2 Q = coarse_->piece.restricted(point.Q);
     const auto at = coarse_->objective.evaluate(Q);
-    BlockMatrix& coarse = coarse_->objective.hessian(Q, at).matrix;
+    linalg::BlockMatrix& coarse = coarse_->objective.hessian(Q, at).matrix;
     addSpring(coarse, coarse_->piece.loops().vertex(0));
     addLengths(coarse, coarse_->constraints, {Q, at, point.multipliers}, stiffness, regularisation);
     if (progress_.isCancelled()) {
@@ -142,4 +142,4 @@ std::optional<Points2> TwoLevelSolver::precondition(const Points2& residual) {
     return z;
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

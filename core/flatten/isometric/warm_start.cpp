@@ -20,7 +20,7 @@
 #include "core/quality/measures.h"
 #include "core/quality/outline_crossings.h"
 
-namespace toile {
+namespace toile::isometric {
 namespace {
 
 /// Motion of the outline, in parts of its mean edge, that the interior need not follow.
@@ -263,4 +263,4 @@ void partCutSides(const Piece& piece, const Eigen::VectorXd& gap, Points2& Q) {
     }
 }
 
-}  // namespace toile
+}  // namespace toile::isometric

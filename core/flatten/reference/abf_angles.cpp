@@ -162,7 +162,7 @@ private:
         if (count_ == 0) {
             return right;
         }
-        SymmetricBuilder builder(2 * count_);
+        linalg::SymmetricBuilder builder(2 * count_);
         builder.reserve(static_cast<std::size_t>(21 * F_.rows()));
         for (int f = 0; f < F_.rows(); ++f) {
             const Local t = local(f);
@@ -183,7 +183,7 @@ private:
                 }
             }
         }
-        const SymmetricMatrix matrix = builder.build();
+        const linalg::SymmetricMatrix matrix = builder.build();
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }
@@ -212,7 +212,7 @@ private:
     Eigen::MatrixX3d target_;
     Eigen::MatrixX3d x_;
     Eigen::VectorXd multipliers_;  ///< of the sums and the wheels, interleaved
-    SparseCholesky cholesky_;
+    linalg::SparseCholesky cholesky_;
 };
 
 }  // namespace

@@ -105,34 +105,35 @@ TEST(KeptModel, IsOfUseToManyAtATime) {
 TEST(KeptModel, ComesToTheSameEnd) {
     const PiecePointer piece = head();
     const Points2 start = *tutteOnCircle(*piece, Progress());
-    DescentOptions options;
+    isometric::DescentOptions options;
     options.tolerance = 1e-6;
     options.sharesModel = true;
-    const auto descend = [&](const Points2& from) -> DescentResult {
-        const auto end = lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, from,
-                                              options, Progress());
+    const auto descend = [&](const Points2& from) -> isometric::DescentResult {
+        const auto end = isometric::lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary,
+                                                         from, options, Progress());
         EXPECT_TRUE(end);
         return *end;
     };
-    const DescentResult first = descend(start);
+    const isometric::DescentResult first = descend(start);
     ASSERT_TRUE(first.model);
     EXPECT_GT(first.model->factor->bytes(), 0U);
     options.model = first.model;
     options.multipliers = first.multipliers;
     EXPECT_LE(descend(first.Q).iterations, 2);
     // From far away it is of no use, and does no harm.
-    const DescentResult far = descend(start);
+    const isometric::DescentResult far = descend(start);
     EXPECT_TRUE(far.converged);
     EXPECT_NEAR(far.distortion, first.distortion, 1e-3 * (first.distortion - 1));
 }
 
 TEST(KeptModel, IsNotKeptOfLargePieces) {
     const PiecePointer piece = head();
-    DescentOptions options;
+    isometric::DescentOptions options;
     options.sharesModel = true;
     options.sizes.large = 100;
-    const auto end = lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary,
-                                          *tutteOnCircle(*piece, Progress()), options, Progress());
+    const auto end =
+        isometric::lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary,
+                                        *tutteOnCircle(*piece, Progress()), options, Progress());
     ASSERT_TRUE(end);
     EXPECT_FALSE(end->model);
 }
@@ -166,17 +167,17 @@ TEST(WarmStart, SaysNothingWhereAllIsOtherwise) {
     memory.distortion = 2;
     memory.multipliers = std::make_shared<const Eigen::VectorXd>(
         Eigen::VectorXd::Ones(static_cast<Eigen::Index>(before->boundary.size())));
-    const WarmStart same(*before, memory);
+    const isometric::WarmStart same(*before, memory);
     EXPECT_EQ(same.multipliers(), *memory.multipliers);
     MeshArrays pulled = before->mesh;
     pulled.V.col(0) *= 3;
     const PiecePointer other = test::originalPiece(std::move(pulled));
-    const WarmStart warm(*other, memory);
+    const isometric::WarmStart warm(*other, memory);
     EXPECT_FALSE(warm.positions(Progress()));
     EXPECT_FALSE(warm.fromCoarse(1e-4, Progress()));
     // A dart's own edges do not pull yet.
     const PiecePointer cut = withDart(before, 10, 6);
-    const Eigen::VectorXd multipliers = WarmStart(*cut, memory).multipliers();
+    const Eigen::VectorXd multipliers = isometric::WarmStart(*cut, memory).multipliers();
     EXPECT_EQ(multipliers.size(), static_cast<Eigen::Index>(cut->boundary.size()));
     EXPECT_EQ(multipliers.sum(), static_cast<double>(before->boundary.size()));
 }
@@ -204,7 +205,7 @@ TEST(CutSides, ArePartedByTheGapAskedFor) {
     const Points2 flat = cut->mesh.V.leftCols<2>();
     const auto n = static_cast<Eigen::Index>(cut->boundary.size());
     Points2 parted = flat;
-    partCutSides(*cut, Eigen::VectorXd::Constant(n, 0.5), parted);
+    isometric::partCutSides(*cut, Eigen::VectorXd::Constant(n, 0.5), parted);
     int moved = 0;
     for (Eigen::Index v = 0; v < flat.rows(); ++v) {
         const double way = (parted.row(v) - flat.row(v)).norm();
@@ -215,14 +216,14 @@ TEST(CutSides, ArePartedByTheGapAskedFor) {
     EXPECT_EQ(flippedTriangles(triangleAreas2d(parted, cut->mesh.F)), 0);
     // What is apart already stays.
     const Points2 once = parted;
-    partCutSides(*cut, Eigen::VectorXd::Constant(n, 0.2), parted);
+    isometric::partCutSides(*cut, Eigen::VectorXd::Constant(n, 0.2), parted);
     EXPECT_EQ(parted, once);
 }
 
 TEST(Coarsening, CarriesDetailsAlongAffinely) {
     const PiecePointer piece = head();
     const Points2 before = *tutteOnCircle(*piece, Progress());
-    const Coarsening coarse(piece->mesh, piece->boundary, before, Progress());
+    const isometric::Coarsening coarse(piece->mesh, piece->boundary, before, Progress());
     EXPECT_TRUE(coarse.savesWork());
     Eigen::Matrix2d turn;
     turn << 1.3, -0.4, 0.7, 0.9;

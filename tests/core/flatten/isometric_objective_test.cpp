@@ -44,7 +44,7 @@ std::shared_ptr<const Piece> grid() {
     return test::asPiece(test::planeGrid(4, 3, 1.0));
 }
 
-IsometricObjective objectiveOf(const Piece& piece, bool simple) {
+isometric::IsometricObjective objectiveOf(const Piece& piece, bool simple) {
     return {piece.mesh, piece.table, piece.boundary,
             boundaryLengths3d(piece.mesh.V, piece.boundary), simple};
 }
@@ -53,7 +53,7 @@ double dot(const Points2& a, const Points2& b) {
     return a.cwiseProduct(b).sum();
 }
 
-Eigen::VectorXd times(const SymmetricMatrix& M, const Points2& P) {
+Eigen::VectorXd times(const linalg::SymmetricMatrix& M, const Points2& P) {
     const Eigen::Map<const Eigen::VectorXd> p(P.data(), P.size());
     Eigen::VectorXd y = Eigen::VectorXd::Zero(M.size);
     for (int j = 0; j < M.size; ++j) {
@@ -122,10 +122,10 @@ TEST(IsometricObjective, GradientIsTheDerivative) {
 /// gradient's derivative: under a strong even stretch.
 TEST(IsometricObjective, HessianIsTheGradientsDerivativeUnderStretch) {
     const auto piece = grid();
-    auto energy = SymmetricDirichlet(piece->mesh, piece->table);
+    auto energy = isometric::SymmetricDirichlet(piece->mesh, piece->table);
     const Points2 Q = 1.5 * shaken(*piece, 0.05);
     const Points2 P = randomDirection(Q.rows());
-    BlockMatrix H(piece->table.edges, static_cast<int>(Q.rows()));
+    linalg::BlockMatrix H(piece->table.edges, static_cast<int>(Q.rows()));
     std::vector<int> edgeOf(static_cast<std::size_t>(piece->table.edges.rows()));
     for (std::size_t e = 0; e < edgeOf.size(); ++e) {
         edgeOf[e] = static_cast<int>(e);
@@ -206,12 +206,12 @@ TEST(OutlineBarrier, StopsAtContact) {
     }
     const double step = objective.largestStep(Q, P, 10);
     EXPECT_NEAR(step, 0.4, 1e-12);  // its corner meets the other tooth's
-    EXPECT_GT(SymmetricDirichlet(piece->mesh, piece->table).largestStep(Q, P, 10), 0.41);
+    EXPECT_GT(isometric::SymmetricDirichlet(piece->mesh, piece->table).largestStep(Q, P, 10), 0.41);
 }
 
 TEST(SymmetricDirichlet, StepEndsWhereTheFirstTriangleLosesItsArea) {
     const auto piece = test::asPiece(test::planeGrid(1, 1, 1.0));
-    const SymmetricDirichlet energy(piece->mesh, piece->table);
+    const isometric::SymmetricDirichlet energy(piece->mesh, piece->table);
     const Points2 Q = flatGrid(*piece);
     for (int v = 0; v < 4; ++v) {
         Points2 P = Points2::Zero(4, 2);

@@ -34,14 +34,14 @@ Points2 onCircle(const Piece& piece) {
 }
 
 double energyOf(const Piece& piece, const Points2& Q) {
-    return SymmetricDirichlet(piece.mesh, piece.table).energy(Q);
+    return isometric::SymmetricDirichlet(piece.mesh, piece.table).energy(Q);
 }
 
 TEST(Coarsening, KeepsTheBoundaryAndFlipsNothing) {
     const auto piece = cap();
     const Points2 Q = onCircle(*piece);
     const int inner = static_cast<int>(Q.rows()) - static_cast<int>(piece->boundary.size());
-    const Coarsening coarse(piece->mesh, piece->boundary, Q, inner / 5, Progress());
+    const isometric::Coarsening coarse(piece->mesh, piece->boundary, Q, inner / 5, Progress());
     EXPECT_LT(coarse.mesh().V.rows(), Q.rows() / 2);
     ASSERT_EQ(coarse.loops().vertices().size(), piece->boundary.size());
     const Points2 flat = coarse.restricted(Q);
@@ -60,7 +60,7 @@ TEST(Coarsening, KeepsTheBoundaryAndFlipsNothing) {
 TEST(Coarsening, ComesBackWithoutFlips) {
     const auto piece = cap();
     const Points2 Q = onCircle(*piece);
-    const Coarsening coarse(piece->mesh, piece->boundary, Q, 20, Progress());
+    const isometric::Coarsening coarse(piece->mesh, piece->boundary, Q, 20, Progress());
     const auto back = coarse.prolonged(coarse.restricted(Q));
     ASSERT_TRUE(back);
     EXPECT_EQ(coarse.restricted(*back), coarse.restricted(Q));
@@ -71,7 +71,7 @@ TEST(Coarsening, ComesBackWithoutFlips) {
 TEST(Coarsening, RestoresAPlane) {
     const auto piece = test::asPiece(test::planeGrid(12, 9, 10));
     const Points2 Q = piece->mesh.V.leftCols<2>();
-    const Coarsening coarse(piece->mesh, piece->boundary, Q, 10, Progress());
+    const isometric::Coarsening coarse(piece->mesh, piece->boundary, Q, 10, Progress());
     EXPECT_LT(coarse.mesh().V.rows(), Q.rows());
     const auto back = coarse.prolonged(coarse.restricted(Q));
     ASSERT_TRUE(back);
@@ -83,8 +83,8 @@ TEST(Coarsening, RestoresAPlane) {
 TEST(Coarsening, RestrictsForcesAsItProlongsMotions) {
     const auto piece = cap();
     const Points2 Q = onCircle(*piece);
-    const Coarsening coarse(piece->mesh, piece->boundary, Q, static_cast<int>(Q.rows()) / 6,
-                            Progress());
+    const isometric::Coarsening coarse(piece->mesh, piece->boundary, Q,
+                                       static_cast<int>(Q.rows()) / 6, Progress());
     const Eigen::Index few = coarse.mesh().V.rows();
     const Points2 motion = coarse.restricted(piece->mesh.V.rightCols<2>());
     const Points2 forces = piece->mesh.V.leftCols<2>().array().sin();
@@ -103,10 +103,10 @@ TEST(IsometricStart, IsNearerToTheEndWithExactLengths) {
     const auto piece = cap();
     const Points2 Q = onCircle(*piece);
     const Progress progress;
-    const IsometricStart start =
-        coarseToFine(piece->mesh, piece->table, piece->boundary, Q, 1e-4, progress);
-    const auto lowest =
-        lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, Q, {}, progress);
+    const isometric::IsometricStart start =
+        isometric::coarseToFine(piece->mesh, piece->table, piece->boundary, Q, 1e-4, progress);
+    const auto lowest = isometric::lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary,
+                                                        Q, {}, progress);
     ASSERT_TRUE(lowest);
     EXPECT_LT(energyOf(*piece, start.Q) - lowest->distortion,
               0.8 * (energyOf(*piece, Q) - lowest->distortion));
@@ -120,14 +120,17 @@ TEST(IsometricStart, LeavesWhatIsHardlyStrained) {
     const auto piece = test::asPiece(test::planeGrid(30, 30, 10));
     const Points2 Q = piece->mesh.V.leftCols<2>();
     const Progress progress;
-    EXPECT_EQ(coarseToFine(piece->mesh, piece->table, piece->boundary, Q, 1e-4, progress).Q, Q);
+    EXPECT_EQ(
+        isometric::coarseToFine(piece->mesh, piece->table, piece->boundary, Q, 1e-4, progress).Q,
+        Q);
 }
 
 TEST(SymmetricDirichlet, RelaxingLowersTheEnergyAndLeavesTheFixed) {
     const auto piece = cap();
     Points2 Q = onCircle(*piece);
     const Points2 before = Q;
-    SymmetricDirichlet(piece->mesh, piece->table).relax(Q, piece->boundary, 5, Progress());
+    isometric::SymmetricDirichlet(piece->mesh, piece->table)
+        .relax(Q, piece->boundary, 5, Progress());
     EXPECT_LT(energyOf(*piece, Q), energyOf(*piece, before));
     for (const int v : piece->boundary) {
         EXPECT_EQ(Q.row(v), before.row(v));
@@ -139,7 +142,7 @@ TEST(LbfgsHistory, KnowsAQuadraticAfterAsManySteps) {
     Eigen::Matrix2d H;
     H << 5, 2, 2, 3;
     const auto asStep = [](const Eigen::Vector2d& p) -> Points2 { return p.transpose(); };
-    LbfgsHistory memory;
+    isometric::LbfgsHistory memory;
     const Eigen::Vector2d first(1, 0);
     const Eigen::Vector2d second = Eigen::Vector2d(-2, 5);  // conjugate to the first
     memory.add(asStep(first), asStep(H * first));
@@ -157,7 +160,7 @@ TEST(LbfgsHistory, KnowsAQuadraticAfterAsManySteps) {
 constexpr double kFactorisingCost = 12;  // in steps
 
 TEST(RefactorisationPolicy, StaysWithAFactorisationThatServes) {
-    RefactorisationPolicy policy;
+    isometric::RefactorisationPolicy policy;
     EXPECT_TRUE(policy.isFresh());
     policy.count(1, 100, 100, kFactorisingCost);
     EXPECT_FALSE(policy.isFresh());
@@ -171,7 +174,7 @@ TEST(RefactorisationPolicy, StaysWithAFactorisationThatServes) {
 
 TEST(RefactorisationPolicy, RenewsSoonerWhatCostsLess) {
     for (const double cost : {1.0, kFactorisingCost}) {
-        RefactorisationPolicy policy;
+        isometric::RefactorisationPolicy policy;
         policy.count(1, 100, 100, cost);
         policy.count(1, 100, 20, cost);
         EXPECT_EQ(policy.isFresh(), cost == 1);
@@ -179,7 +182,7 @@ TEST(RefactorisationPolicy, RenewsSoonerWhatCostsLess) {
 }
 
 TEST(RefactorisationPolicy, DoesNotTakeAStoppedStepForTheEnd) {
-    RefactorisationPolicy policy;
+    isometric::RefactorisationPolicy policy;
     policy.count(0.01, 5, 1e-6, kFactorisingCost);
     EXPECT_TRUE(policy.wasStopped());
     EXPECT_TRUE(policy.isFresh());

@@ -103,8 +103,8 @@ TEST(Isometric, FindsTheSameFromACircle) {
     const Progress progress;
     const auto circle = tutteOnCircle(*piece, progress);
     ASSERT_TRUE(circle);
-    const auto descended =
-        lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, *circle, {}, progress);
+    const auto descended = isometric::lowerIsometricEnergy(piece->mesh, piece->table,
+                                                           piece->boundary, *circle, {}, progress);
     ASSERT_TRUE(descended) << sentence(descended.error());
     EXPECT_TRUE(descended->converged);
     const Measured result = measured(*piece, solvedBy(Method::Isometric));
@@ -155,8 +155,8 @@ TEST(Isometric, RefusesAFlippedStart) {
     Points2 Q = piece->mesh.V.leftCols<2>();
     Q.col(0) *= -1;
     const Progress progress;
-    const auto descended =
-        lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, Q, {}, progress);
+    const auto descended = isometric::lowerIsometricEnergy(piece->mesh, piece->table,
+                                                           piece->boundary, Q, {}, progress);
     ASSERT_FALSE(descended);
     EXPECT_EQ(descended.error().code, ErrorCode::NotFinite);
 }
@@ -166,8 +166,8 @@ TEST(Isometric, EndsWhenCancelled) {
     Progress progress;
     const auto circle = tutteOnCircle(*piece, progress);
     progress.cancel();
-    const auto descended =
-        lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary, *circle, {}, progress);
+    const auto descended = isometric::lowerIsometricEnergy(piece->mesh, piece->table,
+                                                           piece->boundary, *circle, {}, progress);
     ASSERT_FALSE(descended);
     EXPECT_EQ(descended.error().code, ErrorCode::Cancelled);
 }

@@ -16,9 +16,9 @@ namespace toile {
 namespace {
 
 constexpr int kNone = std::numeric_limits<int>::max();
-constexpr KktSizes kFactorised{kNone, kNone};
-constexpr KktSizes kLarge{0, kNone};
-constexpr KktSizes kHuge{0, 0};
+constexpr isometric::KktSizes kFactorised{kNone, kNone};
+constexpr isometric::KktSizes kLarge{0, kNone};
+constexpr isometric::KktSizes kHuge{0, 0};
 
 /// A piece on a circle: strained much, and unevenly.
 struct Strained {
@@ -31,17 +31,17 @@ struct Strained {
           at(objective.evaluate(Q)),
           multipliers(Eigen::VectorXd::LinSpaced(lengths.size(), -1e-3, 1e-3)) {}
 
-    KktSolver solver(const KktSizes& sizes, const Progress& progress) const {
+    isometric::KktSolver solver(const isometric::KktSizes& sizes, const Progress& progress) const {
         return {piece->mesh, lengths, constraints, false, sizes, progress};
     }
-    ModelPoint point() const { return {Q, at, multipliers}; }
+    isometric::ModelPoint point() const { return {Q, at, multipliers}; }
 
     std::shared_ptr<const Piece> piece;
     Eigen::VectorXd lengths;
     Points2 Q;
-    IsometricObjective objective;
+    isometric::IsometricObjective objective;
     LengthConstraints constraints;
-    IsometricObjective::Value at;
+    isometric::IsometricObjective::Value at;
     Eigen::VectorXd multipliers;
 };
 
@@ -53,11 +53,12 @@ double innerProduct(const Points2& a, const Points2& b) {
 TEST(TwoLevelSolver, ComesNearTheSolution) {
     Strained cap(test::sphericalCap(24, 100, 2.2));
     const Progress progress;
-    TwoLevelSolver solver(cap.piece->mesh, cap.piece->boundary, cap.lengths, false, progress);
-    BlockMatrix& K = cap.objective.hessian(cap.Q, cap.at).matrix;
-    addSpring(K, cap.piece->boundary.front());
-    const Eigen::VectorXd stiffness = lengthStiffness(K, cap.piece->boundary);
-    addLengths(K, cap.constraints, cap.point(), stiffness, 1e-9);
+    isometric::TwoLevelSolver solver(cap.piece->mesh, cap.piece->boundary, cap.lengths, false,
+                                     progress);
+    linalg::BlockMatrix& K = cap.objective.hessian(cap.Q, cap.at).matrix;
+    isometric::addSpring(K, cap.piece->boundary.front());
+    const Eigen::VectorXd stiffness = isometric::lengthStiffness(K, cap.piece->boundary);
+    isometric::addLengths(K, cap.constraints, cap.point(), stiffness, 1e-9);
     ASSERT_TRUE(solver.renew(K, cap.point(), stiffness, 1e-9));
 
     const Points2 known = (0.1 * cap.piece->mesh.V.leftCols<2>()).array().sin();
@@ -82,9 +83,10 @@ TEST(TwoLevelSolver, ComesNearTheSolution) {
 TEST(TwoLevelSolver, HasNoCoarsePieceOfThreeTriangles) {
     Strained few(test::sphericalCap(2, 100, 1));
     const Progress progress;
-    TwoLevelSolver solver(few.piece->mesh, few.piece->boundary, few.lengths, false, progress);
-    BlockMatrix& K = few.objective.hessian(few.Q, few.at).matrix;
-    const Eigen::VectorXd stiffness = lengthStiffness(K, few.piece->boundary);
+    isometric::TwoLevelSolver solver(few.piece->mesh, few.piece->boundary, few.lengths, false,
+                                     progress);
+    linalg::BlockMatrix& K = few.objective.hessian(few.Q, few.at).matrix;
+    const Eigen::VectorXd stiffness = isometric::lengthStiffness(K, few.piece->boundary);
     const auto ready = solver.renew(K, few.point(), stiffness, 1e-9);
     ASSERT_FALSE(ready);
     EXPECT_EQ(ready.error().code, ErrorCode::FactorisationFailed);
@@ -98,7 +100,7 @@ TEST(KktSolver, TakesTheSameStepEitherWay) {
     Points2 steps[2];
     double promises[2] = {};
     for (const int way : {0, 1}) {
-        KktSolver solver = cap.solver(way == 0 ? kFactorised : kHuge, progress);
+        isometric::KktSolver solver = cap.solver(way == 0 ? kFactorised : kHuge, progress);
         ASSERT_TRUE(solver.renew(cap.objective, cap.point()));
         Eigen::VectorXd y = Eigen::VectorXd::Zero(cap.lengths.size());
         const auto P = solver.solve(right, Eigen::VectorXd::Zero(y.size()), y);
@@ -115,7 +117,7 @@ TEST(KktSolver, TakesTheSameStepEitherWay) {
 TEST(KktSolver, FactorisesWhereThereIsNoCoarsePiece) {
     Strained few(test::sphericalCap(2, 100, 1));
     const Progress progress;
-    KktSolver solver = few.solver(kHuge, progress);
+    isometric::KktSolver solver = few.solver(kHuge, progress);
     const double cheap = solver.renewingCost();
     ASSERT_TRUE(solver.renew(few.objective, few.point()));
     EXPECT_GT(solver.renewingCost(), cheap);
@@ -129,7 +131,7 @@ TEST(KktSolver, FactorisesAfterAllWhereManyRoundsCameToPass) {
     const Progress progress;
     const Points2 right = -cap.objective.gradient(cap.Q, cap.at);
     for (const bool huge : {false, true}) {
-        KktSolver solver = cap.solver(huge ? kHuge : kLarge, progress);
+        isometric::KktSolver solver = cap.solver(huge ? kHuge : kLarge, progress);
         const double cheap = solver.renewingCost();
         for (int step = 0; step < 40; ++step) {
             ASSERT_TRUE(solver.renew(cap.objective, cap.point()));
@@ -143,7 +145,7 @@ TEST(KktSolver, FactorisesAfterAllWhereManyRoundsCameToPass) {
 TEST(KktSolver, EndsWhenCancelled) {
     Strained cap(test::sphericalCap(24, 100, 2.2));
     Progress progress;
-    KktSolver solver = cap.solver(kHuge, progress);
+    isometric::KktSolver solver = cap.solver(kHuge, progress);
     ASSERT_TRUE(solver.renew(cap.objective, cap.point()));
     progress.cancel();
     Eigen::VectorXd y = Eigen::VectorXd::Zero(cap.lengths.size());
@@ -163,17 +165,17 @@ TEST(KktSolver, LeadsToTheSameEndEitherWay) {
         for (const bool simple : {false, true}) {
             const Strained from(mesh);
             const Piece& piece = *from.piece;
-            DescentOptions options;
+            isometric::DescentOptions options;
             options.keepOutlineSimple = simple;
-            const auto descend = [&](const KktSizes& sizes) -> DescentResult {
+            const auto descend = [&](const isometric::KktSizes& sizes) -> isometric::DescentResult {
                 options.sizes = sizes;
-                const auto end = lowerIsometricEnergy(piece.mesh, piece.table, piece.boundary,
-                                                      from.Q, options, Progress());
+                const auto end = isometric::lowerIsometricEnergy(
+                    piece.mesh, piece.table, piece.boundary, from.Q, options, Progress());
                 EXPECT_TRUE(end);
                 return *end;
             };
-            const DescentResult direct = descend(kFactorised);
-            const DescentResult lean = descend(kHuge);
+            const isometric::DescentResult direct = descend(kFactorised);
+            const isometric::DescentResult lean = descend(kHuge);
             EXPECT_TRUE(lean.converged);
             EXPECT_NEAR(lean.distortion, direct.distortion, 0.002 * (direct.distortion - 1));
             EXPECT_LE(from.constraints.residual(lean.Q).lpNorm<Eigen::Infinity>(), 1e-9);

@@ -114,12 +114,12 @@ TEST(RimLengths, LargePiecesComeToTheSame) {
         std::vector<std::vector<int>> all{piece->boundary};
         all.insert(all.end(), piece->holes.begin(), piece->holes.end());
         const EdgeLoops loops(all);
-        DescentOptions options;
-        const auto direct =
-            lowerIsometricEnergy(piece->mesh, piece->table, loops, start->Q, options, Progress());
+        isometric::DescentOptions options;
+        const auto direct = isometric::lowerIsometricEnergy(piece->mesh, piece->table, loops,
+                                                            start->Q, options, Progress());
         options.sizes.large = options.sizes.huge = 1;
-        const auto lean =
-            lowerIsometricEnergy(piece->mesh, piece->table, loops, start->Q, options, Progress());
+        const auto lean = isometric::lowerIsometricEnergy(piece->mesh, piece->table, loops,
+                                                          start->Q, options, Progress());
         ASSERT_TRUE(direct && lean);
         EXPECT_TRUE(direct->converged && lean->converged);
         EXPECT_LE(worstError(*piece, lean->Q, piece->boundary), 1e-11);

@@ -11,7 +11,7 @@ namespace {
 
 TEST(Buckets, HoldItemsByKeyInTheOrderInWhichTheyCame) {
     const std::string text = "to be or not to be";
-    Buckets<int> places('z' + 1, [&text](auto add) {
+    geometry::Buckets<int> places('z' + 1, [&text](auto add) {
         for (std::size_t i = 0; i < text.size(); ++i) {
             add(text[i], static_cast<int>(i));
         }
@@ -25,8 +25,8 @@ TEST(Buckets, HoldItemsByKeyInTheOrderInWhichTheyCame) {
 }
 
 TEST(Buckets, MayBeWithoutKeysOrItems) {
-    EXPECT_EQ(Buckets<>().keyCount(), 0);
-    const Buckets<std::string> none(2, [](auto) {});
+    EXPECT_EQ(geometry::Buckets<>().keyCount(), 0);
+    const geometry::Buckets<std::string> none(2, [](auto) {});
     EXPECT_TRUE(none[0].empty());
     EXPECT_TRUE(none[1].empty());
 }

@@ -65,11 +65,12 @@ int plainOrientation(const Point& a, const Point& b, const Point& c) {
 }
 
 TEST(ExactOrientation, KnowsLeftRightAndInLine) {
-    EXPECT_EQ(exactOrientation({0, 0}, {1, 0}, {0, 1}), 1);
-    EXPECT_EQ(exactOrientation({0, 0}, {1, 0}, {0, -1}), -1);
-    EXPECT_EQ(exactOrientation({0.5, 0.5}, {12, 12}, {24, 24}), 0);
-    EXPECT_EQ(exactOrientation({3, 4}, {3, 4}, {7, 1}), 0);
-    EXPECT_EQ(exactOrientation({0.5, 0.5}, {12, 12}, {24, std::nextafter(24.0, 25.0)}), 1);
+    EXPECT_EQ(geometry::exactOrientation({0, 0}, {1, 0}, {0, 1}), 1);
+    EXPECT_EQ(geometry::exactOrientation({0, 0}, {1, 0}, {0, -1}), -1);
+    EXPECT_EQ(geometry::exactOrientation({0.5, 0.5}, {12, 12}, {24, 24}), 0);
+    EXPECT_EQ(geometry::exactOrientation({3, 4}, {3, 4}, {7, 1}), 0);
+    EXPECT_EQ(geometry::exactOrientation({0.5, 0.5}, {12, 12}, {24, std::nextafter(24.0, 25.0)}),
+              1);
 }
 
 TEST(ExactOrientation, AgreesWithWholeNumbersWhereRoundingDoesNot) {
@@ -99,12 +100,12 @@ TEST(ExactOrientation, AgreesWithWholeNumbersWhereRoundingDoesNot) {
         const Point p = a.asDoubles();
         const Point q = b.asDoubles();
         const Point r = c.asDoubles();
-        ASSERT_EQ(exactOrientation(p, q, r), exact) << k;
+        ASSERT_EQ(geometry::exactOrientation(p, q, r), exact) << k;
         // The same determinant whichever point comes first.
-        ASSERT_EQ(exactOrientation(q, r, p), exact) << k;
-        ASSERT_EQ(exactOrientation(q, p, r), -exact) << k;
+        ASSERT_EQ(geometry::exactOrientation(q, r, p), exact) << k;
+        ASSERT_EQ(geometry::exactOrientation(q, p, r), -exact) << k;
         // Scaled by a power of two, nothing changes.
-        ASSERT_EQ(exactOrientation(0x1p-300 * p, 0x1p-300 * q, 0x1p-300 * r), exact) << k;
+        ASSERT_EQ(geometry::exactOrientation(0x1p-300 * p, 0x1p-300 * q, 0x1p-300 * r), exact) << k;
         roundedWrong += plainOrientation(p, q, r) != exact ? 1 : 0;
         ++seen[static_cast<std::size_t>(exact + 1)];
     }
@@ -122,7 +123,7 @@ TEST(ExactOrientation, SeesThroughRoundedDifferences) {
         for (int j = 0; j < 64; ++j) {
             const Point p(0.5 + i * ulp, 0.5 + j * ulp);
             const int exact = i == j ? 0 : (j > i ? 1 : -1);  // above or below the diagonal
-            ASSERT_EQ(exactOrientation({12, 12}, {24, 24}, p), exact) << i << " " << j;
+            ASSERT_EQ(geometry::exactOrientation({12, 12}, {24, 24}, p), exact) << i << " " << j;
             roundedWrong += plainOrientation(p, {12, 12}, {24, 24}) != exact ? 1 : 0;
         }
     }

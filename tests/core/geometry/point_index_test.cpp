@@ -26,7 +26,7 @@ TEST(PointIndex, FindsWhatALookAtAllPointsFinds) {
     std::mt19937 random(5);
     for (const double size : {4.0, 40.0, 4e9}) {  // in tolerances
         Points points;
-        PointIndex index(points, 1);
+        geometry::PointIndex index(points, 1);
         std::uniform_real_distribution<double> coordinate(-size, size);
         for (int i = 0; i < 3000; ++i) {
             const Eigen::Vector3d p(coordinate(random), coordinate(random), coordinate(random));
@@ -43,7 +43,7 @@ TEST(PointIndex, FindsWhatALookAtAllPointsFinds) {
 TEST(PointIndex, WithoutToleranceFindsTheSameBits) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     Points points;
-    PointIndex index(points);
+    geometry::PointIndex index(points);
     EXPECT_EQ(index.insert({0, 1, 2}), std::pair(0, true));
     EXPECT_EQ(index.insert({-0.0, 1, 2}), std::pair(0, false));
     EXPECT_FALSE(std::signbit(points[0].x()));
@@ -63,7 +63,7 @@ TEST(PointIndex, WithoutToleranceFindsTheSameBits) {
 TEST(PointIndex, TakesCoordinatesOfAnySize) {
     constexpr double kMax = std::numeric_limits<double>::max();
     Points points;
-    PointIndex index(points, 1e-9);
+    geometry::PointIndex index(points, 1e-9);
     const Points far{{0, 0, 0}, {kMax, 0, 0}, {-kMax, 0, 0}, {1e30, 1e30, 0}};
     for (int i = 0; i < 4; ++i) {
         EXPECT_EQ(index.insert(far[static_cast<std::size_t>(i)]), std::pair(i, true));

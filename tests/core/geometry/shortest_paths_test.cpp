@@ -10,8 +10,8 @@ namespace toile {
 namespace {
 
 /// A random graph of which some vertices cannot be reached.
-VertexPairs randomEdges(std::mt19937& random, int vertexCount, int edgeCount) {
-    VertexPairs edges(edgeCount, 2);
+geometry::VertexPairs randomEdges(std::mt19937& random, int vertexCount, int edgeCount) {
+    geometry::VertexPairs edges(edgeCount, 2);
     for (int e = 0; e < edgeCount; ++e) {
         edges.row(e) << static_cast<int>(random() % vertexCount),
             static_cast<int>(random() % vertexCount);
@@ -23,7 +23,7 @@ TEST(ShortestForest, IsWhatRepeatedRelaxationFinds) {
     std::mt19937 random(3);
     for (int run = 0; run < 50; ++run) {
         const int n = 30;
-        const VertexPairs edges = randomEdges(random, n, 40);
+        const geometry::VertexPairs edges = randomEdges(random, n, 40);
         std::vector<double> weights(static_cast<std::size_t>(edges.rows()));
         for (double& weight : weights) {
             weight = static_cast<double>(random() % 10);
@@ -37,7 +37,8 @@ TEST(ShortestForest, IsWhatRepeatedRelaxationFinds) {
                 b = std::min(b, a + weights[e]);
             }
         }
-        const ShortestForest forest = shortestForest(edges, n, weights, {{0, 1}, {2}});
+        const geometry::ShortestForest forest =
+            geometry::shortestForest(edges, n, weights, {{0, 1}, {2}});
         EXPECT_EQ(forest.distance, least);
         for (int v = 0; v < n; ++v) {
             EXPECT_EQ(forest.source[v] >= 0, std::isfinite(least[v]));
@@ -52,9 +53,9 @@ TEST(ShortestForest, IsWhatRepeatedRelaxationFinds) {
 }
 
 TEST(ShortestForest, EndsEarlyWhereAsked) {
-    VertexPairs line(3, 2);
+    geometry::VertexPairs line(3, 2);
     line << 0, 1, 1, 2, 2, 3;
-    const ShortestForest forest = shortestForest(line, 4, {1, 1, 1}, {{0}}, 1);
+    const geometry::ShortestForest forest = geometry::shortestForest(line, 4, {1, 1, 1}, {{0}}, 1);
     EXPECT_EQ(forest.distance, (std::vector<double>{0, 1, HUGE_VAL, HUGE_VAL}));
     EXPECT_EQ(forest.pathTo(1, line), (std::vector<int>{0, 1}));
 }

@@ -11,13 +11,13 @@ namespace {
 
 TEST(TriangleTree, EmptyAndFlatOnesAnswer) {
     int visits = 0;
-    const TriangleTree<3> empty;
+    const geometry::TriangleTree<3> empty;
     empty.search([](const auto&) { return 0.0; }, [&](std::uint32_t) { ++visits; });
     EXPECT_EQ(visits, 0);
     // All points in one place: a box without extent.
     const float points[9] = {};
     const std::uint32_t one[3] = {0, 1, 2};
-    const TriangleTree<3> dot(points, 3, one);
+    const geometry::TriangleTree<3> dot(points, 3, one);
     dot.search([](const auto&) { return 0.0; }, [&](std::uint32_t) { ++visits; });
     EXPECT_EQ(visits, 1);
 }
@@ -40,7 +40,7 @@ TYPED_TEST(TriangleTreeOf, MeetsAllBoxesThatHoldAPlace) {
         for (std::uint32_t& corner : triangles) {
             corner = static_cast<std::uint32_t>(random() % 300);
         }
-        const TriangleTree<3, Scalar> tree(points.data(), 3, triangles);
+        const geometry::TriangleTree<3, Scalar> tree(points.data(), 3, triangles);
         for (std::uint32_t t = 0; t < 300; ++t) {
             const Scalar* at = points.data() + 3 * triangles[3 * t];
             std::set<std::uint32_t> visited;
@@ -50,7 +50,7 @@ TYPED_TEST(TriangleTreeOf, MeetsAllBoxesThatHoldAPlace) {
                     for (std::size_t k = 0; k < 3; ++k) {
                         holds = holds && box.low[k] <= at[k] && at[k] <= box.high[k];
                     }
-                    return holds ? 0.0 : TriangleTree<3, Scalar>::kMissed;
+                    return holds ? 0.0 : geometry::TriangleTree<3, Scalar>::kMissed;
                 },
                 [&](std::uint32_t triangle) { EXPECT_TRUE(visited.insert(triangle).second); });
             EXPECT_TRUE(visited.contains(t));

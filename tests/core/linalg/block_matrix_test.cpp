@@ -7,7 +7,7 @@
 namespace toile {
 namespace {
 
-Eigen::MatrixXd dense(const SymmetricMatrix& matrix) {
+Eigen::MatrixXd dense(const linalg::SymmetricMatrix& matrix) {
     Eigen::MatrixXd full = Eigen::MatrixXd::Zero(matrix.size, matrix.size);
     for (int column = 0; column < matrix.size; ++column) {
         for (int k = matrix.columnStart[column]; k < matrix.columnStart[column + 1]; ++k) {
@@ -18,15 +18,15 @@ Eigen::MatrixXd dense(const SymmetricMatrix& matrix) {
     return full;
 }
 
-VertexPairs triangleWithTail() {
-    VertexPairs edges(4, 2);
+geometry::VertexPairs triangleWithTail() {
+    geometry::VertexPairs edges(4, 2);
     edges << 0, 1, 0, 2, 1, 2, 2, 3;
     return edges;
 }
 
 TEST(BlockMatrix, PutsEveryBlockInItsPlace) {
-    const VertexPairs edges = triangleWithTail();
-    BlockMatrix blocks(edges, 4);
+    const geometry::VertexPairs edges = triangleWithTail();
+    linalg::BlockMatrix blocks(edges, 4);
     Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(8, 8);
     Eigen::Matrix2d block;
     for (int v = 0; v < 4; ++v) {
@@ -51,7 +51,7 @@ TEST(BlockMatrix, PutsEveryBlockInItsPlace) {
 }
 
 TEST(BlockMatrix, FindsEdgesFromEitherEnd) {
-    const BlockMatrix blocks(triangleWithTail(), 4);
+    const linalg::BlockMatrix blocks(triangleWithTail(), 4);
     EXPECT_EQ(blocks.findEdge(1, 2), 2);
     EXPECT_EQ(blocks.findEdge(2, 1), 2);
     EXPECT_EQ(blocks.findEdge(3, 2), 3);
@@ -60,7 +60,7 @@ TEST(BlockMatrix, FindsEdgesFromEitherEnd) {
 }
 
 TEST(BlockMatrix, ItsPatternIsWhatTheFactorisationWants) {
-    BlockMatrix blocks(triangleWithTail(), 4);
+    linalg::BlockMatrix blocks(triangleWithTail(), 4);
     for (int round = 1; round <= 2; ++round) {
         blocks.setZero();
         for (int v = 0; v < 4; ++v) {
@@ -69,7 +69,7 @@ TEST(BlockMatrix, ItsPatternIsWhatTheFactorisationWants) {
         for (int e = 0; e < 4; ++e) {
             blocks.addEdge(e, -Eigen::Matrix2d::Identity());
         }
-        SparseCholesky cholesky;
+        linalg::SparseCholesky cholesky;
         ASSERT_TRUE(cholesky.factorise(blocks.matrix()));
         ASSERT_TRUE(cholesky.refactorise(blocks.matrix()));
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(8, 1, 8);
@@ -80,8 +80,8 @@ TEST(BlockMatrix, ItsPatternIsWhatTheFactorisationWants) {
 }
 
 /// Blocks as far from alike as a positive definite matrix lets them be.
-BlockMatrix uneven() {
-    BlockMatrix blocks(triangleWithTail(), 4);
+linalg::BlockMatrix uneven() {
+    linalg::BlockMatrix blocks(triangleWithTail(), 4);
     Eigen::Matrix2d block;
     for (int v = 0; v < 4; ++v) {
         block << 20 + v, 3 - v, 3 - v, 15 + 2 * v;
@@ -94,13 +94,13 @@ BlockMatrix uneven() {
     return blocks;
 }
 
-BlockVector someVector() {
-    BlockVector x(4, 2);
+linalg::BlockVector someVector() {
+    linalg::BlockVector x(4, 2);
     x << 1, -2, 0.5, 3, -1, 0.25, 2, 7;
     return x;
 }
 
-Eigen::VectorXd flatten(const BlockVector& x) {
+Eigen::VectorXd flatten(const linalg::BlockVector& x) {
     return Eigen::Map<const Eigen::VectorXd>(x.data(), x.size());
 }
 
@@ -113,22 +113,22 @@ Eigen::MatrixXd lowerBlocks(Eigen::MatrixXd full) {
 }
 
 TEST(BlockMatrix, MultipliesAsTheDenseMatrixDoes) {
-    const BlockMatrix blocks = uneven();
+    const linalg::BlockMatrix blocks = uneven();
     const Eigen::MatrixXd full = dense(blocks.matrix());
-    const BlockVector x = someVector();
+    const linalg::BlockVector x = someVector();
     EXPECT_LE((flatten(blocks.product(x)) - full * flatten(x)).norm(), 1e-13);
     EXPECT_LE((flatten(blocks.upperProduct(x)) - (full - lowerBlocks(full)) * flatten(x)).norm(),
               1e-13);
 }
 
 TEST(BlockMatrix, SweepsSolveWithItsHalves) {
-    const BlockMatrix blocks = uneven();
+    const linalg::BlockMatrix blocks = uneven();
     const Eigen::MatrixXd lower = lowerBlocks(dense(blocks.matrix()));
     const Eigen::VectorXd right = flatten(someVector());
-    BlockVector forth = someVector();
+    linalg::BlockVector forth = someVector();
     blocks.sweepForth(forth);
     EXPECT_LE((lower * flatten(forth) - right).norm(), 1e-13);
-    BlockVector back = someVector();
+    linalg::BlockVector back = someVector();
     blocks.sweepBack(back);
     EXPECT_LE((lower.transpose() * flatten(back) - right).norm(), 1e-13);
 }

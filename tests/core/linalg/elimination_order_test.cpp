@@ -15,8 +15,8 @@ namespace {
 constexpr int kWide = 150;
 
 /// A Laplacian over a square sheet of kWide by kWide unknowns with diagonals, definite.
-SymmetricMatrix sheetMatrix() {
-    SymmetricBuilder builder(kWide * kWide);
+linalg::SymmetricMatrix sheetMatrix() {
+    linalg::SymmetricBuilder builder(kWide * kWide);
     for (int y = 0; y < kWide; ++y) {
         for (int x = 0; x < kWide; ++x) {
             const int i = y * kWide + x;
@@ -36,8 +36,8 @@ SymmetricMatrix sheetMatrix() {
 }
 
 /// The sheet flat, or rolled up: `turns` layers over each other.
-Places sheetPlaces(int turns = 0) {
-    Places places(kWide * kWide, 3);
+linalg::Places sheetPlaces(int turns = 0) {
+    linalg::Places places(kWide * kWide, 3);
     for (int i = 0; i < kWide * kWide; ++i) {
         const double x = i % kWide;
         const double angle = 2 * M_PI * turns * x / kWide;
@@ -51,7 +51,7 @@ Places sheetPlaces(int turns = 0) {
 }
 
 TEST(EliminationOrder, TakesEachUnknownOnce) {
-    std::vector<int> order = eliminationOrder(sheetMatrix(), sheetPlaces());
+    std::vector<int> order = linalg::eliminationOrder(sheetMatrix(), sheetPlaces());
     std::ranges::sort(order);
     std::vector<int> all(kWide * kWide);
     std::iota(all.begin(), all.end(), 0);
@@ -59,7 +59,7 @@ TEST(EliminationOrder, TakesEachUnknownOnce) {
 }
 
 TEST(EliminationOrder, LeavesWhatPartsTheSheetToTheEnd) {
-    const std::vector<int> order = eliminationOrder(sheetMatrix(), sheetPlaces());
+    const std::vector<int> order = linalg::eliminationOrder(sheetMatrix(), sheetPlaces());
     ASSERT_EQ(order.size(), kWide * kWide);
     // A row or a column of the sheet, and what its diagonals reach.
     int low = kWide;
@@ -73,11 +73,11 @@ TEST(EliminationOrder, LeavesWhatPartsTheSheetToTheEnd) {
 }
 
 TEST(EliminationOrder, GivesTheSameSolutionWithLessOfAFactor) {
-    const SymmetricMatrix matrix = sheetMatrix();
-    SparseCholesky byDegree;
-    SparseCholesky dissected;
+    const linalg::SymmetricMatrix matrix = sheetMatrix();
+    linalg::SparseCholesky byDegree;
+    linalg::SparseCholesky dissected;
     ASSERT_TRUE(byDegree.factorise(matrix));
-    ASSERT_TRUE(dissected.analyse(matrix, eliminationOrder(matrix, sheetPlaces())));
+    ASSERT_TRUE(dissected.analyse(matrix, linalg::eliminationOrder(matrix, sheetPlaces())));
     ASSERT_TRUE(dissected.refactorise(matrix));
     const Eigen::MatrixXd b = Eigen::MatrixXd::Random(matrix.size, 2);
     const auto x = dissected.solve(b);
@@ -88,8 +88,8 @@ TEST(EliminationOrder, GivesTheSameSolutionWithLessOfAFactor) {
 }
 
 TEST(EliminationOrder, LeavesASheetThatIsRolledUpToMinimumDegree) {
-    EXPECT_FALSE(eliminationOrder(sheetMatrix(), sheetPlaces(1)).empty());
-    EXPECT_TRUE(eliminationOrder(sheetMatrix(), sheetPlaces(12)).empty());
+    EXPECT_FALSE(linalg::eliminationOrder(sheetMatrix(), sheetPlaces(1)).empty());
+    EXPECT_TRUE(linalg::eliminationOrder(sheetMatrix(), sheetPlaces(12)).empty());
 }
 
 }  // namespace

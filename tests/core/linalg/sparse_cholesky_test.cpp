@@ -15,8 +15,8 @@ namespace toile {
 namespace {
 
 /// A path's Laplacian with 2 + extra on the diagonal.
-SymmetricMatrix pathMatrix(int size, double extra) {
-    SymmetricBuilder builder(size);
+linalg::SymmetricMatrix pathMatrix(int size, double extra) {
+    linalg::SymmetricBuilder builder(size);
     for (int i = 0; i < size; ++i) {
         builder.add(i, i, 2 + extra);
         if (i > 0) {
@@ -26,7 +26,7 @@ SymmetricMatrix pathMatrix(int size, double extra) {
     return builder.build();
 }
 
-Eigen::MatrixXd denseOf(const SymmetricMatrix& matrix) {
+Eigen::MatrixXd denseOf(const linalg::SymmetricMatrix& matrix) {
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(matrix.size, matrix.size);
     for (int j = 0; j < matrix.size; ++j) {
         for (int k = matrix.columnStart[j]; k < matrix.columnStart[j + 1]; ++k) {
@@ -55,10 +55,10 @@ Couplings gridEdges(int width, int height, int first = 0) {
 }
 
 /// A Laplacian with random weights, some of them negative, and a little on the diagonal.
-SymmetricMatrix laplacian(int size, const Couplings& edges, unsigned seed = 1) {
+linalg::SymmetricMatrix laplacian(int size, const Couplings& edges, unsigned seed = 1) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> weight(-0.1, 2);
-    SymmetricBuilder builder(size);
+    linalg::SymmetricBuilder builder(size);
     for (int i = 0; i < size; ++i) {
         builder.add(i, i, 0.1);
     }
@@ -73,13 +73,13 @@ SymmetricMatrix laplacian(int size, const Couplings& edges, unsigned seed = 1) {
 
 constexpr int kSide = 230;  // large enough for supernodes
 
-SymmetricMatrix gridMatrix(unsigned seed = 1) {
+linalg::SymmetricMatrix gridMatrix(unsigned seed = 1) {
     return laplacian(kSide * kSide, gridEdges(kSide, kSide), seed);
 }
 
 /// Two unknowns to each vertex, coupled among each other and with those of neighbours.
-SymmetricMatrix pairsMatrix() {
-    SymmetricBuilder builder(2 * kSide * kSide);
+linalg::SymmetricMatrix pairsMatrix() {
+    linalg::SymmetricBuilder builder(2 * kSide * kSide);
     for (int v = 0; v < kSide * kSide; ++v) {
         builder.add(2 * v, 2 * v + 1, 0.3);
         builder.add(2 * v, 2 * v, 0.5);
@@ -97,7 +97,8 @@ SymmetricMatrix pairsMatrix() {
     return builder.build();
 }
 
-void expectSolves(SparseCholesky& cholesky, const SymmetricMatrix& A, double accuracy) {
+void expectSolves(linalg::SparseCholesky& cholesky, const linalg::SymmetricMatrix& A,
+                  double accuracy) {
     for (const int columns : {1, 2, 5}) {
         const Eigen::MatrixXd X = Eigen::MatrixXd::Random(A.size, columns);
         const auto solved = cholesky.solve(test::times(A, X));
@@ -106,28 +107,28 @@ void expectSolves(SparseCholesky& cholesky, const SymmetricMatrix& A, double acc
     }
 }
 
-void expectFactorises(const SymmetricMatrix& A, double accuracy = 1e-12) {
-    SparseCholesky cholesky;
+void expectFactorises(const linalg::SymmetricMatrix& A, double accuracy = 1e-12) {
+    linalg::SparseCholesky cholesky;
     ASSERT_TRUE(cholesky.factorise(A));
     expectSolves(cholesky, A, accuracy);
 }
 
 TEST(SymmetricBuilder, SumsDuplicatesAndSortsColumns) {
-    SymmetricBuilder builder(3);
+    linalg::SymmetricBuilder builder(3);
     builder.add(2, 0, 1.5);
     builder.add(0, 2, 1.0);
     builder.add(1, 1, 4.0);
     builder.add(1, 0, -1.0);
-    const SymmetricMatrix matrix = builder.build();
+    const linalg::SymmetricMatrix matrix = builder.build();
     EXPECT_EQ(matrix.columnStart, (std::vector<int>{0, 3, 4, 5}));
     EXPECT_EQ(matrix.row, (std::vector<int>{0, 1, 2, 1, 2}));
     EXPECT_EQ(matrix.value, (std::vector<double>{0.0, -1.0, 2.5, 4.0, 0.0}));
 }
 
 TEST(SparseCholesky, SolvesSeveralRightHandSidesAndAgain) {
-    SparseCholesky cholesky;
+    linalg::SparseCholesky cholesky;
     for (const int size : {1, 2, 50}) {
-        const SymmetricMatrix A = pathMatrix(size, 0.1);
+        const linalg::SymmetricMatrix A = pathMatrix(size, 0.1);
         ASSERT_TRUE(cholesky.factorise(A));
         const Eigen::MatrixXd X = Eigen::MatrixXd::Random(size, 2);
         const auto solved = cholesky.solve(denseOf(A) * X);
@@ -137,7 +138,7 @@ TEST(SparseCholesky, SolvesSeveralRightHandSidesAndAgain) {
 }
 
 TEST(SparseCholesky, RefusesAnIndefiniteMatrix) {
-    SparseCholesky cholesky;
+    linalg::SparseCholesky cholesky;
     const auto result = cholesky.factorise(pathMatrix(30, -1.0));
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::FactorisationFailed);
@@ -167,10 +168,10 @@ TEST(SparseCholesky, SolvesOnGraphsThatFallApart) {
 }
 
 TEST(SparseCholesky, FactorisesOtherValuesOfThePattern) {
-    SparseCholesky cholesky;
+    linalg::SparseCholesky cholesky;
     ASSERT_TRUE(cholesky.analyse(gridMatrix()));
     for (const unsigned seed : {2U, 3U}) {
-        const SymmetricMatrix A = gridMatrix(seed);
+        const linalg::SymmetricMatrix A = gridMatrix(seed);
         ASSERT_TRUE(cholesky.refactorise(A));
         expectSolves(cholesky, A, 1e-12);
     }
@@ -178,11 +179,11 @@ TEST(SparseCholesky, FactorisesOtherValuesOfThePattern) {
 }
 
 TEST(SparseCholesky, GoesOnAfterAnIndefiniteMatrixOfItsPattern) {
-    const SymmetricMatrix A = gridMatrix();
-    SparseCholesky cholesky;
+    const linalg::SymmetricMatrix A = gridMatrix();
+    linalg::SparseCholesky cholesky;
     ASSERT_TRUE(cholesky.analyse(A));
     for (const int unknown : {5, A.size / 2, A.size - 1}) {
-        SymmetricMatrix B = A;
+        linalg::SymmetricMatrix B = A;
         B.value[B.columnStart[unknown]] -= 100;
         const auto refused = cholesky.refactorise(B);
         ASSERT_FALSE(refused);
@@ -193,8 +194,8 @@ TEST(SparseCholesky, GoesOnAfterAnIndefiniteMatrixOfItsPattern) {
 }
 
 TEST(SparseCholesky, SaysWhereThereIsNoMemory) {
-    const SymmetricMatrix A = gridMatrix();
-    SparseCholesky cholesky;
+    const linalg::SymmetricMatrix A = gridMatrix();
+    linalg::SparseCholesky cholesky;
     void* (*const allocate)(std::size_t) = SuiteSparse_config.malloc_func;
     const auto scarce = [](std::size_t size) -> void* {
         return size < 1000000 ? std::malloc(size) : nullptr;

@@ -29,21 +29,21 @@ TEST(SparseLu, SolvesForSeveralColumns) {
     Eigen::MatrixXd X(size, 2);
     X.col(0).setLinSpaced(1, 2);
     X.col(1).setLinSpaced(-5, 7);
-    const auto solved = solveUnsymmetric(entries, A * X);
+    const auto solved = linalg::solveUnsymmetric(entries, A * X);
     ASSERT_TRUE(solved);
     EXPECT_LE((*solved - X).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(SparseLu, SumsEntries) {
     const auto solved =
-        solveUnsymmetric({{0, 0, 1.5}, {0, 0, 2.5}}, Eigen::MatrixXd::Constant(1, 1, 8));
+        linalg::solveUnsymmetric({{0, 0, 1.5}, {0, 0, 2.5}}, Eigen::MatrixXd::Constant(1, 1, 8));
     ASSERT_TRUE(solved);
     EXPECT_DOUBLE_EQ((*solved)(0, 0), 2);
 }
 
 TEST(SparseLu, RefusesASingularMatrix) {
-    const auto done = solveUnsymmetric({{0, 0, 1}, {0, 1, -1}, {1, 0, -1}, {1, 1, 1}},
-                                       Eigen::MatrixXd::Ones(2, 1));
+    const auto done = linalg::solveUnsymmetric({{0, 0, 1}, {0, 1, -1}, {1, 0, -1}, {1, 1, 1}},
+                                               Eigen::MatrixXd::Ones(2, 1));
     ASSERT_FALSE(done);
     EXPECT_EQ(done.error().code, ErrorCode::FactorisationFailed);
 }

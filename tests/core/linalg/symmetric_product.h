@@ -8,7 +8,7 @@
 namespace toile::test {
 
 /// A X, one column after the other, from the lower triangle that A stores.
-inline Eigen::MatrixXd times(const SymmetricMatrix& A, const Eigen::MatrixXd& X) {
+inline Eigen::MatrixXd times(const linalg::SymmetricMatrix& A, const Eigen::MatrixXd& X) {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(X.rows(), X.cols());
     for (int j = 0; j < A.size; ++j) {
         for (int k = A.columnStart[j]; k < A.columnStart[j + 1]; ++k) {

@@ -87,7 +87,7 @@ double distanceTo(const Points3& line, const Eigen::RowVector3d& point) {
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 1; i < line.rows(); ++i) {
         const Eigen::RowVector3d a = line.row(i - 1), b = line.row(i);
-        least = std::min(least, distanceToSegment(point, a, b));
+        least = std::min(least, geometry::distanceToSegment(point, a, b));
     }
     return least;
 }

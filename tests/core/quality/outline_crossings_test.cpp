@@ -157,12 +157,13 @@ TEST(OutlineCrossings, NeitherPlaceNorDirectionNorStartMatters) {
 
 /// How many pairs of edges the search looks at, all in all.
 double pairsLookedAt(const Points2& Q) {
-    std::vector<Segment2> edges;
+    std::vector<geometry::Segment2> edges;
     for (Eigen::Index i = 0; i < Q.rows(); ++i) {
         edges.push_back({Q.row(i), Q.row((i + 1) % Q.rows())});
     }
     double pairs = 0;
-    visitSegmentPairs(edges, 0, [&pairs](int, int, const PlaneCell&) { return ++pairs > 0; });
+    geometry::visitSegmentPairs(
+        edges, 0, [&pairs](int, int, const geometry::PlaneCell&) { return ++pairs > 0; });
     return pairs;
 }
 

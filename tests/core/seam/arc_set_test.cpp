@@ -6,9 +6,9 @@
 namespace toile {
 namespace {
 
-std::vector<std::pair<double, double>> parts(const ArcSet& set, double from, double to) {
+std::vector<std::pair<double, double>> parts(const seam::ArcSet& set, double from, double to) {
     std::vector<std::pair<double, double>> list;
-    for (const Arc& arc : set.outside({from, to})) {
+    for (const seam::Arc& arc : set.outside({from, to})) {
         list.emplace_back(arc.from, arc.to);
     }
     return list;
@@ -17,7 +17,7 @@ std::vector<std::pair<double, double>> parts(const ArcSet& set, double from, dou
 using List = std::vector<std::pair<double, double>>;
 
 TEST(ArcSet, SaysWhatIsOutside) {
-    ArcSet set(10);
+    seam::ArcSet set(10);
     EXPECT_EQ(parts(set, 2, 9), (List{{2, 9}}));
     set.add({3, 4});
     set.add({6, 7});
@@ -28,7 +28,7 @@ TEST(ArcSet, SaysWhatIsOutside) {
 }
 
 TEST(ArcSet, GoesRound) {
-    ArcSet set(10);
+    seam::ArcSet set(10);
     set.add({8, 12});
     EXPECT_EQ(parts(set, 0, 10), (List{{2, 8}}));
     EXPECT_EQ(parts(set, 7, 15), (List{{7, 8}, {12, 15}}));

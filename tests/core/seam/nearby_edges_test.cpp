@@ -34,13 +34,13 @@ MeshArrays star(int corners, double outer, double inner) {
     return mesh;
 }
 
-NearbyEdges nearbyOf(const Outlines& outlines, const std::vector<double>& radius) {
-    return nearbyEdges(outlines, std::vector<char>(radius.size(), 0), radius);
+seam::NearbyEdges nearbyOf(const seam::Outlines& outlines, const std::vector<double>& radius) {
+    return seam::nearbyEdges(outlines, std::vector<char>(radius.size(), 0), radius);
 }
 
-std::vector<double> reachesOf(const Outlines& outlines, double share) {
+std::vector<double> reachesOf(const seam::Outlines& outlines, double share) {
     std::vector<double> radius;
-    for (const Outline& outline : outlines.list) {
+    for (const seam::Outline& outline : outlines.list) {
         for (const double spacing : outline.spacing) {
             radius.push_back(share * spacing);
         }
@@ -48,9 +48,9 @@ std::vector<double> reachesOf(const Outlines& outlines, double share) {
     return radius;
 }
 
-double distanceBetween(const Outlines& outlines, int a, int b) {
+double distanceBetween(const seam::Outlines& outlines, int a, int b) {
     const auto ends = [&outlines](int edge) {
-        const Outline& outline = outlines.of(edge);
+        const seam::Outline& outline = outlines.of(edge);
         const int k = outlines.local(edge);
         return std::pair<Eigen::Vector3d, Eigen::Vector3d>{outline.P.row(k),
                                                            outline.P.row((k + 1) % outline.size())};
@@ -80,10 +80,10 @@ TEST(NearbyEdges, AreAllThoseWithinReachHoweverUnevenTheSampling) {
         asPiece(rectangle(100, 600.5, 300, 2, 30, 1), "strip"),
         asPiece(rectangle(398, 601, 3, 0.01, 100, 1), "finest"),
     };
-    const Outlines outlines = buildOutlines(pieces);
+    const seam::Outlines outlines = seam::buildOutlines(pieces);
     for (const double share : {0.01, 0.125}) {
         const auto radius = reachesOf(outlines, share);
-        const NearbyEdges nearby = nearbyOf(outlines, radius);
+        const seam::NearbyEdges nearby = nearbyOf(outlines, radius);
         EXPECT_TRUE(nearby.crowded.empty()) << share;
         EXPECT_TRUE(std::ranges::is_sorted(nearby.pairs));
         EXPECT_EQ(std::ranges::adjacent_find(nearby.pairs), nearby.pairs.end());
@@ -104,8 +104,8 @@ TEST(NearbyEdges, AreAllThoseWithinReachHoweverUnevenTheSampling) {
 
 TEST(NearbyEdges, AreNotMoreThanAFewForEachEdgeWhereAllCrowd) {
     for (const int corners : {5000, 20000}) {
-        const Outlines outlines = buildOutlines({asPiece(star(corners, 100, 50))});
-        const NearbyEdges nearby = nearbyOf(outlines, reachesOf(outlines, 0.02));
+        const seam::Outlines outlines = seam::buildOutlines({asPiece(star(corners, 100, 50))});
+        const seam::NearbyEdges nearby = nearbyOf(outlines, reachesOf(outlines, 0.02));
         EXPECT_LT(nearby.pairs.size(), 128U * static_cast<std::size_t>(corners));
         EXPECT_FALSE(nearby.crowded.empty());
         EXPECT_LT(nearby.crowded.size(), 16U * static_cast<std::size_t>(corners));
@@ -114,8 +114,8 @@ TEST(NearbyEdges, AreNotMoreThanAFewForEachEdgeWhereAllCrowd) {
 
 TEST(NearbyEdges, AreNotMoreThanAFewForEachEdgeOfManyLayers) {
     const Pieces pieces(500, asPiece(rectangle(0, 0, 100, 100, 4, 4)));
-    const Outlines outlines = buildOutlines(pieces);
-    const NearbyEdges nearby = nearbyOf(outlines, reachesOf(outlines, 0.125));
+    const seam::Outlines outlines = seam::buildOutlines(pieces);
+    const seam::NearbyEdges nearby = nearbyOf(outlines, reachesOf(outlines, 0.125));
     EXPECT_LT(nearby.pairs.size(), 128U * static_cast<std::size_t>(outlines.edgeCount()));
     EXPECT_FALSE(nearby.crowded.empty());
 }

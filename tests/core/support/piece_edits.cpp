@@ -13,14 +13,14 @@ namespace toile::test {
 namespace {
 
 /// Lengths of the ways from a set of vertices to all others.
-ShortestForest forestFrom(const Piece& piece, const std::vector<int>& sources) {
-    return shortestForest(piece.table.edges, static_cast<int>(piece.mesh.V.rows()),
-                          edgeLengths(piece.mesh, piece.table.edges), {sources});
+geometry::ShortestForest forestFrom(const Piece& piece, const std::vector<int>& sources) {
+    return geometry::shortestForest(piece.table.edges, static_cast<int>(piece.mesh.V.rows()),
+                                    edgeLengths(piece.mesh, piece.table.edges), {sources});
 }
 
 std::vector<int> innerWay(const Piece& piece, int start, int edges) {
     const std::vector<double> depth = forestFrom(piece, piece.boundary).distance;
-    const ShortestForest ways = forestFrom(piece, {piece.boundary[start]});
+    const geometry::ShortestForest ways = forestFrom(piece, {piece.boundary[start]});
     std::vector<int> best;
     double deepest = 0;
     for (int v = 0; v < piece.mesh.V.rows(); ++v) {

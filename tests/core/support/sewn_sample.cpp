@@ -72,7 +72,7 @@ nlohmann::json seamsOf(const OutlineEdges& edges, int places) {
         }
         all.push_back(&edge);
     }
-    DisjointSets runs(static_cast<int>(all.size()));
+    geometry::DisjointSets runs(static_cast<int>(all.size()));
     for (const std::vector<int>& here : at) {
         if (here.size() == 2 && all[here[0]]->panels == all[here[1]]->panels) {
             runs.join(here[0], here[1]);

@@ -101,7 +101,7 @@ MeshArrays openedCube(const std::vector<std::pair<Corner, Corner>>& cuts) {
         }
     }
     // Corners of faces stay one vertex only across edges that are not cut.
-    DisjointSets corners(static_cast<int>(3 * faces.size()));
+    geometry::DisjointSets corners(static_cast<int>(3 * faces.size()));
     std::map<std::pair<int, int>, std::array<int, 2>> seen;  // corners at the smaller, larger end
     for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
         for (int k = 0; k < 3; ++k) {
