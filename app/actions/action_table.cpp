@@ -69,7 +69,7 @@ bool isAnyFlat(Workspace& on) {
     return !allFlat(on.document()).empty();
 }
 
-bool isAnyGrainStated(Workspace& on) {
+bool isAnyGrainSet(Workspace& on) {
     return std::ranges::any_of(selectedOrAllFlat(on.document()), [&on](int piece) {
         return on.document().settings()[static_cast<std::size_t>(piece)].grain.has_value();
     });
@@ -278,7 +278,7 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::Wireframe, "wireframe", TR("Show &wireframe"), "W",
          TR("Draw the triangles of the cloth"), switches(&ViewState::wireframe), "wireframe",
          TR("Wireframe")},
-        {ActionId::ReferencePanels, "referencePanels", TR("Re&ference panels"), "D",
+        {ActionId::ReferencePanels, "referencePanels", TR("Referen&ce panels"), "D",
          TR("Draw the reference panels, the designer's own, over the flat pieces, where the file "
             "has them"),
          switches(&ViewState::referencePanels, hasReference)},
@@ -329,9 +329,8 @@ std::vector<ActionSpec> makeActions() {
             "stretches least"),
          flattens(Method::Stretch)},
         {ActionId::MethodConvex, "methodConvex", methodText(Method::Convex), "",
-         TR("Seam lines keep their exact length on a round outline: no triangle is ever turned "
-            "over, "
-            "but it is no pattern"),
+         TR("Seam lines keep their exact length on a round outline: no triangle is ever "
+            "flipped, but it is no pattern"),
          flattens(Method::Convex)},
         {ActionId::MethodNatural, "methodNatural", methodText(Method::Natural), "",
          TR("The cloth keeps its angles as well as it can; seam lines change their length"),
@@ -359,7 +358,7 @@ std::vector<ActionSpec> makeActions() {
          TR("Select pieces, seams and vertices; move pieces in the pattern"), whenOpen(Group::Tool),
          "tool-select", TR("Select")},
         {ActionId::ToolCut, "toolCut", TR("&Cut"), "C",
-         TR("Cut a piece along the shortest way through points on it"), whenOpen(Group::Tool),
+         TR("Cut a piece along the shortest path through points on it"), whenOpen(Group::Tool),
          "tool-cut", TR("Cut")},
         {ActionId::ToolLoop, "toolLoop", TR("Closed &loop"), "L",
          TR("Cut a part out along a closed line through points on it"), whenOpen(Group::Tool),
@@ -451,7 +450,7 @@ std::vector<ActionSpec> makeActions() {
          "F2",
          TR("Say how much longer the left edge of the selected seam is meant to be"),
          {.enabledWhen = isSewnSeam}},
-        {ActionId::ResetEase, "resetEase", TR("Ease &from the garment"), "Del",
+        {ActionId::ResetEase, "resetEase", TR("Ease fro&m the garment"), "Del",
          TR("Take the ease of the selected seam from its 3D lengths again"),
          asks(&GarmentActions::resetEase, isEasedSeam)},
         {ActionId::ToolGrain, "toolGrain", TR("&Grain"), "G",
@@ -504,9 +503,9 @@ std::vector<ActionSpec> makeActions() {
          TR("Let the grain of the selected pieces, or of all, run where it strains the fabric "
             "least"),
          asks(&GarmentActions::lookForBestGrain, isAnyFlat), "", TR("Best")},
-        {ActionId::ResetGrain, "resetGrain", TR("&Reset the grain"), "",
+        {ActionId::ResetGrain, "resetGrain", TR("R&eset the grain"), "",
          TR("Leave it open how the grain of the selected pieces, or of all, runs"),
-         asks(&GarmentActions::resetGrain, isAnyGrainStated), "", TR("Reset")},
+         asks(&GarmentActions::resetGrain, isAnyGrainSet), "", TR("Reset")},
         {ActionId::Rulers, "rulers", TR("&Rulers"), "Ctrl+R",
          TR("Show rulers along the edges of the pattern view"), switches(&ViewState::rulers)},
         {ActionId::Grid, "grid", TR("Gri&d"), "Ctrl+G",

@@ -125,17 +125,17 @@ public:
 
 private:
     void start(Question question) {
-        asked_ = std::move(question);
-        if (isSmall_(*asked_)) {
-            take_(attempt([this] { return work_(*asked_); }), *asked_, true);
+        asked_ = question;
+        next_.reset();
+        if (isSmall_(question)) {
+            take_(attempt([this, &question] { return work_(question); }), question, true);
             return;
         }
-        worker_.start([work = work_, of = *asked_](Progress&) { return work(of); },
-                      [this](Attempt<Answer> made, const Progress&) {
-                          std::optional<Question> next = std::exchange(next_, std::nullopt);
-                          take_(std::move(made), *asked_, !next);
-                          if (next) {
-                              ask(*std::move(next));
+        worker_.start([work = work_, question](Progress&) { return work(question); },
+                      [this, question](Attempt<Answer> made, const Progress&) {
+                          take_(std::move(made), question, !next_);
+                          if (next_ && !isBusy()) {  // taking it may have asked something newer
+                              ask(*std::exchange(next_, std::nullopt));
                           }
                       });
     }

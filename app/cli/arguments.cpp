@@ -329,7 +329,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     app.set_version_flag("--version", "toile " + std::string(version()));
     app.footer(
         "\nExit status: 0 all pieces done, 1 some piece failed (the rest is written),\n"
-        "isometric turned triangles over or check found faults, 2 wrong usage,\n"
+        "isometric flipped triangles or check found faults, 2 wrong usage,\n"
         "3 a file cannot be read or written.");
     app.require_subcommand(0, 1);
 

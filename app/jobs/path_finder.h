@@ -13,7 +13,7 @@
 
 namespace toile::app {
 
-/// A way over a piece that somebody wants to know.
+/// A path over a piece that somebody wants to know.
 struct PathRequest {
     std::shared_ptr<const Piece> piece;
     SurfacePoint from, to;  ///< on the piece's mesh
@@ -34,7 +34,7 @@ public:
     explicit PathFinder(QObject* parent = nullptr);
     ~PathFinder() override;
 
-    /// @param done  called on the GUI thread, later, unless the ticket is forgotten before
+    /// @param done  called on the GUI thread, later, unless the ticket is cancelled before
     Ticket find(PathRequest request, Done done);
     /// The way is not wanted any more: `done` is not called. Unknown tickets are passed by.
     void cancel(Ticket ticket);

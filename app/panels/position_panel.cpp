@@ -193,7 +193,7 @@ void PositionPanel::refresh() {
     const bool stated = std::ranges::all_of(pieces_, [this](int piece) {
         return document_.settings()[std::size_t(piece)].grain.has_value();
     });
-    grainNote_->setText(stated ? QString() : tr("grain not stated"));
+    grainNote_->setText(stated ? QString() : tr("grain not set"));
 }
 
 void PositionPanel::movePieces() {

@@ -16,7 +16,7 @@ namespace toile::app {
 namespace {
 
 /// From a kilometre to a micrometre in view: beyond, floats and people lose their way.
-constexpr double kMinScale = 1e-6, kLargestScale = 1e6;
+constexpr double kMinScale = 1e-6, kMaxScale = 1e6;
 
 /// Vertical opening: narrow enough that a sleeve near the eye does not swell.
 constexpr double kFieldOfView = 30.0 * std::numbers::pi / 180.0;
@@ -44,7 +44,7 @@ void Camera2D::pan(double dx, double dy) {
 
 void Camera2D::zoomAt(double x, double y, double factor) {
     const Eigen::Vector2d fixed = toWorld(x, y);
-    scale_ = std::clamp(scale_ * factor, kMinScale, kLargestScale);
+    scale_ = std::clamp(scale_ * factor, kMinScale, kMaxScale);
     centre_ += fixed - toWorld(x, y);
 }
 
@@ -56,7 +56,7 @@ void Camera2D::frame(const Eigen::AlignedBox2d& box, const Margins& margins) {
     // A viewport smaller than its margins gives half of itself to the box all the same.
     const double across = std::max(width_ / 2, width_ - 2 * margins.sides);
     const double along = std::max(height_ / 2, height_ - margins.top - margins.bottom);
-    scale_ = std::clamp(std::min(across / size.x(), along / size.y()), kMinScale, kLargestScale);
+    scale_ = std::clamp(std::min(across / size.x(), along / size.y()), kMinScale, kMaxScale);
     centre_ = box.center();
     centre_.y() += (margins.top - margins.bottom) / 2 / scale_;
 }

@@ -84,11 +84,11 @@ OverlaySample blended(const Scene& scene, std::size_t face, const Eigen::Vector3
 constexpr std::array kDirections{Overlay::Warp, Overlay::Weft, Overlay::Bias};
 
 /// Areas, mm2.
-struct Counter {
+struct StrainedAreas {
     double all = 0, any = 0;
     std::array<double, kDirections.size()> beyond{};
 
-    void add(const Counter& other) {
+    void add(const StrainedAreas& other) {
         all += other.all;
         any += other.any;
         for (std::size_t k = 0; k < beyond.size(); ++k) {
@@ -99,11 +99,11 @@ struct Counter {
 
 using Scales = std::array<OverlayScale, kDirections.size()>;
 
-Counter counterOf(const FabricQuestion& question, const Scales& scales, int piece) {
+StrainedAreas strainedAreas(const FabricQuestion& question, const Scales& scales, int piece) {
     const Scene& scene = *question.scene;
     const TriangleRun& run = scene.pieces[static_cast<std::size_t>(piece)].patternRun;
     const Eigen::Vector2d grain = grainVector(question.places, piece);
-    Counter counter;
+    StrainedAreas areas;
     const std::size_t first = run.first, end = first + run.count;
     for (std::size_t face = first; face < end; ++face) {
         const double area = static_cast<double>(scene.faces[face].flatArea);
@@ -111,14 +111,14 @@ Counter counterOf(const FabricQuestion& question, const Scales& scales, int piec
         bool isAny = false;
         for (std::size_t k = 0; k < kDirections.size(); ++k) {
             if (scales[k].isBeyond(overlayValue(kDirections[k], sample, grain, scales[k]))) {
-                counter.beyond[k] += area;
+                areas.beyond[k] += area;
                 isAny = true;
             }
         }
-        counter.all += area;
-        counter.any += isAny ? area : 0;
+        areas.all += area;
+        areas.any += isAny ? area : 0;
     }
-    return counter;
+    return areas;
 }
 
 }  // namespace
@@ -204,11 +204,11 @@ std::optional<FabricFit> fabricFit(const FabricQuestion& question) {
         return overlayScale(scene, direction, question.fabric);
     });
     FabricFit fit;
-    Counter garment;
+    StrainedAreas garment;
     for (int piece = 0; piece < static_cast<int>(scene.pieces.size()); ++piece) {
-        const Counter counter = counterOf(question, scales, piece);
-        garment.add(counter);
-        const double share = counter.all > 0 ? counter.any / counter.all : 0;
+        const StrainedAreas areas = strainedAreas(question, scales, piece);
+        garment.add(areas);
+        const double share = areas.all > 0 ? areas.any / areas.all : 0;
         if (share > (fit.worst ? fit.worst->share : 0)) {
             fit.worst = {piece, share};
         }

@@ -90,8 +90,8 @@ protected:
     /// The principal strains, where the overlay shows them.
     /// @param millimetresPerPixel of the cloth, logical pixels; in depth a typical one
     void paintCrosses(const Frame& frame, float depthShift, double millimetresPerPixel);
-    /// Outlines, the selected ones once more and wider, the wireframe, seams and the designer's
-    /// outlines where asked for, and over everything what is selected of them or under the pointer.
+    /// Outlines, the selected ones once more and wider, the wireframe, seams and the reference
+    /// panels where asked for, and over everything what is selected of them or under the pointer.
     /// @param depthShift lifts lines off the cloth, see Camera3D::depthShift
     void paintLines(const Frame& frame, float depthShift);
     void paintBackdrop(const Frame& frame);

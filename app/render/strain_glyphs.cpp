@@ -15,7 +15,7 @@ namespace toile::app {
 
 namespace {
 
-constexpr double kMaxCrosses = 40000;
+constexpr double kMaxGlyphs = 40000;
 /// Levels of density: each has half of the places of the one before, as the black squares of a
 /// chessboard are of all, and the next again upright.
 constexpr int kLevels = 24;
@@ -47,7 +47,7 @@ double finestSpacing(const Scene& scene) {
     for (const FaceValues& face : scene.faces) {
         area += static_cast<double>(face.flatArea);
     }
-    const double count = std::min(kMaxCrosses, static_cast<double>(scene.faces.size()));
+    const double count = std::min(kMaxGlyphs, static_cast<double>(scene.faces.size()));
     return count > 0 && area > 0 ? std::sqrt(area / count) : 1.0;
 }
 

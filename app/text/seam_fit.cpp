@@ -49,27 +49,28 @@ void paintMark(QPainter& painter, SeamFit fit) {
     painter.strokePath(sign, QPen(ink, 3.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
-struct Counter {
+struct SeamCounts {
     int seams = 0, measured = 0, nearly = 0, differ = 0;
     double worst = 0;  ///< mm
 };
 
-Counter counterOf(const SeamGraph& graph, const std::vector<std::optional<SeamMeasure>>& measures) {
-    Counter counter;
+SeamCounts countsOf(const SeamGraph& graph,
+                    const std::vector<std::optional<SeamMeasure>>& measures) {
+    SeamCounts counts;
     for (std::size_t i = 0; i < measures.size(); ++i) {
         if (graph.seams[i].kind == SeamKind::Free) {
             continue;
         }
-        ++counter.seams;
+        ++counts.seams;
         if (measures[i]) {
-            ++counter.measured;
-            counter.worst = std::max(counter.worst, std::abs(measures[i]->errorMm));
+            ++counts.measured;
+            counts.worst = std::max(counts.worst, std::abs(measures[i]->errorMm));
         }
         const SeamFit fit = seamFit(graph.seams[i], measures[i]);
-        counter.nearly += fit == SeamFit::Nearly;
-        counter.differ += fit == SeamFit::Differs;
+        counts.nearly += fit == SeamFit::Nearly;
+        counts.differ += fit == SeamFit::Differs;
     }
-    return counter;
+    return counts;
 }
 
 }  // namespace
@@ -120,26 +121,26 @@ QIcon fitMark(SeamFit fit) {
 
 QString seamSummary(const SeamGraph& graph,
                     const std::vector<std::optional<SeamMeasure>>& measures) {
-    const Counter counter = counterOf(graph, measures);
-    if (counter.seams == 0) {
+    const SeamCounts counts = countsOf(graph, measures);
+    if (counts.seams == 0) {
         return {};
     }
-    QStringList parts = {counter.seams == 1 ? tr("1 seam") : tr("%1 seams").arg(counter.seams)};
-    if (counter.measured == 0) {
+    QStringList parts = {counts.seams == 1 ? tr("1 seam") : tr("%1 seams").arg(counts.seams)};
+    if (counts.measured == 0) {
         parts << tr("not measured yet");
         return parts.join(QString::fromUtf8(" · "));
     }
-    if (counter.differ > 0) {
-        parts << (counter.differ == 1 ? tr("1 does not match")
-                                      : tr("%1 do not match").arg(counter.differ));
+    if (counts.differ > 0) {
+        parts << (counts.differ == 1 ? tr("1 does not match")
+                                     : tr("%1 do not match").arg(counts.differ));
     }
-    if (counter.nearly > 0) {
-        parts << (counter.nearly == 1 ? tr("1 nearly matches")
-                                      : tr("%1 nearly match").arg(counter.nearly));
+    if (counts.nearly > 0) {
+        parts << (counts.nearly == 1 ? tr("1 nearly matches")
+                                     : tr("%1 nearly match").arg(counts.nearly));
     }
-    parts << tr("worst %1 %2").arg(fineLength(counter.worst), lengthUnit());
-    if (counter.measured < counter.seams) {
-        parts << tr("%1 not measured: a piece is not flat").arg(counter.seams - counter.measured);
+    parts << tr("worst %1 %2").arg(fineLength(counts.worst), lengthUnit());
+    if (counts.measured < counts.seams) {
+        parts << tr("%1 not measured: a piece is not flat").arg(counts.seams - counts.measured);
     }
     return parts.join(QString::fromUtf8(" · "));
 }

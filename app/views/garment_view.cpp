@@ -19,7 +19,7 @@ namespace toile::app {
 
 namespace {
 
-/// A seam may lie so many times the pointer's reach deeper than the cloth beside it: cloth is bent.
+/// A seam may lie so many times the pointer's radius deeper than the cloth: cloth is bent.
 constexpr double kHiddenBehind = 3;
 
 /// How near the eye may come to the cloth that is zoomed at, as a part of the garment's extent.
@@ -154,7 +154,7 @@ std::optional<SeamHit> GarmentView::seamHitAt(const QPointF& at, double pixels,
                                pixels / camera_.pixelsPerMillimetre(), counts);
     }
     const Ray ray = camera_.ray(at.x(), at.y());
-    // Without perspective a reach in mm stands for a slope at the depth where rays are that wide.
+    // Without perspective a radius in mm stands for a slope at the depth where rays are that wide.
     const double radius = pixels / camera_.pixelsPerMillimetre();
     const double toTarget =
         (camera_.pointAtTargetDepth(at.x(), at.y()) - ray.origin).dot(ray.direction);

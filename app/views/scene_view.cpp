@@ -28,7 +28,7 @@ constexpr double kZoomPerNotch = 1.15;
 /// And per pixel of a drag: 140 pixels double.
 constexpr double kZoomPerPixel = 1.005;
 /// Cloth around a place that is shown: a part of its piece, at least so many mm.
-constexpr double kRadiusShare = 0.2, kMinReach = 5;
+constexpr double kRadiusShare = 0.2, kMinRadius = 5;
 
 /// What is drawn anew then.
 constexpr DocumentChanges kContent = DocumentChange::Garment | DocumentChange::Results |
@@ -189,7 +189,7 @@ void SceneView::showSpot(const WorstSpot& spot) {
     }
     const double size = scene()->pieces[piece].flatBox.diagonal().norm();
     setCameraViewport(width(), height());
-    frameSpot(spot, std::max(kMinReach, kRadiusShare * size));
+    frameSpot(spot, std::max(kMinRadius, kRadiusShare * size));
     shown_ = spot;
     followsAll_ = false;
     cameraMoved();

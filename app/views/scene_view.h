@@ -47,7 +47,7 @@ public:
     /// Why nothing can be drawn; empty where all is well.
     const QString& problem() const { return problem_; }
     SceneRenderer& renderer() { return *renderer_; }
-    /// To be flagged, as far as they are of what is shown.
+    /// To be marked, as far as they are of what is shown.
     void setWorstSpots(FlaggedSpots spots);
     /// Which drags move the camera.
     void setNavigation(Navigation navigation) { navigation_ = navigation; }

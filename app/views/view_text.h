@@ -22,7 +22,7 @@ struct RenderStyle;
 /// @param onLabel  where cloth lies under it: on a label, as other words over the cloth
 void paintCaption(QPainter& painter, const RenderStyle& style, const QPointF& corner,
                   const QString& title, const QString& note, bool onLabel);
-/// What a caption and its label take.
+/// What a caption and its box take.
 QRectF captionBox(const QFont& font, const QPointF& corner, const QString& title,
                   const QString& note);
 
@@ -41,8 +41,8 @@ bool anyPointIn(const QRectF& part, const Holds& holds) {
     return false;
 }
 
-/// A name on a rounded label that keeps it legible on any cloth.
-/// @param label  as large as `labelSize` says
+/// A label: a name in a rounded box that keeps it legible on any cloth.
+/// @param box  as large as `labelSize` says
 void paintLabel(QPainter& painter, const RenderStyle& style, const QRectF& box, const QString& text,
                 bool selected);
 QSizeF labelSize(const QFont& font, const QString& text, bool selected);

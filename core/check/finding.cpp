@@ -50,7 +50,7 @@ constexpr FindingWords kWords[] = {
     {"up-axis-in-doubt", TR("Up axis in doubt"),
      TR("the file does not say which axis points up (%0)"),
      TR("State the axis, or keep it if the garment stands upright")},
-    {"grain-missing", TR("Grain not stated"), TR("no grain is set: it is taken to run upwards"),
+    {"grain-missing", TR("Grain not set"), TR("no grain is set: it is taken to run upwards"),
      TR("Turn the grain arrow, or let Toile find the best grain")},
     {"message", TR("Messages"), "", ""},
 };

@@ -237,9 +237,9 @@ private:
             }
             const int firstNew = static_cast<int>(loop.size()) - 1;
             if (second) {
-                loop.insert(loop.end(), path.path.begin() + 1, path.path.end());
+                loop.insert(loop.end(), path.vertices.begin() + 1, path.vertices.end());
             } else {
-                loop.insert(loop.end(), path.path.rbegin() + 1, path.path.rend());
+                loop.insert(loop.end(), path.vertices.rbegin() + 1, path.vertices.rend());
             }
             count += crossingsFrom(Q_, loop, firstNew, most - count);
         }
@@ -287,10 +287,10 @@ private:
         });
         for (std::size_t k = 0; k < close.size() && close[k] != &shortest && mayTest(); ++k) {
             if (resolves(close[k]->path)) {
-                return {close[k]->path.path, close[k]->path.length, true};
+                return {close[k]->path.vertices, close[k]->path.length, true};
             }
         }
-        return {shortest.path.path, shortest.path.length, true};
+        return {shortest.path.vertices, shortest.path.length, true};
     }
 
     /// Of the paths that part the most crossings: the one that leaves the fewest.
@@ -308,7 +308,7 @@ private:
                 fewest = here;
             }
         }
-        return {best->path.path, best->path.length, false};
+        return {best->path.vertices, best->path.length, false};
     }
 
     const Piece& piece_;
@@ -332,11 +332,11 @@ Wording cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) {
     const auto place = [&piece](int v) {
         return placeWording(piece.mesh.V(v, 0), piece.mesh.V(v, 1), piece.mesh.V(v, 2));
     };
-    const std::vector<Wording> path{place(cut->path.front()), place(cut->path.back()),
-                                    figure(cut->length3d)};
+    const std::vector<Wording> values{place(cut->path.front()), place(cut->path.back()),
+                                      figure(cut->length3d)};
     return cut->resolves
-               ? worded("; cut it from %1 to %2, %3 mm", path)
-               : worded("; one cut is not enough: begin with one from %1 to %2, %3 mm", path);
+               ? worded("; cut it from %1 to %2, %3 mm", values)
+               : worded("; one cut is not enough: begin with one from %1 to %2, %3 mm", values);
 }
 
 }  // namespace

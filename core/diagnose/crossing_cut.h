@@ -26,7 +26,7 @@ struct CrossingCut {
 /// between places spread over the outline) the shortest is taken that leaves two parts without
 /// crossings; among those hardly longer the one that divides the outline most evenly. Where there
 /// is none, the one that leaves the fewest crossings: `resolves` is false, one cut is not enough.
-/// Nothing where no way leads through the inside. Never along the outline or a hole's rim.
+/// Nothing where no path leads through the inside. Never along the outline or a hole's rim.
 /// @param piece      a disk, holes aside, mm  @param Q  #V x 2
 /// @param crossings  from findOutlineCrossings(Q, piece.boundary), not empty
 /// @param progress   looked at between the paths and between the tests of cuts; cancelled, the best

@@ -84,10 +84,10 @@ std::vector<InteriorPath> InteriorPaths::find(const std::vector<int>& sources,
         }
         InteriorPath path{-1, i, {}, distance_[end]};
         for (int v = end; v >= 0; v = parent_[v]) {
-            path.path.push_back(v);
+            path.vertices.push_back(v);
         }
-        std::reverse(path.path.begin(), path.path.end());
-        path.from = loopIndex_[path.path.front()];
+        std::reverse(path.vertices.begin(), path.vertices.end());
+        path.from = loopIndex_[path.vertices.front()];
         paths.push_back(std::move(path));
     }
     for (const int v : reached_) {

@@ -12,7 +12,7 @@ namespace toile {
 /// A path from loop vertex `from` to loop vertex `to` of the outline, with the piece's vertices.
 struct InteriorPath {
     int from, to;  ///< indices into Piece::boundary
-    std::vector<int> path;
+    std::vector<int> vertices;
     double length;  ///< mm
 };
 

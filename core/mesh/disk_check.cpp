@@ -33,7 +33,7 @@ public:
             DiskCheck& result)
         : mesh_(mesh), name_(name), table_(table), result_(result) {}
 
-    /// @param sound  the surface is known to be, but for its loops and its outline's edges
+    /// @param valid  the surface is known to be, but for its loops and its outline's edges
     void run(bool valid) {
         if ((valid || isSurface()) && checkLoops() && (valid || hasShapes())) {
             checkOutlineEdges();

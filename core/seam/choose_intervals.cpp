@@ -17,9 +17,9 @@ constexpr double kNoGap = 1e-3;
 // farther off: in a stack of layers everything is near.
 constexpr double kFoldFactor = 10;
 
-/// A part of a candidate run: the unit of choice.
+/// A part of a candidate: the unit of choice.
 struct Part {
-    int parent = 0;  ///< the candidate run
+    int parent = 0;  ///< the candidate
     MatchedInterval interval;
     double cost = 0;         ///< gap relative to the local edge length, 0 where it coincides
     bool contested = false;  ///< another part lies on the same place
@@ -137,7 +137,7 @@ std::vector<Part> cutIntoParts(const Outlines& outlines,
     return parts;
 }
 
-// Rests shorter than this many local edges, left over beside runs already chosen, are end effects.
+// Rests shorter than this many local edges, left over beside chosen intervals, are end effects.
 constexpr double kMinRest = 0.25;
 // The same for edges that are certainly one: only rounding is less.
 constexpr double kMinCertain = 1e-9;
@@ -145,7 +145,7 @@ constexpr double kMinCertain = 1e-9;
 // if its gap is below this many times the garment's own, or below this fraction of the edge length.
 constexpr double kGapTimesMedian = 10;
 constexpr double kGapAlways = 0.05;
-// A run found by nearness that is shorter than this many local edges is not believed.
+// An interval found by nearness that is shorter than this many local edges is not accepted.
 constexpr double kShortest = 0.9;
 // Sides closer than this many local edges coincide.
 constexpr double kCoincident = 1e-4;

@@ -21,7 +21,7 @@ struct SeamOptions {
 /// - edges between the same two positions of one file are the same line of a welded garment;
 /// - edges that coincide, and edges that lie close and run in opposite directions, sampled alike or
 ///   not, become contacts; contacts in a row on both outlines become intervals (so every interval
-///   is mutual and monotone); where runs compete for a place the closer one has it, then the longer
+///   is mutual and monotone); where they compete for a place the closer one has it, then the longer
 ///   one.
 /// Outlines of consistently wound pieces run against each other along a seam. A piece wound the
 /// other way is recognised by the balance of its contacts and matched along instead.

@@ -83,10 +83,10 @@ private:
 
     bool follow(const MatchedInterval& interval, const MatchedInterval& next) const {
         const bool bridge = !coincide(interval) || !coincide(next);
-        const double radius = bridge ? kBridge * interval.spacing(outlines_) : 0;
+        const double longest = bridge ? kBridge * interval.spacing(outlines_) : 0;
         const auto near = [&](int piece, Arc gap) {
             const double least = kNoLength * outlines_.list[piece].length();
-            return gap.to - gap.from <= std::max(radius, least) && isFree(piece, gap);
+            return gap.to - gap.from <= std::max(longest, least) && isFree(piece, gap);
         };
         return near(interval.outlineA, betweenA(interval, next)) &&
                near(interval.outlineB, betweenB(interval, next));

@@ -8,8 +8,8 @@
 namespace toile::seam {
 namespace {
 
-// An end is a tip where its two sides are at most this many local edges apart on the outline.
-constexpr double kFoldEndRadius = 1.05;
+// An end is a fold end where its two sides are at most this many local edges apart on the outline.
+constexpr double kMaxFoldEndGap = 1.05;
 
 Correspondence between(const Correspondence& p, const Correspondence& q, double t) {
     return {p.a + t * (q.a - p.a), p.b + t * (q.b - p.b), p.gap + t * (q.gap - p.gap)};
@@ -122,8 +122,8 @@ FoldEnds foldEndsOf(const MatchedInterval& interval, const Outlines& outlines) {
         // From the end of one side on to the end of the other, in the direction away from the
         // interval.
         const double apart = outline.wrap(step * (f.b - f.a));
-        const double radius = kFoldEndRadius * outline.spacingAt(f.a);
-        return apart < radius || outline.length() - apart < 0.01 * radius;
+        const double most = kMaxFoldEndGap * outline.spacingAt(f.a);
+        return apart < most || outline.length() - apart < 0.01 * most;
     };
     foldEnds.end = meet(interval.line.back(), 1);
     foldEnds.start = meet(interval.line.front(), -1);
@@ -144,7 +144,7 @@ FoldEnds foldEndsOf(const MatchedInterval& interval, const Outlines& outlines) {
 
 namespace {
 
-// A tip with a larger inner angle lies inside the cloth: the point of a dart. A pleat's fold lies
+// One with a larger inner angle lies inside the cloth: the point of a dart. A pleat's fold lies
 // on a plain edge, with an angle near pi.
 constexpr double kDartAngle = 1.5 * std::numbers::pi;
 

@@ -67,7 +67,7 @@ struct MatchedInterval {
 /// Where a piece meets itself: the ends of an interval at which its two sides come together.
 struct FoldEnds {
     bool start = false, end = false;
-    double angle = 0;  ///< inner angle of the outline at the tip, radians
+    double angle = 0;  ///< inner angle of the outline there, radians
 };
 
 FoldEnds foldEndsOf(const MatchedInterval& interval, const Outlines& outlines);
@@ -87,8 +87,8 @@ std::vector<MatchedInterval> chainContacts(const Outlines& outlines,
 std::vector<MatchedInterval> chooseIntervals(const Outlines& outlines,
                                              const std::vector<MatchedInterval>& candidates);
 
-/// Makes runs one that follow each other on both outlines, with nothing or only a few free edges
-/// between them. `taken` are the places of all intervals per piece; bridges are added to it.
+/// Makes one of intervals that follow each other on both outlines, with nothing or only a few free
+/// edges between them. `taken` are the places of all intervals per piece; bridges are added to it.
 std::vector<MatchedInterval> joinIntervals(const Outlines& outlines,
                                            std::vector<MatchedInterval> intervals,
                                            std::vector<ArcSet>& taken);

@@ -1004,7 +1004,7 @@
         <translation>Geben Sie die Achse an, oder behalten Sie sie, wenn das Kleidungsstück aufrecht steht</translation>
     </message>
     <message>
-        <source>Grain not stated</source>
+        <source>Grain not set</source>
         <translation>Fadenlauf nicht angegeben</translation>
     </message>
     <message>
@@ -1887,8 +1887,8 @@
         <translation>Gitternetz</translation>
     </message>
     <message>
-        <source>Re&amp;ference panels</source>
-        <translation>&amp;Referenzteile</translation>
+        <source>Referen&amp;ce panels</source>
+        <translation>R&amp;eferenzteile</translation>
     </message>
     <message>
         <source>Draw the reference panels, the designer&apos;s own, over the flat pieces, where the file has them</source>
@@ -2087,7 +2087,7 @@
         <translation>&amp;Einschneiden</translation>
     </message>
     <message>
-        <source>Cut a piece along the shortest way through points on it</source>
+        <source>Cut a piece along the shortest path through points on it</source>
         <translation>Ein Schnittteil auf dem kürzesten Weg durch Punkte darauf einschneiden</translation>
     </message>
     <message>
@@ -2331,7 +2331,7 @@
         <translation>Angeben, wie viel länger die linke Kante der ausgewählten Naht sein soll</translation>
     </message>
     <message>
-        <source>Ease &amp;from the garment</source>
+        <source>Ease fro&amp;m the garment</source>
         <translation>Einhalteweite aus dem &amp;Kleidungsstück</translation>
     </message>
     <message>
@@ -2475,7 +2475,7 @@
         <translation>Bester</translation>
     </message>
     <message>
-        <source>&amp;Reset the grain</source>
+        <source>R&amp;eset the grain</source>
         <translation>Fadenlauf &amp;zurücksetzen</translation>
     </message>
     <message>
@@ -2568,7 +2568,7 @@
     </message>
     <message>
         <source>&amp;Preferences…</source>
-        <translation>&amp;Einstellungen…</translation>
+        <translation>E&amp;instellungen…</translation>
     </message>
     <message>
         <source>Choose units, colours, language and how the mouse moves the view</source>
@@ -4360,7 +4360,7 @@
         </translation>
     </message>
     <message>
-        <source>grain not stated</source>
+        <source>grain not set</source>
         <translation>Fadenlauf nicht angegeben</translation>
     </message>
     <message>

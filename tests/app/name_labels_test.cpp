@@ -60,8 +60,8 @@ private slots:
         const auto alone = nameLabels(kFont, {pieceAt("side_front_left", {200, 60, 12, 200})}, {});
         QCOMPARE(alone.size(), std::size_t{1});
         QCOMPARE(alone[0].text, QString("side_front_left"));
-        QVERIFY(alone[0].plate.width() > 60);
-        QCOMPARE(alone[0].plate.size(), labelSize(kFont, "side_front_left", false));
+        QVERIFY(alone[0].box.width() > 60);
+        QCOMPARE(alone[0].box.size(), labelSize(kFont, "side_front_left", false));
         const auto mirrored =
             nameLabels(kFont, {{"cuff", " · wrong side up", {250, 200}, {200, 100, 100, 200}}}, {});
         QCOMPARE(mirrored.at(0).text, QString("cuff · wrong side up"));
@@ -104,14 +104,14 @@ private slots:
 
     void labelsKeepOffEachOtherAndOffOtherWords() {
         // Both names belong in one place, and something else is written there already.
-        const QRectF box(100, 60, 200, 300);
+        const QRectF piece(100, 60, 200, 300);
         const QRectF taken(150, 190, 100, 30);
         const auto names =
-            nameLabels(kFont, {pieceAt("back_left", box), pieceAt("back_right", box)}, {taken});
+            nameLabels(kFont, {pieceAt("back_left", piece), pieceAt("back_right", piece)}, {taken});
         QCOMPARE(names.size(), std::size_t{2});
         std::vector<QRectF> boxes = boxesOf(names);
         for (const QRectF& box : boxes) {
-            QVERIFY(box.contains(box));
+            QVERIFY(piece.contains(box));
         }
         boxes.push_back(taken);
         QVERIFY(!anyMeet(boxes));
@@ -152,4 +152,4 @@ private slots:
 };
 
 TOILE_WINDOW_TEST(NameLabelsTest)
-#include "plates_test.moc"
+#include "name_labels_test.moc"

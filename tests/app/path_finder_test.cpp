@@ -74,7 +74,7 @@ private slots:
         QTest::newRow("along edges") << true;
     }
 
-    void whatIsForgottenIsNeverCalled() {
+    void whatIsCancelledIsNeverCalled() {
         QFETCH(const bool, alongEdges);
         PathFinder finder;
         const auto piece = sheet(300, 150);

@@ -66,7 +66,7 @@ private slots:
             QVERIFY(label(view).isVisible());
             QTRY_VERIFY_WITH_TIMEOUT(isThere(), test::kPatience);
             QTRY_VERIFY2_WITH_TIMEOUT(labelPixels() - before <= 1.2 * one,
-                                      "one plate, at the pointer", test::kPatience);
+                                      "one label, at the pointer", test::kPatience);
         }
         leave(view);
         QTRY_COMPARE_WITH_TIMEOUT(labelPixels(), before, test::kPatience);
@@ -270,4 +270,4 @@ private slots:
 };
 
 TOILE_WINDOW_TEST(PointerLabelTest)
-#include "pointer_plate_test.moc"
+#include "pointer_label_test.moc"

@@ -258,7 +258,7 @@ private slots:
         QVERIFY(!document().history().canUndo());
     }
 
-    void easeIsForgottenWithTheGarment() {
+    void easeGoesWithTheGarment() {
         fixture_.workspace().setEase(0, 0.1);
         QVERIFY(fixture_.openAndWait(fixture_.path("alone.obj")));
         QVERIFY(fixture_.workspace().loading().seams.empty());

@@ -33,8 +33,9 @@ double linearChannel(double channel) {
 }
 
 double luminance(const QColor& colour) {
-    return 0.2126 * linearChannel(colour.redF()) + 0.7152 * linearChannel(colour.greenF()) +
-           0.0722 * linearChannel(colour.blueF());
+    return 0.2126 * linearChannel(colour.red() / 255.0) +
+           0.7152 * linearChannel(colour.green() / 255.0) +
+           0.0722 * linearChannel(colour.blue() / 255.0);
 }
 
 /// As the web's accessibility guidelines define it.

@@ -512,6 +512,15 @@ private slots:
         QVERIFY(!fixture_.workspace().autoFlatten());
         QVERIFY(!fixture_.action(ActionId::AutoFlatten).isChecked());
     }
+
+    void otherChoicesLeaveFlatteningAsItIs() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("pair.obj")));
+        fixture_.workspace().setAutoFlatten(false);
+        Choices choices = fixture_.preferences().choices();
+        choices.autosaveMinutes += 1;
+        fixture_.preferences().setChoices(choices);
+        QVERIFY(!fixture_.workspace().autoFlatten());
+    }
 };
 
 TOILE_WINDOW_TEST(ShellTest)

@@ -122,7 +122,7 @@ private slots:
         QCOMPARE(document().pieceCount(), cut ? 3 : 2);
     }
 
-    void whatIsWishedForAProjectIsNotMeantForFiles() {
+    void whatIsRequestedForAProjectIsNotMeantForFiles() {
         workspace().openBy(std::make_unique<test::ReadingJob>([] {}));
         workspace().setUnit(LengthUnit::Inch);
         workspace().open({file("pair.obj")});

@@ -7,7 +7,7 @@
 
 namespace toile::fuzz {
 
-/// The whole road on an OFF file in memory: pieces, cuts by a user's line and automatic ones,
+/// The whole pipeline on an OFF file in memory: pieces, cuts by a user's line and automatic ones,
 /// seams, flat pieces by both methods, every format written.
 /// @return the first promise that is broken, in words; empty where all are kept: indices in range,
 ///         no area lost by cutting, flat points finite, no NaN in a file

@@ -32,8 +32,8 @@ struct FlatteningMemory {
     /// apart; null where it crosses still.
     std::shared_ptr<const Points2> simple{};
     double distortion = 0;  ///< of `Q`; 1 where isometric
-    /// How that descent ended: its last model, null for large pieces, and the pulls of the
-    /// boundary edges.
+    /// How that descent ended: its last model, null for large pieces, and the
+    /// multipliers of the boundary lengths.
     std::shared_ptr<const isometric::KktModel> model{};
     std::shared_ptr<const Eigen::VectorXd> multipliers{};
 

@@ -65,11 +65,11 @@ public:
         }
         const Points2 g = lagrangian(Q, gradient_);
         Points2 reduced = g;
-        const std::vector<double> taken = memory_.reduce(reduced);
+        const std::vector<double> taken = history_.reduce(reduced);
         Eigen::VectorXd more = Eigen::VectorXd::Zero(lengths_.size());
         auto P = kkt_.solve(-reduced, Eigen::VectorXd::Zero(lengths_.size()), more);
         if (P) {
-            memory_.complete(taken, *P);
+            history_.complete(taken, *P);
             multipliers_ += more;
             predicted = -0.5 * dot(g, *P);
         }
@@ -91,7 +91,7 @@ public:
             if (reached.total < at.total - 2 * kSufficientDecrease * t * predicted &&
                 mayLieSo(moved)) {
                 Points2 gradient = objective_.gradient(moved, reached);
-                memory_.add(moved - Q, lagrangian(moved, gradient) - lagrangian(Q, gradient_));
+                history_.add(moved - Q, lagrangian(moved, gradient) - lagrangian(Q, gradient_));
                 gradient_ = std::move(gradient);
                 Q = std::move(moved);
                 at = std::move(reached);
@@ -145,7 +145,7 @@ public:
 
     /// What `renew` costs, in steps.
     double renewingCost() const { return kkt_.renewingCost(); }
-    void clearHistory() { memory_.clear(); }
+    void clearHistory() { history_.clear(); }
     const Eigen::VectorXd& multipliers() const { return multipliers_; }
     const KktSolver& kkt() const { return kkt_; }
 
@@ -155,7 +155,7 @@ private:
             simpleLoops_, [&](const std::vector<int>& loop) { return outlineIsSimple(Q, loop); });
     }
 
-    /// @param slope  the objective's gradient at Q
+    /// @param gradient  the objective's gradient at Q
     Points2 lagrangian(const Points2& Q, const Points2& gradient) const {
         Points2 g = gradient;
         constraints_.addForces(constraints_.directions(Q), multipliers_, g);
@@ -228,7 +228,7 @@ private:
     IsometricObjective objective_;
     LengthConstraints constraints_;
     KktSolver kkt_;
-    LbfgsHistory memory_;
+    LbfgsHistory history_;
     Eigen::VectorXd multipliers_;
     Points2 gradient_;  ///< of the objective at the present point; no rows where it is not known
 };

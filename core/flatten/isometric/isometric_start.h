@@ -82,12 +82,12 @@ public:
     /// strained piece open: a coarse piece is flattened as if nothing were known, and the vertices
     /// that it lacks follow it from their carried places.
     /// @param tolerance  of the fine descent (DescentOptions)
-    /// @return as `positions`, with the boundary's pulls; nothing where most vertices have moved in
+    /// @return as `positions`, with the multipliers; nothing where most vertices have moved in
     ///         space, the piece is small, its coarse one cannot be flattened, or cancelled
     /// Cost: half a factorisation of size 2 #V.
     std::optional<IsometricStart> fromCoarse(double tolerance, const Progress& progress) const;
 
-    /// How the boundary edges pull: 0 for those that the earlier version did not have.
+    /// Of the boundary lengths: 0 for those that the earlier version did not have.
     Eigen::VectorXd multipliers() const;
     /// The earlier version's model where the triangles are the same, or null.
     std::shared_ptr<const KktModel> model() const;

@@ -46,7 +46,7 @@ private:
 
 /// Keeps an outline from crossing itself, as [SS15] section 4 does: each boundary vertex that comes
 /// nearer than `radius` to a boundary edge it does not belong to adds
-///   B = weight (reach / d - 1)^2
+///   B = weight (radius / d - 1)^2
 /// to the energy, d its distance from the edge. Infinite at contact, zero beyond the radius, once
 /// differentiable. The radius is a tenth of the shortest edge concerned, so that two sides of a
 /// slit come to lie side by side. Immutable. Cost: O(n log n) per call on outlines that are not

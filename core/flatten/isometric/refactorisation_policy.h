@@ -24,7 +24,7 @@ public:
 
     /// Counts a step.
     /// @param part      of the step that was taken, above 0
-    /// @param promised  fall of the objective  @param fall  that came
+    /// @param predicted  fall of the objective  @param fall  that came
     /// @param renewingCost  what a factorisation costs, in steps with an old one
     void count(double part, double predicted, double fall, double renewingCost);
 

@@ -37,7 +37,7 @@ constexpr double kGap = 0.7;
 constexpr int kMaxPartings = 5;
 constexpr int kWarmPasses = 4;
 /// Part of the vertices that a small edit leaves where they were in space.
-constexpr double kMaxStay = 0.9;
+constexpr double kMinStay = 0.9;
 /// Of a coarse piece: vertices from which one is made, and times the tolerance.
 constexpr int kFewVertices = 200;
 constexpr double kCoarseTolerance = 3;
@@ -211,7 +211,7 @@ bool WarmStart::isSmallEdit() const {
         const int was = match_.vertex[v];
         stay += was >= 0 && piece_.mesh.V.row(static_cast<Eigen::Index>(v)) == before.row(was);
     }
-    return stay >= kMaxStay * static_cast<double>(match_.vertex.size());
+    return stay >= kMinStay * static_cast<double>(match_.vertex.size());
 }
 
 Eigen::VectorXd WarmStart::multipliers() const {

@@ -47,10 +47,17 @@ QString resultDifference(const PieceResult* one, const PieceResult* other) {
     return same ? "" : one->flat->warm || other->flat->warm ? "points, warm" : "points";
 }
 
+bool sameRuns(const LineRuns& one, const LineRuns& other) {
+    return sameBytes(one.seams, other.seams) && sameBytes(one.reference, other.reference) &&
+           sameBytes(one.outlines, other.outlines);
+}
+
 bool sameScene(const Scene& one, const Scene& other) {
     return one.origin == other.origin && sameBytes(one.vertices, other.vertices) &&
            sameBytes(one.garment.triangles, other.garment.triangles) &&
            sameBytes(one.pattern.triangles, other.pattern.triangles) &&
+           sameRuns(one.garmentLines, other.garmentLines) &&
+           sameRuns(one.patternLines, other.patternLines) &&
            sameBytes(one.lineVertices, other.lineVertices) && sameBytes(one.faces, other.faces);
 }
 

@@ -64,7 +64,7 @@ MarkdownTable endToEndTable(const Measurements& run) {
 MarkdownTable stageTable(const Measurements& run) {
     const std::vector<std::pair<std::string, std::string>> stages{
         {"read", "reading the file"},
-        {"pieces", "pieces: dividing, mending, checking"},
+        {"pieces", "pieces: dividing, repairing, checking"},
         {"seams", "seams"},
         {"assemble", "assembling the Laplacian"},
         {"order", "ordering and symbolic factorisation"},

@@ -140,7 +140,7 @@ TEST(SeamsInDoubt, RenumberingGivesTheSameGraph) {
     }
 }
 
-TEST(SeamsInDoubt, AnySoupOfPiecesGivesASoundGraph) {
+TEST(SeamsInDoubt, AnySoupOfPiecesGivesAValidGraph) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(0, 1);
     for (const double size : {2.0, 10.0, 60.0}) {
