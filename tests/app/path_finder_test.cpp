@@ -68,7 +68,7 @@ private slots:
         QCOMPARE(served, (std::vector<int>{0, 1, 2, 3, 4, 5}));
     }
 
-    void whatIsForgottenIsNeverCalled_data() {
+    void whatIsCancelledIsNeverCalled_data() {
         QTest::addColumn<bool>("alongEdges");
         QTest::newRow("through triangles") << false;
         QTest::newRow("along edges") << true;
