@@ -170,8 +170,8 @@ const std::map<std::string, std::function<void(const Strips&)>> kStages = {
     {"bending",
      [](const Strips& s) {
          const EdgeLoops loops(s.piece().boundary);
-         const isometric::OutlineBending bending(loops, loops.angles3d(s.piece().mesh), s.lengths(),
-                                                 0.02);
+         const isometric::OutlineBending bending(
+             loops, boundaryAngles3d(s.piece().mesh, loops.vertices()), s.lengths(), 0.02);
          Points2 gradient = Points2::Zero(s.Q().rows(), 2);
          bending.addGradient(s.Q(), gradient);
          benchmark::DoNotOptimize(bending.energy(s.Q()));
