@@ -12,8 +12,8 @@ namespace toile {
 
 struct DivideOptions {
     SplitMode split = SplitMode::Auto;
-    bool repair =
-        true;  ///< repair what can be repaired, with a note per kind; else leave it as it is
+    /// What can be repaired is, with a note per kind; else it stays as it is.
+    bool repair = true;
 };
 
 /// A file divided into pieces.

@@ -144,8 +144,8 @@ Seam finishSeam(const Outlines& outlines, MatchedInterval interval) {
     }
     const double sign = interval.parallel ? 1 : -1;
     const Correspondence first = interval.line.front(), last = interval.line.back();
-    for (Correspondence& f :
-         interval.line) {  // an end that moved inwards takes its neighbours with it
+    // An end that moved inwards takes its neighbours with it.
+    for (Correspondence& f : interval.line) {
         f.a = std::clamp(f.a, first.a, last.a);
         f.b = sign * std::clamp(sign * f.b, sign * first.b, sign * last.b);
     }

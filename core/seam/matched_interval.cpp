@@ -119,8 +119,7 @@ FoldEnds foldEndsOf(const MatchedInterval& interval, const Outlines& outlines) {
     }
     const Outline& outline = outlines.list[interval.outlineA];
     const auto meet = [&](const Correspondence& f, double step) {
-        // From the end of one side on to the end of the other, in the direction away from the
-        // interval.
+        // From the end of one side on to that of the other, away from the interval.
         const double apart = outline.wrap(step * (f.b - f.a));
         const double most = kMaxFoldEndGap * outline.spacingAt(f.a);
         return apart < most || outline.length() - apart < 0.01 * most;
