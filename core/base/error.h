@@ -55,6 +55,7 @@ enum class ErrorCode {
     AnglesOutOfRange,
     EndedEarly,
     RimsNotKept,
+    LineNotDrawn,
     // Pieces
     ClosedSurface,
     SeveralLoops,
@@ -72,6 +73,7 @@ enum class ErrorCode {
     // Solving
     NoClosedOutline,
     BoundaryNotConverged,
+    OutlineNotHeld,
     FactorisationFailed,
     NotFinite,
     OutOfMemory,

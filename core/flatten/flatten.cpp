@@ -27,16 +27,17 @@ constexpr std::size_t kBytesPerTriangle = 25;
 constexpr std::size_t kModelBytesPerTriangle = 1200;
 
 Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
-                            const Progress& progress, FlatteningMemory* memory) {
+                            const OutlineTargets& targets, const Progress& progress,
+                            FlatteningMemory* memory) {
     switch (options.method) {
         case Method::Isometric:
-            return flattenIsometric(piece, options, progress, memory);
+            return flattenIsometric(piece, options, progress, memory, targets);
         case Method::Curvature:
-            return flattenCurvature(piece, options, progress);
+            return flattenCurvature(piece, options, progress, targets);
         case Method::Wang2005:
-            return flattenWang2005(piece, options, progress);
+            return flattenWang2005(piece, options, progress, targets);
         case Method::Stretch:
-            return flattenStretch(piece, options, progress);
+            return flattenStretch(piece, options, progress, targets);
         case Method::Natural:
             return flattenNatural(piece, options, progress);
         case Method::Lscm:
@@ -44,7 +45,7 @@ Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
         case Method::Abf:
             return flattenAbf(piece, options, progress);
         case Method::Convex:
-            return flattenConvex(piece, options, progress);
+            return flattenConvex(piece, options, progress, targets);
     }
     return Error{ErrorCode::NotFinite, subjectOf(piece), "unknown method"};
 }
@@ -92,9 +93,13 @@ std::shared_ptr<const Piece> filledPiece(const Piece& piece) {
 /// `flatten`, with what is kept from one time to the next, or null.
 /// @param memory  `present` is the piece; changed on the way, also where an error comes back
 Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
-                              const FlattenOptions& options, const Progress& progress) {
+                              const FlattenOptions& options, const OutlineTargets& targets,
+                              const Progress& progress) {
     if (piece.defect) {
         return *piece.defect;
+    }
+    if (auto fault = faultOf(piece, targets)) {
+        return std::move(*fault);
     }
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled, subjectOf(piece), ""};
@@ -110,12 +115,13 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
         memory->present = filled;
     }
     const bool keepsRims = filled && options.method == Method::Isometric;
-    auto flat = runMethod(filled ? *filled : piece, options, progress, memory);
+    auto flat = runMethod(filled ? *filled : piece, options, targets, progress, memory);
     if (flat) {
         flat->Q.conservativeResize(piece.mesh.V.rows(), 2);
     }
     if (flat && keepsRims) {
-        if (const auto kept = keepRimLengths(piece, options.quality, *flat, progress); !kept) {
+        if (const auto kept = keepRimLengths(piece, options.quality, *flat, progress, targets);
+            !kept) {
             flat = kept.error();
         }
     }
@@ -137,7 +143,7 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
     add(crossingNote(piece, flat->Q, flat->crossings));
     noteFlips(piece, flat->Q, flat->notes);
     if (traits(options.method).keepsLengths) {
-        add(shortEdgesNote(piece, flat->Q));
+        add(shortEdgesNote(piece, flat->Q, targets));
     }
     add(degenerateNote(piece));
     return flat;
@@ -146,15 +152,16 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
 }  // namespace
 
 Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
-                          const Progress& progress) {
-    return flattenWith(nullptr, piece, options, progress);
+                          const Progress& progress, const OutlineTargets& targets) {
+    return flattenWith(nullptr, piece, options, targets, progress);
 }
 
 Result<FlatPiece> PieceFlattener::flatten(const std::shared_ptr<const Piece>& piece,
-                                          const FlattenOptions& options, const Progress& progress) {
+                                          const FlattenOptions& options, const Progress& progress,
+                                          const OutlineTargets& targets) {
     FlatteningMemory memory = memory_;
     memory.present = piece;
-    auto flat = flattenWith(&memory, *piece, options, progress);
+    auto flat = flattenWith(&memory, *piece, options, targets, progress);
     memory.present = nullptr;
     if (flat && !progress.isCancelled()) {
         memory_ = std::move(memory);

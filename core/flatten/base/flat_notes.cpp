@@ -96,8 +96,9 @@ void noteFlips(const Piece& piece, const Points2& Q, Problems& notes) {
     notes.push_back({ErrorCode::TrianglesFlipped, subjectOf(piece), detail});
 }
 
-std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q) {
-    const Eigen::VectorXd on = boundaryLengths3d(piece.mesh.V, piece.boundary);
+std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q,
+                                    const OutlineTargets& targets) {
+    const Eigen::VectorXd on = outlineLengths(piece, targets);
     const Eigen::ArrayXd off =
         (boundaryLengths2d(Q, piece.boundary).array() / on.array() - 1).abs();
     Eigen::Index worst = 0;

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "core/base/error.h"
+#include "core/flatten/base/outline_targets.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/quality/outline_crossings.h"
 
@@ -29,7 +30,9 @@ void noteFlips(const Piece& piece, const Points2& Q, Problems& notes);
 
 /// EdgesTooShort: boundary edges so short next to the pattern that the digits of its coordinates
 /// do not hold their lengths. For methods that keep lengths.
-std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q);
+/// @param targets  that the piece was flattened with
+std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q,
+                                    const OutlineTargets& targets = {});
 
 /// OutlineUncrossed, for a flattening that moved `crossings` crossings apart.
 Error uncrossedNote(const Piece& piece, int crossings);

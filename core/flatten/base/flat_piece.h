@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -79,6 +80,17 @@ struct FlattenOptions {
     bool operator==(const FlattenOptions&) const = default;
 };
 
+/// The outline of a piece as it is drawn, where that is not the polygon through its vertices:
+/// a closed line in the same coordinates, fine enough to be taken for the curve. The vertices of
+/// the outline lie on it, each at its place.
+struct FlatLine {
+    Points2 points;           ///< #n x 2, mm, anti-clockwise, the first not repeated
+    std::vector<double> arc;  ///< #n + 1, mm: place of each on the outline in 3D, over one turn
+    int iterations = 0;       ///< of the solver that found it
+    double farthest = 0;      ///< from the outline as it was solved, mm
+    bool converged = true;    ///< false: it has its lengths and bounds, and could be smoother
+};
+
 /// A flattened piece: one planar point per vertex, orientation kept (never mirrored).
 struct FlatPiece {
     Points2 Q;  ///< #V x 2, millimetres, in the piece's vertex order
@@ -96,6 +108,7 @@ struct FlatPiece {
     double interiorSeconds = 0;
     Problems notes{};  ///< what the user should know of the result: crossings, degenerate triangles
     std::vector<OutlineCrossing> crossings{};  ///< of the outline, for the search of a cut
+    std::shared_ptr<const FlatLine> line{};    ///< null: the outline is the polygon of its vertices
 };
 
 /// What the choices of a flattening are called on the command line, in the report and in project

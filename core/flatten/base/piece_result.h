@@ -9,21 +9,34 @@
 
 #include "core/base/error.h"
 #include "core/flatten/base/flat_piece.h"
+#include "core/flatten/base/outline_targets.h"
 #include "core/garment/piece.h"
 #include "core/quality/piece_quality.h"
 
 namespace toile {
 
+struct OutlinePlan;
+
 /// One piece after the solver: flat, or the reason why not.
 struct PieceResult {
     std::shared_ptr<const Piece> piece;
     FlattenOptions options;
+    OutlineTargets targets{};             ///< what its outline is to measure
     std::optional<FlatPiece> flat;        ///< points in the plane, before the sheet places them
     std::optional<PieceQuality> quality;  ///< there where flat is
     std::optional<Error> error;           ///< there where flat is not
     std::uint64_t fingerprint = 0;        ///< of the flat points; 0 where not flat
     double seconds = 0;
+    /// Where the outline was drawn otherwise than it was solved (pipeline/draw_lines.h): the result
+    /// with the exact outline, and by what it was drawn. Null: this is the exact one.
+    std::shared_ptr<const PieceResult> exact{};
+    std::shared_ptr<const OutlinePlan> plan{};
 };
+
+/// The result with its outline as it was solved.
+inline const PieceResult& exactOf(const PieceResult& result) {
+    return result.exact ? *result.exact : result;
+}
 
 /// "flat", "flipped" (flat, but triangles are flipped) or "failed": the report's words.
 inline std::string_view statusOf(const PieceResult& result) {

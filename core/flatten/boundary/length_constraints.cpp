@@ -75,7 +75,28 @@ EdgeLoops EdgeLoops::renumbered(const std::vector<int>& numbers) const {
     return other;
 }
 
-Eigen::VectorXd EdgeLoops::lengths3d(const Points3& V) const {
+EdgeLoops EdgeLoops::withLengths(Eigen::VectorXd lengths) const {
+    EdgeLoops other = *this;
+    other.lengths_ = std::move(lengths);
+    return other;
+}
+
+EdgeLoops EdgeLoops::withOutlineHeld() const {
+    EdgeLoops other = *this;
+    other.holdsOutline_ = true;
+    return other;
+}
+
+void EdgeLoops::clearHeld(Points2& motion) const {
+    for (int i = 0; i < starts_[1] && holdsOutline_; ++i) {
+        motion.row(vertices_[i]).setZero();
+    }
+}
+
+Eigen::VectorXd EdgeLoops::lengths(const Points3& V) const {
+    if (lengths_.size() > 0) {
+        return lengths_;
+    }
     Eigen::VectorXd lengths(count());
     for (int i = 0; i < count(); ++i) {
         lengths[i] = (V.row(end(i)) - V.row(vertex(i))).norm();

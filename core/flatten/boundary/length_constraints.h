@@ -12,7 +12,8 @@ namespace toile {
 
 /// Closed loops of boundary edges whose lengths are kept: the outline of a piece, and after it the
 /// rims of holes where these count too. Vertices and edges are numbered through all loops; edge i
-/// runs from vertex i to the next one of its loop. No vertex is in two loops. Immutable.
+/// runs from vertex i to the next one of its loop. No vertex is in two loops. The lengths are those
+/// on the surface, unless others are asked for. Immutable.
 class EdgeLoops {
 public:
     /// The outline alone.
@@ -37,13 +38,23 @@ public:
     /// The same loops with other numbers of vertices.
     EdgeLoops renumbered(const std::vector<int>& numbers) const;
 
-    /// Lengths of the edges on the surface.
-    Eigen::VectorXd lengths3d(const Points3& V) const;
+    /// The same loops, their edges with these lengths (unit of V; empty: those on the surface).
+    EdgeLoops withLengths(Eigen::VectorXd lengths) const;
+    /// The lengths that the edges are to have.
+    Eigen::VectorXd lengths(const Points3& V) const;
+
+    /// The same loops, the outline's vertices held where they are: only rims move.
+    EdgeLoops withOutlineHeld() const;
+    bool holdsOutline() const { return holdsOutline_; }
+    /// Makes the rows of held vertices zero: a motion, or forces, of all vertices (#V x 2).
+    void clearHeld(Points2& motion) const;
 
 private:
     std::vector<int> vertices_;
     std::vector<int> next_, previous_;
     std::vector<int> starts_;
+    Eigen::VectorXd lengths_;  ///< empty: those on the surface
+    bool holdsOutline_ = false;
 };
 
 /// The conditions |q_(i+1) - q_i| = l_i on the boundary edges of a piece: those of the outline, and

@@ -121,9 +121,8 @@ Result<FlatPiece> flattenLscm(const Piece& piece, const FlattenOptions& /*option
 namespace {
 
 /// By the angles that the surface has.
-BoundaryProblem boundaryProblemOf(const Piece& piece) {
-    return {boundaryLengths3d(piece.mesh.V, piece.boundary),
-            boundaryAngles3d(piece.mesh, piece.boundary)};
+BoundaryProblem boundaryProblemOf(const Piece& piece, const OutlineTargets& targets) {
+    return {outlineLengths(piece, targets), boundaryAngles3d(piece.mesh, piece.boundary)};
 }
 
 /// The outline that solves the boundary problem, and the interior in it.
@@ -168,12 +167,12 @@ Result<FlatPiece> solveAndFill(const Piece& piece, const FlattenOptions& options
 }  // namespace
 
 Result<FlatPiece> flattenWang2005(const Piece& piece, const FlattenOptions& options,
-                                  const Progress& progress) {
-    return solveAndFill(piece, options, boundaryProblemOf(piece), std::nullopt, progress);
+                                  const Progress& progress, const OutlineTargets& targets) {
+    return solveAndFill(piece, options, boundaryProblemOf(piece, targets), std::nullopt, progress);
 }
 
 Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptions& options,
-                                   const Progress& progress) {
+                                   const Progress& progress, const OutlineTargets& targets) {
     const Stopwatch time;
     auto interior = ConformalInterior::make(piece, progress);
     if (!interior) {
@@ -191,7 +190,7 @@ Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptions& opt
     progress.step();
     const double factorising = time.seconds();
 
-    BoundaryProblem problem = boundaryProblemOf(piece);
+    BoundaryProblem problem = boundaryProblemOf(piece, targets);
     problem.angles -= flux(piece.boundary, 0);
     auto flat = solveAndFill(piece, options, problem, std::move(*interior), progress);
     if (flat) {

@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/flatten/base/flat_piece.h"
+#include "core/flatten/base/outline_targets.h"
 
 namespace toile {
 
@@ -11,19 +12,20 @@ struct Piece;
 
 /// One function per published method, here and in reference/, all of this shape: a disk in, planar
 /// points in the piece's vertex order out, in whatever rotation the method gives. `flatten`
-/// chooses, turns the result upright and checks it.
+/// chooses, turns the result upright and checks it. Those that keep lengths take others than the
+/// 3D ones too; angles and curvature stay the surface's.
 
 /// [Wang05]: boundary edges keep their 3D lengths exactly, the outline's angles stay as close as
 /// that allows to the surface's (eq. 9); interior conformal. Same errors as `flatten`.
 Result<FlatPiece> flattenWang2005(const Piece& piece, const FlattenOptions& options,
-                                  const Progress& progress);
+                                  const Progress& progress, const OutlineTargets& targets = {});
 
 /// [Wang05]'s boundary with angles from the interior curvature instead of evenly: alpha~ = alpha -
 /// (flux of u), L u = -K inside, u = 0 on the boundary (Cherrier's formula, [SC17] section 4, for a
 /// scale factor of one on the boundary). Lengths exact; interior conformal. One factorisation,
 /// three back-substitutions in all.
 Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptions& options,
-                                   const Progress& progress);
+                                   const Progress& progress, const OutlineTargets& targets = {});
 
 /// [DMA02]'s natural boundary: the Dirichlet energy minus the signed area is minimal, two boundary
 /// vertices far apart in space pinned, or none (`options.freeBoundary`, [MTAD08]); the result is

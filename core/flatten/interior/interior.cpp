@@ -7,7 +7,6 @@
 #include "core/garment/piece.h"
 #include "core/linalg/elimination_order.h"
 #include "core/mesh/cotangents.h"
-#include "core/quality/measures.h"
 
 namespace toile {
 namespace {
@@ -178,8 +177,9 @@ Result<Points2> fillInterior(WeightedEdges graph, const Points3& V,
     return system ? system->extend(outline) : system.error();
 }
 
-Result<Points2> tutteOnCircle(const Piece& piece, const Progress& progress) {
-    const auto outline = circleOutline(boundaryLengths3d(piece.mesh.V, piece.boundary));
+Result<Points2> tutteOnCircle(const Piece& piece, const Progress& progress,
+                              const OutlineTargets& targets) {
+    const auto outline = circleOutline(outlineLengths(piece, targets));
     if (!outline) {
         return outline.error();
     }

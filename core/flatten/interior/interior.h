@@ -6,6 +6,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/flatten/base/outline_targets.h"
 #include "core/linalg/sparse_cholesky.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
@@ -64,7 +65,7 @@ Result<Points2> fillInterior(WeightedEdges graph, const Points3& V,
                              const std::vector<int>& boundary, const Points2& outline,
                              const Progress& progress);
 
-/// Tutte's embedding [Tut63] with the piece's boundary lengths: the outline of `circleOutline`,
+/// Tutte's embedding [Tut63] with the outline's lengths: the outline of `circleOutline`,
 /// every interior vertex at the mean of its neighbours. The outline is strictly convex and the
 /// weights are positive, so no triangle is flipped in exact arithmetic; a chord
 /// between boundary vertices does no harm. In doubles, triangles far from a short boundary can
@@ -72,6 +73,7 @@ Result<Points2> fillInterior(WeightedEdges graph, const Points3& V,
 /// @param piece  a disk (no defect, holes filled), mm  @return #V x 2, mm
 /// Errors: NoClosedOutline, FactorisationFailed, OutOfMemory, NotFinite, Cancelled.
 /// Cost: one factorisation of the interior, two back-substitutions. Re-entrant.
-Result<Points2> tutteOnCircle(const Piece& piece, const Progress& progress);
+Result<Points2> tutteOnCircle(const Piece& piece, const Progress& progress,
+                              const OutlineTargets& targets = {});
 
 }  // namespace toile

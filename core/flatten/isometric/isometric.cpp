@@ -38,14 +38,15 @@ constexpr int kMaxCrossingsEach = 10;
 /// Where the descent begins: at the conformal result, which is the best start, unless it has flips
 /// (its energy is infinite then) or triangles squeezed to almost nothing. Then Tutte's embedding on
 /// a circle, which cannot have flips, if that is better.
-Result<Points2> startOf(const Piece& piece, const Points2* conformal, const Progress& progress) {
+Result<Points2> startOf(const Piece& piece, const OutlineTargets& targets, const Points2* conformal,
+                        const Progress& progress) {
     const isometric::SymmetricDirichlet energy(piece.mesh, piece.table);
     const double ofConformal =
         conformal ? energy.energy(*conformal) : std::numeric_limits<double>::infinity();
     if (ofConformal < kSqueezedStart) {
         return *conformal;
     }
-    auto circle = tutteOnCircle(piece, progress);
+    auto circle = tutteOnCircle(piece, progress, targets);
     const bool better = circle && energy.energy(*circle) <= ofConformal;
     const bool cancelled = !circle && circle.error().code == ErrorCode::Cancelled;
     if (conformal && !better && !cancelled) {
@@ -54,11 +55,16 @@ Result<Points2> startOf(const Piece& piece, const Points2* conformal, const Prog
     return circle;
 }
 
-Result<isometric::DescentResult> descend(const Piece& piece, const Points2& start,
+EdgeLoops outlineOf(const Piece& piece, const OutlineTargets& targets) {
+    return EdgeLoops(piece.boundary).withLengths(targets.lengths);
+}
+
+Result<isometric::DescentResult> descend(const Piece& piece, const OutlineTargets& targets,
+                                         const Points2& start,
                                          const isometric::DescentOptions& options,
                                          const Progress& progress) {
-    return isometric::lowerIsometricEnergy(piece.mesh, piece.table, piece.boundary, start, options,
-                                           progress);
+    return isometric::lowerIsometricEnergy(piece.mesh, piece.table, outlineOf(piece, targets),
+                                           start, options, progress);
 }
 
 /// Keeps what an edit of this piece may begin with.
@@ -84,7 +90,7 @@ void keep(isometric::DescentResult lowest, const Points2* simple, FlatteningMemo
 
 /// A simple outline with the same lengths, if one is near, held apart on the way: after an edit
 /// from the crossing one with its sides parted, or from the last one; else from a circle.
-std::optional<isometric::DescentResult> uncross(const Piece& piece,
+std::optional<isometric::DescentResult> uncross(const Piece& piece, const OutlineTargets& targets,
                                                 const isometric::DescentResult& crossing,
                                                 isometric::DescentOptions options,
                                                 const isometric::WarmStart* warm,
@@ -96,17 +102,17 @@ std::optional<isometric::DescentResult> uncross(const Piece& piece,
         isometric::DescentOptions again = options;
         again.maxIterations = std::min(options.maxIterations, kMaxSteppedApart);
         again.multipliers = crossing.multipliers;
-        auto simple = descend(piece, *start, again, progress);
+        auto simple = descend(piece, targets, *start, again, progress);
         if (simple && simple->converged &&
             isometric::isNear(simple->distortion, crossing.distortion)) {
             return std::move(*simple);
         }
     }
-    const auto circle = tutteOnCircle(piece, progress);
+    const auto circle = tutteOnCircle(piece, progress, targets);
     if (!circle) {
         return std::nullopt;
     }
-    auto simple = descend(piece, *circle, options, progress);
+    auto simple = descend(piece, targets, *circle, options, progress);
     if (!simple || !isometric::isNear(simple->distortion, crossing.distortion)) {
         return std::nullopt;
     }
@@ -114,7 +120,8 @@ std::optional<isometric::DescentResult> uncross(const Piece& piece,
 }
 
 /// What follows the descent: a look at the outline, and at the clock.
-Result<FlatPiece> finish(const Piece& piece, isometric::DescentResult lowest, FlatPiece flat,
+Result<FlatPiece> finish(const Piece& piece, const OutlineTargets& targets,
+                         isometric::DescentResult lowest, FlatPiece flat,
                          const isometric::DescentOptions& descent, const isometric::WarmStart* warm,
                          const Stopwatch& time, const Progress& progress,
                          FlatteningMemory* memory) {
@@ -129,7 +136,8 @@ Result<FlatPiece> finish(const Piece& piece, isometric::DescentResult lowest, Fl
     if (const int crossings = outlineCrossings(flat.Q, piece.boundary); crossings > 0) {
         isSimple = false;
         const bool mayBeNear = crossings <= kMaxCrossingsEach * std::ssize(piece.boundary);
-        auto simple = mayBeNear ? uncross(piece, lowest, descent, warm, progress) : std::nullopt;
+        auto simple =
+            mayBeNear ? uncross(piece, targets, lowest, descent, warm, progress) : std::nullopt;
         if (simple) {
             flat.notes.push_back(uncrossedNote(piece, crossings));
             flat.interiorIterations += simple->iterations;
@@ -151,6 +159,7 @@ Result<FlatPiece> finish(const Piece& piece, isometric::DescentResult lowest, Fl
 
 /// The descent from the positions kept of an earlier version. Nothing where these do not suit.
 std::optional<isometric::DescentResult> descendWarm(const Piece& piece,
+                                                    const OutlineTargets& targets,
                                                     isometric::DescentOptions options,
                                                     const isometric::WarmStart& warm,
                                                     const Progress& progress) {
@@ -168,7 +177,7 @@ std::optional<isometric::DescentResult> descendWarm(const Piece& piece,
     }
     options.maxIterations = std::min(options.maxIterations, kMaxWarmSteps);
     options.multipliers = std::move(start->multipliers);
-    auto lowest = descend(piece, start->Q, options, progress);
+    auto lowest = descend(piece, targets, start->Q, options, progress);
     if (!lowest || !lowest->converged) {
         return std::nullopt;
     }
@@ -186,27 +195,27 @@ FlatPiece figuresOf(const FlatPiece& flat) {
 }
 
 /// The cold way: from the conformal result, or the circle.
-Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions& options,
-                                       const Stopwatch& time, const Progress& progress,
-                                       FlatteningMemory* memory) {
+Result<FlatPiece> descendFromConformal(const Piece& piece, const OutlineTargets& targets,
+                                       const FlattenOptions& options, const Stopwatch& time,
+                                       const Progress& progress, FlatteningMemory* memory) {
     isometric::DescentOptions descent = isometric::descentOptions(options.quality);
     descent.sharesModel = memory != nullptr;
     FlattenOptions conformal = options;
     conformal.authalic = 0;
-    auto flat = flattenCurvature(piece, conformal, progress);
+    auto flat = flattenCurvature(piece, conformal, progress, targets);
     if (!flat && (flat.error().code == ErrorCode::Cancelled ||
                   flat.error().code == ErrorCode::NoClosedOutline)) {
         return flat;
     }
-    auto start = startOf(piece, flat ? &flat->Q : nullptr, progress);
+    auto start = startOf(piece, targets, flat ? &flat->Q : nullptr, progress);
     if (!start) {
         return start.error();
     }
     if (memory != nullptr) {
         memory->start = flat ? figuresOf(*flat) : FlatPiece{};
     }
-    auto lowest = isometric::lowerFromCoarse(piece.mesh, piece.table, piece.boundary, *start,
-                                             descent, progress);
+    auto lowest = isometric::lowerFromCoarse(piece.mesh, piece.table, outlineOf(piece, targets),
+                                             *start, descent, progress);
     if (!lowest && lowest.error().code == ErrorCode::NotFinite && flat) {
         // In a piece much deeper than its rim is long even the circle's triangles vanish in
         // rounding. The conformal result is what there is; its flips are counted.
@@ -217,33 +226,34 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const FlattenOptions&
     if (!lowest) {
         return lowest.error();
     }
-    return finish(piece, std::move(*lowest), flat ? std::move(*flat) : FlatPiece{}, descent,
-                  nullptr, time, progress, memory);
+    return finish(piece, targets, std::move(*lowest), flat ? std::move(*flat) : FlatPiece{},
+                  descent, nullptr, time, progress, memory);
 }
 
 }  // namespace
 
 Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& options,
-                                   const Progress& progress, FlatteningMemory* memory) {
+                                   const Progress& progress, FlatteningMemory* memory,
+                                   const OutlineTargets& targets) {
     const Stopwatch time;
     if (memory != nullptr && memory->Q) {
-        const isometric::WarmStart warm(piece, *memory);
+        const isometric::WarmStart warm(piece, *memory, targets);
         isometric::DescentOptions descent = isometric::descentOptions(options.quality);
         descent.sharesModel = true;
-        auto again = descendWarm(piece, descent, warm, progress);
+        auto again = descendWarm(piece, targets, descent, warm, progress);
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }
         if (again) {
-            auto flat = finish(piece, std::move(*again), memory->start, descent, &warm, time,
-                               progress, memory);
+            auto flat = finish(piece, targets, std::move(*again), memory->start, descent, &warm,
+                               time, progress, memory);
             if (flat) {
                 flat->warm = true;
             }
             return flat;
         }
     }
-    return descendFromConformal(piece, options, time, progress, memory);
+    return descendFromConformal(piece, targets, options, time, progress, memory);
 }
 
 }  // namespace toile

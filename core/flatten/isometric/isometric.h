@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/flatten/base/flat_piece.h"
+#include "core/flatten/base/outline_targets.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -52,7 +53,8 @@ struct FlatteningMemory {
 /// worse than they are, carried over, and is not compared with `flattenCurvature`; of this it tells
 /// the figures (iterations, gap, flips) of the last start that was one.
 Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& options,
-                                   const Progress& progress, FlatteningMemory* memory = nullptr);
+                                   const Progress& progress, FlatteningMemory* memory = nullptr,
+                                   const OutlineTargets& targets = {});
 
 /// Gives the rims of a piece's holes the lengths they have on the garment: the isometric descent
 /// goes on with the edges of every rim among its conditions, and without the caps that filled the
@@ -61,8 +63,9 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
 /// stays as it is, and a note (RimsNotKept) tells how far the rim is off that is furthest so.
 /// @param piece  a disk with holes, mm
 /// @param flat   the isometric flattening of the piece with its holes filled, less the caps
+/// @param targets  of the outline, as it was flattened; rims have their 3D lengths
 /// Errors: OutOfMemory, Cancelled. Cost: that of a descent with a good start. Re-entrant.
 Result<void> keepRimLengths(const Piece& piece, Quality quality, FlatPiece& flat,
-                            const Progress& progress);
+                            const Progress& progress, const OutlineTargets& targets = {});
 
 }  // namespace toile

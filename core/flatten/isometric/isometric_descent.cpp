@@ -38,7 +38,7 @@ public:
     Descent(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,
             const DescentOptions& options, const Progress& progress)
         : progress_(progress),
-          lengths_(loops.lengths3d(mesh.V)),
+          lengths_(loops.lengths(mesh.V)),
           objective_(mesh, table, loops, lengths_, options.keepOutlineSimple),
           constraints_(loops, lengths_),
           kkt_(mesh, lengths_, constraints_, options.keepOutlineSimple, options.sizes, progress),

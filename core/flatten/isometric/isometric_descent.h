@@ -50,10 +50,10 @@ struct DescentResult {
 };
 
 /// Lowers the symmetric Dirichlet energy of a flattening over interior and boundary positions while
-/// every boundary edge keeps its 3D length. Every iterate is feasible: exact lengths, no flipped
-/// triangle, objective (isometric_objective.h: the energy and small terms beside it) below the one
-/// before; ending early costs quality only, and the result is never worse than the start, or the
-/// exact one next to it.
+/// every boundary edge keeps its length (`EdgeLoops::lengths`). Every iterate is feasible: exact
+/// lengths, no flipped triangle, objective (isometric_objective.h: the energy and small terms
+/// beside it) below the one before; ending early costs quality only, and the result is never worse
+/// than the start, or the exact one next to it.
 ///
 /// Each step minimises the convexified second-order model under the linearised length conditions
 /// (sequential quadratic programming): the KKT system is solved by the augmented Lagrangian, whose
@@ -65,7 +65,8 @@ struct DescentResult {
 /// stretched as long as it does. Where single triangles stop it, their vertices are moved first.
 ///
 /// @param mesh, table  a disk, holes aside, without degenerate triangles
-/// @param loops  all of its boundary, the outline first
+/// @param loops  all of its boundary, the outline first. One that is held (`withOutlineHeld`) stays
+///               where the start has it, but for rounding; its lengths must be those there
 /// @param start  #V x 2, unit of the mesh, no flipped triangle; lengths exact, or near enough to be
 ///               made so without one
 /// @param progress  each step is a stage of it

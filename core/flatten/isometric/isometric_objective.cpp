@@ -13,6 +13,9 @@ namespace {
 /// Energy of one radian at every vertex of the outline: enough that the outline of a strongly
 /// compressed piece does not buckle, too little to be felt elsewhere (docs/methods/isometric.md).
 constexpr double kOutlineStiffness = 0.02;
+/// Of a vertex that is held, in parts of its own: a step leaves it but for the eighth digit, which
+/// `KktSolver` takes off, and its neighbours feel nothing of that.
+constexpr double kHeldStiffness = 1e8;
 
 std::pair<int, int> ordered(int v, int w) {
     return {std::min(v, w), std::max(v, w)};
@@ -51,6 +54,7 @@ Points2 IsometricObjective::gradient(const Points2& Q, const Value& at) const {
     Points2 g = energy_.gradient(Q);
     bending_.addGradient(Q, g);
     OutlineBarrier::addGradient(at.contacts, g);
+    loops_.clearHeld(g);
     return g;
 }
 
@@ -60,6 +64,11 @@ IsometricObjective::Hessian IsometricObjective::hessian(const Points2& Q, const 
     energy_.addHessian(Q, edgeOf_, *matrix_);
     bending_.addHessian(Q, *matrix_);
     OutlineBarrier::addHessian(at.contacts, *matrix_);
+    for (int i = 0; i < loops_.start(1) && loops_.holdsOutline(); ++i) {
+        const int v = loops_.vertex(i);
+        const double stiffness = kHeldStiffness * matrix_->largestOnDiagonal(v);
+        matrix_->addVertex(v, stiffness * Eigen::Matrix2d::Identity());
+    }
     return {*matrix_, samePattern};
 }
 

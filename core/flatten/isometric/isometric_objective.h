@@ -29,9 +29,11 @@ public:
     Value evaluate(const Points2& Q) const;
     /// The symmetric Dirichlet energy alone.
     double distortion(const Points2& Q) const { return energy_.energy(Q); }
+    /// Zero at the vertices of an outline that is held.
     Points2 gradient(const Points2& Q, const Value& at) const;
 
-    /// The Hessian, positive semidefinite. Contacts may change its pattern.
+    /// The Hessian, positive semidefinite; an outline that is held is stiff beyond measure.
+    /// Contacts may change its pattern.
     struct Hessian {
         linalg::BlockMatrix& matrix;
         bool samePattern;  ///< as in the call before

@@ -19,17 +19,17 @@ constexpr int kStartPasses = 4;
 }  // namespace
 
 IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
-                            const std::vector<int>& boundary, const Points2& Q, double tolerance,
+                            const EdgeLoops& outline, const Points2& Q, double tolerance,
                             const Progress& progress) {
     IsometricStart unchanged{Q, {}};
     const SymmetricDirichlet energy(mesh, table);
     const auto vertices = static_cast<int>(mesh.V.rows());
-    const int inner = vertices - static_cast<int>(boundary.size());
+    const int inner = vertices - outline.count();
     const double before = energy.energy(Q);
     if (before < kLittleStrain || !std::isfinite(before) || inner < kCoarsestVertices) {
         return unchanged;
     }
-    const Coarsening coarse(mesh, EdgeLoops(boundary), Q, progress);
+    const Coarsening coarse(mesh, outline, Q, progress);
     if (!coarse.savesWork() || progress.isCancelled()) {
         return unchanged;
     }
@@ -37,13 +37,13 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
         buildEdgeTable(coarse.mesh().F, static_cast<int>(coarse.mesh().V.rows()));
     DescentOptions options;
     options.tolerance = tolerance;
-    auto lowest = lowerFromCoarse(coarse.mesh(), coarseTable, coarse.loops().outline(),
-                                  coarse.restricted(Q), options, progress);
+    auto lowest = lowerFromCoarse(coarse.mesh(), coarseTable, coarse.loops(), coarse.restricted(Q),
+                                  options, progress);
     auto fine = lowest ? coarse.prolonged(lowest->Q) : std::nullopt;
     if (!fine || !std::isfinite(energy.energy(*fine))) {
         return unchanged;
     }
-    energy.relax(*fine, boundary, kStartPasses, progress);
+    energy.relax(*fine, outline.vertices(), kStartPasses, progress);
     if (!(energy.energy(*fine) < before)) {
         return unchanged;
     }
@@ -51,11 +51,11 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
 }
 
 Result<DescentResult> lowerFromCoarse(const MeshArrays& mesh, const EdgeTable& table,
-                                      const std::vector<int>& boundary, const Points2& Q,
+                                      const EdgeLoops& outline, const Points2& Q,
                                       DescentOptions options, const Progress& progress) {
-    IsometricStart near = coarseToFine(mesh, table, boundary, Q, options.tolerance, progress);
+    IsometricStart near = coarseToFine(mesh, table, outline, Q, options.tolerance, progress);
     options.multipliers = std::move(near.multipliers);
-    return lowerIsometricEnergy(mesh, table, boundary, near.Q, options, progress);
+    return lowerIsometricEnergy(mesh, table, outline, near.Q, options, progress);
 }
 
 }  // namespace toile::isometric

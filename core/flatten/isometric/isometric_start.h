@@ -7,6 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/flatten/base/match_versions.h"
+#include "core/flatten/base/outline_targets.h"
 #include "core/flatten/isometric/isometric_descent.h"
 
 namespace toile {
@@ -30,7 +31,7 @@ struct IsometricStart {
 /// its inner vertices (coarsening.h), which itself begins with one of a tenth, and so on, and then
 /// the way back. The long way down is gone on small pieces. The boundary keeps all its vertices and
 /// its exact lengths.
-/// @param mesh, table, boundary  a disk without degenerate triangles
+/// @param mesh, table, outline  a disk without degenerate triangles
 /// @param Q  exact lengths, no flipped triangle
 /// @param tolerance  of the coarse descents (DescentOptions)
 /// @return no flipped triangle, exact lengths, energy at most that of Q; Q itself where it is
@@ -38,13 +39,13 @@ struct IsometricStart {
 ///         but of that kind.
 /// Cost: a fifth of a factorisation of size 2 #V, about.
 IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
-                            const std::vector<int>& boundary, const Points2& Q, double tolerance,
+                            const EdgeLoops& outline, const Points2& Q, double tolerance,
                             const Progress& progress);
 
 /// The descent from such a start: `lowerIsometricEnergy`, with its errors.
 /// @param options  without multipliers
 Result<DescentResult> lowerFromCoarse(const MeshArrays& mesh, const EdgeTable& table,
-                                      const std::vector<int>& boundary, const Points2& Q,
+                                      const EdgeLoops& outline, const Points2& Q,
                                       DescentOptions options, const Progress& progress);
 
 /// Parts the two sides of a cut where they overlap in the plane. Boundary vertices at one place in
@@ -59,7 +60,8 @@ void partCutSides(const Piece& piece, const Eigen::VectorXd& gap, Points2& Q);
 class WarmStart {
 public:
     /// @param memory  with positions (`Q`). Outlives this, as does the piece
-    WarmStart(const Piece& piece, const FlatteningMemory& memory);
+    /// @param targets  of the present version's outline, whatever those before were
+    WarmStart(const Piece& piece, const FlatteningMemory& memory, OutlineTargets targets = {});
 
     /// A start from the flat positions: they are carried over vertex by vertex, the outline is
     /// moved to the new lengths, the interior follows harmonically, which restores what moving the
@@ -100,6 +102,7 @@ private:
 
     const Piece& piece_;
     const FlatteningMemory& memory_;
+    OutlineTargets targets_;
     VersionMatch match_;
 };
 

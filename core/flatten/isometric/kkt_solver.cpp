@@ -106,6 +106,7 @@ Result<Points2> KktSolver::solve(const Points2& right, const Eigen::VectorXd& c,
         if (const auto solved = solveOnce(forces, P, first); !solved) {
             return solved.error();
         }
+        constraints_.loops().clearHeld(P);
         const Eigen::VectorXd left = constraints_.along(directions, P) + c;
         y += stiffness.cwiseProduct(left);
         if (left.lpNorm<Eigen::Infinity>() <= kLinearisedLengths * P.lpNorm<Eigen::Infinity>()) {

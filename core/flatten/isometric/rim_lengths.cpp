@@ -15,10 +15,13 @@
 namespace toile {
 namespace {
 
-EdgeLoops allLoops(const Piece& piece) {
-    std::vector<std::vector<int>> loops{piece.boundary};
-    loops.insert(loops.end(), piece.holes.begin(), piece.holes.end());
-    return EdgeLoops(loops);
+EdgeLoops allLoops(const Piece& piece, const OutlineTargets& targets) {
+    std::vector<std::vector<int>> all{piece.boundary};
+    all.insert(all.end(), piece.holes.begin(), piece.holes.end());
+    EdgeLoops loops(all);
+    Eigen::VectorXd lengths = loops.lengths(piece.mesh.V);
+    lengths.head(targets.lengths.size()) = targets.lengths;
+    return loops.withLengths(std::move(lengths));
 }
 
 bool rimsAreSimple(const Piece& piece, const Points2& Q) {
@@ -26,9 +29,10 @@ bool rimsAreSimple(const Piece& piece, const Points2& Q) {
         piece.holes, [&](const std::vector<int>& rim) { return outlineIsSimple(Q, rim); });
 }
 
-Result<isometric::DescentResult> descend(const Piece& piece, const Points2& Q, Quality quality,
+Result<isometric::DescentResult> descend(const Piece& piece, const OutlineTargets& targets,
+                                         const Points2& Q, Quality quality,
                                          const Progress& progress) {
-    const EdgeLoops loops = allLoops(piece);
+    const EdgeLoops loops = allLoops(piece, targets);
     isometric::DescentOptions options = isometric::descentOptions(quality);
     auto found =
         isometric::lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options, progress);
@@ -61,9 +65,9 @@ Wording objection(const Piece& piece, const Points2& before, const isometric::De
 }  // namespace
 
 Result<void> keepRimLengths(const Piece& piece, Quality quality, FlatPiece& flat,
-                            const Progress& progress) {
+                            const Progress& progress, const OutlineTargets& targets) {
     const Stopwatch time;
-    auto kept = descend(piece, flat.Q, quality, progress);
+    auto kept = descend(piece, targets, flat.Q, quality, progress);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }

@@ -17,7 +17,6 @@
 #include "core/flatten/isometric/outline_terms.h"
 #include "core/garment/garment.h"
 #include "core/garment/piece.h"
-#include "core/quality/measures.h"
 #include "core/quality/outline_crossings.h"
 
 namespace toile::isometric {
@@ -109,8 +108,11 @@ std::vector<int> mates(const Piece& piece) {
 
 }  // namespace
 
-WarmStart::WarmStart(const Piece& piece, const FlatteningMemory& memory)
-    : piece_(piece), memory_(memory), match_(matchVersions(piece, *memory.flattened)) {}
+WarmStart::WarmStart(const Piece& piece, const FlatteningMemory& memory, OutlineTargets targets)
+    : piece_(piece),
+      memory_(memory),
+      targets_(std::move(targets)),
+      match_(matchVersions(piece, *memory.flattened)) {}
 
 std::optional<Points2> WarmStart::positions(const Progress& progress) const {
     auto start = startFrom(*memory_.Q, false, progress);
@@ -140,7 +142,7 @@ std::optional<Points2> WarmStart::fitted(const Points2& warm, bool apart,
     if (progress.isCancelled()) {
         return std::nullopt;
     }
-    const Eigen::VectorXd lengths = boundaryLengths3d(piece_.mesh.V, piece_.boundary);
+    const Eigen::VectorXd lengths = outlineLengths(piece_, targets_);
     const LengthConstraints constraints(piece_.boundary, lengths);
     if (constraints.residual(warm).cwiseQuotient(lengths).lpNorm<Eigen::Infinity>() > kFarLength) {
         return std::nullopt;
@@ -177,7 +179,8 @@ std::optional<IsometricStart> WarmStart::fromCoarse(double tolerance,
     if (!warm || piece_.mesh.V.rows() < kFewVertices || !isSmallEdit() || progress.isCancelled()) {
         return std::nullopt;
     }
-    const Coarsening coarsening(piece_.mesh, piece_.boundary, *warm, progress);
+    const Coarsening coarsening(
+        piece_.mesh, EdgeLoops(piece_.boundary).withLengths(targets_.lengths), *warm, progress);
     if (!coarsening.savesWork() || progress.isCancelled()) {
         return std::nullopt;
     }
@@ -186,7 +189,7 @@ std::optional<IsometricStart> WarmStart::fromCoarse(double tolerance,
     if (coarse.defect) {
         return std::nullopt;
     }
-    const auto flat = flattenCurvature(coarse, FlattenOptions(), progress);
+    const auto flat = flattenCurvature(coarse, FlattenOptions(), progress, targets_);
     if (!flat || !(SymmetricDirichlet(coarse.mesh, coarse.table).energy(flat->Q) < kSqueezed)) {
         return std::nullopt;
     }
@@ -194,7 +197,7 @@ std::optional<IsometricStart> WarmStart::fromCoarse(double tolerance,
     DescentOptions options;
     options.tolerance = kCoarseTolerance * tolerance;
     auto lowest =
-        lowerFromCoarse(coarse.mesh, coarse.table, coarse.boundary, flat->Q, options, progress);
+        lowerFromCoarse(coarse.mesh, coarse.table, coarsening.loops(), flat->Q, options, progress);
     auto fine = lowest ? coarsening.followed(*warm, lowest->Q) : std::nullopt;
     if (!fine || progress.isCancelled()) {
         return std::nullopt;

@@ -22,7 +22,8 @@ int flips(const Points2& Q, const Piece& piece) {
 
 /// Mean value weights keep shapes best. On a long tube over a short outline they make triangles
 /// smaller than rounding; Tutte's equal weights shrink them less, so the better one is taken.
-Result<Points2> fillConvex(const Piece& piece, const Points2& outline, const Progress& progress) {
+Result<Points2> fillConvex(const Piece& piece, const Points2& outline,
+                           const OutlineTargets& targets, const Progress& progress) {
     auto floater =
         solveDirected(meanValueWeights(piece.mesh, piece.table),
                       static_cast<int>(piece.mesh.V.rows()), piece.boundary, outline, progress);
@@ -30,7 +31,7 @@ Result<Points2> fillConvex(const Piece& piece, const Points2& outline, const Pro
     if ((floater && flipped == 0) || (!floater && floater.error().code == ErrorCode::Cancelled)) {
         return floater;
     }
-    auto tutte = tutteOnCircle(piece, progress);
+    auto tutte = tutteOnCircle(piece, progress, targets);
     if (!tutte) {
         return floater && tutte.error().code != ErrorCode::Cancelled ? floater : tutte;
     }
@@ -130,16 +131,16 @@ private:
 }  // namespace
 
 Result<FlatPiece> flattenConvex(const Piece& piece, const FlattenOptions& /*options*/,
-                                const Progress& progress) {
+                                const Progress& progress, const OutlineTargets& targets) {
     const Stopwatch boundaryTime;
-    const auto outline = circleOutline(boundaryLengths3d(piece.mesh.V, piece.boundary));
+    const auto outline = circleOutline(outlineLengths(piece, targets));
     if (!outline) {
         return outline.error();
     }
     FlatPiece flat;
     flat.boundarySeconds = boundaryTime.seconds();
     const Stopwatch interiorTime;
-    auto points = fillConvex(piece, *outline, progress);
+    auto points = fillConvex(piece, *outline, targets, progress);
     if (!points) {
         return points.error();
     }
@@ -151,10 +152,10 @@ Result<FlatPiece> flattenConvex(const Piece& piece, const FlattenOptions& /*opti
 }
 
 Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& options,
-                                 const Progress& progress) {
+                                 const Progress& progress, const OutlineTargets& targets) {
     auto flat = options.stretchOutline == StretchOutline::Curvature
-                    ? flattenCurvature(piece, options, progress)
-                    : flattenConvex(piece, options, progress);
+                    ? flattenCurvature(piece, options, progress, targets)
+                    : flattenConvex(piece, options, progress, targets);
     if (!flat) {
         return flat;
     }

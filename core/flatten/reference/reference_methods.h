@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/flatten/base/flat_piece.h"
+#include "core/flatten/base/outline_targets.h"
 
 namespace toile {
 
@@ -14,14 +15,14 @@ struct Piece;
 /// The outline on a circle with exact edge lengths, the interior by mean value weights [Flo03]:
 /// no flipped triangle, much distortion. Tutte's weights where rounding flips one all the same.
 Result<FlatPiece> flattenConvex(const Piece& piece, const FlattenOptions& options,
-                                const Progress& progress);
+                                const Progress& progress, const OutlineTargets& targets = {});
 
 /// [YBS04]: a fixed outline, that of `flattenConvex` or `flattenCurvature`
 /// (`options.stretchOutline`), the interior's weights divided by the stretch of the vertices until
 /// the stretch falls no more. Never more flips, nor with as many more stretch, than the method that
 /// gave the outline. A factorisation per step, 1 to 12 steps on the pieces tried.
 Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& options,
-                                 const Progress& progress);
+                                 const Progress& progress, const OutlineTargets& targets = {});
 
 /// [SLMB05] (ABF++): planar angles that differ least from the surface's (abf_angles.h), then the
 /// positions that meet them, by least squares. Scaled to the 3D perimeter. A factorisation of size

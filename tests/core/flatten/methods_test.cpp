@@ -22,6 +22,13 @@ struct Way {
     Result<FlatPiece> (*run)(const Piece&, const FlattenOptions&, const Progress&);
 };
 
+/// A method that keeps lengths, those in 3D.
+template <auto run>
+Result<FlatPiece> in3d(const Piece& piece, const FlattenOptions& options,
+                       const Progress& progress) {
+    return run(piece, options, progress, {});
+}
+
 std::vector<Way> ways() {
     FlattenOptions spectral{Method::Natural};
     spectral.freeBoundary = FreeBoundary::Spectral;
@@ -29,14 +36,14 @@ std::vector<Way> ways() {
     mixed.authalic = 0.3;
     FlattenOptions stretch{Method::Stretch};
     stretch.stretchOutline = StretchOutline::Curvature;
-    return {{"curvature", {Method::Curvature}, flattenCurvature},
-            {"mixed", mixed, flattenCurvature},
-            {"stretch", stretch, flattenStretch},
+    return {{"curvature", {Method::Curvature}, in3d<flattenCurvature>},
+            {"mixed", mixed, in3d<flattenCurvature>},
+            {"stretch", stretch, in3d<flattenStretch>},
             {"natural", {Method::Natural}, flattenNatural},
             {"spectral", spectral, flattenNatural},
             {"lscm", {Method::Lscm}, flattenLscm},
             {"abf", {Method::Abf}, flattenAbf},
-            {"convex", {Method::Convex}, flattenConvex}};
+            {"convex", {Method::Convex}, in3d<flattenConvex>}};
 }
 
 class EveryMethod : public testing::TestWithParam<Way> {

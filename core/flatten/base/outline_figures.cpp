@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/base/outline_figures.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "core/quality/closed_line.h"
+#include "core/quality/measures.h"
+#include "core/quality/outline_crossings.h"
+
+namespace toile {
+namespace {
+
+/// Length of each edge of the outline along the line that it is drawn by.
+Eigen::VectorXd lengthsAlong(const FlatLine& drawn, const Piece& piece) {
+    const ClosedLine line(drawn.points, drawn.arc);
+    Eigen::VectorXd lengths = boundaryLengths3d(piece.mesh.V, piece.boundary);
+    double at = 0;
+    for (double& length : lengths) {
+        const double from = at;
+        at += length;
+        length = line.lengthOf(from, at);
+    }
+    return lengths;
+}
+
+}  // namespace
+
+void measureOutline(const Piece& piece, const FlatPiece& flat, const OutlineTargets& targets,
+                    PieceQuality& quality) {
+    if (!flat.line && targets.lengths.size() == 0) {
+        return;
+    }
+    const Eigen::VectorXd wanted = outlineLengths(piece, targets);
+    const Eigen::VectorXd lengths =
+        flat.line ? lengthsAlong(*flat.line, piece) : boundaryLengths2d(flat.Q, piece.boundary);
+    quality.perimeter2d = lengths.sum();
+    quality.piL = piL(wanted, lengths);
+    quality.maxBoundaryLengthError = maxRelativeLengthError(wanted, lengths);
+    if (flat.line) {
+        std::vector<int> loop(static_cast<std::size_t>(flat.line->points.rows()));
+        std::iota(loop.begin(), loop.end(), 0);
+        quality.outlineCrossings =
+            std::max(quality.outlineCrossings, outlineCrossings(flat.line->points, loop));
+    }
+}
+
+}  // namespace toile

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/flatten/isometric/held_outline.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/base/text.h"
+#include "core/flatten/interior/conformal_interior.h"
+#include "core/flatten/isometric/dirichlet_energy.h"
+#include "core/garment/piece.h"
+#include "core/quality/measures.h"
+
+namespace toile::isometric {
+namespace {
+
+/// Of the way to the first triangle without area.
+constexpr double kOfTheWay = 0.9;
+constexpr int kMaxStages = 20;
+/// Steps of the descent between two stages: enough to make room, which is all they are for.
+constexpr int kStepsForRoom = 3;
+
+/// All loops: the outline held where Q has it, rims with the lengths that they have in `rims`.
+EdgeLoops heldLoops(const Piece& piece, const Points2& Q, const Points2& rims) {
+    std::vector<std::vector<int>> all{piece.boundary};
+    all.insert(all.end(), piece.holes.begin(), piece.holes.end());
+    const EdgeLoops loops(all);
+    Eigen::VectorXd lengths(loops.count());
+    for (int i = 0; i < loops.count(); ++i) {
+        const Points2& from = i < loops.start(1) ? Q : rims;
+        lengths[i] = (from.row(loops.end(i)) - from.row(loops.vertex(i))).norm();
+    }
+    return loops.withLengths(std::move(lengths)).withOutlineHeld();
+}
+
+/// The same outline, an interior of lower energy, as far as few steps go.
+void makeRoom(const Piece& piece, Points2& Q, const Progress& progress) {
+    DescentOptions options = descentOptions(Quality::Draft);
+    options.maxIterations = kStepsForRoom;
+    auto lower =
+        lowerIsometricEnergy(piece.mesh, piece.table, heldLoops(piece, Q, Q), Q, options, progress);
+    if (lower) {
+        lower->Q(piece.boundary, Eigen::all) = Q(piece.boundary, Eigen::all).eval();
+        Q = std::move(lower->Q);
+    }
+}
+
+Wording placeOf(const Piece& piece, Eigen::Index face) {
+    const Eigen::RowVector3d at = piece.mesh.V(piece.mesh.F.row(face), Eigen::all).colwise().mean();
+    return placeWording(at.x(), at.y(), at.z());
+}
+
+/// Names the triangle that is turned over furthest.
+Error noWay(const Piece& piece, const Points2& Q) {
+    Eigen::Index worst = 0;
+    triangleAreas2d(Q, piece.mesh.F).minCoeff(&worst);
+    return {ErrorCode::OutlineNotHeld, subjectOf(piece),
+            toile::worded("the triangle at %1 mm would turn over", {placeOf(piece, worst)})};
+}
+
+}  // namespace
+
+std::optional<Error> blockedBy(const Piece& piece, const Points2& Q, const Points2& outline) {
+    Points2 moved = Q;
+    moved(piece.boundary, Eigen::all) = outline;
+    std::vector<char> onOutline(static_cast<std::size_t>(Q.rows()), 0);
+    for (const int v : piece.boundary) {
+        onOutline[v] = 1;
+    }
+    const Eigen::VectorXd before = triangleAreas2d(Q, piece.mesh.F);
+    const Eigen::VectorXd after = triangleAreas2d(moved, piece.mesh.F);
+    for (int f = 0; f < piece.mesh.F.rows(); ++f) {
+        const auto corner = piece.mesh.F.row(f);
+        const bool isHeld = onOutline[corner[0]] + onOutline[corner[1]] + onOutline[corner[2]] == 3;
+        if (isHeld && before[f] > 0 && !(after[f] > 0)) {
+            return Error{
+                ErrorCode::OutlineNotHeld, subjectOf(piece),
+                toile::worded("the triangle at %1 mm, all its corners on the outline, would turn "
+                              "over",
+                              {placeOf(piece, f)})};
+        }
+    }
+    return std::nullopt;
+}
+
+Result<Points2> harmonicMotion(const Piece& piece, const Points2& onOutline,
+                               const Progress& progress) {
+    const auto interior = ConformalInterior::make(piece, progress);
+    return interior ? interior->extend(onOutline) : interior.error();
+}
+
+Result<Points2> outlineMoved(const Piece& piece, Points2 Q, const Points2& outline,
+                             const Progress& progress) {
+    const auto motion = harmonicMotion(piece, outline - Q(piece.boundary, Eigen::all), progress);
+    if (!motion) {
+        return motion.error();
+    }
+    const SymmetricDirichlet energy(piece.mesh, piece.table);
+    double left = 1;
+    for (int stage = 0; stage < kMaxStages && !progress.isCancelled(); ++stage) {
+        const double free = energy.largestStep(Q, *motion, left / kOfTheWay);
+        if (!(free < left / kOfTheWay)) {
+            Q += left * *motion;
+            Q(piece.boundary, Eigen::all) = outline;
+            return std::isfinite(energy.energy(Q)) ? Result<Points2>(std::move(Q))
+                                                   : noWay(piece, Q);
+        }
+        Q += kOfTheWay * free * *motion;
+        left -= kOfTheWay * free;
+        makeRoom(piece, Q, progress);
+        progress.step();
+    }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled};
+    }
+    return noWay(piece, Q + left * *motion);
+}
+
+Result<DescentResult> lowerInside(const Piece& piece, const Points2& start, const Points2& flat,
+                                  Quality quality, const Progress& progress) {
+    auto lowest = lowerIsometricEnergy(piece.mesh, piece.table, heldLoops(piece, start, flat),
+                                       start, descentOptions(quality), progress);
+    if (!lowest) {
+        return lowest;
+    }
+    // What gives rims their lengths back may have moved the outline by rounding.
+    lowest->Q(piece.boundary, Eigen::all) = start(piece.boundary, Eigen::all);
+    if (flippedTriangles(triangleAreas2d(lowest->Q, piece.mesh.F)) > 0) {
+        return noWay(piece, lowest->Q);
+    }
+    return lowest;
+}
+
+}  // namespace toile::isometric
