@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
     registerMemory(scope);
     registerResolve(scope);
     registerOutline(scope);
+    registerFairing(scope);
 #ifdef TOILE_PEERS
     registerPeers(scope);
 #endif
