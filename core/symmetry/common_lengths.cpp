@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/symmetry/common_lengths.h"
+
+namespace toile {
+namespace {
+
+constexpr int kNoSeam = -1, kSeveralSeams = -2;
+
+/// Per seam: the one that its sides are paired with, or kNoSeam, or kSeveralSeams.
+std::vector<int> pairedSeams(std::size_t seamCount, const MirrorSegments& segments,
+                             const std::vector<int>& counterpart, const SegmentPairs& pairs) {
+    std::vector<int> paired(seamCount, kNoSeam);
+    for (std::size_t p = 0; p < segments.size(); ++p) {
+        for (std::size_t i = 0; i < segments[p].size(); ++i) {
+            if (pairs[p][i] >= 0) {
+                const int there = segments[counterpart[p]][pairs[p][i]].seam;
+                int& known = paired[segments[p][i].seam];
+                known = known == kNoSeam || known == there ? there : kSeveralSeams;
+            }
+        }
+    }
+    return paired;
+}
+
+double lengthOf(const Seam& seam) {
+    return seam.right.piece < 0 ? seam.length3d[0] : 0.5 * (seam.length3d[0] + seam.length3d[1]);
+}
+
+}  // namespace
+
+std::vector<int> CommonLengths::withoutCounterpart() const {
+    std::vector<int> without;
+    for (int s = 0; s < static_cast<int>(mirrored.size()); ++s) {
+        if (mirrored[s] < 0) {
+            without.push_back(s);
+        }
+    }
+    return without;
+}
+
+CommonLengths commonLengths(const Garment& garment, const MirrorSegments& segments,
+                            const std::vector<int>& counterpart, const SegmentPairs& pairs) {
+    const std::vector<Seam>& seams = garment.seams.seams;
+    const std::vector<int> paired = pairedSeams(seams.size(), segments, counterpart, pairs);
+    CommonLengths common{std::vector<double>(seams.size(), 1),
+                         std::vector<int>(seams.size(), kNoSeam)};
+    for (int s = 0; s < static_cast<int>(seams.size()); ++s) {
+        const int other = paired[s];
+        if (other < 0 || paired[other] != s) {
+            continue;
+        }
+        common.mirrored[s] = other;
+        const double own = lengthOf(seams[s]);
+        if (other != s && own > 0) {
+            common.factor[s] = 0.5 * (own + lengthOf(seams[other])) / own;
+        }
+    }
+    return common;
+}
+
+}  // namespace toile

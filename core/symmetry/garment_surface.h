@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/garment/garment.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile::symmetry {
+
+/// All pieces of a garment as one set of triangles, mm; along seams nothing is joined.
+struct GarmentSurface {
+    MeshArrays mesh;
+    std::vector<int> pieceOfVertex;   ///< #V
+    std::vector<int> pieceOfFace;     ///< #F
+    Eigen::VectorXd area;             ///< #V, a third of the triangles at each vertex, mm^2
+    Eigen::Vector3d centre{0, 0, 0};  ///< of the area
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< mean of the centred x x^T, mm^2
+
+    /// Root mean square distance from the centre, mm: the garment's size, however it is turned.
+    double radius() const;
+    /// Every so many of the vertices, at most `most` or all. Deterministic.
+    std::vector<int> sampled(int most) const;
+};
+
+/// Precondition: finite positions.  Cost: linear. Pure.
+GarmentSurface surfaceOf(const Garment& garment);
+
+}  // namespace toile::symmetry

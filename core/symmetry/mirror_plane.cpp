@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/symmetry/mirror_plane.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/cut/surface_point.h"
+#include "core/symmetry/garment_surface.h"
+
+namespace toile {
+namespace {
+
+using symmetry::GarmentSurface;
+
+constexpr int kRounds = 40;
+/// Vertices: to choose among the axes, to find the plane, and to measure it.
+constexpr int kFew = 500, kMany = 1500, kMost = 20000;
+constexpr double kMediansKept = 3;
+/// A plane that moves by less than this part of the garment's size has come to rest.
+constexpr double kAtRest = 1e-8;
+/// Axes nearer to each other than this (cosine) lead to the same plane.
+constexpr double kSameAxis = 0.97;
+
+/// The planes with a normal, through a point.
+MirrorPlane planeThrough(const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
+    Eigen::Index largest = 0;
+    direction.cwiseAbs().maxCoeff(&largest);
+    MirrorPlane plane;
+    plane.normal = direction.normalized() * (direction[largest] < 0 ? -1 : 1);
+    plane.offset = plane.normal.dot(point);
+    return plane;
+}
+
+/// Vertices, and where the surface is nearest to their reflections.
+struct ReflectedPairs {
+    Points3 from, to;
+    Eigen::VectorXd distance, weight;
+};
+
+void leaveOutFarPairs(ReflectedPairs& pairs) {
+    std::vector<double> distances(pairs.distance.begin(), pairs.distance.end());
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    const double most = kMediansKept * *middle;
+    pairs.weight = (pairs.distance.array() <= most).select(pairs.weight, 0.0);
+}
+
+/// The plane whose reflection brings the pairs together best.
+MirrorPlane bestPlane(const ReflectedPairs& pairs) {
+    const double sum = pairs.weight.sum();
+    const Eigen::RowVector3d meanFrom = pairs.weight.transpose() * pairs.from / sum;
+    const Eigen::RowVector3d meanTo = pairs.weight.transpose() * pairs.to / sum;
+    const Points3 from = pairs.from.rowwise() - meanFrom, to = pairs.to.rowwise() - meanTo;
+    const Eigen::Matrix3d product = from.transpose() * pairs.weight.asDiagonal() * to / sum;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(product + product.transpose());
+    return planeThrough(0.5 * (meanFrom + meanTo).transpose(), eigen.eigenvectors().col(0));
+}
+
+class PlaneSearch {
+public:
+    explicit PlaneSearch(const GarmentSurface& surface)
+        : surface_(surface), nearest_(surface.mesh), radius_(surface.radius()) {}
+
+    /// The plane where the rounds come to rest, or the last.
+    MirrorPlane improved(MirrorPlane plane, int most) const {
+        const std::vector<int> vertices = surface_.sampled(most);
+        for (int round = 0; round < kRounds; ++round) {
+            ReflectedPairs pairs = pairsOf(vertices, plane);
+            leaveOutFarPairs(pairs);
+            if (!(pairs.weight.sum() > 0)) {
+                break;
+            }
+            const MirrorPlane next = bestPlane(pairs);
+            const double moved = movement(plane, next);
+            plane = next;
+            if (moved <= kAtRest) {
+                break;
+            }
+        }
+        return plane;
+    }
+
+    /// The plane with its deviation.
+    MirrorPlane measured(MirrorPlane plane, int most) const {
+        const ReflectedPairs pairs = pairsOf(surface_.sampled(most), plane);
+        const double square = pairs.weight.dot(pairs.distance.cwiseAbs2()) / pairs.weight.sum();
+        plane.deviation = std::sqrt(square);
+        plane.farthest = pairs.distance.maxCoeff();
+        return plane;
+    }
+
+private:
+    ReflectedPairs pairsOf(const std::vector<int>& vertices, const MirrorPlane& plane) const {
+        const auto count = static_cast<Eigen::Index>(vertices.size());
+        ReflectedPairs pairs{Points3(count, 3), Points3(count, 3), Eigen::VectorXd(count),
+                             Eigen::VectorXd(count)};
+        for (Eigen::Index i = 0; i < count; ++i) {
+            const int v = vertices[static_cast<std::size_t>(i)];
+            const Eigen::Vector3d image = plane.reflected(surface_.mesh.V.row(v));
+            const Eigen::Vector3d there = positionOf(surface_.mesh, nearest_.find(image));
+            pairs.from.row(i) = surface_.mesh.V.row(v);
+            pairs.to.row(i) = there;
+            pairs.distance[i] = (there - image).norm();
+            pairs.weight[i] = surface_.area[v];
+        }
+        return pairs;
+    }
+
+    /// By how much two planes differ at the garment, as a part of its size.
+    double movement(const MirrorPlane& a, const MirrorPlane& b) const {
+        const double turn = std::min((a.normal - b.normal).norm(), (a.normal + b.normal).norm());
+        const double atCentre = std::abs(a.normal.dot(surface_.centre) - a.offset) -
+                                std::abs(b.normal.dot(surface_.centre) - b.offset);
+        return turn + std::abs(atCentre) / radius_;
+    }
+
+    const GarmentSurface& surface_;
+    NearestSurface nearest_;
+    double radius_;
+};
+
+/// Root mean square distance of the area from a plane, mm.
+double widthAcross(const MirrorPlane& plane, const GarmentSurface& surface) {
+    const double beside = plane.normal.dot(surface.centre) - plane.offset;
+    const double square = plane.normal.dot(surface.spread * plane.normal) + beside * beside;
+    return std::sqrt(std::max(0.0, square));
+}
+
+/// Principal axes of the area, and the coordinate axes that are other directions.
+std::vector<Eigen::Vector3d> axesOf(const GarmentSurface& surface) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(surface.spread);
+    std::vector<Eigen::Vector3d> axes;
+    axes.reserve(6);
+    for (int k = 0; k < 3; ++k) {
+        axes.emplace_back(eigen.eigenvectors().col(k));
+    }
+    for (int k = 0; k < 3; ++k) {
+        if (eigen.eigenvectors().row(k).cwiseAbs().maxCoeff() < kSameAxis) {
+            axes.emplace_back(Eigen::Vector3d::Unit(k));
+        }
+    }
+    return axes;
+}
+
+}  // namespace
+
+std::optional<MirrorPlane> findMirrorPlane(const Garment& garment) {
+    const GarmentSurface surface = symmetry::surfaceOf(garment);
+    if (!(surface.radius() > 0)) {
+        return std::nullopt;
+    }
+    const PlaneSearch search(surface);
+    std::optional<MirrorPlane> best;
+    for (const Eigen::Vector3d& axis : axesOf(surface)) {
+        const MirrorPlane start = planeThrough(surface.centre, axis);
+        const MirrorPlane plane = search.measured(search.improved(start, kFew), kMany);
+        if (widthAcross(plane, surface) >= kMinMirrorWidth * surface.radius() &&
+            (!best || plane.deviation < best->deviation)) {
+            best = plane;
+        }
+    }
+    if (!best) {
+        return std::nullopt;
+    }
+    best = search.measured(search.improved(*best, kMany), kMost);
+    return best->deviation <= kMaxMirrorDeviation * surface.radius() ? best : std::nullopt;
+}
+
+}  // namespace toile

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/symmetry/mirrored_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/flatten/boundary/boundary_problem.h"
+#include "core/geometry/segment.h"
+
+namespace toile {
+namespace {
+
+/// Corners nearer than this share of a segment are one.
+constexpr double kSameCorner = 1e-9;
+
+/// A closed line with what is asked of it.
+struct MeasuredLine {
+    Eigen::VectorXd arc;   ///< #n + 1, of each corner; the last is the perimeter
+    Eigen::VectorXd turn;  ///< #n, outer angle of each corner, radians
+
+    explicit MeasuredLine(const Points2& line) : arc(line.rows() + 1), turn(line.rows()) {
+        const Eigen::Index n = line.rows();
+        arc[0] = 0;
+        for (Eigen::Index k = 0; k < n; ++k) {
+            const Eigen::RowVector2d in = line.row(k) - line.row((k + n - 1) % n);
+            const Eigen::RowVector2d out = line.row((k + 1) % n) - line.row(k);
+            arc[k + 1] = arc[k] + out.norm();
+            turn[k] = geometry::turnBetween(in, out);
+        }
+    }
+
+    double perimeter() const { return arc[arc.size() - 1]; }
+    /// Modulo the perimeter, in [0, perimeter).
+    double wrapped(double place) const {
+        const double rest = place - std::floor(place / perimeter()) * perimeter();
+        return rest < perimeter() ? rest : 0;
+    }
+};
+
+/// The segments of a line, in the sense in which they are walked.
+class Segments {
+public:
+    /// @param ends  in the order of the walk  @param sense  1 along the line, -1 backwards
+    Segments(const MeasuredLine& line, const std::vector<double>& ends, int sense)
+        : line_(line), first_(ends.front()), sense_(sense) {
+        for (const double end : ends) {
+            begins_.push_back(walked(end));
+        }
+        begins_.push_back(line.perimeter());
+    }
+
+    double length(std::size_t segment) const { return begins_[segment + 1] - begins_[segment]; }
+
+    /// The place of a corner: the number of its segment and the share of it that lies before.
+    double placeOf(Eigen::Index corner) const {
+        const double way = walked(line_.arc[corner]);
+        const auto next = std::upper_bound(begins_.begin() + 1, begins_.end() - 1, way);
+        const auto segment = static_cast<std::size_t>(next - begins_.begin()) - 1;
+        return static_cast<double>(segment) + (way - begins_[segment]) / length(segment);
+    }
+
+private:
+    double walked(double place) const { return line_.wrapped(sense_ * (place - first_)); }
+
+    const MeasuredLine& line_;
+    double first_;
+    int sense_;
+    std::vector<double> begins_;  ///< of each segment, along the walk; the perimeter at the end
+};
+
+/// A corner of one of two lines, or an end of a segment, by its place along both.
+struct Mark {
+    double place;
+    int line = -1;  ///< 0 or 1; -1: an end
+    int corner = -1;
+};
+
+std::vector<Mark> sortedMarks(const Segments& a, const Segments& b, Eigen::Index cornersOfA,
+                              Eigen::Index cornersOfB, int segmentCount) {
+    std::vector<Mark> marks;
+    const auto add = [&](const Segments& segments, int line, Eigen::Index corners) {
+        for (Eigen::Index k = 0; k < corners; ++k) {
+            const double place = segments.placeOf(k);
+            const bool isAtStart = place > segmentCount - kSameCorner;
+            marks.push_back({isAtStart ? 0 : place, line, static_cast<int>(k)});
+        }
+    };
+    for (int k = 0; k < segmentCount; ++k) {
+        marks.push_back({static_cast<double>(k)});
+    }
+    add(a, 0, cornersOfA);
+    add(b, 1, cornersOfB);
+    std::ranges::stable_sort(marks, {}, &Mark::place);
+    return marks;
+}
+
+/// Both lines with the corners of both.
+struct CommonCorners {
+    std::vector<double> place;
+    std::vector<double> turn;  ///< mean of both lines', radians
+    std::vector<int> rowOf[2];
+};
+
+CommonCorners commonCorners(const std::vector<Mark>& marks, const MeasuredLine& a,
+                            const MeasuredLine& b) {
+    CommonCorners common;
+    common.rowOf[0].resize(static_cast<std::size_t>(a.turn.size()));
+    common.rowOf[1].resize(static_cast<std::size_t>(b.turn.size()));
+    double before = -1;
+    for (const Mark& mark : marks) {
+        if (mark.place - before > kSameCorner) {
+            common.place.push_back(mark.place);
+            common.turn.push_back(0);
+        }
+        before = mark.place;
+        if (mark.line < 0) {
+            common.place.back() = mark.place;  // exactly
+            continue;
+        }
+        common.turn.back() += 0.5 * (mark.line == 0 ? a : b).turn[mark.corner];
+        common.rowOf[mark.line][mark.corner] = static_cast<int>(common.place.size()) - 1;
+    }
+    return common;
+}
+
+BoundaryProblem problemOf(const CommonCorners& common, const Segments& a, const Segments& b,
+                          int segmentCount) {
+    const auto count = static_cast<Eigen::Index>(common.place.size());
+    BoundaryProblem problem{Eigen::VectorXd(count), Eigen::VectorXd(count)};
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const double here = common.place[at];
+        const double next = k + 1 < count ? common.place[at + 1] : segmentCount;
+        const auto segment = static_cast<std::size_t>(here);
+        problem.lengths[k] = (next - here) * 0.5 * (a.length(segment) + b.length(segment));
+        problem.angles[k] = std::numbers::pi - common.turn[at];
+    }
+    return problem;
+}
+
+/// Corner k becomes corner #m - k, modulo #m.
+Points2 reflectedRows(const Points2& line) {
+    const Eigen::Index m = line.rows();
+    Points2 image(m, 2);
+    for (Eigen::Index k = 0; k < m; ++k) {
+        image.row(k) << -line((m - k) % m, 0), line((m - k) % m, 1);
+    }
+    return image;
+}
+
+/// With row 0 at the origin and another row above it.
+Points2 upright(const Points2& line, int above) {
+    const Eigen::RowVector2d up = (line.row(above) - line.row(0)).normalized();
+    const Eigen::RowVector2d across(up.y(), -up.x());
+    const Points2 moved = line.rowwise() - line.row(0);
+    Points2 turned(line.rows(), 2);
+    turned << moved * across.transpose(), moved * up.transpose();
+    return turned;
+}
+
+}  // namespace
+
+Points2 mirroredLine(const Points2& line, double start) {
+    const MeasuredLine measured(line);
+    const double at = measured.wrapped(start);
+    const auto n = static_cast<int>(line.rows());
+    const double* const arcs = measured.arc.data();
+    const int edge = static_cast<int>(std::upper_bound(arcs, arcs + n, at) - arcs) - 1;
+    const double share = (at - arcs[edge]) / (arcs[edge + 1] - arcs[edge]);
+    const bool isCorner = share <= kSameCorner, isNext = share >= 1 - kSameCorner;
+    const int first = isNext ? edge + 1 : edge;  // the corner before the start, or at it
+    const bool isWithin = !isCorner && !isNext;
+    Points2 from(n + (isWithin ? 1 : 0), 2);
+    if (isWithin) {
+        from.row(0) = (1 - share) * line.row(edge) + share * line.row((edge + 1) % n);
+    }
+    for (int k = 0; k < n; ++k) {
+        from.row(k + (isWithin ? 1 : 0)) = line.row((first + k + (isWithin ? 1 : 0)) % n);
+    }
+    return reflectedRows(from);
+}
+
+Result<MirroredPair> meanLine(const Points2& a, const Points2& b,
+                              const std::vector<MirrorEnd>& ends) {
+    const MeasuredLine lineA(a), lineB(b);
+    std::vector<double> endsOfA, endsOfB;
+    for (const MirrorEnd& end : ends) {
+        endsOfA.push_back(end.a);
+        endsOfB.push_back(end.b);
+    }
+    const Segments along(lineA, endsOfA, 1), back(lineB, endsOfB, -1);
+    const auto segmentCount = static_cast<int>(ends.size());
+    const CommonCorners common =
+        commonCorners(sortedMarks(along, back, a.rows(), b.rows(), segmentCount), lineA, lineB);
+    const auto solved = solveBoundary(problemOf(common, along, back, segmentCount),
+                                      BoundarySolver::Newton, Progress());
+    if (!solved) {
+        return solved.error();
+    }
+    MirroredPair pair{solved->points, reflectedRows(solved->points), common.rowOf[0],
+                      common.rowOf[1]};
+    const auto rows = static_cast<int>(common.place.size());
+    for (int& row : pair.rowOfB) {
+        row = (rows - row) % rows;
+    }
+    return pair;
+}
+
+Result<SymmetricLine> symmetricLine(const Points2& line, double from, double to) {
+    const auto mean = meanLine(line, line, {{from, from}, {to, to}});
+    if (!mean) {
+        return mean.error();
+    }
+    const auto half = static_cast<int>(mean->a.rows() / 2);
+    const Points2 found = upright(mean->a, half);
+    // The minimum is symmetric; what is left is the solver's rounding.
+    return SymmetricLine{0.5 * (found + reflectedRows(found)), mean->rowOfA};
+}
+
+}  // namespace toile
