@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/characters.h"
 #include "core/base/text.h"
@@ -40,6 +41,9 @@ constexpr FindingWords kWords[] = {
     {"strain-bias", TR("Strain on the bias"),
      TR("strain on the bias reaches %1, the fabric takes %2 (%3 of the area lies beyond)"),
      TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
+    {"seam-kink", TR("Kinks at the ends of seams"),
+     TR("the lines that meet over the end of the seam make a corner of %1"),
+     TR("True the seam's end, or leave it if a corner is meant")},
     {"pieces-overlap", TR("Pieces on each other"), TR("the pieces lie on each other on the sheet"),
      TR("Move them apart, or lay them out again")},
     {"unlikely-size", TR("Unlikely size"), TR("the garment is %1 at its largest"),
@@ -60,7 +64,7 @@ constexpr FindingWords kWords[] = {
 static_assert(std::size(kWords) == kFindingKindCount);
 
 std::string written(const Figure& figure) {
-    constexpr double kPercent = 100, kFine = 100;
+    constexpr double kPercent = 100, kFine = 100, kDegrees = 180 / std::numbers::pi;
     switch (figure.unit) {
         case Figure::Unit::Length:
             return fixed(figure.value, std::abs(figure.value) < kFine ? 2 : 1) + " mm";
@@ -70,6 +74,8 @@ std::string written(const Figure& figure) {
             const std::string number = fixed(kPercent * figure.value, 1);
             return (number.front() == '-' ? "" : "+") + number + " %";
         }
+        case Figure::Unit::Angle:
+            return fixed(figure.value * kDegrees, 1) + "°";
         case Figure::Unit::Count:
             return fixed(figure.value, 0);
     }
@@ -136,7 +142,16 @@ namespace {
 constexpr int kCheckVersion = 1;  // of the fields: grows when one changes its meaning or goes
 
 std::string_view unitName(Figure::Unit unit) {
-    return unit == Figure::Unit::Length ? "mm" : unit == Figure::Unit::Count ? "count" : "fraction";
+    switch (unit) {
+        case Figure::Unit::Length:
+            return "mm";
+        case Figure::Unit::Angle:
+            return "radians";
+        case Figure::Unit::Count:
+            return "count";
+        default:
+            return "fraction";
+    }
 }
 
 Json placeJson(const FindingPlace& place) {

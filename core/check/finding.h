@@ -30,6 +30,7 @@ enum class FindingKind {
     StrainWarp,        ///< strain beyond the fabric's limits along the grain,
     StrainWeft,        ///< across it,
     StrainBias,        ///< at 45 degrees to it
+    SeamKink,          ///< lines that run on into each other over a seam make a corner there
     PiecesOverlap,     ///< two pieces lie on each other on the sheet
     UnlikelySize,      ///< no garment is as small or as large
     UnitInDoubt,       ///< the file's unit was guessed, and another is as likely
@@ -47,6 +48,7 @@ struct Figure {
         Length,   ///< mm
         Percent,  ///< a fraction: 0.02 is 2 %
         Strain,   ///< a fraction with a sign
+        Angle,    ///< radians
         Count,
     };
 

@@ -12,6 +12,7 @@
 #include "core/garment/identify.h"
 #include "core/layout/arrange.h"
 #include "core/layout/sheet_overlaps.h"
+#include "core/pattern/trueing.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {
@@ -38,6 +39,7 @@ public:
         }
         if (!progress_.isCancelled()) {
             checkSeams();
+            checkSeamEnds();
             checkSheet();
         }
         Readiness readiness = found_.inOrder();
@@ -165,6 +167,45 @@ private:
                                length(measure->length2dRight)};
             found_.add(std::move(finding), error);
         }
+    }
+
+    void checkSeamEnds() {
+        PieceResults exact;
+        for (std::size_t i = 0; i < garment_.pieces.size(); ++i) {
+            const PieceResult* result = resultOf(static_cast<int>(i));
+            const bool isThere = result && result->flat;
+            exact.push_back(!isThere ? nullptr : result->exact ? result->exact : plan_.results[i]);
+        }
+        const auto segments = findSegments(garment_, exact, plan_.lines);
+        for (const SeamEnd& end : findSeamEnds(garment_, segments, plan_.lines)) {
+            const bool isDrawn = end.isTrued && resultOf(end.left.piece)->flat->line &&
+                                 resultOf(end.right.piece)->flat->line;
+            if (isDrawn || std::abs(end.kink) < kTellingKink) {
+                continue;
+            }
+            const Seam& seam = garment_.seams.seams[static_cast<std::size_t>(end.seam)];
+            Finding finding;
+            finding.kind = FindingKind::SeamKink;
+            finding.subject = Subject::seam(seam.name, seam.id);
+            finding.pieces = {end.left.piece};
+            if (end.right.piece != end.left.piece) {
+                finding.pieces.push_back(end.right.piece);
+            }
+            finding.seam = end.seam;
+            finding.place = placeOf(end.left, segments);
+            finding.figures = {{std::abs(end.kink), Figure::Unit::Angle}};
+            found_.add(std::move(finding), std::abs(end.kink));
+        }
+    }
+
+    FindingPlace placeOf(const OutlineCorner& corner,
+                         const std::vector<OutlineSegments>& segments) const {
+        const PieceResult& result = *resultOf(corner.piece);
+        const Piece& piece = *result.piece;
+        const auto& of = segments[static_cast<std::size_t>(corner.piece)];
+        const Segment& after = of.segments[static_cast<std::size_t>(corner.point)];
+        const int vertex = piece.boundary[static_cast<std::size_t>(after.at.first)];
+        return {result.flat->Q.row(vertex), piece.mesh.V.row(vertex)};
     }
 
     void checkSheet() {

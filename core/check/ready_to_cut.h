@@ -10,6 +10,7 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/garment/garment.h"
+#include "core/pattern/line_settings.h"
 #include "core/project/piece_settings.h"
 
 namespace toile {
@@ -20,6 +21,7 @@ struct CutPlan {
     std::shared_ptr<const Garment> garment{};  ///< null: nothing is open
     PieceResults results{};                    ///< one per piece, or null, or left out
     FlattenOptions options{};                  ///< as the pieces are to be flattened
+    LineSettings lines{};                      ///< and as their outlines are to be drawn
     Fabric fabric = fabricPresets().front();
     std::vector<PieceSettings> settings{};  ///< one per piece, without anchors; or left out
     PieceLabels labels{};                   ///< what findings call the pieces; or left out
@@ -27,6 +29,9 @@ struct CutPlan {
 
     bool operator==(const CutPlan&) const = default;
 };
+
+/// Kinks at the ends of seams are named from here on, radians; smaller ones designers leave too.
+inline constexpr double kTellingKink = 0.08726646259971647;  ///< 5 degrees
 
 /// A garment is larger than a doll's and smaller than a tent; largest extent, mm.
 inline constexpr double kSmallestGarment = 10, kLargestGarment = 10000;

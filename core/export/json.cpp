@@ -57,10 +57,10 @@ Json seamJson(const Garment& garment, const PieceResults& results, const Seam& s
     const FlatPiece* right = flatOf(seam.right.piece);
     std::optional<double> length2dLeft, length2dRight, delta, error;
     if (left) {
-        length2dLeft = flatLength(seam.left, *garment.pieces[seam.left.piece], left->Q);
+        length2dLeft = flatLength(seam.left, *garment.pieces[seam.left.piece], *left);
     }
     if (right) {
-        length2dRight = flatLength(seam.right, *garment.pieces[seam.right.piece], right->Q);
+        length2dRight = flatLength(seam.right, *garment.pieces[seam.right.piece], *right);
     }
     const double ease = easeOf(seam);
     if (left && right) {

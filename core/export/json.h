@@ -30,6 +30,10 @@ Json textOrNull(const std::string& words);
 Json filesJson(const Garment& garment, const PieceResults& results);
 Json cutsJson(const Garment& garment);
 Json seamsJson(const Garment& garment, const PieceResults& results);
+/// How a drawn outline came out. Precondition: the result has one (`FlatPiece::line`).
+Json lineJson(const PieceResult& result);
+/// Kinks at the ends of seams, exact and as drawn. @param results  one per piece
+Json seamEndsJson(const Garment& garment, const PieceResults& results);
 /// What there is to say about the garment beyond its files.
 Json problemsJson(const Garment& garment);
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "core/base/file.h"
 #include "core/base/version.h"
 #include "core/export/json.h"
+#include "core/export/mirror_json.h"
 #include "core/export/writers.h"
 #include "core/quality/measures.h"
 
@@ -108,6 +111,9 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
     json["notes"] = notesJson(result);
     json["holes"] = holesJson(piece, result);
     json["reference"] = referenceJson(result);
+    if (result.flat && result.flat->line) {
+        json["line"] = lineJson(result);
+    }
     json["quantity"] = cutting.quantity;
     json["mirrored_pair"] = cutting.mirroredPair;
     json["seconds"] = secondsJson(result, file.readSeconds);
@@ -116,8 +122,8 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
 
 }  // namespace
 
-std::string writeReport(const Garment& garment, const PieceResults& results,
-                        const Pattern& pattern) {
+std::string writeReport(const Garment& garment, const PieceResults& results, const Pattern& pattern,
+                        const Symmetry* symmetry) {
     Json report{{"version", kReportVersion}, {"toile", text(version())}};
     report["files"] = filesJson(garment, results);
     report["pieces"] = Json::array();
@@ -130,6 +136,12 @@ std::string writeReport(const Garment& garment, const PieceResults& results,
     }
     report["cuts"] = cutsJson(garment);
     report["seams"] = seamsJson(garment, results);
+    if (std::ranges::any_of(results, [](const auto& result) { return result->exact != nullptr; })) {
+        report["seam_ends"] = seamEndsJson(garment, results);
+    }
+    if (symmetry) {
+        report["symmetry"] = symmetryJson(garment, results, *symmetry);
+    }
     report["problems"] = problemsJson(garment);
     return jsonText(report);
 }

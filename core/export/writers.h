@@ -8,6 +8,7 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/layout/marker.h"
+#include "core/symmetry/symmetry.h"
 
 namespace toile {
 
@@ -36,9 +37,10 @@ std::string writeDxf(const Drawing& drawing);
 /// Cost: linear; about a third of a second per million triangles.
 std::string writeObj(const Garment& garment, const PieceResults& results, const Marker& marker);
 /// The JSON report of docs/report.md. Never NaN or Infinity: null.
-/// @param pattern  says how often each piece is cut; without pieces: once
+/// @param pattern   says how often each piece is cut; without pieces: once
+/// @param symmetry  where pieces are mirrored; null: nothing is said of it
 std::string writeReport(const Garment& garment, const PieceResults& results,
-                        const Pattern& pattern = {});
+                        const Pattern& pattern = {}, const Symmetry* symmetry = nullptr);
 
 /// What a garment holds before it is flat: files, pieces, cuts, seams and problems, as JSON.
 std::string writeInfo(const Garment& garment);

@@ -58,12 +58,20 @@ struct SeamPlace {
     bool operator==(const SeamPlace&) const = default;
 };
 
+/// A part of a seam, as shares of its length from where it starts.
+struct SeamPart {
+    double from = 0, to = 1;
+
+    bool operator==(const SeamPart&) const = default;
+};
+
 /// What a person has said about a seam, or about the part of one that was there then.
 struct SeamSettings {
     SeamPlace place;
     /// As Seam::ease, of the left side of `place`; none: as the 3D lengths have it.
     std::optional<double> ease{};
-    std::string name{};  ///< shown in place of the one made up; empty: that one
+    std::string name{};               ///< shown in place of the one made up; empty: that one
+    std::optional<SeamPart> drawn{};  ///< as Seam::drawn
 
     bool operator==(const SeamSettings&) const = default;
 };
@@ -83,6 +91,9 @@ struct Seam {
     /// How much longer the left side is meant to be than the right, as a part of the right (0.1 =
     /// 10 %), where the user has said so; else the 3D lengths tell.
     std::optional<double> ease;
+    /// Where the longer side is drawn longer in the pattern, so that the stated ease is there;
+    /// none: it is stated only.
+    std::optional<SeamPart> drawn{};
     /// The right side lies on a place that another seam already takes: a third layer.
     bool stacked = false;
     bool closed = false;        ///< the seam is a closed line: it ends where it starts

@@ -14,9 +14,9 @@ namespace toile {
 
 namespace {
 
-void addSide(PatternPiece& made, const Piece& piece, const Points2& Q, const Seam& seam, int number,
-             const SeamSide& side) {
-    Points2 line = flatLine(side, piece, Q);
+void addSide(PatternPiece& made, const Piece& piece, const FlatPiece& flat, const Seam& seam,
+             int number, const SeamSide& side) {
+    Points2 line = flatLine(side, piece, flat);
     if (side.reversed) {
         line = line.colwise().reverse().eval();
     }
@@ -24,7 +24,7 @@ void addSide(PatternPiece& made, const Piece& piece, const Points2& Q, const Sea
                           &side == &seam.right, seam.id});
 }
 
-void addSeams(PatternPiece& made, const Piece& piece, const Points2& Q, const SeamGraph& graph,
+void addSeams(PatternPiece& made, const Piece& piece, const FlatPiece& flat, const SeamGraph& graph,
               int index) {
     std::set<int> touched;
     if (index < static_cast<int>(graph.seamsOfEdge.size())) {
@@ -39,7 +39,7 @@ void addSeams(PatternPiece& made, const Piece& piece, const Points2& Q, const Se
         const Seam& seam = graph.seams[k];
         for (const SeamSide* side : {&seam.left, &seam.right}) {
             if (side->piece == index) {
-                addSide(made, piece, Q, seam, k + 1, *side);
+                addSide(made, piece, flat, seam, k + 1, *side);
             }
         }
     }
@@ -61,20 +61,21 @@ Pattern makePattern(const Garment& garment, const PieceResults& results) {
             continue;
         }
         const Piece& piece = *results[i]->piece;
-        const Points2& Q = results[i]->flat->Q;
+        const FlatPiece& flat = *results[i]->flat;
         made.slug = slugs.free(slug(made.name), "-");
-        made.holes = flatLoops(piece, Q);
+        made.holes = flatLoops(piece, flat);
         made.outline = std::move(made.holes.front());
         made.holes.erase(made.holes.begin());
-        addSeams(made, piece, Q, garment.seams, static_cast<int>(i));
+        addSeams(made, piece, flat, garment.seams, static_cast<int>(i));
     }
     return pattern;
 }
 
-std::vector<Points2> flatLoops(const Piece& piece, const Points2& Q) {
-    std::vector<Points2> loops{Q(piece.boundary, Eigen::all)};
+std::vector<Points2> flatLoops(const Piece& piece, const FlatPiece& flat) {
+    std::vector<Points2> loops{flat.line ? flat.line->points
+                                         : Points2(flat.Q(piece.boundary, Eigen::all))};
     for (const auto& hole : piece.holes) {
-        loops.emplace_back(Q(hole, Eigen::all));
+        loops.emplace_back(flat.Q(hole, Eigen::all));
     }
     return loops;
 }

@@ -13,6 +13,7 @@
 namespace toile {
 
 struct Garment;
+struct FlatPiece;
 struct Piece;
 struct PieceResult;
 using PieceResults = std::vector<std::shared_ptr<const PieceResult>>;
@@ -69,8 +70,7 @@ struct Pattern {
 /// @param results  one per piece; null where there is none  Cost: linear in the outlines. Pure.
 Pattern makePattern(const Garment& garment, const PieceResults& results);
 
-/// The outline, then the rims of the holes; closed, first point not repeated.
-/// @param Q  #V x 2, the piece's flat coordinates
-std::vector<Points2> flatLoops(const Piece& piece, const Points2& Q);
+/// The outline as it is drawn, then the rims of the holes; closed, first point not repeated.
+std::vector<Points2> flatLoops(const Piece& piece, const FlatPiece& flat);
 
 }  // namespace toile

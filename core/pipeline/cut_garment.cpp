@@ -53,6 +53,7 @@ std::optional<Garment> easedGarment(const Garment& garment,
     Garment eased = garment;
     for (Seam& seam : eased.seams.seams) {
         seam.ease.reset();
+        seam.drawn.reset();
     }
     eased.seamSettings = settings;
     applySettings(eased.seams, settings);

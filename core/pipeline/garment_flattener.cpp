@@ -7,6 +7,8 @@
 
 #include "core/garment/garment.h"
 #include "core/garment/lineage.h"
+#include "core/pattern/target_lengths.h"
+#include "core/pipeline/draw_lines.h"
 #include "core/pipeline/piece_work.h"
 
 namespace toile {
@@ -18,7 +20,48 @@ bool isLasting(const PieceResult& result) {
                              result.error->code != ErrorCode::OutOfMemory);
 }
 
+/// True where a result is of these options and lengths.
+bool isOf(const PieceResult& result, const FlattenOptions& options, const OutlineTargets& targets) {
+    return result.options == options && result.targets == targets;
+}
+
+/// Where the seams run, in numbers.
+std::vector<double> placesOf(const SeamGraph& graph) {
+    std::vector<double> places;
+    for (const Seam& seam : graph.seams) {
+        for (const SeamSide* side : {&seam.left, &seam.right}) {
+            for (const int number : {side->piece, side->loop}) {
+                places.push_back(number);
+            }
+            places.push_back(side->start);
+            places.push_back(side->end);
+        }
+        places.push_back(seam.stacked ? 1 : 0);
+    }
+    return places;
+}
+
 }  // namespace
+
+std::shared_ptr<const Symmetry> GarmentFlattener::symmetryOf(const Garment& garment,
+                                                             const LineSettings& lines) {
+    if (lines.mirror == Mirror::None) {
+        return nullptr;
+    }
+    std::vector<double> places = placesOf(garment.seams);
+    std::shared_ptr<const KeptSymmetry> kept;
+    {
+        const std::lock_guard lock(mutex_);
+        kept = symmetry_;
+    }
+    if (!kept || kept->pieces != garment.pieces || kept->places != places) {
+        kept = std::make_shared<const KeptSymmetry>(
+            KeptSymmetry{garment.pieces, std::move(places), findSymmetry(garment)});
+        const std::lock_guard lock(mutex_);
+        symmetry_ = kept;
+    }
+    return kept->found ? std::shared_ptr<const Symmetry>(kept, &*kept->found) : nullptr;
+}
 
 std::vector<GarmentFlattener::KeptPointer> GarmentFlattener::snapshot() const {
     const std::lock_guard lock(mutex_);
@@ -28,6 +71,7 @@ std::vector<GarmentFlattener::KeptPointer> GarmentFlattener::snapshot() const {
 void GarmentFlattener::reset() {
     const std::lock_guard lock(mutex_);
     kept_.clear();
+    symmetry_.reset();
 }
 
 std::size_t GarmentFlattener::keptBytes() const {
@@ -39,7 +83,25 @@ std::size_t GarmentFlattener::keptBytes() const {
 }
 
 PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOptions& options,
-                                       Progress& progress, int threads, const PieceResults& known) {
+                                       Progress& progress, int threads, const PieceResults& known,
+                                       const LineSettings& lines) {
+    progress.start(1);
+    Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
+    const auto symmetry = symmetryOf(garment, lines);
+    PieceResults results = flattenExactly(garment, options, solving, threads, known,
+                                          outlineTargets(garment, lines, symmetry.get()));
+    results =
+        drawLines(garment, std::move(results), lines, symmetry.get(), known, drawing, threads);
+    if (!progress.isCancelled()) {
+        progress.report(1);
+    }
+    return results;
+}
+
+PieceResults GarmentFlattener::flattenExactly(const Garment& garment, const FlattenOptions& options,
+                                              Progress& progress, int threads,
+                                              const PieceResults& known,
+                                              const std::vector<OutlineTargets>& targets) {
     const std::vector<KeptPointer> before = snapshot();
     std::map<const Piece*, KeptPointer> byPiece;
     std::vector<std::shared_ptr<const Piece>> piecesBefore;
@@ -47,12 +109,13 @@ PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOpti
         byPiece.emplace(kept->result->piece.get(), kept);
         piecesBefore.push_back(kept->result->piece);
     }
-    for (const auto& result : known) {
+    for (const auto& shown : known) {
+        const auto& result = shown && shown->exact ? shown->exact : shown;
         if (!result || !(result->options == options) || !isLasting(*result)) {
             continue;
         }
         const auto kept = byPiece.find(result->piece.get());
-        if (kept == byPiece.end() || !(kept->second->result->options == options)) {
+        if (kept == byPiece.end() || !isOf(*kept->second->result, options, result->targets)) {
             byPiece[result->piece.get()] = std::make_shared<const Kept>(Kept{result, {}});
         }
     }
@@ -73,14 +136,14 @@ PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOpti
         }
         const auto same = byPiece.find(piece.get());
         kept[p] = same != byPiece.end() ? same->second : nullptr;
-        if (kept[p] && kept[p]->result->options == options) {
+        if (kept[p] && isOf(*kept[p]->result, options, targets[p])) {
             results[p] = kept[p]->result;
             continue;
         }
         if (!kept[p] && ancestors[p] >= 0) {
             kept[p] = before[static_cast<std::size_t>(ancestors[p])];
         }
-        PieceTask task{piece};
+        PieceTask task{piece, {}, targets[p]};
         if (isWithin[p] != 0) {
             task.flattener = kept[p] ? kept[p]->flattener : PieceFlattener();
         }
@@ -108,7 +171,25 @@ PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOpti
     return results;
 }
 
-PieceResults GarmentFlattener::settle(PieceResults results, Progress& progress, int threads) {
+PieceResults GarmentFlattener::settle(const Garment& garment, PieceResults results,
+                                      Progress& progress, int threads, const LineSettings& lines) {
+    const PieceResults known = results;
+    for (auto& result : results) {
+        result = result && result->exact ? result->exact : result;
+    }
+    progress.start(1);
+    Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
+    results = settleExactly(std::move(results), solving, threads);
+    results = drawLines(garment, std::move(results), lines, symmetryOf(garment, lines).get(), known,
+                        drawing, threads);
+    if (!progress.isCancelled()) {
+        progress.report(1);
+    }
+    return progress.isCancelled() && draws(lines) ? known : results;
+}
+
+PieceResults GarmentFlattener::settleExactly(PieceResults results, Progress& progress,
+                                             int threads) {
     const auto warm = [](const auto& result) { return result && isWarm(*result); };
     std::vector<KeptPointer> kept = snapshot();
     for (auto first = std::ranges::find_if(results, warm);
@@ -119,7 +200,7 @@ PieceResults GarmentFlattener::settle(PieceResults results, Progress& progress, 
         std::vector<std::size_t> place;  // of each task
         for (std::size_t p = 0; p < results.size(); ++p) {
             if (warm(results[p]) && results[p]->options == options) {
-                tasks.push_back({results[p]->piece, PieceFlattener()});
+                tasks.push_back({results[p]->piece, PieceFlattener(), results[p]->targets});
                 place.push_back(p);
             }
         }

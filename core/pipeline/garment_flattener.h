@@ -10,6 +10,7 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/flatten/flatten.h"
 #include "core/pipeline/pipeline.h"
+#include "core/symmetry/symmetry.h"
 
 namespace toile {
 
@@ -23,6 +24,8 @@ namespace toile {
 ///
 /// What is found so fast is to be looked at (`FlatPiece::warm`); `settle` puts in its place what
 /// `flattenGarment` finds, which follows from the piece and the options alone.
+///
+/// The mirror plane and what follows from it are kept as long as pieces and seams are the same.
 ///
 /// Thread-safe. Calls may overlap: each begins with what was kept when it began, and the one that
 /// ends last is kept. After a cancel the finished pieces are kept, and of the others what was
@@ -41,10 +44,12 @@ public:
     /// before.
     /// @param known  of some of these pieces, by whomever: what is of these options is handed on
     PieceResults flatten(const Garment& garment, const FlattenOptions& options, Progress& progress,
-                         int threads = 0, const PieceResults& known = {});
-    /// The results with those that are warm solved anew, by the same options, to the same bytes as
-    /// `flattenGarment`. Cancelled, it leaves the rest as it was.
-    PieceResults settle(PieceResults results, Progress& progress, int threads = 0);
+                         int threads = 0, const PieceResults& known = {},
+                         const LineSettings& lines = {});
+    /// The results with those that are warm solved anew, by the same options, and drawn by the same
+    /// lines, to the same bytes as `flattenGarment`. Cancelled, it leaves the rest as it was.
+    PieceResults settle(const Garment& garment, PieceResults results, Progress& progress,
+                        int threads = 0, const LineSettings& lines = {});
 
     /// Begins anew.
     void reset();
@@ -60,11 +65,25 @@ private:
 
     using KeptPointer = std::shared_ptr<const Kept>;
 
+    /// The symmetry of a garment, and all that it follows from.
+    struct KeptSymmetry {
+        std::vector<std::shared_ptr<const Piece>> pieces;
+        std::vector<double> places;  ///< of the seams' sides
+        std::optional<Symmetry> found;
+    };
+
     std::vector<KeptPointer> snapshot() const;
+    /// Null where lines ask for none, or there is none.
+    std::shared_ptr<const Symmetry> symmetryOf(const Garment& garment, const LineSettings& lines);
+    PieceResults flattenExactly(const Garment& garment, const FlattenOptions& options,
+                                Progress& progress, int threads, const PieceResults& known,
+                                const std::vector<OutlineTargets>& targets);
+    PieceResults settleExactly(PieceResults results, Progress& progress, int threads);
 
     const std::size_t mostBytes_;
     mutable std::mutex mutex_;
     std::vector<KeptPointer> kept_;  ///< in the order of the last garment
+    std::shared_ptr<const KeptSymmetry> symmetry_;
 };
 
 }  // namespace toile

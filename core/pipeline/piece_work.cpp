@@ -19,7 +19,9 @@
 #include "core/base/content_hash.h"
 #include "core/base/stopwatch.h"
 #include "core/diagnose/crossing_cut.h"
+#include "core/flatten/base/outline_figures.h"
 #include "core/garment/piece.h"
+#include "core/pattern/drawn_outline.h"
 
 namespace toile {
 namespace {
@@ -37,51 +39,96 @@ std::uint64_t fingerprintOf(const Points2& Q) {
                         static_cast<std::size_t>(Q.size()) * sizeof(double)});
 }
 
-std::shared_ptr<PieceResult> emptyResult(const std::shared_ptr<const Piece>& piece,
-                                         const FlattenOptions& options) {
+std::shared_ptr<PieceResult> emptyResult(const PieceTask& task, const FlattenOptions& options) {
     auto result = std::make_shared<PieceResult>();
-    result->piece = piece;
-    result->options = options;
+    result->piece = task.piece;
+    result->options = task.exact ? task.exact->options : options;
+    result->targets = task.targets;
+    result->exact = task.exact;
+    result->plan = task.plan;
     return result;
 }
 
-DoneTask cancelledTask(const std::shared_ptr<const Piece>& piece, const FlattenOptions& options) {
-    auto result = emptyResult(piece, options);
-    result->error = Error{ErrorCode::Cancelled, subjectOf(*piece)};
+DoneTask cancelledTask(const PieceTask& task, const FlattenOptions& options) {
+    auto result = emptyResult(task, options);
+    result->error = Error{ErrorCode::Cancelled, subjectOf(*task.piece)};
     return {std::move(result)};
 }
 
-DoneTask flattenOne(const PieceTask& task, const FlattenOptions& options,
-                    const Progress& progress) {
+/// The flat piece, with its figures.
+void take(PieceResult& result, FlatPiece flat) {
+    result.quality = measure(*result.piece, flat.Q);
+    measureOutline(*result.piece, flat, result.targets, *result.quality);
+    result.fingerprint = fingerprintOf(flat.Q);
+    result.flat = std::move(flat);
+}
+
+void flattenInto(PieceResult& result, std::optional<PieceFlattener>& flattener,
+                 const Progress& progress) {
+    const Progress part(progress, kFlatteningShare);
+    auto flat = flattener ? flattener->flatten(result.piece, result.options, part, result.targets)
+                          : flatten(*result.piece, result.options, part, result.targets);
+    if (!flat) {
+        result.error = flat.error();
+        return;
+    }
+    nameCrossingCut(*result.piece, flat->Q, std::exchange(flat->crossings, {}), progress,
+                    flat->notes);
+    if (!progress.isCancelled()) {
+        take(result, std::move(*flat));
+    }
+}
+
+/// The line, and the interior inside it.
+Result<FlatPiece> drawn(const Piece& piece, const PieceResult& exact, const OutlinePlan& plan,
+                        const Progress& progress) {
+    auto line = drawnOutline(piece, *exact.flat, plan, progress);
+    if (!line) {
+        return line.error();
+    }
+    auto flat = flattenInside(piece, *exact.flat, verticesOn(*line, piece), exact.options,
+                              Progress(progress, kFlatteningShare));
+    if (flat) {
+        flat->line = std::make_shared<const FlatLine>(std::move(*line));
+    }
+    return flat;
+}
+
+void drawInto(PieceResult& result, const Progress& progress) {
+    auto flat = drawn(*result.piece, *result.exact, *result.plan, progress);
+    if (flat) {
+        nameCrossingCut(*result.piece, flat->Q, std::exchange(flat->crossings, {}), progress,
+                        flat->notes);
+        take(result, std::move(*flat));
+    } else if (flat.error().code == ErrorCode::Cancelled) {
+        result.error = flat.error();
+    } else {  // what is exact can be cut and sewn all the same
+        FlatPiece exact = *result.exact->flat;
+        exact.notes.push_back(
+            Error{ErrorCode::LineNotDrawn, subjectOf(*result.piece), flat.error().detail});
+        take(result, std::move(exact));
+    }
+}
+
+DoneTask doOne(const PieceTask& task, const FlattenOptions& options, const Progress& progress) {
     const Stopwatch time;
-    const std::shared_ptr<const Piece>& piece = task.piece;
-    auto result = emptyResult(piece, options);
+    auto result = emptyResult(task, options);
     std::optional<PieceFlattener> flattener = task.flattener;
     try {
-        const Progress part(progress, kFlatteningShare);
-        auto flat =
-            flattener ? flattener->flatten(piece, options, part) : flatten(*piece, options, part);
-        if (flat) {
-            nameCrossingCut(*piece, flat->Q, std::exchange(flat->crossings, {}), progress,
-                            flat->notes);
+        if (task.exact) {
+            drawInto(*result, progress);
+        } else {
+            flattenInto(*result, flattener, progress);
         }
         if (progress.isCancelled()) {
-            return cancelledTask(piece, options);
-        }
-        progress.report(kFlatteningShare);
-        if (flat) {
-            result->quality = measure(*piece, flat->Q);
-            result->fingerprint = fingerprintOf(flat->Q);
-            result->flat = std::move(*flat);
-        } else {
-            result->error = flat.error();
+            return cancelledTask(task, options);
         }
     } catch (const std::bad_alloc&) {  // one piece too large must not end the others' thread
         result->flat.reset();
         result->quality.reset();
-        result->error = Error{ErrorCode::OutOfMemory, subjectOf(*piece)};
+        result->error = Error{ErrorCode::OutOfMemory, subjectOf(*task.piece)};
     }
-    result->seconds = time.seconds();
+    result->seconds = time.seconds() + (task.exact ? task.exact->seconds : 0);
     progress.report(1);
     return {std::move(result), std::move(flattener)};
 }
@@ -109,7 +156,7 @@ public:
                  k = next_++) {
                 const std::size_t task = order_[k];
                 const Progress part(progress_, size(task) / total_);
-                auto done = flattenOne(tasks_[task], options_, part);
+                auto done = doOne(tasks_[task], options_, part);
                 const std::lock_guard lock(mutex_);
                 done_[task] = std::move(done);
                 ++finished_;
@@ -150,7 +197,7 @@ public:
         }
         for (std::size_t k = 0; k < done.size(); ++k) {
             if (!done[k].result) {
-                done[k] = cancelledTask(tasks_[k].piece, options_);
+                done[k] = cancelledTask(tasks_[k], options_);
             }
         }
         return done;

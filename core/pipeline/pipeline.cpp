@@ -8,7 +8,10 @@
 #include "core/base/text.h"
 #include "core/export/drawing.h"
 #include "core/export/writers.h"
+#include "core/pattern/target_lengths.h"
+#include "core/pipeline/draw_lines.h"
 #include "core/pipeline/piece_work.h"
+#include "core/symmetry/symmetry.h"
 
 namespace toile {
 namespace {
@@ -22,11 +25,17 @@ std::string lowerCaseEnding(const std::filesystem::path& path) {
 /// Of the time that an export takes, about; the rest is writing.
 constexpr double kMakingShare = 0.8;
 
+std::optional<Symmetry> symmetryOf(const Garment& garment, const LineSettings& lines) {
+    return lines.mirror != Mirror::None ? findSymmetry(garment) : std::nullopt;
+}
+
 /// @param ending  one that `canExport`
 std::string bytesOf(const std::string& ending, const Garment& garment, const PieceResults& results,
-                    const LaidOutPattern& laid, const DrawingWords& words) {
+                    const LaidOutPattern& laid, const DrawingWords& words,
+                    const LineSettings& lines) {
     if (ending == ".json") {
-        return writeReport(garment, results, laid.pattern);
+        const auto symmetry = symmetryOf(garment, lines);
+        return writeReport(garment, results, laid.pattern, symmetry ? &*symmetry : nullptr);
     }
     if (ending == ".obj") {
         return writeObj(garment, results, laid.marker);
@@ -50,7 +59,8 @@ bool canExport(const std::filesystem::path& path) {
 
 Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
                         const PieceResults& results, const LaidOutPattern& laid,
-                        const Progress& progress, const DrawingWords& words) {
+                        const Progress& progress, const DrawingWords& words,
+                        const LineSettings& lines) {
     if (!canExport(path)) {
         return Error{ErrorCode::UnknownFormat, Subject::file(path.string()),
                      "ending \"" + lowerCaseEnding(path) + "\""};
@@ -58,7 +68,7 @@ Result<void> exportFile(const std::filesystem::path& path, const Garment& garmen
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
-    const std::string bytes = bytesOf(lowerCaseEnding(path), garment, results, laid, words);
+    const std::string bytes = bytesOf(lowerCaseEnding(path), garment, results, laid, words, lines);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
@@ -67,14 +77,23 @@ Result<void> exportFile(const std::filesystem::path& path, const Garment& garmen
 }
 
 PieceResults flattenGarment(const Garment& garment, const FlattenOptions& options,
-                            Progress& progress, int threads) {
+                            Progress& progress, int threads, const LineSettings& lines) {
+    progress.start(1);
+    Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
+    const auto found = symmetryOf(garment, lines);
+    const Symmetry* const symmetry = found ? &*found : nullptr;
+    const std::vector<OutlineTargets> targets = outlineTargets(garment, lines, symmetry);
     std::vector<PieceTask> tasks;
-    for (const auto& piece : garment.pieces) {
-        tasks.push_back({piece});
+    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+        tasks.push_back({garment.pieces[p], {}, targets[p]});
     }
     PieceResults results;
-    for (DoneTask& done : workOn(std::move(tasks), options, progress, threads)) {
+    for (DoneTask& done : workOn(std::move(tasks), options, solving, threads)) {
         results.push_back(std::move(done.result));
+    }
+    results = drawLines(garment, std::move(results), lines, symmetry, {}, drawing, threads);
+    if (!progress.isCancelled()) {
+        progress.report(1);
     }
     return results;
 }

@@ -15,6 +15,7 @@
 #include "core/garment/garment.h"
 #include "core/garment/identify.h"
 #include "core/layout/marker.h"
+#include "core/pattern/line_settings.h"
 #include "core/pattern/piece_marks.h"
 
 namespace toile {
@@ -95,11 +96,13 @@ std::optional<Garment> easedGarment(const Garment& garment,
 /// @param progress  grows by triangles done, within a piece by the stages and iterations of the
 ///                  method; reaches 1 at the end and only there. Not used after the return.
 /// @param threads   how many work at once; 0: as many as the machine has cores
+/// @param lines     how the outlines are drawn, and what they are to measure; as it is here, as
+///                  they are in 3D
 /// @return one result per piece, in the garment's order; after a cancel the unfinished ones carry
 ///         ErrorCode::Cancelled
 /// For a garment that is being edited see garment_flattener.h.
 PieceResults flattenGarment(const Garment& garment, const FlattenOptions& options,
-                            Progress& progress, int threads = 0);
+                            Progress& progress, int threads = 0, const LineSettings& lines = {});
 
 /// From `Progress::cancel` to the return of `flattenGarment`, at most, at a million triangles and
 /// where there are threads to be had.
@@ -115,10 +118,12 @@ bool canExport(const std::filesystem::path& path);
 /// @param laid      the pattern of the garment
 /// @param progress  cancelled before the file is written, nothing is
 /// @param words     what drawings say
+/// @param lines     by which the results were drawn: a report says what is mirrored
 /// Errors: UnknownFormat, FileUnwritable, Cancelled.
 Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
                         const PieceResults& results, const LaidOutPattern& laid,
-                        const Progress& progress = {}, const DrawingWords& words = {});
+                        const Progress& progress = {}, const DrawingWords& words = {},
+                        const LineSettings& lines = {});
 
 /// Flattens and measures every piece by every method, one method after the other, pieces side by
 /// side. A piece that fails under one method leaves the others alone.

@@ -37,6 +37,7 @@ struct ProjectView {
     std::string overlay;  ///< the window's word for it; empty: not stated
     bool wireframe = false;
     bool referencePanels = false;
+    bool exactOutline = false;
 
     bool operator==(const ProjectView&) const = default;
 };
@@ -47,6 +48,7 @@ struct Project {
     std::vector<MeshReference> files{};  ///< read as one garment
     LoadOptions loading{};
     FlattenOptions options{};
+    LineSettings lines{};
     Fabric fabric = fabricPresets().front();
     std::vector<ProjectPiece> pieces{};
     PieceLabels labels{};

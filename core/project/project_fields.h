@@ -9,6 +9,7 @@
 #include "core/base/field_archive.h"
 #include "core/cut/seams_fields.h"
 #include "core/flatten/base/flat_piece.h"
+#include "core/pattern/trueing.h"
 #include "core/project/project.h"
 
 namespace toile::project_fields {
@@ -47,6 +48,14 @@ inline constexpr auto kStretch = [](auto& at, auto& stretch) {
     at.field("to", stretch.to, -kMaxTurns, kMaxTurns);
 };
 
+inline constexpr auto kSeamPart = [](auto& at, auto& part) {
+    at.field("from", part.from, 0, 1);
+    at.field("to", part.to, 0, 1);
+    if (!(part.from < part.to)) {
+        at.fail("to", "must be more than \"from\"");
+    }
+};
+
 inline constexpr auto kSeamSettings = [](auto& at, auto& said) {
     at.need("left");
     at.object("left", said.place.left, kStretch);
@@ -57,7 +66,48 @@ inline constexpr auto kSeamSettings = [](auto& at, auto& said) {
     if (said.ease && *said.ease <= -1) {
         at.fail("ease", "must be more than -1");
     }
+    at.object("drawn", said.drawn, kSeamPart);
     at.text("name", said.name);
+};
+
+inline constexpr auto kFairing = [](auto& at, auto& fairing) {
+    at.field("tolerance", fairing.tolerance, kMinFairTolerance, kMaxFairTolerance);
+    at.field("smoothing", fairing.smoothing, kMinSmoothing, kMaxSmoothing);
+};
+
+inline constexpr auto kSegment = [](auto& at, auto& said) {
+    at.need("place");
+    at.object("place", said.place, kStretch);
+    at.field("length", said.length, kMinSegmentLength, kMaxSegmentLength);
+    at.field("tolerance", said.tolerance, kMinFairTolerance, kMaxFairTolerance);
+    at.field("straight", said.straight);
+};
+
+inline constexpr auto kTurnPoint = [](auto& at, auto& said) {
+    at.need("line");
+    at.id("line", said.line);
+    at.field("at", said.at, -kMaxTurns, kMaxTurns);
+    at.field("reversed", said.reversed);
+    at.field("turns", said.turns);
+};
+
+inline constexpr auto kSeamEnd = [](auto& at, auto& said) {
+    at.need("left");
+    at.object("left", said.seam.left, kStretch);
+    if (at.kReads || said.seam.right.line) {
+        at.object("right", said.seam.right, kStretch);
+    }
+    at.field("atEnd", said.atEnd);
+    at.field("trued", said.trued);
+};
+
+inline constexpr auto kLines = [](auto& at, auto& lines) {
+    at.object("fairing", lines.fairing, kFairing);
+    at.field("trueBelow", lines.trueBelow, 0, kMaxKink);
+    at.word("mirror", lines.mirror, kMirrorWords);
+    at.list("segments", lines.segments, kSegment);
+    at.list("turnPoints", lines.turnPoints, kTurnPoint);
+    at.list("seamEnds", lines.seamEnds, kSeamEnd);
 };
 
 inline constexpr auto kFlattening = [](auto& at, auto& options) {
@@ -134,6 +184,9 @@ inline constexpr auto kView = [](auto& at, auto& view) {
     at.text("overlay", view.overlay);
     at.field("wireframe", view.wireframe);
     at.field("designerOutline", view.referencePanels);
+    if (at.kReads || view.exactOutline) {
+        at.field("exactOutline", view.exactOutline);
+    }
 };
 
 /// Cuts, joins and ease as a seams file has them, and what has been said of seams.
@@ -160,6 +213,7 @@ void describe(Fields& at, SomeProject& project, std::vector<LabelOfPiece>& label
     at.list("division", project.loading.known, kKnownPiece);
     at.object("seams", project.loading, kSeams);
     at.object("flattening", project.options, kFlattening);
+    at.object("lines", project.lines, kLines);
     at.object("fabric", project.fabric, kFabric);
     at.list("pieces", project.pieces, kPiece);
     at.list("labels", labels, kLabel);

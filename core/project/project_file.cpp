@@ -179,6 +179,10 @@ Result<std::uint64_t> writeProject(const fs::path& path, const Project& project)
     return contentHash(text);
 }
 
+void sayNothingOfLines(JsonDocument& document) {
+    document["lines"] = JsonDocument::object();
+}
+
 void listPieces(JsonDocument& document) {
     const auto pieces = document.find("pieces");
     if (pieces == document.end() || !pieces->is_object()) {

@@ -43,7 +43,7 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
 Result<std::uint64_t> writeProject(const std::filesystem::path& path, const Project& project);
 
 /// The version of the project format that is written, and up to which files are read.
-inline constexpr int kProjectVersion = 2;
+inline constexpr int kProjectVersion = 3;
 
 /// Makes a document of one version into one of the next, as far as it is what it should be: what is
 /// wrong in it is found when it is read.
@@ -55,8 +55,11 @@ struct ProjectUpgrade {
 /// Version 1 knew pieces by name: `pieces` was an object, `partOf` a name.
 void listPieces(JsonDocument& document);
 
+/// Version 2 knew exact outlines only: nothing had been said of lines.
+void sayNothingOfLines(JsonDocument& document);
+
 /// One for each version before the present one.
-inline constexpr ProjectUpgrade kProjectUpgrades[] = {{1, listPieces}};
+inline constexpr ProjectUpgrade kProjectUpgrades[] = {{1, listPieces}, {2, sayNothingOfLines}};
 
 /// Applies, one after the other, the upgrades from `version` on; each says its new "version".
 inline void upgradeProject(JsonDocument& document, int version,

@@ -5,12 +5,16 @@
 #include <cmath>
 
 #include "core/base/words.h"
+#include "core/quality/closed_line.h"
+#include "core/quality/measures.h"
 
 namespace toile {
 namespace {
 
 /// A place nearer to a vertex than this fraction of the edge is the vertex.
 constexpr double kAtVertex = 1e-9;
+/// Points of a stretch nearer to each other are one, mm.
+constexpr double kSamePlace = 1e-6;
 constexpr Word<SeamKind> kKinds[] = {{SeamKind::Seam, "seam"},
                                      {SeamKind::Dart, "dart"},
                                      {SeamKind::Fold, "fold"},
@@ -68,26 +72,89 @@ Points lineThrough(const SeamSide& side, const Piece& piece, const Points& at) {
     return side.reversed ? Points(line.colwise().reverse()) : line;
 }
 
+/// True where the stretch lies on an outline that is not the polygon of its vertices.
+bool isDrawn(const SeamSide& side, const FlatPiece& flat) {
+    return flat.line && side.loop == 0;
+}
+
 }  // namespace
 
 const std::vector<int>& loopOf(const SeamSide& side, const Piece& piece) {
     return side.loop == 0 ? piece.boundary : piece.holes[static_cast<std::size_t>(side.loop) - 1];
 }
 
-double flatLength(const SeamSide& side, const Piece& piece, const Points2& Q) {
-    double flat = 0;
-    for (const PartOfEdge& part : partsOf(side, piece)) {
-        flat += (part.to - part.from) * (Q.row(part.head) - Q.row(part.tail)).norm();
+double flatLength(const SeamSide& side, const Piece& piece, const FlatPiece& flat) {
+    if (isDrawn(side, flat)) {
+        const auto [low, high] = std::minmax(side.start, side.end);
+        return ClosedLine(flat.line->points, flat.line->arc).lengthOf(low, high);
     }
-    return flat;
+    double length = 0;
+    for (const PartOfEdge& part : partsOf(side, piece)) {
+        length += (part.to - part.from) * (flat.Q.row(part.head) - flat.Q.row(part.tail)).norm();
+    }
+    return length;
 }
 
-Points2 flatLine(const SeamSide& side, const Piece& piece, const Points2& Q) {
-    return lineThrough(side, piece, Q);
+Points2 flatLine(const SeamSide& side, const Piece& piece, const FlatPiece& flat) {
+    if (isDrawn(side, flat)) {
+        const auto [low, high] = std::minmax(side.start, side.end);
+        const Points2 line = ClosedLine(flat.line->points, flat.line->arc).part(low, high);
+        return side.reversed ? Points2(line.colwise().reverse()) : line;
+    }
+    return lineThrough(side, piece, flat.Q);
 }
 
 Points3 spaceLine(const SeamSide& side, const Piece& piece) {
     return lineThrough(side, piece, piece.mesh.V);
+}
+
+StretchLines stretchLines(const SeamSide& side, const Piece& piece, const FlatPiece& flat) {
+    if (!isDrawn(side, flat)) {
+        return {spaceLine(side, piece), flatLine(side, piece, flat)};
+    }
+    // Arc lengths of what is on the stretch: its ends, vertices, and the points of the drawn line.
+    const auto [low, high] = std::minmax(side.start, side.end);
+    const Points3 space = lineThrough(wholeOutline(piece, side.piece), piece, piece.mesh.V);
+    std::vector<double> arc{0};
+    for (Eigen::Index k = 1; k < space.rows(); ++k) {
+        arc.push_back(arc.back() + (space.row(k) - space.row(k - 1)).norm());
+    }
+    std::vector<double> places{low, high};
+    for (const auto* points :
+         std::initializer_list<const std::vector<double>*>{&arc, &flat.line->arc}) {
+        for (const double at : *points) {
+            for (const double turn : {-1.0, 0.0, 1.0}) {
+                const double place = at + turn * arc.back();
+                if (place > low + kSamePlace && place < high - kSamePlace) {
+                    places.push_back(place);
+                }
+            }
+        }
+    }
+    std::ranges::sort(places);
+    const auto same = [](double a, double b) { return b - a < kSamePlace; };
+    places.erase(std::unique(places.begin(), places.end(), same), places.end());
+    const ClosedLine line(flat.line->points, flat.line->arc);
+    const auto count = static_cast<Eigen::Index>(places.size());
+    StretchLines lines{Points3(count, 3), Points2(count, 2)};
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double place = side.reversed ? places[count - 1 - i] : places[i];
+        const double within = place - std::floor(place / arc.back()) * arc.back();
+        const auto next = std::upper_bound(arc.begin() + 1, arc.end() - 1, within);
+        const Eigen::Index k = next - arc.begin();
+        const double t = (within - arc[k - 1]) / (arc[k] - arc[k - 1]);
+        lines.space.row(i) = (1 - t) * space.row(k - 1) + t * space.row(k);
+        lines.flat.row(i) = line.pointAt(place);
+    }
+    return lines;
+}
+
+SeamSide wholeOutline(const Piece& piece, int index) {
+    SeamSide whole;
+    whole.piece = index;
+    whole.count = static_cast<int>(piece.boundary.size());
+    whole.end = boundaryLengths3d(piece.mesh.V, piece.boundary).sum();
+    return whole;
 }
 
 double easeOf(const Seam& seam) {
@@ -101,16 +168,16 @@ std::string_view name(SeamKind kind) {
     return wordOf(kKinds, kind);
 }
 
-SeamMeasure measureSeam(const Seam& seam, const Piece& l, const Points2& Ql, const Piece& r,
-                        const Points2& Qr) {
+SeamMeasure measureSeam(const Seam& seam, const Piece& l, const FlatPiece& flatL, const Piece& r,
+                        const FlatPiece& flatR) {
     SeamMeasure measure;
     measure.length3d[0] = seam.length3d[0];
     measure.length3d[1] = seam.length3d[1];
-    measure.length2dLeft = flatLength(seam.left, l, Ql);
+    measure.length2dLeft = flatLength(seam.left, l, flatL);
     if (seam.right.piece < 0) {
         return measure;
     }
-    measure.length2dRight = flatLength(seam.right, r, Qr);
+    measure.length2dRight = flatLength(seam.right, r, flatR);
     measure.deltaMm = measure.length2dLeft - measure.length2dRight;
     measure.ease = easeOf(seam);
     measure.errorMm = measure.length2dLeft - (1 + measure.ease) * measure.length2dRight;
@@ -128,7 +195,7 @@ std::optional<SeamMeasure> measured(const Garment& garment, const PieceResults& 
     if (!left || !right || !left->flat || !right->flat) {
         return std::nullopt;
     }
-    return measureSeam(asked, *left->piece, left->flat->Q, *right->piece, right->flat->Q);
+    return measureSeam(asked, *left->piece, *left->flat, *right->piece, *right->flat);
 }
 
 SeamFit seamFit(const Seam& seam, const std::optional<SeamMeasure>& measure) {

@@ -29,11 +29,11 @@ struct SeamMeasure {
 double easeOf(const Seam& seam);
 
 /// Measures a seam between two flat pieces. A part of an edge counts in proportion.
-/// @param Ql, Qr  flat points, #V x 2, in the piece's vertex order; the same where l and r are one
-/// For a free edge `r` and `Qr` are not looked at, and the differences are zero.
+/// @param flatL, flatR  of l and r; the same where these are one
+/// For a free edge `r` and `flatR` are not looked at, and the differences are zero.
 /// Cost: linear in the edges of the two outlines. Pure.
-SeamMeasure measureSeam(const Seam& seam, const Piece& l, const Points2& Ql, const Piece& r,
-                        const Points2& Qr);
+SeamMeasure measureSeam(const Seam& seam, const Piece& l, const FlatPiece& flatL, const Piece& r,
+                        const FlatPiece& flatR);
 
 /// How well the two flat edges of a seam fit each other, the intended ease taken out.
 enum class SeamFit {
@@ -56,16 +56,28 @@ SeamFit seamFit(const Seam& seam, const std::optional<SeamMeasure>& measure);
 /// The vertices of the loop that a side runs along, surface on its left.
 const std::vector<int>& loopOf(const SeamSide& side, const Piece& piece);
 
-/// Flat stretch of outline as a polyline, mm, in the side's direction: its two ends and the
-/// vertices between them. Cost: linear in the outline's edges. Pure.
-Points2 flatLine(const SeamSide& side, const Piece& piece, const Points2& Q);
+/// Flat stretch of outline as a polyline, mm, in the side's direction: its two ends and the points
+/// of the outline, as it is drawn, between them. Cost: linear in the outline. Pure.
+Points2 flatLine(const SeamSide& side, const Piece& piece, const FlatPiece& flat);
 /// The same stretch on the garment: a polyline in space, mm, as long as the side. Pure.
 Points3 spaceLine(const SeamSide& side, const Piece& piece);
+
+/// A stretch of outline on the garment and in the pattern, point by point.
+struct StretchLines {
+    Points3 space;
+    Points2 flat;
+};
+
+/// Both lines of a stretch, with the points that either needs. Cost: linear in the outline. Pure.
+StretchLines stretchLines(const SeamSide& side, const Piece& piece, const FlatPiece& flat);
+
+/// The whole outline of a piece as a stretch: from its first vertex once around.
+SeamSide wholeOutline(const Piece& piece, int index);
 
 /// "seam", "dart", "fold", "free".
 std::string_view name(SeamKind kind);
 
-/// Flat length of a stretch of outline, mm.
-double flatLength(const SeamSide& side, const Piece& piece, const Points2& Q);
+/// Flat length of a stretch of outline as it is drawn, mm.
+double flatLength(const SeamSide& side, const Piece& piece, const FlatPiece& flat);
 
 }  // namespace toile

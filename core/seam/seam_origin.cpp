@@ -17,6 +17,8 @@ namespace {
 constexpr int kJoinPoints = 9;
 /// A cut that has less of an edge than this part of it only touches it.
 constexpr double kOnLine = 1e-6;
+/// Parts of an outline that are no further apart go on in each other, mm.
+constexpr double kTouching = 1e-6;
 
 /// How much of a side comes of one line.
 struct Share {
@@ -25,8 +27,8 @@ struct Share {
 };
 
 /// The line that most of a side comes of; the cuts are added to those that it comes of.
-LineStretch stretchOf(const SeamSide& side, const seam::Outline& outline,
-                      const std::vector<EdgeOrigin>& origins, std::vector<CutId>* cuts) {
+LineStretch tracedStretch(const SeamSide& side, const seam::Outline& outline,
+                          const std::vector<EdgeOrigin>& origins, std::vector<CutId>* cuts) {
     std::vector<Share> shares;
     const auto [low, high] = std::minmax(side.start, side.end);
     for (int k = side.first; k < side.first + side.count; ++k) {
@@ -61,11 +63,49 @@ LineStretch stretchOf(const SeamSide& side, const seam::Outline& outline,
 
 }  // namespace
 
+LineStretch stretchOf(const SeamSide& side, const seam::Outline& outline, const Piece& piece) {
+    return tracedStretch(side, outline, piece.origins, nullptr);
+}
+
+std::vector<ArcInterval> partsOf(const LineStretch& stretch, const seam::Outline& outline,
+                                 const Piece& piece) {
+    const bool isForward = stretch.from < stretch.to;
+    const auto [first, last] = std::minmax(stretch.from, stretch.to);
+    std::vector<ArcInterval> parts;
+    const auto add = [&parts](double from, double to) {
+        if (!parts.empty() && from <= parts.back().to + kTouching) {
+            parts.back().to = std::max(parts.back().to, to);
+        } else {
+            parts.push_back({from, to});
+        }
+    };
+    for (int k = 0; k < outline.size(); ++k) {
+        const EdgeOrigin* origin = originAt(piece.origins, outline.vertices[k]);
+        if (!origin || origin->line != stretch.line || origin->from == origin->to ||
+            (origin->from < origin->to) != isForward) {
+            continue;
+        }
+        const auto [low, high] = std::minmax(origin->from, origin->to);
+        const auto arcAt = [&](double share) -> double {
+            return outline.arc[k] + (share - origin->from) / (origin->to - origin->from) *
+                                        (outline.arc[k + 1] - outline.arc[k]);
+        };
+        for (const double turn : {-1.0, 0.0, 1.0}) {
+            const double from = std::max(low, first + turn), to = std::min(high, last + turn);
+            if (from < to) {
+                const auto [begin, end] = std::minmax({arcAt(from), arcAt(to)});
+                add(begin, end);
+            }
+        }
+    }
+    return parts;
+}
+
 void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces,
                   const seam::Outlines& outlines, std::vector<Seam>& seams) {
     const auto trace = [&](const SeamSide& side, std::vector<CutId>* cuts) -> LineStretch {
-        return stretchOf(side, outlines.list[outlines.indexOf(side)], pieces[side.piece]->origins,
-                         cuts);
+        return tracedStretch(side, outlines.list[outlines.indexOf(side)],
+                             pieces[side.piece]->origins, cuts);
     };
     std::map<std::pair<LineId, LineId>, std::uint64_t> count;
     for (Seam& seam : seams) {

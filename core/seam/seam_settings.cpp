@@ -13,20 +13,6 @@ constexpr double kHalf = 0.5;
 constexpr double kMaxSeenEase = 10;  ///< what a file may state
 constexpr double kSame = 1e-9;       ///< shares of a line
 
-/// The part of `a` that `b` has, 0 to 1.
-double covered(const LineStretch& a, const LineStretch& b) {
-    if (!a.line || a.line != b.line || (a.from < a.to) != (b.from < b.to) || a.from == a.to) {
-        return 0;
-    }
-    const auto [low, high] = std::minmax(a.from, a.to);
-    const auto [first, last] = std::minmax(b.from, b.to);
-    double common = 0;
-    for (const double turn : {-1.0, 0.0, 1.0}) {
-        common += std::max(0.0, std::min(high, last + turn) - std::max(low, first + turn));
-    }
-    return std::min(1.0, common / (high - low));
-}
-
 /// The same of both sides; one that neither knows, as of a free edge, says nothing.
 double covered(const SeamPlace& a, const SeamPlace& b) {
     if (!a.left.line && !b.left.line) {
@@ -48,6 +34,9 @@ std::optional<double> seenFromRight(std::optional<double> ease) {
 SeamSettings turned(SeamSettings said) {
     said.place = turned(said.place);
     said.ease = seenFromRight(said.ease);
+    if (said.drawn) {  // sides that swap run the other way
+        said.drawn = SeamPart{1 - said.drawn->to, 1 - said.drawn->from};
+    }
     return said;
 }
 
@@ -94,6 +83,19 @@ private:
 
 }  // namespace
 
+double covered(const LineStretch& a, const LineStretch& b) {
+    if (!a.line || a.line != b.line || (a.from < a.to) != (b.from < b.to) || a.from == a.to) {
+        return 0;
+    }
+    const auto [low, high] = std::minmax(a.from, a.to);
+    const auto [first, last] = std::minmax(b.from, b.to);
+    double common = 0;
+    for (const double turn : {-1.0, 0.0, 1.0}) {
+        common += std::max(0.0, std::min(high, last + turn) - std::max(low, first + turn));
+    }
+    return std::min(1.0, common / (high - low));
+}
+
 int seamAt(const SeamGraph& graph, const SeamPlace& place) {
     double most = 0;
     int found = -1;
@@ -120,6 +122,7 @@ void applySettings(SeamGraph& graph, const std::vector<SeamSettings>& settings) 
     for (Seam& seam : graph.seams) {
         if (const auto said = known.of(seam)) {
             seam.ease = seam.kind == SeamKind::Free ? std::nullopt : said->ease;
+            seam.drawn = seam.ease ? said->drawn : std::nullopt;
             if (!said->name.empty() && said->name != seam.name) {
                 seam.name = names.free(said->name);
             }
@@ -129,6 +132,11 @@ void applySettings(SeamGraph& graph, const std::vector<SeamSettings>& settings) 
 
 std::vector<SeamSettings> withEase(std::vector<SeamSettings> settings, const Seam& seam,
                                    std::optional<double> ease) {
+    return withEase(std::move(settings), seam, ease, seam.drawn);
+}
+
+std::vector<SeamSettings> withEase(std::vector<SeamSettings> settings, const Seam& seam,
+                                   std::optional<double> ease, std::optional<SeamPart> drawn) {
     SeamSettings said = SettingsByLine(settings).of(seam).value_or(SeamSettings{});
     std::erase_if(settings, [&seam](const SeamSettings& one) {
         return covered(one.place, seam.place) > 1 - kSame ||
@@ -136,6 +144,7 @@ std::vector<SeamSettings> withEase(std::vector<SeamSettings> settings, const Sea
     });
     said.place = seam.place;
     said.ease = ease;
+    said.drawn = ease ? drawn : std::nullopt;
     if (!said.place.left.line) {
         said = turned(said);
     }

@@ -10,6 +10,9 @@
 
 namespace toile {
 
+/// The part of `a` that `b` has, 0 to 1: 0 where they are of two lines, or run against each other.
+double covered(const LineStretch& a, const LineStretch& b);
+
 /// The seam that has most of a place, whichever way round; -1 where none has any of it.
 int seamAt(const SeamGraph& graph, const SeamPlace& place);
 
@@ -20,6 +23,9 @@ void applySettings(SeamGraph& graph, const std::vector<SeamSettings>& settings);
 /// The settings with another ease for a seam, which says what else there is to say of it too.
 std::vector<SeamSettings> withEase(std::vector<SeamSettings> settings, const Seam& seam,
                                    std::optional<double> ease);
+/// The same, with where it is drawn.
+std::vector<SeamSettings> withEase(std::vector<SeamSettings> settings, const Seam& seam,
+                                   std::optional<double> ease, std::optional<SeamPart> drawn);
 
 /// The same for many, as a seams file says it: by the names of seams, before any is renamed.
 /// @param problems  gets NoSuchSeam for names that fit no seam that is sewn, or several

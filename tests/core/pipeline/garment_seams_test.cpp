@@ -48,7 +48,7 @@ std::vector<std::pair<const Seam*, SeamMeasure>> ledger(const Flat& flat) {
             const PieceResult& left = *flat.results[seam.left.piece];
             const PieceResult& right = *flat.results[seam.right.piece];
             rows.emplace_back(
-                &seam, measureSeam(seam, *left.piece, left.flat->Q, *right.piece, right.flat->Q));
+                &seam, measureSeam(seam, *left.piece, *left.flat, *right.piece, *right.flat));
         }
     }
     return rows;

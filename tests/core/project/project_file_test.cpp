@@ -54,7 +54,8 @@ public:
                 {{stretch(), flag() ? stretch() : LineStretch{}},
                  flag() ? std::optional(std::uniform_real_distribution<>(-0.9, 2)(random_))
                         : std::nullopt,
-                 flag() ? text() : ""});
+                 flag() ? text() : "",
+                 flag() ? std::optional(SeamPart{0.25, 1.0 / 3}) : std::nullopt});
             loading.known.push_back({{random_() | 1U},
                                      upTo(3),
                                      text(),
@@ -68,6 +69,7 @@ public:
         project.options.freeBoundary = static_cast<FreeBoundary>(upTo(1));
         project.options.stretchOutline = static_cast<StretchOutline>(upTo(1));
         project.options.authalic = std::uniform_real_distribution<>(0, 1)(random_);
+        project.lines = lines();
         project.fabric = {text(), {-0.1 / 3, 1.0 / 3}, {0, 1e-300}, {-0.0, 7}};
         for (int k = upTo(5); k > 0; --k) {
             project.pieces.push_back(
@@ -105,6 +107,25 @@ private:
     }
 
     LineStretch stretch() { return {{random_() | 1U}, number(2), number(2)}; }
+
+    LineSettings lines() {
+        const auto tolerance = [this] {
+            return std::uniform_real_distribution<>(kMinFairTolerance, kMaxFairTolerance)(random_);
+        };
+        LineSettings lines;
+        if (flag()) {
+            lines.fairing = Fairing{tolerance(), kMinSmoothing + 1.0 / 3};
+        }
+        lines.trueBelow = flag() ? kProposedTrueing : 0;
+        for (int k = upTo(3); k > 0; --k) {
+            lines.segments.push_back({stretch(), flag() ? std::optional(1000.0 / 7) : std::nullopt,
+                                      flag() ? std::optional(tolerance()) : std::nullopt, flag()});
+            lines.turnPoints.push_back({{random_() | 1U}, number(2), flag(), flag()});
+            lines.seamEnds.push_back(
+                {{stretch(), flag() ? stretch() : LineStretch{}}, flag(), flag()});
+        }
+        return lines;
+    }
 
     std::optional<LengthUnit> unit() {
         return flag() ? std::optional(static_cast<LengthUnit>(upTo(3))) : std::nullopt;

@@ -132,11 +132,14 @@ TEST(HoleSeams, HalfAPatchLeavesTheRestOfTheRimFree) {
 TEST(HoleSeams, TheMeasureIsThatOfTheFlatRim) {
     const Pieces pieces = test::welded({asPiece(sheetWithHole(), "back"), asPiece(patch(), "p")});
     const Seam seam = test::only(findSeams(pieces), SeamKind::Seam).at(0);
-    const Points2 back = pieces[0]->mesh.V.leftCols(2), small = pieces[1]->mesh.V.leftCols(2);
+    FlatPiece back, small;
+    back.Q = pieces[0]->mesh.V.leftCols(2);
+    small.Q = pieces[1]->mesh.V.leftCols(2);
     const SeamMeasure same = measureSeam(seam, *pieces[0], back, *pieces[1], small);
     EXPECT_NEAR(same.errorMm, 0, 1e-9);
     // A hole's rim may come out longer: the ledger says by how much.
-    const SeamMeasure longer = measureSeam(seam, *pieces[0], 1.01 * back, *pieces[1], small);
+    back.Q *= 1.01;
+    const SeamMeasure longer = measureSeam(seam, *pieces[0], back, *pieces[1], small);
     EXPECT_NEAR(longer.length2dLeft, 161.6, 1e-9);
     EXPECT_NEAR(longer.errorMm, 1.6, 1e-9);
     // And the order that takes it out runs along it.

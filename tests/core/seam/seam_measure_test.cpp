@@ -14,10 +14,11 @@ using test::asPiece;
 using test::named;
 using test::rectangle;
 
-Points2 flat(const Piece& piece, double stretchAlong = 1) {
-    Points2 Q = piece.mesh.V.leftCols(2);
-    Q.col(1) *= stretchAlong;
-    return Q;
+FlatPiece flat(const Piece& piece, double stretchAlong = 1) {
+    FlatPiece made;
+    made.Q = piece.mesh.V.leftCols(2);
+    made.Q.col(1) *= stretchAlong;
+    return made;
 }
 
 TEST(SeamMeasure, ExactSidesHaveNoDifference) {

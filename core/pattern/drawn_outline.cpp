@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/drawn_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/pattern/mirrored_lines.h"
+#include "core/pattern/segments.h"
+#include "core/pattern/trueing.h"
+#include "core/quality/closed_line.h"
+
+namespace toile {
+namespace {
+
+/// Turn points are mirror images of each other up to this, mm.
+constexpr double kSameTurnPoint = 1e-2;
+
+/// The results with outlines that are mirror images, so that corners are found on these; what lies
+/// inside is as it was.
+PieceResults withMirroredOutlines(PieceResults results, const std::vector<MirrorPlan>& mirrors) {
+    for (std::size_t p = 0; p < results.size(); ++p) {
+        if (mirrors[p].lead < 0) {
+            continue;
+        }
+        const MirroredOutline& outline = mirrors[p].outline;
+        if (const auto line = mirroredFor(outline, lineOf(outline.reference))) {
+            auto mirrored = std::make_shared<PieceResult>(*results[p]);
+            const std::vector<int>& boundary = mirrored->piece->boundary;
+            mirrored->flat->Q(boundary, Eigen::all) = verticesOn(*line, *mirrored->piece);
+            results[p] = std::move(mirrored);
+        }
+    }
+    return results;
+}
+
+/// A turn point of a leading piece and its mirror image.
+struct MirroredPoint {
+    int lead = -1, point = -1;
+    int piece = -1, image = -1;
+};
+
+std::vector<MirroredPoint> mirroredPoints(const std::vector<MirrorPlan>& mirrors,
+                                          const std::vector<OutlineSegments>& segments) {
+    std::vector<MirroredPoint> found;
+    for (int p = 0; p < static_cast<int>(mirrors.size()); ++p) {
+        const auto& [lead, outline] = mirrors[p];
+        if (lead < 0 || !(outline.isImage || outline.isSymmetric)) {
+            continue;
+        }
+        const double turn = outline.places.falling.front() - outline.places.falling.back();
+        const auto& from = segments[lead].turnPoints;
+        const auto& to = segments[p].turnPoints;
+        for (std::size_t k = 0; k < from.size(); ++k) {
+            const double there = outline.places(from[k].at);
+            const auto image = std::ranges::find_if(to, [&](const TurnPoint& point) {
+                return std::abs(std::remainder(point.at - there, turn)) < kSameTurnPoint;
+            });
+            if (image != to.end()) {
+                found.push_back(
+                    {lead, static_cast<int>(k), p, static_cast<int>(image - to.begin())});
+            }
+        }
+    }
+    return found;
+}
+
+void makeTurnsEqual(const std::vector<MirroredPoint>& points,
+                    std::vector<OutlineSegments>& segments) {
+    const std::vector<OutlineSegments> before = segments;
+    for (const auto& [lead, point, piece, image] : points) {
+        const double turn =
+            0.5 * (before[lead].turnPoints[point].turn + before[piece].turnPoints[image].turn);
+        segments[lead].turnPoints[point].turn = turn;
+        segments[piece].turnPoints[image].turn = turn;
+    }
+}
+
+void makeChangesEqual(const std::vector<MirroredPoint>& points,
+                      std::vector<std::vector<double>>& changes) {
+    const std::vector<std::vector<double>> before = changes;
+    for (const auto& [lead, point, piece, image] : points) {
+        changes[lead][point] = 0.5 * (before[lead][point] + before[piece][image]);
+        changes[piece][image] = changes[lead][point];
+    }
+}
+
+/// How far a line strays from the outline that it is drawn near.
+double strayOf(const FlatLine& line, const OutlineReference& outline) {
+    const ClosedLine exact(outline.points, outline.arc);
+    double farthest = 0;
+    for (Eigen::Index k = 0; k < line.points.rows(); ++k) {
+        farthest = std::max(farthest, (line.points.row(k) - exact.pointAt(line.arc[k])).norm());
+    }
+    return farthest;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const OutlinePlan>> planOutlines(const Garment& garment,
+                                                             const PieceResults& exact,
+                                                             const LineSettings& settings,
+                                                             const Symmetry* symmetry) {
+    const std::size_t count = exact.size();
+    std::vector<MirrorPlan> mirrors(count);
+    if (symmetry && settings.mirror != Mirror::None) {
+        mirrors = planMirrors(garment, exact, *symmetry, settings.mirror);
+    }
+    std::vector<OutlineSegments> segments;
+    std::vector<std::vector<double>> changes;
+    if (settings.fairing) {
+        segments = findSegments(garment, withMirroredOutlines(exact, mirrors), settings);
+        const std::vector<MirroredPoint> points = mirroredPoints(mirrors, segments);
+        makeTurnsEqual(points, segments);
+        changes = truedTurns(segments, findSeamEnds(garment, segments, settings));
+        makeChangesEqual(points, changes);
+    }
+    std::vector<std::shared_ptr<const OutlinePlan>> plans(count);
+    for (std::size_t p = 0; p < count; ++p) {
+        const bool isMirrored = mirrors[p].lead >= 0;
+        if (!exact[p] || !exact[p]->flat || !(settings.fairing || isMirrored)) {
+            continue;
+        }
+        const std::size_t from = isMirrored ? static_cast<std::size_t>(mirrors[p].lead) : p;
+        OutlinePlan plan =
+            settings.fairing ? planOutline(segments[from], settings, changes[from]) : OutlinePlan{};
+        if (isMirrored) {
+            plan.mirrored = std::move(mirrors[p].outline);
+        }
+        plans[p] = std::make_shared<const OutlinePlan>(std::move(plan));
+    }
+    return plans;
+}
+
+Result<FlatLine> drawnOutline(const Piece& piece, const FlatPiece& exact, const OutlinePlan& plan,
+                              const Progress& progress) {
+    const OutlineReference solved = referenceOf(piece, exact);
+    if (!plan.mirrored) {
+        return fairOutline(solved, plan, progress);
+    }
+    const OutlineReference& reference = plan.mirrored->reference;
+    const bool isFair = !plan.stretches.empty();
+    auto line = isFair ? fairOutline(reference, plan, progress) : lineOf(reference);
+    if (line) {
+        line = mirroredFor(*plan.mirrored, std::move(*line));
+    }
+    if (!line) {
+        return line.error();
+    }
+    layOver(*line, solved);
+    line->farthest = isFair ? line->farthest : strayOf(*line, solved);
+    return line;
+}
+
+}  // namespace toile

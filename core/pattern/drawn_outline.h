@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/flatten/base/piece_result.h"
+#include "core/garment/garment.h"
+#include "core/pattern/fair_outline.h"
+#include "core/pattern/line_settings.h"
+#include "core/symmetry/symmetry.h"
+
+namespace toile {
+
+/// How the outlines of a garment are to be drawn: fair, trued where they meet at the ends of seams,
+/// and as mirror images. Of a mirrored pair what has been said of the leading one's segments
+/// counts for both; corners that mirror each other turn, and are trued, by the mean of the two.
+/// @param exact     one per piece, as solved
+/// @param symmetry  null: nothing is mirrored
+/// @return one per piece; null where the exact outline is to stay
+/// Cost: that of `findSegments` and `planMirrors`. Pure.
+std::vector<std::shared_ptr<const OutlinePlan>> planOutlines(const Garment& garment,
+                                                             const PieceResults& exact,
+                                                             const LineSettings& settings,
+                                                             const Symmetry* symmetry);
+
+/// The line by a plan, laid over the exact outline.
+/// Errors: those of `fairOutline` and `mirroredFor`.  Cost: that of `fairOutline`. Pure.
+Result<FlatLine> drawnOutline(const Piece& piece, const FlatPiece& exact, const OutlinePlan& plan,
+                              const Progress& progress);
+
+}  // namespace toile

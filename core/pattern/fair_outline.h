@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/flatten/base/flat_piece.h"
+#include "core/garment/piece.h"
+#include "core/pattern/mirrored_lines.h"
+#include "core/pattern/outline_reference.h"
+#include "core/pattern/segments.h"
+
+namespace toile {
+
+/// How one outline is to be drawn: beside the exact outline all that its line follows from.
+/// Places are arc lengths in 3D along the outline, mm.
+struct OutlinePlan {
+    struct Stretch {
+        double from = 0, to = 0;
+        double tolerance = 0;   ///< mm
+        bool straight = false;  ///< as one straight line
+
+        bool operator==(const Stretch&) const = default;
+    };
+    struct Corner {
+        double at = 0;
+        double turn = 0;  ///< that the line is to have there, radians
+
+        bool operator==(const Corner&) const = default;
+    };
+
+    /// One per segment, in order; they cover the outline. None: the line is not to be made fair.
+    std::vector<Stretch> stretches;
+    std::vector<Corner> corners;  ///< ascending
+    double smoothing = 0;         ///< mm
+    /// Of a piece that is to be a mirror image: then stretches and corners are the leading one's.
+    std::optional<MirroredOutline> mirrored{};
+
+    bool operator==(const OutlinePlan&) const = default;
+};
+
+/// @param turnChanges  per turn point (`truedTurns`)
+OutlinePlan planOutline(const OutlineSegments& segments, const LineSettings& settings,
+                        const std::vector<double>& turnChanges);
+
+/// The fair line of an outline: near the exact one, of the same length between any two vertices,
+/// curved as evenly as that allows (fair_line.h). What is to be straight is made straight before,
+/// by the boundary problem with the run as one edge, whatever the tolerance. Where the piece is a
+/// narrow band the tolerance is a quarter of its width.
+/// @param reference  the exact outline
+/// Errors: those of `solveBoundary`, where lines are to be straight; Cancelled.
+/// Cost: n log n in vertices and steps, some milliseconds a metre. Pure.
+Result<FlatLine> fairOutline(const OutlineReference& reference, const OutlinePlan& plan,
+                             const Progress& progress);
+
+/// Where the vertices of the outline lie on its line, #boundary x 2.
+Points2 verticesOn(const FlatLine& line, const Piece& piece);
+
+}  // namespace toile

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/words.h"
+#include "core/garment/seam.h"
+
+namespace toile {
+
+/// How outlines are made fair (fair_outline.h).
+struct Fairing {
+    double tolerance = 1;   ///< no point strays further from the exact outline, mm
+    double smoothing = 40;  ///< lambda, mm: what is shorter than about six times that goes
+
+    bool operator==(const Fairing&) const = default;
+};
+
+/// Limits of both, and of the length of a segment, mm.
+inline constexpr double kMinFairTolerance = 0.05, kMaxFairTolerance = 20;
+inline constexpr double kMinSmoothing = 2, kMaxSmoothing = 500;
+inline constexpr double kMinSegmentLength = 0.01, kMaxSegmentLength = 1e6;
+
+/// What becomes of pieces that are mirror images of each other, but for what the cloth hangs. Seams
+/// that mirror each other get a common length wherever this is not None (common_lengths.h).
+enum class Mirror {
+    None,   ///< every piece is what it is
+    Mean,   ///< both become mirror images of their mean
+    First,  ///< the one on the side to which the plane's normal points is mirrored onto the other
+};
+
+/// What they are called in project files.
+inline constexpr Word<Mirror> kMirrorWords[] = {
+    {Mirror::None, "none"}, {Mirror::Mean, "mean"}, {Mirror::First, "first"}};
+
+/// What a person has said of a segment, or of the part of one that was there then.
+struct SegmentSettings {
+    LineStretch place;  ///< of the segment, on its own piece's side
+    /// In the pattern, mm, of all of `place` and of what is sewn to it; none: as in 3D.
+    std::optional<double> length{};
+    std::optional<double> tolerance{};  ///< as Fairing::tolerance; none: the garment's
+    bool straight = false;              ///< drawn as one straight line
+
+    bool operator==(const SegmentSettings&) const = default;
+
+    bool saysNothing() const { return !length && !tolerance && !straight; }
+};
+
+/// A turn point that a person has added or taken away: a place on a line, as a share of it.
+struct TurnPointSettings {
+    LineId line;
+    double at = 0;
+    bool reversed = false;  ///< of the side of the line that runs against it
+    bool turns = true;      ///< false: the outline has a corner there, which is none
+
+    bool operator==(const TurnPointSettings&) const = default;
+};
+
+/// Whether the kink at an end of a seam is taken out.
+struct SeamEndSettings {
+    SeamPlace seam;
+    bool atEnd = false;  ///< where the seam's left side ends; false: where it starts
+    bool trued = true;
+
+    bool operator==(const SeamEndSettings&) const = default;
+};
+
+/// Everything a person has decided about the lines of the pattern. As it is here nothing is
+/// changed: every outline is the exact one.
+struct LineSettings {
+    std::optional<Fairing> fairing{};
+    /// Kinks at ends of seams up to this are taken out (trueing.h), radians; 0: none but those
+    /// said below.
+    double trueBelow = 0;
+    /// Pieces that are symmetric in themselves are made so by Mean and by First.
+    Mirror mirror = Mirror::None;
+    std::vector<SegmentSettings> segments{};
+    std::vector<TurnPointSettings> turnPoints{};
+    std::vector<SeamEndSettings> seamEnds{};
+
+    bool operator==(const LineSettings&) const = default;
+};
+
+/// The limit up to which trueing is proposed: larger ones may be meant. Radians.
+inline constexpr double kProposedTrueing = 0.17453292519943295;
+
+}  // namespace toile

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/flatten/base/flat_piece.h"
+#include "core/garment/piece.h"
+
+namespace toile {
+
+/// The outline that a line is drawn near: closed, in the plane, with the place of each of its
+/// points on the outline in 3D.
+struct OutlineReference {
+    Points2 points{};           ///< #n x 2, mm, anti-clockwise; the first is the outline's vertex 0
+    std::vector<double> arc{};  ///< #n + 1, mm, from 0 on: arc length in 3D, over one turn
+    /// #n, radians: what the cloth turns by there, so that full turns can be told apart; 0 where
+    /// the outline in 3D has no vertex.
+    std::vector<double> turn{};
+
+    bool operator==(const OutlineReference& other) const {
+        return arc == other.arc && turn == other.turn && points == other.points;
+    }
+};
+
+/// Arc lengths in 3D of the outline's vertices, and the perimeter.  Cost: linear. Pure.
+std::vector<double> outlineArc(const Piece& piece);
+
+/// The outline as it was solved.  Cost: that of the angles in 3D. Pure.
+OutlineReference referenceOf(const Piece& piece, const FlatPiece& exact);
+
+/// Laid over another, by the rigid motion that brings the points nearest to the others.
+/// @param points, onto  #n x 2
+Points2 laidOver(const Points2& points, const Points2& onto);
+/// The same for a line that stands for the outline in 3D of a reference.
+void layOver(FlatLine& line, const OutlineReference& onto);
+
+}  // namespace toile

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/segments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "core/geometry/segment.h"
+#include "core/quality/closed_line.h"
+#include "core/seam/outline.h"
+#include "core/seam/seam_origin.h"
+#include "core/seam/seam_settings.h"
+
+namespace toile {
+namespace {
+
+/// Turn points nearer to each other than this are one, mm.
+constexpr double kSamePoint = 1e-4;
+/// Corners nearer to each other than this are one, mm.
+constexpr double kOneCorner = 1;
+/// A corner that was taken away is found again within this, mm.
+constexpr double kSameCorner = 5;
+
+/// The turn between chords of `reach` before and after a place on the line.
+double chordTurn(const ClosedLine& line, double at, double before, double after) {
+    const Eigen::RowVector2d here = line.pointAt(at);
+    return geometry::turnBetween(here - line.pointAt(at - before), line.pointAt(at + after) - here);
+}
+
+/// One piece's outline while it is divided.
+class Divider {
+public:
+    Divider(const Garment& garment, int index, const PieceResult& result,
+            const seam::Outline& outline)
+        : garment_(garment),
+          piece_(*result.piece),
+          index_(index),
+          outline_(outline),
+          line_(result.flat->Q(piece_.boundary, Eigen::all), outline.arc),
+          corners_(findCorners(line_.points())) {}
+
+    OutlineSegments divided(const LineSettings& settings) {
+        addSeamEnds();
+        for (const int corner : corners_) {
+            add({outline_.arc[corner], 0, true});
+        }
+        for (const TurnPointSettings& said : settings.turnPoints) {
+            apply(said);
+        }
+        finishTurns();
+        OutlineSegments made;
+        made.turnPoints = std::move(points_);
+        const std::size_t count = std::max<std::size_t>(1, made.turnPoints.size());
+        for (std::size_t k = 0; k < count; ++k) {
+            made.segments.push_back(segment(made.turnPoints, k, settings));
+        }
+        return made;
+    }
+
+private:
+    double perimeter() const { return outline_.length(); }
+
+    /// How far apart two places are along the outline.
+    double apart(double a, double b) const {
+        const double way = std::abs(outline_.wrap(a) - outline_.wrap(b));
+        return std::min(way, perimeter() - way);
+    }
+
+    std::vector<TurnPoint>::iterator near(double at, double within) {
+        const auto nearest = std::ranges::min_element(
+            points_, {}, [&](const TurnPoint& p) { return apart(p.at, at); });
+        return nearest != points_.end() && apart(nearest->at, at) <= within ? nearest
+                                                                            : points_.end();
+    }
+
+    void add(TurnPoint point) {
+        point.at = outline_.wrap(point.at);
+        const auto known = near(point.at, kSamePoint);
+        if (known == points_.end()) {
+            points_.push_back(point);
+            return;
+        }
+        known->isCorner |= point.isCorner;
+        known->isSeamEnd |= point.isSeamEnd;
+        known->byHand |= point.byHand;
+    }
+
+    void addSeamEnds() {
+        if (static_cast<std::size_t>(index_) >= garment_.seams.seamsOfEdge.size()) {
+            return;  // seams were not looked for
+        }
+        std::set<int> touching;
+        for (const std::vector<int>& ofEdge : garment_.seams.seamsOfEdge[index_]) {
+            touching.insert(ofEdge.begin(), ofEdge.end());
+        }
+        for (const int s : touching) {
+            const Seam& seam = garment_.seams.seams[s];
+            for (const SeamSide* side : {&seam.left, &seam.right}) {
+                if (side->piece != index_ || side->loop != 0) {
+                    continue;
+                }
+                sides_.push_back({s, side == &seam.right, side});
+                if (!seam.closed) {
+                    add({side->start, 0, false, true});
+                    add({side->end, 0, false, true});
+                }
+            }
+        }
+    }
+
+    void apply(const TurnPointSettings& said) {
+        const double sense = said.reversed ? -1 : 1;
+        const LineStretch place{said.line, said.at - sense * 1e-9, said.at + sense * 1e-9};
+        for (const ArcInterval& part : partsOf(place, outline_, piece_)) {
+            const double at = (part.from + part.to) / 2;
+            if (said.turns) {
+                add({at, 0, true, false, true});
+            } else if (const auto known = near(at, kSameCorner);
+                       known != points_.end() && (known->isCorner || known->isSeamEnd)) {
+                known->isCorner = false;
+                known->byHand = true;
+            }
+            return;
+        }
+    }
+
+    /// What the line turns by at each point, by chords that pass no other one.
+    void finishTurns() {
+        std::erase_if(points_, [](const TurnPoint& p) {
+            return !p.isCorner && !p.isSeamEnd;  // a corner that was taken away
+        });
+        std::ranges::sort(points_, {}, &TurnPoint::at);
+        const std::size_t count = points_.size();
+        for (std::size_t k = 0; k < count; ++k) {
+            const double at = points_[k].at;
+            const double before = at - points_[(k + count - 1) % count].at;
+            const double after = points_[(k + 1) % count].at - at;
+            const auto chord = [&](double way) -> double {
+                way = way > 0 ? way : way + perimeter();
+                return std::min({way, kCornerWindow, perimeter() / 4});
+            };
+            points_[k].turn = nearTurnIn3d(chordTurn(line_, at, chord(before), chord(after)), at);
+            if (points_[k].isSeamEnd && !points_[k].byHand) {
+                points_[k].isCorner |= std::abs(points_[k].turn) > kSeamEndTurn;
+            }
+        }
+    }
+
+    /// The turn, which is known up to full ones, as the cloth turns there: at the end of a slit it
+    /// is half a turn to the right, at a spike to the left.
+    double nearTurnIn3d(double turn, double at) const {
+        const int vertex = outline_.edgeAt(at + kSamePoint / 2);
+        const bool isVertex = apart(outline_.arc[vertex], at) < kSamePoint;
+        const double in3d = isVertex ? std::numbers::pi - outline_.angle[vertex] : 0;
+        return in3d + std::remainder(turn - in3d, 2 * std::numbers::pi);
+    }
+
+    Segment segment(const std::vector<TurnPoint>& points, std::size_t k,
+                    const LineSettings& settings) const {
+        Segment made;
+        made.at.piece = index_;
+        made.at.start = points.empty() ? 0 : points[k].at;
+        made.at.end = points.empty() ? perimeter() : points[(k + 1) % points.size()].at;
+        if (made.at.end <= made.at.start) {
+            made.at.end += perimeter();
+        }
+        made.at.first = outline_.edgeAt(made.at.start + kSamePoint / 2);
+        int last = outline_.edgeAt(made.at.end - kSamePoint / 2);
+        while (last < made.at.first || outline_.arcOf(last + 1) < made.at.end - kSamePoint) {
+            last += outline_.size();
+        }
+        made.at.count = last - made.at.first + 1;
+        const double middle = (made.at.start + made.at.end) / 2;
+        for (const auto& [seam, isRight, side] : sides_) {
+            const auto [low, high] = std::minmax(side->start, side->end);
+            const double past = outline_.wrap(middle - low);
+            if (past < high - low && (made.seam < 0 || !garment_.seams.seams[seam].stacked)) {
+                made.seam = seam;
+                made.isRight = isRight;
+            }
+        }
+        made.place = stretchOf(made.at, outline_, piece_);
+        made.settings = saidOf(made.place, settings.segments);
+        return made;
+    }
+
+    /// Of what has more than half of a segment, that which fits it best; of equals the last.
+    static SegmentSettings saidOf(const LineStretch& place,
+                                  const std::vector<SegmentSettings>& settings) {
+        SegmentSettings found;
+        double best = 0;
+        for (const SegmentSettings& said : settings) {
+            const double has = covered(place, said.place);
+            const double fits = has > 0.5 ? has * covered(said.place, place) : 0;
+            if (fits > 0 && fits >= best) {
+                best = fits;
+                found = said;
+            }
+        }
+        found.place = place;
+        return found;
+    }
+
+    struct SideHere {
+        int seam;
+        bool isRight;
+        const SeamSide* side;
+    };
+
+    const Garment& garment_;
+    const Piece& piece_;
+    int index_;
+    const seam::Outline& outline_;
+    ClosedLine line_;
+    std::vector<int> corners_;
+    std::vector<SideHere> sides_;
+    std::vector<TurnPoint> points_;
+};
+
+}  // namespace
+
+std::vector<int> findCorners(const Points2& points) {
+    const ClosedLine line(points);
+    const int n = line.count();
+    const double window = std::min(kCornerWindow, line.length() / 4);
+    std::vector<double> own(n), chord(n);
+    for (int k = 0; k < n; ++k) {
+        own[k] = std::abs(line.turnAt(k));
+        chord[k] = std::abs(chordTurn(line, line.arc()[k], window, window));
+    }
+    std::vector<int> strongest;
+    for (int k = 0; k < n; ++k) {
+        if (chord[k] > kCornerTurn) {
+            strongest.push_back(k);
+        }
+    }
+    std::ranges::stable_sort(strongest, std::greater<>(), [&own](int k) { return own[k]; });
+    std::vector<int> corners;
+    for (const int k : strongest) {
+        // Beside a corner that is there, the chords end at it: what turns only there is none.
+        double before = window, after = window;
+        for (const int taken : corners) {
+            const double way = line.arc()[taken] - line.arc()[k];
+            before = std::min(before, line.wrap(-way));
+            after = std::min(after, line.wrap(way));
+        }
+        const bool isAlone = before == window && after == window;
+        const bool isSecond = own[k] > kCornerTurn && std::min(before, after) > kOneCorner &&
+                              std::abs(chordTurn(line, line.arc()[k], before, after)) > kCornerTurn;
+        if (isAlone || isSecond) {
+            corners.push_back(k);
+        }
+    }
+    std::ranges::sort(corners);
+    return corners;
+}
+
+std::vector<OutlineSegments> findSegments(const Garment& garment, const PieceResults& results,
+                                          const LineSettings& settings) {
+    const seam::Outlines outlines = seam::buildOutlines(garment.pieces);
+    std::vector<OutlineSegments> made(garment.pieces.size());
+    for (std::size_t p = 0; p < made.size(); ++p) {
+        if (p < results.size() && results[p] && results[p]->flat) {
+            made[p] = Divider(garment, static_cast<int>(p), *results[p], outlines.list[p])
+                          .divided(settings);
+        }
+    }
+    return made;
+}
+
+}  // namespace toile

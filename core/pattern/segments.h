@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/flatten/base/piece_result.h"
+#include "core/garment/garment.h"
+#include "core/pattern/line_settings.h"
+
+namespace toile {
+
+/// Where one segment of an outline ends and the next begins.
+struct TurnPoint {
+    double at = 0;           ///< arc length in 3D along the outline, mm
+    double turn = 0;         ///< of the exact flat outline there, radians; positive to the left
+    bool isCorner = false;   ///< the line turns here; else it runs through smoothly
+    bool isSeamEnd = false;  ///< of a seam or a free edge
+    bool byHand = false;     ///< a person has put it there
+};
+
+/// A stretch of outline from one turn point to the next, along the outline.
+struct Segment {
+    SeamSide at;               ///< not reversed; `loop` 0
+    int seam = -1;             ///< that it is part of, index into the graph; -1: of none
+    bool isRight = false;      ///< of that seam's sides
+    LineStretch place{};       ///< by which it is known again, whatever is cut elsewhere
+    SegmentSettings settings;  ///< what has been said of it; `place` as above
+
+    double length() const { return at.length(); }
+};
+
+/// The outline of a flat piece from turn point to turn point. Segment k runs from turn point k to
+/// the next one; the last one passes the outline's first vertex where that is no turn point.
+struct OutlineSegments {
+    std::vector<TurnPoint> turnPoints;  ///< by `at`, in [0, perimeter)
+    std::vector<Segment> segments;      ///< as many; one, from 0 to 0 again, where there is none
+};
+
+/// A corner turns by more than this within kCornerWindow; a seam's end by more than kSeamEndTurn.
+inline constexpr double kCornerTurn = 0.4363323129985824;   ///< 25 degrees
+inline constexpr double kSeamEndTurn = 0.2617993877991494;  ///< 15 degrees
+inline constexpr double kCornerWindow = 5;                  ///< mm
+
+/// The corners of a closed flat outline: where the chords of kCornerWindow before and after a
+/// vertex turn by more than kCornerTurn, at the strongest single turn within the window. Of two
+/// nearer to each other than that both count where each turns by so much at its own vertex.
+/// @param points  #n x 2, mm  @return vertices, ascending  Cost: n, times the corners. Pure.
+std::vector<int> findCorners(const Points2& points);
+
+/// The segments of every piece: ends of seams and free edges, corners, and what a person has added
+/// or taken away. @param results  one per piece, as solved (`PieceResult::exact`)
+/// @return one per piece; nothing where a piece is not flat  Cost: outlines and settings. Pure.
+std::vector<OutlineSegments> findSegments(const Garment& garment, const PieceResults& results,
+                                          const LineSettings& settings);
+
+}  // namespace toile

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/target_lengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/seam/outline.h"
+#include "core/seam/seam_origin.h"
+
+namespace toile {
+namespace {
+
+/// Ease that would shrink the part it is drawn on by more than this is drawn along the whole seam.
+constexpr double kMinFactor = 0.5;
+
+/// By what a part of an outline is stretched.
+struct Stretched {
+    ArcInterval part;
+    double factor = 1;
+};
+
+/// What is stretched on every outline, the later over the earlier.
+class Stretches {
+public:
+    explicit Stretches(const seam::Outlines& outlines)
+        : outlines_(outlines), of_(outlines.list.size()) {}
+
+    void add(int outline, ArcInterval part, double factor) {
+        const double length = outlines_.list[outline].length();
+        const double turns = std::floor(part.from / length) * length;
+        part = {part.from - turns, part.to - turns};
+        of_[outline].push_back({part, factor});
+        if (part.to > length) {
+            of_[outline].push_back({{0, part.to - length}, factor});
+        }
+    }
+
+    /// Lengths of a stretch of an outline, stretched so far.
+    double lengthOf(int outline, double from, double to) const {
+        return outlines_.list[outline].length() > 0 ? upTo(outline, to) - upTo(outline, from) : 0;
+    }
+
+    double lengthOf(const SeamSide& side) const {
+        const auto [low, high] = std::minmax(side.start, side.end);
+        return lengthOf(outlines_.indexOf(side), low, high);
+    }
+
+    bool isTouched(int outline) const { return !of_[outline].empty(); }
+
+private:
+    /// From the outline's first vertex to a place, over turns too.
+    double upTo(int outline, double at) const {
+        const double length = outlines_.list[outline].length();
+        const double turns = std::floor(at / length);
+        const double within = at - turns * length;
+        return turns * measured(outline, length) + measured(outline, within);
+    }
+
+    /// From the first vertex to a place within the first turn: the parts end to end, each with the
+    /// factor that was said last.
+    double measured(int outline, double at) const {
+        std::vector<double> cuts{0, at};
+        for (const Stretched& one : of_[outline]) {
+            for (const double end : {one.part.from, one.part.to}) {
+                if (end > 0 && end < at) {
+                    cuts.push_back(end);
+                }
+            }
+        }
+        std::ranges::sort(cuts);
+        double sum = 0;
+        for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+            const double middle = (cuts[k] + cuts[k + 1]) / 2;
+            double factor = 1;
+            for (const Stretched& one : of_[outline]) {
+                if (one.part.from <= middle && middle < one.part.to) {
+                    factor = one.factor;
+                }
+            }
+            sum += factor * (cuts[k + 1] - cuts[k]);
+        }
+        return sum;
+    }
+
+    const seam::Outlines& outlines_;
+    std::vector<std::vector<Stretched>> of_;  ///< per outline
+};
+
+/// Both sides of seams that mirror each other, and free edges that do.
+void mirrorLengths(const Garment& garment, const CommonLengths& common,
+                   const seam::Outlines& outlines, Stretches& stretches) {
+    for (std::size_t s = 0; s < garment.seams.seams.size(); ++s) {
+        const Seam& seam = garment.seams.seams[s];
+        for (const SeamSide* side : {&seam.left, &seam.right}) {
+            const bool isOwnPlace = side == &seam.left || !seam.stacked;
+            if (common.factor[s] != 1 && side->piece >= 0 && isOwnPlace) {
+                const auto [low, high] = std::minmax(side->start, side->end);
+                stretches.add(outlines.indexOf(*side), {low, high}, common.factor[s]);
+            }
+        }
+    }
+}
+
+/// The place on the other side of a seam.
+double across(const Seam& seam, double place, bool fromRight) {
+    const auto here = [fromRight](const SeamMatch& m) { return fromRight ? m.right : m.left; };
+    const auto there = [fromRight](const SeamMatch& m) { return fromRight ? m.left : m.right; };
+    for (std::size_t k = 0; k + 1 < seam.matches.size(); ++k) {
+        const SeamMatch &a = seam.matches[k], &b = seam.matches[k + 1];
+        const auto [low, high] = std::minmax({here(a), here(b)});
+        if (low <= place && place <= high && low < high) {
+            const double t = (place - here(a)) / (here(b) - here(a));
+            return (1 - t) * there(a) + t * there(b);
+        }
+    }
+    const bool isFirst =
+        std::abs(place - here(seam.matches.front())) < std::abs(place - here(seam.matches.back()));
+    return there(isFirst ? seam.matches.front() : seam.matches.back());
+}
+
+/// What is said of segments, on both sides of the seams that they are part of.
+class TypedLengths {
+public:
+    TypedLengths(const Garment& garment, const seam::Outlines& outlines, Stretches& stretches)
+        : garment_(garment), outlines_(outlines), stretches_(stretches) {}
+
+    void apply(const SegmentSettings& said) {
+        std::vector<std::pair<int, ArcInterval>> parts;  // a cut may have parted it
+        double length = 0;
+        for (std::size_t p = 0; p < garment_.pieces.size(); ++p) {
+            for (const ArcInterval& part :
+                 partsOf(said.place, outlines_.list[p], *garment_.pieces[p])) {
+                parts.emplace_back(static_cast<int>(p), part);
+                length += part.to - part.from;
+            }
+        }
+        for (const auto& [piece, part] : parts) {
+            stretch(piece, part, *said.length / length);
+        }
+    }
+
+private:
+    void stretch(int index, const ArcInterval& part, double factor) {
+        stretches_.add(index, part, factor);
+        for (const Seam& seam : garment_.seams.seams) {
+            if (!seam.matches.empty() && seam.kind != SeamKind::Free) {
+                carryOver(seam, false, index, part, factor);
+                carryOver(seam, true, index, part, factor);
+            }
+        }
+    }
+
+    /// What of a part lies on one side of a seam, on the other side too.
+    void carryOver(const Seam& seam, bool fromRight, int index, const ArcInterval& part,
+                   double factor) {
+        const SeamSide& side = fromRight ? seam.right : seam.left;
+        const SeamSide& other = fromRight ? seam.left : seam.right;
+        if (side.piece != index || side.loop != 0 || other.loop != 0) {
+            return;
+        }
+        const auto [low, high] = std::minmax(side.start, side.end);
+        const double perimeter = outlines_.list[index].length();
+        for (const double turn : {-perimeter, 0.0, perimeter}) {
+            const double from = std::max(low, part.from + turn);
+            const double to = std::min(high, part.to + turn);
+            if (from < to) {
+                const double a = across(seam, from, fromRight), b = across(seam, to, fromRight);
+                stretches_.add(outlines_.indexOf(other), {std::min(a, b), std::max(a, b)}, factor);
+            }
+        }
+    }
+
+    const Garment& garment_;
+    const seam::Outlines& outlines_;
+    Stretches& stretches_;
+};
+
+/// Rims of holes keep their lengths.
+bool isDrawn(const Seam& seam) {
+    return seam.ease && seam.drawn && seam.left.loop == 0 && seam.right.loop == 0;
+}
+
+/// The longer side of a seam becomes as much longer as has been stated.
+void drawEase(const Seam& seam, const seam::Outlines& outlines, Stretches& stretches) {
+    const bool leftIsLonger = *seam.ease >= 0;
+    const SeamSide& longer = leftIsLonger ? seam.left : seam.right;
+    const double now = stretches.lengthOf(longer);
+    const double other = stretches.lengthOf(leftIsLonger ? seam.right : seam.left);
+    const double wanted = leftIsLonger ? (1 + *seam.ease) * other : other / (1 + *seam.ease);
+    const auto at = [&longer](double share) -> double {
+        return longer.start + share * (longer.end - longer.start);
+    };
+    const int outline = outlines.indexOf(longer);
+    SeamPart drawn = *seam.drawn;
+    const auto factorOn = [&](const SeamPart& part) -> double {
+        const auto [from, to] = std::minmax({at(part.from), at(part.to)});
+        const double length = stretches.lengthOf(outline, from, to);
+        return (length + wanted - now) / (to - from);
+    };
+    if (!(drawn.from < drawn.to) || !(factorOn(drawn) >= kMinFactor)) {
+        drawn = {};
+    }
+    const double factor = factorOn(drawn);
+    const auto [from, to] = std::minmax({at(drawn.from), at(drawn.to)});
+    if (std::isfinite(factor) && factor > 0) {
+        stretches.add(outline, {from, to}, factor);
+    }
+}
+
+}  // namespace
+
+bool drawsEase(const Garment& garment) {
+    return std::ranges::any_of(garment.seams.seams, isDrawn);
+}
+
+std::vector<OutlineTargets> outlineTargets(const Garment& garment, const LineSettings& settings,
+                                           const Symmetry* symmetry) {
+    std::vector<OutlineTargets> targets(garment.pieces.size());
+    const auto isTyped = [](const SegmentSettings& said) { return said.length.has_value(); };
+    if (!symmetry && std::ranges::none_of(settings.segments, isTyped) && !drawsEase(garment)) {
+        return targets;
+    }
+    const seam::Outlines outlines = seam::buildOutlines(garment.pieces);
+    Stretches stretches(outlines);
+    if (symmetry) {
+        mirrorLengths(garment, symmetry->lengths, outlines, stretches);
+    }
+    TypedLengths typed(garment, outlines, stretches);
+    for (const SegmentSettings& said : settings.segments) {
+        if (said.length) {
+            typed.apply(said);
+        }
+    }
+    for (const Seam& seam : garment.seams.seams) {
+        if (isDrawn(seam)) {
+            drawEase(seam, outlines, stretches);
+        }
+    }
+    for (std::size_t p = 0; p < targets.size(); ++p) {
+        const seam::Outline& outline = outlines.list[p];
+        if (!stretches.isTouched(static_cast<int>(p))) {
+            continue;
+        }
+        targets[p].lengths.resize(outline.size());
+        for (int k = 0; k < outline.size(); ++k) {
+            targets[p].lengths[k] =
+                stretches.lengthOf(static_cast<int>(p), outline.arc[k], outline.arc[k + 1]);
+        }
+    }
+    return targets;
+}
+
+}  // namespace toile

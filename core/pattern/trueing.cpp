@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/trueing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include <Eigen/QR>
+
+#include "core/geometry/disjoint_sets.h"
+#include "core/seam/seam_settings.h"
+
+namespace toile {
+namespace {
+
+/// A seam's end lies at the turn point that is nearer than this, mm.
+constexpr double kAtTurnPoint = 1e-3;
+/// Places on a line that are the same, as shares of it.
+constexpr double kSameShare = 1e-6;
+
+std::optional<OutlineCorner> cornerAt(const std::vector<OutlineSegments>& segments,
+                                      const SeamSide& side, double at) {
+    if (side.loop != 0) {
+        return std::nullopt;
+    }
+    const OutlineSegments& of = segments[side.piece];
+    double perimeter = 0;
+    for (const Segment& segment : of.segments) {
+        perimeter += segment.length();
+    }
+    for (std::size_t k = 0; k < of.turnPoints.size(); ++k) {
+        const double off = std::remainder(of.turnPoints[k].at - at, perimeter);
+        if (std::abs(off) < kAtTurnPoint && of.turnPoints[k].isCorner) {
+            return OutlineCorner{side.piece, static_cast<int>(k)};
+        }
+    }
+    return std::nullopt;
+}
+
+const TurnPoint& pointOf(const std::vector<OutlineSegments>& segments,
+                         const OutlineCorner& corner) {
+    return segments[corner.piece].turnPoints[corner.point];
+}
+
+/// What has been said of single ends, by seam and end.
+std::map<std::pair<int, bool>, bool> saidOf(const SeamGraph& graph, const LineSettings& settings) {
+    std::map<std::pair<int, bool>, bool> said;
+    for (const SeamEndSettings& one : settings.seamEnds) {
+        const int found = seamAt(graph, one.seam);
+        if (found < 0) {
+            continue;
+        }
+        // Where the sides have changed places the seam runs the other way.
+        const SeamPlace& place = graph.seams[found].place;
+        const bool isTurned =
+            covered(one.seam.left, place.right) > covered(one.seam.left, place.left);
+        const LineStretch& there = isTurned ? place.right : place.left;
+        const double off =
+            one.atEnd ? there.to - one.seam.left.to : there.from - one.seam.left.from;
+        if (std::abs(std::remainder(off, 1)) < kSameShare) {  // else a cut has taken that end away
+            said[{found, one.atEnd != isTurned}] = one.trued;
+        }
+    }
+    return said;
+}
+
+/// Corners as they come, numbered.
+class Numbers {
+public:
+    int of(const OutlineCorner& corner) {
+        const auto [known, isNew] =
+            number_.emplace(std::pair(corner.piece, corner.point), static_cast<int>(all_.size()));
+        if (isNew) {
+            all_.push_back(corner);
+        }
+        return known->second;
+    }
+    const std::vector<OutlineCorner>& all() const { return all_; }
+
+private:
+    std::map<std::pair<int, int>, int> number_;
+    std::vector<OutlineCorner> all_;
+};
+
+/// Trues ends that hang together: each asks that two of the corners' turns grow by its kink.
+void trueTogether(const std::vector<const SeamEnd*>& ends,
+                  std::vector<std::vector<double>>& turns) {
+    Numbers corners;
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(ends.size(), 2 * ends.size());
+    Eigen::VectorXd kinks(ends.size());
+    for (std::size_t row = 0; row < ends.size(); ++row) {
+        A(row, corners.of(ends[row]->left)) += 1;
+        A(row, corners.of(ends[row]->right)) += 1;
+        kinks[row] = ends[row]->kink;
+    }
+    // Rows may depend on each other, where four pieces meet.
+    const Eigen::VectorXd change =
+        A.leftCols(corners.all().size()).completeOrthogonalDecomposition().solve(kinks);
+    for (std::size_t k = 0; k < corners.all().size(); ++k) {
+        turns[corners.all()[k].piece][corners.all()[k].point] = change[k];
+    }
+}
+
+}  // namespace
+
+double kinkOf(double turnLeft, double turnRight) {
+    return std::numbers::pi - turnLeft - turnRight;
+}
+
+std::vector<SeamEnd> findSeamEnds(const Garment& garment,
+                                  const std::vector<OutlineSegments>& segments,
+                                  const LineSettings& settings) {
+    const auto said = saidOf(garment.seams, settings);
+    std::vector<SeamEnd> ends;
+    for (std::size_t s = 0; s < garment.seams.seams.size(); ++s) {
+        const Seam& seam = garment.seams.seams[s];
+        if (seam.kind == SeamKind::Free || seam.closed || seam.stacked || seam.right.piece < 0) {
+            continue;
+        }
+        for (const bool atEnd : {false, true}) {
+            const auto left =
+                cornerAt(segments, seam.left, atEnd ? seam.left.end : seam.left.start);
+            const auto right =
+                cornerAt(segments, seam.right, atEnd ? seam.right.end : seam.right.start);
+            const bool isFoldEnd =
+                left && right && left->piece == right->piece && left->point == right->point;
+            if (!left || !right || isFoldEnd) {
+                continue;
+            }
+            SeamEnd end{static_cast<int>(s), atEnd, *left, *right};
+            end.kink = kinkOf(pointOf(segments, *left).turn, pointOf(segments, *right).turn);
+            if (std::abs(end.kink) <= kMaxKink) {
+                const auto known = said.find({end.seam, atEnd});
+                end.isTrued =
+                    known != said.end() ? known->second : std::abs(end.kink) <= settings.trueBelow;
+                ends.push_back(end);
+            }
+        }
+    }
+    return ends;
+}
+
+std::vector<std::vector<double>> truedTurns(const std::vector<OutlineSegments>& segments,
+                                            const std::vector<SeamEnd>& ends) {
+    std::vector<std::vector<double>> turns(segments.size());
+    for (std::size_t p = 0; p < segments.size(); ++p) {
+        turns[p].assign(segments[p].turnPoints.size(), 0);
+    }
+    Numbers corners;
+    std::vector<const SeamEnd*> asked;
+    for (const SeamEnd& end : ends) {
+        if (end.isTrued) {
+            asked.push_back(&end);
+            corners.of(end.left);
+            corners.of(end.right);
+        }
+    }
+    geometry::DisjointSets groups(static_cast<int>(corners.all().size()));
+    for (const SeamEnd* end : asked) {
+        groups.join(corners.of(end->left), corners.of(end->right));
+    }
+    std::map<int, std::vector<const SeamEnd*>> together;
+    for (const SeamEnd* end : asked) {
+        together[groups.root(corners.of(end->left))].push_back(end);
+    }
+    for (const auto& [group, members] : together) {
+        trueTogether(members, turns);
+    }
+    return turns;
+}
+
+}  // namespace toile

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person has said of a segment stays with that stretch of cloth, whatever else is done.
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/geometry/segment.h"
+#include "core/pattern/segments.h"
+#include "core/pipeline/pipeline.h"
+#include "core/project/project_file.h"
+#include "core/seam/seam_measure.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+/// A length that was typed, and where: the segment as a line in space, on which piece's side.
+struct TypedSegment {
+    Points3 line;
+    PieceId uncut;
+    double length = 0;
+};
+
+struct LineState {
+    Garment garment;
+    LoadOptions loading;
+    FlattenOptions options{Method::Curvature};
+    LineSettings lines;
+    std::vector<TypedSegment> typed;
+};
+
+double distanceToLine(const Points3& line, const Eigen::RowVector3d& point) {
+    double least = 1e300;
+    for (Eigen::Index i = 1; i < line.rows(); ++i) {
+        const Eigen::RowVector3d a = line.row(i - 1), b = line.row(i);
+        least = std::min(least, geometry::distanceToSegment(point, a, b));
+    }
+    return least;
+}
+
+double lengthOfLine(const Points3& line) {
+    return (line.bottomRows(line.rows() - 1) - line.topRows(line.rows() - 1))
+        .rowwise()
+        .norm()
+        .sum();
+}
+
+class LineEditor {
+public:
+    explicit LineEditor(unsigned seed) : random_(seed) {
+        Progress progress;
+        state_.loading.unit = LengthUnit::Millimetre;
+        state_.garment = *loadGarment({path_}, state_.loading, progress);
+        for (int k = 0; k < 4; ++k) {
+            type();
+        }
+    }
+
+    void edit() {
+        switch (upTo(6)) {
+            case 0:
+                return type();
+            case 1:
+                return removeCut();
+            case 2:
+                return closeAndOpen();
+            case 3:
+                past_.push_back(state_);
+                state_.options.method = upTo(2) == 0 ? Method::Wang2005 : Method::Curvature;
+                return;
+            case 4:
+                if (!past_.empty()) {
+                    state_ = past_.back();
+                    past_.pop_back();
+                }
+                return;
+            default:
+                return cut();
+        }
+    }
+
+    std::size_t cuts() const { return state_.loading.seams.cuts.size(); }
+
+    void expectAllIsKept() {
+        const auto all = segments();
+        std::vector<int> found(state_.typed.size(), 0);
+        for (std::size_t p = 0; p < all.size(); ++p) {
+            const Piece& piece = *state_.garment.pieces[p];
+            for (const Segment& segment : all[p].segments) {
+                const Points3 line = spaceLine(segment.at, piece);
+                std::optional<double> expected;
+                for (std::size_t k = 0; k < state_.typed.size(); ++k) {
+                    const TypedSegment& typed = state_.typed[k];
+                    if (typed.uncut == piece.lineage.uncut.front() && liesOn(line, typed.line)) {
+                        expected = typed.length;
+                        ++found[k];
+                    }
+                }
+                if (expected) {
+                    EXPECT_EQ(segment.settings.length, expected) << piece.name;
+                }
+            }
+        }
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            EXPECT_GT(found[k], 0) << "typed " << state_.typed[k].length;
+        }
+    }
+
+private:
+    int upTo(std::size_t count) { return static_cast<int>(random_() % count); }
+
+    std::vector<OutlineSegments> segments() const {
+        Progress progress;
+        const PieceResults results = flattenGarment(state_.garment, state_.options, progress);
+        return findSegments(state_.garment, results, state_.lines);
+    }
+
+    /// All of the segment is a part of the line.
+    static bool liesOn(const Points3& part, const Points3& line) {
+        for (Eigen::Index i = 1; i < part.rows(); ++i) {
+            if (distanceToLine(line, 0.5 * (part.row(i) + part.row(i - 1))) > 1e-6) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// A length for a segment of a rim of the division, of which nothing has been said.
+    void type() {
+        const auto all = segments();
+        std::vector<std::pair<std::size_t, const Segment*>> free;
+        for (std::size_t p = 0; p < all.size(); ++p) {
+            const Piece& piece = *state_.garment.pieces[p];
+            for (const Segment& segment : all[p].segments) {
+                const Points3 line = spaceLine(segment.at, piece);
+                const Seam* seam =
+                    segment.seam >= 0 ? &state_.garment.seams.seams[segment.seam] : nullptr;
+                // A piece that is sewn to itself has two segments in one place.
+                const bool isCut =
+                    seam && (!seam->cuts.empty() || seam->left.piece == seam->right.piece);
+                const bool isTyped =
+                    std::ranges::any_of(state_.typed, [&](const TypedSegment& typed) {
+                        return liesOn(line, typed.line) || liesOn(typed.line, line);
+                    });
+                if (!isCut && !isTyped && lengthOfLine(line) > 20) {
+                    free.emplace_back(p, &segment);
+                }
+            }
+        }
+        if (free.empty()) {
+            return;
+        }
+        past_.push_back(state_);
+        const auto& [p, segment] = free[static_cast<std::size_t>(upTo(free.size()))];
+        const Piece& piece = *state_.garment.pieces[p];
+        const double length = segment->length() + 0.001 * ++count_;
+        state_.lines.segments.push_back({segment->place, length});
+        state_.typed.push_back(
+            {spaceLine(segment->at, piece), piece.lineage.uncut.front(), length});
+    }
+
+    void recut(LoadOptions loading) {
+        Progress progress;
+        past_.push_back(state_);
+        state_.garment = *cutGarment(state_.garment, loading, progress);
+        state_.loading = resolveNames(std::move(loading), state_.garment);
+    }
+
+    /// From a corner of the outline to the middle of the cloth, or to another corner.
+    void cut() {
+        const auto pieces = state_.garment.pieces.size();
+        const Piece& piece = *state_.garment.pieces[static_cast<std::size_t>(upTo(pieces))];
+        LoadOptions loading = state_.loading;
+        UserCut& cut = loading.seams.cuts.emplace_back();
+        cut.name = "cut " + std::to_string(++count_);
+        const auto place = [&](int vertex) {
+            cut.points.emplace_back(piece.mesh.V.row(vertex).transpose());
+        };
+        place(piece.boundary[static_cast<std::size_t>(upTo(piece.boundary.size()))]);
+        place(upTo(static_cast<std::size_t>(piece.mesh.V.rows())));
+        recut(std::move(loading));
+    }
+
+    void removeCut() {
+        LoadOptions loading = state_.loading;
+        auto& cuts = loading.seams.cuts;
+        if (!cuts.empty()) {
+            cuts.erase(cuts.begin() + upTo(cuts.size()));
+            recut(std::move(loading));
+        }
+    }
+
+    void closeAndOpen() {
+        Project project;
+        project.files = meshReferences(state_.garment);
+        project.loading = state_.loading;
+        project.loading.known = knownPieces(state_.garment);
+        project.options = state_.options;
+        project.lines = state_.lines;
+        const auto read = parseProject(projectText(project, "/"), "a.toile", "/");
+        ASSERT_TRUE(read);
+        Progress progress;
+        past_.push_back(state_);
+        state_.garment = *loadGarment({path_}, read->project.loading, progress);
+        state_.loading = resolveNames(read->project.loading, state_.garment);
+        state_.lines = read->project.lines;
+        state_.options = read->project.options;
+    }
+
+    const std::filesystem::path path_ = test::dataFile("samples/tshirt.obj");
+    std::mt19937 random_;
+    LineState state_;
+    std::vector<LineState> past_;
+    int count_ = 0;
+};
+
+class LinesIdentity : public testing::TestWithParam<unsigned> {};
+
+TEST_P(LinesIdentity, WhatWasSaidOfSegmentsStaysThroughRandomEdits) {
+    LineEditor editor(GetParam());
+    editor.expectAllIsKept();
+    for (int k = 0; k < 15 && !HasFailure(); ++k) {
+        if (editor.cuts() < 5) {
+            editor.edit();
+            editor.expectAllIsKept();
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, LinesIdentity, testing::Range(1U, 7U));
+
+}  // namespace
+}  // namespace toile
