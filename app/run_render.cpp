@@ -54,8 +54,9 @@ bool openFlattened(Document& document, const Arguments& arguments, Garment read)
         state = stateOf(*arguments.project, derived.inputs, *derived.garment);
     }
     state.options = arguments.options;
+    state.lines = arguments.lines;
     GarmentFlattener flattener;
-    flatten(made, state.options, flattener, progress);
+    flatten(made, state, flattener, progress);
     draw(derived, progress);
     state.settings = settingsAfter(made, std::move(state.settings), {});
     const bool failed = printFailures(derived.results, std::cerr);

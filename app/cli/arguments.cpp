@@ -3,12 +3,14 @@
 #include "app/cli/arguments.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command_line.h"
+#include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/garment/fabric.h"
@@ -146,6 +148,37 @@ void addMethodOptions(CLI::App& command, StatedOptions& stated, bool isOne = tru
         ->default_str("0");
 }
 
+std::optional<Mirror> parseMirror(std::string_view text) {
+    return text == "auto"   ? std::optional(Mirror::Mean)
+           : text == "none" ? std::optional(Mirror::None)
+                            : std::nullopt;
+}
+
+/// How outlines are drawn.
+void addLineOptions(CLI::App& command, StatedOptions& stated) {
+    command
+        .add_option_function<std::vector<double>>(
+            "--fair",
+            [&stated](const std::vector<double>& typed) {
+                Fairing& fairing = stated.fairing.emplace();
+                fairing.tolerance = typed.front();
+                fairing.smoothing = typed.size() > 1 ? typed[1] : fairing.smoothing;
+            },
+            "Draw outlines as fair lines of the same length, at most so far from the exact ones, "
+            "smoothed over LAMBDA [1,40]")
+        ->type_name("[MM[,LAMBDA]]")
+        ->delimiter(',')
+        ->expected(1, 2)
+        ->allow_extra_args(false);
+    command.add_flag("--true", stated.trueSeams,
+                     "True the lines at the ends of seams: kinks up to 10 degrees are taken out; "
+                     "draws fair lines");
+    addChoice(command, "--mirror", stated.mirror, {"auto", "none"}, parseMirror,
+              "auto: pieces that mirror each other become equal, and those that are symmetric in "
+              "themselves symmetric")
+        ->default_str("none");
+}
+
 void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App& flatten = addCommand(app, arguments, Arguments::Command::Flatten, "flatten",
                                    "Flatten every piece of a garment");
@@ -156,6 +189,7 @@ void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
         ->type_name("FILE")
         ->allow_extra_args(false);  // so that inputs may follow
     addMethodOptions(flatten, arguments.stated);
+    addLineOptions(flatten, arguments.stated);
     addReading(flatten, arguments);
     flatten.add_flag("--ledger", arguments.ledger,
                      "Print every seam with the lengths of its two sides");
@@ -212,6 +246,7 @@ void addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
               "The colour bar below [on where the overlay is measured]");
     render.add_flag("--dark", picture.dark, "On a dark ground");
     addMethodOptions(render, arguments.stated);
+    addLineOptions(render, arguments.stated);
     addReading(render, arguments);
 }
 
@@ -226,6 +261,7 @@ void addCheck(CLI::App& app, Arguments& arguments) {
               "What the garment is cut from: " + fabrics.front() +
                   " where neither this nor a project says so");
     addMethodOptions(check, arguments.stated);
+    addLineOptions(check, arguments.stated);
     addReading(check, arguments);
     check.add_flag("--json", arguments.json, "Print as JSON");
 }
@@ -235,6 +271,28 @@ void addInfo(CLI::App& app, Arguments& arguments) {
                                 "Tell what a garment file holds");
     addReading(info, arguments);
     info.add_flag("--json", arguments.json, "Print as JSON");
+}
+
+bool isNumber(const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+/// The words after the program's name, as CLI11 takes them: last first. `--fair` may stand alone:
+/// what follows is its value only where it begins as a number does.
+std::vector<std::string> reversedWords(int argc, const char* const* argv) {
+    std::vector<std::string> words;
+    for (int i = 1; i < argc; ++i) {
+        words.emplace_back(argv[i]);
+        const std::string next = i + 1 < argc ? argv[i + 1] : "";
+        if (words.back() == "--fair" &&
+            (next.empty() || !isNumber(next.substr(0, next.find(','))))) {
+            words.emplace_back(shortest(Fairing{}.tolerance));
+        }
+    }
+    std::ranges::reverse(words);
+    return words;
 }
 
 /// Each once, in the order typed; all of them where none was.
@@ -260,6 +318,23 @@ Arguments message(std::string text, int status) {
 /// One sentence, as every error.
 Arguments wrongUsage(const std::string& what) {
     return message("toile: " + what + "; see toile --help.\n", kExitUsage);
+}
+
+/// @return what is wrong, or nothing
+std::string wrongFairing(const LineSettings& lines) {
+    const Fairing fairing = lines.fairing.value_or(Fairing{});
+    const auto isWithin = [](double value, double least, double most) {
+        return value >= least && value <= most;
+    };
+    if (!isWithin(fairing.tolerance, kMinFairTolerance, kMaxFairTolerance)) {
+        return "--fair takes a tolerance from " + shortest(kMinFairTolerance) + " to " +
+               shortest(kMaxFairTolerance) + " mm";
+    }
+    if (!isWithin(fairing.smoothing, kMinSmoothing, kMaxSmoothing)) {
+        return "--fair takes a smoothing length from " + shortest(kMinSmoothing) + " to " +
+               shortest(kMaxSmoothing) + " mm";
+    }
+    return {};
 }
 
 /// @return what is wrong, or nothing
@@ -321,6 +396,15 @@ FlattenOptions StatedOptions::over(FlattenOptions options) const {
     return options;
 }
 
+LineSettings StatedOptions::over(LineSettings lines) const {
+    if (fairing || (trueSeams && !lines.fairing)) {
+        lines.fairing = fairing.value_or(Fairing{});
+    }
+    lines.trueBelow = trueSeams ? kProposedTrueing : lines.trueBelow;
+    lines.mirror = mirror.value_or(lines.mirror);
+    return lines;
+}
+
 Arguments parseArguments(int argc, const char* const* argv) {
     CLI::App app{
         "Toile: sewing patterns from 3D garments.\n"
@@ -353,7 +437,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     addMethodOptions(app, arguments.stated);
     addReading(app, arguments);
     try {
-        app.parse(argc, argv);
+        app.parse(reversedWords(argc, argv));
     } catch (const CLI::ParseError& error) {
         return fromParseError(app, error);
     }
@@ -370,7 +454,11 @@ Arguments parseArguments(int argc, const char* const* argv) {
     if (arguments.load.split == SplitMode::Seams && arguments.seams.empty()) {
         return wrongUsage("--split seams divides by the cuts of a file: give it with --seams");
     }
-    arguments.options = arguments.stated.over({});
+    arguments.options = arguments.stated.over(FlattenOptions{});
+    arguments.lines = arguments.stated.over(LineSettings{});
+    if (const std::string wrong = wrongFairing(arguments.lines); !wrong.empty()) {
+        return wrongUsage(wrong);
+    }
     if (std::isnan(arguments.options.authalic)) {  // which is neither below nor above a limit
         return wrongUsage("--authalic must be a number from 0 to 1");
     }

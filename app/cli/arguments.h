@@ -22,9 +22,13 @@ struct StatedOptions {
     std::optional<FreeBoundary> freeBoundary{};
     std::optional<StretchOutline> stretchOutline{};
     std::optional<double> authalic{};
+    std::optional<Fairing> fairing{};
+    bool trueSeams = false;
+    std::optional<Mirror> mirror{};
 
     /// These options where something was typed, the given ones else.
     FlattenOptions over(FlattenOptions options) const;
+    LineSettings over(LineSettings lines) const;
 
     bool operator==(const StatedOptions&) const = default;
 };
@@ -52,6 +56,7 @@ struct Arguments {
     bool ledger = false;               ///< flatten: print the seams
     StatedOptions stated{};            ///< how pieces are flattened, as far as it was typed
     FlattenOptions options;            ///< the same, with what holds where nothing was typed
+    LineSettings lines{};              ///< likewise, how outlines are drawn
     std::vector<Method> methods;       ///< compare: each once, in the order typed
     std::filesystem::path screenshot;  ///< window: save a picture of itself and end
     std::optional<Overlay> overlay;    ///< window, render: what is painted on the cloth

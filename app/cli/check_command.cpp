@@ -59,7 +59,8 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     CutPlan plan;
     plan.garment = std::make_shared<const Garment>(std::move(*read));
     plan.options = arguments.options;
-    plan.results = flattenGarment(*plan.garment, plan.options, progress);
+    plan.lines = arguments.lines;
+    plan.results = flattenGarment(*plan.garment, plan.options, progress, 0, arguments.lines);
     plan.fabric = arguments.fabric.value_or(plan.fabric);
     plan.settings = settingsOf(arguments, *plan.garment, plan.results);
     const Readiness readiness = readyToCut(plan, progress);

@@ -114,6 +114,7 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
     }
     arguments.load = read->project.loading;
     arguments.options = arguments.stated.over(read->project.options);
+    arguments.lines = arguments.stated.over(read->project.lines);
     if (!arguments.fabric) {
         arguments.fabric = read->project.fabric;
     }

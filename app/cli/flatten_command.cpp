@@ -72,7 +72,7 @@ std::vector<MeasuredSeam> measuredSeams(const Garment& garment, const PieceResul
         const PieceResult& right = *results[seam.right.piece];
         if (left.flat && right.flat) {
             rows.push_back(
-                {&seam, measureSeam(seam, *left.piece, left.flat->Q, *right.piece, right.flat->Q)});
+                {&seam, measureSeam(seam, *left.piece, *left.flat, *right.piece, *right.flat)});
         }
     }
     // Rounding is no order: equal errors stay in the order of the seams.
@@ -119,7 +119,8 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     if (!garment) {
         return kExitUnreadable;
     }
-    const PieceResults results = flattenGarment(*garment, arguments.options, progress);
+    const PieceResults results =
+        flattenGarment(*garment, arguments.options, progress, 0, arguments.lines);
     printCuts(*garment, out);
     printTable(results, out);
     printSeamSummary(*garment, results, out);
@@ -136,7 +137,7 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     }
     const LaidOutPattern laid = laidOut(arguments, *garment, results);
     for (const auto& output : arguments.outputs) {
-        const auto written = exportFile(output, *garment, results, laid);
+        const auto written = exportFile(output, *garment, results, laid, {}, {}, arguments.lines);
         if (written) {
             out << "wrote " << output.string() << '\n';
         } else {

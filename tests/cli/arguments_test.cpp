@@ -66,6 +66,16 @@ TEST(Arguments, DefaultsAreThoseOfTheLibrary) {
     }
 }
 
+TEST(Arguments, PiecesAreMirroredOnRequest) {
+    EXPECT_EQ(parse({"flatten", "a.obj"}).lines.mirror, Mirror::None);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--mirror", "auto"}).lines.mirror, Mirror::Mean);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--mirror", "none"}).lines.mirror, Mirror::None);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--mirror", "left"}).command, Command::Message);
+    LineSettings said;
+    said.mirror = Mirror::First;
+    EXPECT_EQ(parse({"flatten", "a.obj"}).stated.over(said).mirror, Mirror::First);
+}
+
 TEST(Arguments, EveryMethodAndItsOptionsCanBeNamedEverywhere) {
     for (const MethodTraits& method : allMethods()) {
         const std::string name(method.name);
