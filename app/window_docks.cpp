@@ -9,6 +9,7 @@
 #include "app/actions/action_registry.h"
 #include "app/actions/workspace.h"
 #include "app/panels/fabric_panel.h"
+#include "app/panels/lines_panel.h"
 #include "app/panels/pieces_panel.h"
 #include "app/panels/position_panel.h"
 #include "app/panels/problems_panel.h"
@@ -54,6 +55,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
       seams_(new SeamsPanel(document_)),
       problems_(new ProblemsPanel(checker_)),
       history_(new QUndoView(&document_.history())),
+      lines_(new LinesPanel(document_)),
       position_(new PositionPanel(document_, actions)),
       fabric_(new FabricPanel(document_)) {
     history_->setObjectName("historyList");
@@ -63,6 +65,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
     add(tr("Problems"), "problemsDock", problems_, problems_->table(),
         actions[ActionId::GoToProblems]);
     add(tr("History"), "historyDock", history_, *history_, actions[ActionId::GoToHistory]);
+    add(tr("Lines"), "linesDock", lines_, lines_->firstField(), actions[ActionId::GoToLines]);
     add(tr("Position"), "positionDock", position_, position_->firstField(),
         actions[ActionId::GoToPosition]);
     add(tr("Fabric"), "fabricDock", fabric_, fabric_->firstField(), actions[ActionId::GoToFabric]);

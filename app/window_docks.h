@@ -16,6 +16,7 @@ namespace toile::app {
 
 class ActionRegistry;
 class FabricPanel;
+class LinesPanel;
 class PiecesPanel;
 class PositionPanel;
 class Preferences;
@@ -46,8 +47,8 @@ public:
     bool setAvailable(bool available);
 
 private:
-    /// In the order of `Panel`, then those beside the views.
-    enum Dock : qsizetype { Pieces, Seams, Problems, History, Position, FabricDock };
+    /// In the order of `Panel`, then the other one below the views and those beside them.
+    enum Dock : qsizetype { Pieces, Seams, Problems, History, Lines, Position, FabricDock };
 
     /// @param field  where the keyboard goes
     void add(const QString& title, const char* name, QWidget* panel, QWidget& field,
@@ -69,6 +70,7 @@ private:
     SeamsPanel* seams_;
     ProblemsPanel* problems_;
     QUndoView* history_;
+    LinesPanel* lines_;
     PositionPanel* position_;
     FabricPanel* fabric_;
     QList<QDockWidget*> docks_;

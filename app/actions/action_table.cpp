@@ -42,6 +42,11 @@ bool hasReference(Workspace& on) {
     return scene && !scene->patternLines.reference.empty();
 }
 
+bool hasExactOutline(Workspace& on) {
+    const auto& scene = on.document().scene();
+    return scene && !scene->patternLines.exact.empty();
+}
+
 bool hasCuts(Workspace& on) {
     return !on.loading().seams.cuts.empty();
 }
@@ -282,6 +287,9 @@ std::vector<ActionSpec> makeActions() {
          TR("Draw the reference panels, the designer's own, over the flat pieces, where the file "
             "has them"),
          switches(&ViewState::referencePanels, hasReference)},
+        {ActionId::ExactOutline, "exactOutline", TR("Exact o&utline"), "Shift+X",
+         TR("Draw the outline as it was solved, dashed, where a fair line is drawn in its place"),
+         switches(&ViewState::exactOutline, hasExactOutline)},
         {ActionId::ShowSeams, "showSeams", TR("Show &seams"), "Shift+S",
          TR("Draw the seam lines, both sides of a seam in one colour"),
          switches(&ViewState::seams)},
@@ -527,6 +535,8 @@ std::vector<ActionSpec> makeActions() {
          TR("Show what stands against cutting and move the keyboard there"), whenOpen()},
         {ActionId::GoToHistory, "goToHistory", TR("Go to &history"), "Ctrl+4",
          TR("Show the steps done so far and move the keyboard there"), whenOpen()},
+        {ActionId::GoToLines, "goToLines", TR("Go to &lines"), "Ctrl+5",
+         TR("Show how the lines of the pattern are drawn and move the keyboard there"), whenOpen()},
         {ActionId::ResetLayout, "resetLayout", TR("Reset &window layout"), "",
          TR("Put every list back below the views and every panel beside them, as at the first "
             "start")},

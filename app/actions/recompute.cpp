@@ -125,8 +125,8 @@ void Recompute::take(Derivation made) {
     }
     if (order_.extent.flatten && !made.motions.empty()) {
         // More than has come there will not be.
-        flattening_ = app::isFlattened(made.derived, document_.options()) ? Flattening::AsUsual
-                                                                          : Flattening::Declined;
+        flattening_ = app::isFlattened(made.derived, document_.state()) ? Flattening::AsUsual
+                                                                        : Flattening::Declined;
     }
     SettingsById settings = settingsAfter(made, document_.state().settings, document_.settings());
     document_.show(std::move(made.derived), std::move(settings));

@@ -9,6 +9,7 @@
 #include "app/document/history.h"
 #include "core/garment/lineage.h"
 #include "core/pattern/pattern.h"
+#include "core/pattern/target_lengths.h"
 #include "core/seam/seam_settings.h"
 
 namespace toile::app {
@@ -84,7 +85,7 @@ QString Document::title() const {
 }
 
 bool Document::isFlattened() const {
-    return isCurrent() && app::isFlattened(derived_, state_.options);
+    return isCurrent() && app::isFlattened(derived_, state_);
 }
 
 void Document::open(DocumentState state, Derived derived) {
@@ -141,7 +142,8 @@ void Document::exchange(DocumentState& other, bool& wasFlat) {
     Derived derived = knownOf(state_);
     const bool otherPieces = !haveTheSamePieces(derived.garment.get(), garment().get());
     const bool samePieces = wasCurrent && derived.inputs == state_.inputs && !otherPieces;
-    if (otherPieces || what.testFlag(DocumentChange::Options) ||
+    const bool otherTargets = what.testFlag(DocumentChange::Loading) && !derived.lines;
+    if (otherPieces || otherTargets || what.testFlag(DocumentChange::Options) ||
         (what.testFlag(DocumentChange::Loading) && !samePieces)) {
         ++revision_;
     }
@@ -156,17 +158,20 @@ void Document::tell(DocumentChanges what) {
 }
 
 Derived Document::knownOf(const DocumentState& state) {
-    if (derived_.inputs == state.inputs && app::isFlattened(derived_, state.options)) {
+    if (derived_.inputs == state.inputs && app::isFlattened(derived_, state)) {
         return derived_;
     }
     cache_.keep(derived_);
-    if (const Derived* known = cache_.find(state.inputs, state.options)) {
+    if (const Derived* known = cache_.find(state)) {
         return *known;
     }
     Derived eased = derived_;
     eased.inputs.loading.seamSettings = state.inputs.loading.seamSettings;
     if (garment() && eased.inputs == state.inputs) {
         if (auto other = easedGarment(*garment(), state.inputs.loading.seamSettings)) {
+            if (drawsEase(*garment()) || drawsEase(*other)) {
+                eased.lines.reset();
+            }
             eased.garment = std::make_shared<const Garment>(std::move(*other));
             return eased;
         }
@@ -177,7 +182,8 @@ Derived Document::knownOf(const DocumentState& state) {
 DocumentChanges Document::differences(const DocumentState& before) const {
     DocumentChanges what;
     what.setFlag(DocumentChange::Loading, !(state_.inputs == before.inputs));
-    what.setFlag(DocumentChange::Options, !(state_.options == before.options));
+    what.setFlag(DocumentChange::Options,
+                 !(state_.options == before.options) || state_.lines != before.lines);
     what.setFlag(DocumentChange::Fabric, !(state_.fabric == before.fabric));
     what.setFlag(DocumentChange::Settings,
                  state_.settings != before.settings || state_.labels != before.labels);
@@ -269,6 +275,14 @@ void Document::setOptions(const FlattenOptions& options, const QString& text) {
     }
 }
 
+void Document::setLines(LineSettings lines, const QString& text, int gesture) {
+    if (garment()) {
+        DocumentState next = state_;
+        next.lines = std::move(lines);
+        edit(text, std::move(next), gesture);
+    }
+}
+
 void Document::setLoading(LoadOptions loading) {
     Q_ASSERT(!garment());
     state_.inputs.loading = std::move(loading);
@@ -345,6 +359,19 @@ void Document::setSeamEase(int seam, std::optional<double> ease) {
     auto& settings = next.inputs.loading.seamSettings;
     settings = withEase(std::move(settings), before, ease);
     edit(tr("Ease of a seam"), std::move(next));
+}
+
+void Document::setEaseDrawn(int seam, bool drawn) {
+    Q_ASSERT(seam >= 0 && seam < seamCount());
+    const Seam& before = garment()->seams.seams[static_cast<std::size_t>(seam)];
+    if (!before.ease || before.drawn.has_value() == drawn) {
+        return;
+    }
+    DocumentState next = state_;
+    auto& settings = next.inputs.loading.seamSettings;
+    settings = withEase(std::move(settings), before, before.ease,
+                        drawn ? std::optional(SeamPart{}) : std::nullopt);
+    edit(drawn ? tr("Drawn ease") : tr("Ease no longer drawn"), std::move(next));
 }
 
 void Document::setView(const ViewState& view) {

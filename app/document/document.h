@@ -112,6 +112,10 @@ public:
     /// How pieces are to be flattened: a step of the history where a garment is open.
     /// @param text  what was done, for the undo menu; empty: the usual words
     void setOptions(const FlattenOptions& options, const QString& text = {});
+    /// How the lines of the pattern are drawn: a step of the history. Nothing where no garment is
+    /// open.
+    /// @param text, gesture  as for `edit`
+    void setLines(LineSettings lines, const QString& text, int gesture = -1);
     /// Says how the next files are read; where a garment is open that is a matter of `edit`.
     void setLoading(LoadOptions loading);
     /// Indices outside the garment are left out.
@@ -129,6 +133,9 @@ public:
     /// history.
     /// @param seam an index into Garment::seams; not of a free edge
     void setSeamEase(int seam, std::optional<double> ease);
+    /// Says whether the stated ease of a seam is drawn: its longer side is that much longer in the
+    /// pattern. A step of the history.
+    void setEaseDrawn(int seam, bool drawn);
     /// What is painted; no step of the history.
     void setView(const ViewState& view);
     void setView(bool ViewState::*field, bool on);

@@ -5,14 +5,15 @@
 
 namespace toile::app {
 
-bool isFlattened(const Derived& derived, const FlattenOptions& options) {
-    if (!derived.garment || derived.results.size() != derived.garment->pieces.size()) {
+bool isFlattened(const Derived& derived, const DocumentState& state) {
+    if (!derived.garment || derived.results.size() != derived.garment->pieces.size() ||
+        derived.lines != state.lines) {
         return false;
     }
     for (std::size_t i = 0; i < derived.results.size(); ++i) {
         const PieceResult* result = derived.results[i].get();
         if (!result || result->piece != derived.garment->pieces[i] ||
-            !(result->options == options)) {
+            !(result->options == state.options)) {
             return false;
         }
     }

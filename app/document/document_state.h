@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/garment/fabric.h"
@@ -22,6 +23,7 @@ struct Scene;
 struct DocumentState {
     GarmentInputs inputs{};    ///< files, how they are divided and cut, the ease stated
     FlattenOptions options{};  ///< how pieces are to be flattened
+    LineSettings lines{};      ///< and how their outlines are drawn
     Fabric fabric = fabricPresets().front();
     SettingsById settings{};
     PieceLabels labels{};
@@ -36,6 +38,7 @@ struct Derived {
     /// One per piece, null where not flattened yet; or empty. May be of older options, or warm,
     /// until others come.
     PieceResults results{};
+    std::optional<LineSettings> lines = LineSettings{};  ///< that results are of; none: of older
     /// What is flat, as pieces of cloth, and what the views draw: of all this; or null, both.
     std::shared_ptr<const Pattern> pattern{};
     std::shared_ptr<const Scene> scene{};
@@ -44,8 +47,8 @@ struct Derived {
     bool operator==(const Derived&) const = default;
 };
 
-/// True where every piece has the result that these options ask for.
-bool isFlattened(const Derived& derived, const FlattenOptions& options);
+/// True where every piece has the result that the state asks for.
+bool isFlattened(const Derived& derived, const DocumentState& state);
 /// True where some result is warm: another is to take its place.
 bool isWarm(const Derived& derived);
 

@@ -42,13 +42,13 @@ void DerivedCache::keep(const Derived& derived) {
     evict();
 }
 
-const Derived* DerivedCache::find(const GarmentInputs& inputs, const FlattenOptions& options) {
+const Derived* DerivedCache::find(const DocumentState& state) {
     auto found = kept_.end();
     for (auto entry = kept_.begin(); entry != kept_.end(); ++entry) {
-        if (!(entry->inputs == inputs)) {
+        if (!(entry->inputs == state.inputs)) {
             continue;
         }
-        if (isFlattened(*entry, options)) {
+        if (isFlattened(*entry, state)) {
             found = entry;
             break;
         }

@@ -39,9 +39,9 @@ public:
     /// Of scenes and results; what follows from several states counts once.
     void setMaxBytes(std::size_t bytes);
     void keep(const Derived& derived);
-    /// What follows from these inputs, flattened by these options if it is there; else null.
+    /// What follows from the state's inputs, flattened as it asks if that is there; else null.
     /// Valid until the next call.
-    const Derived* find(const GarmentInputs& inputs, const FlattenOptions& options);
+    const Derived* find(const DocumentState& state);
     void clear() { kept_.clear(); }
 
 private:

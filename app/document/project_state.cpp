@@ -11,6 +11,7 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
     project.loading = state.inputs.loading;
     project.loading.known = knownPieces(garment);
     project.options = state.options;
+    project.lines = state.lines;
     project.fabric = state.fabric;
     std::vector<PieceSettings> settings;
     for (const auto& piece : garment.pieces) {
@@ -20,7 +21,7 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
     project.pieces = projectPieces(garment, std::move(settings), derived.results);
     project.labels = state.labels;
     project.view = {std::string(wordOf(kOverlayWords, view.overlay)), view.wireframe,
-                    view.referencePanels};
+                    view.referencePanels, view.exactOutline};
     return project;
 }
 
@@ -28,6 +29,7 @@ ViewState viewOf(const ProjectView& saved, ViewState view) {
     view.overlay = parseWord(kOverlayWords, saved.overlay).value_or(view.overlay);
     view.wireframe = saved.wireframe;
     view.referencePanels = saved.referencePanels;
+    view.exactOutline = saved.exactOutline;
     return view;
 }
 
@@ -35,6 +37,7 @@ DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garmen
     DocumentState state;
     state.inputs = std::move(inputs);
     state.options = project.options;
+    state.lines = project.lines;
     state.fabric = project.fabric;
     state.labels = project.labels;
     std::vector<PieceSettings> settings = settingsFor(project, garment);

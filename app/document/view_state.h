@@ -77,6 +77,7 @@ struct ViewState {
     Overlay overlay = Overlay::Checker;
     bool wireframe = false;
     bool referencePanels = false;    ///< the reference panels over the pattern
+    bool exactOutline = false;       ///< the outline as it was solved, where another is drawn
     bool valuesPerTriangle = false;  ///< a measured overlay is not smoothed over the vertices
     bool worstSpots = true;          ///< the worst places of a measured overlay carry a number
     bool seams = true;               ///< seam lines, each pair in its colour

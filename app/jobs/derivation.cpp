@@ -6,6 +6,7 @@
 
 #include "app/document/disposal.h"
 #include "app/render/scene_builder.h"
+#include "core/pattern/target_lengths.h"
 #include "core/pipeline/garment_flattener.h"
 
 namespace toile::app {
@@ -28,6 +29,11 @@ PieceResults carriedResults(const PieceResults& results, const Garment& after) {
         carried.push_back(found == known.end() ? nullptr : found->second);
     }
     return carried;
+}
+
+std::size_t bytesOf(const FlatPiece& flat) {
+    const std::size_t line = flat.line ? 3 * static_cast<std::size_t>(flat.line->points.rows()) : 0;
+    return (static_cast<std::size_t>(flat.Q.size()) + line) * sizeof(double);
 }
 
 /// Takes other results in.
@@ -57,6 +63,10 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
     derived.garment = garment;
     if (!before.results.empty()) {  // else nothing is flat yet, and all is to be
         derived.results = carriedResults(before.results, *garment);
+        derived.lines = before.lines;
+        if (!(state.lines == LineSettings{}) || drawsEase(*garment) || drawsEase(*before.garment)) {
+            derived.lines.reset();  // segments and targets may be others
+        }
     }
     return derivation;
 }
@@ -80,14 +90,19 @@ Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
     return made->derived;
 }
 
-void flatten(Derivation& made, const FlattenOptions& options, GarmentFlattener& flattener,
+void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& flattener,
              Progress& progress) {
-    become(made,
-           flattener.flatten(*made.derived.garment, options, progress, 0, made.derived.results));
+    become(made, flattener.flatten(*made.derived.garment, state.options, progress, 0,
+                                   made.derived.results, state.lines));
+    made.derived.lines = state.lines;
 }
 
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress) {
-    become(made, flattener.settle(made.derived.results, progress));
+    if (!made.derived.lines) {
+        return;  // of older lines: what is shown is as it was asked for then
+    }
+    become(made, flattener.settle(*made.derived.garment, made.derived.results, progress, 0,
+                                  *made.derived.lines));
 }
 
 void draw(Derived& derived, Progress& progress) {
@@ -97,7 +112,8 @@ void draw(Derived& derived, Progress& progress) {
     derived.bytes = bytesOf(*derived.scene);
     for (const auto& result : derived.results) {
         if (result && result->flat) {
-            derived.bytes += static_cast<std::size_t>(result->flat->Q.size()) * sizeof(double);
+            derived.bytes += bytesOf(*result->flat);
+            derived.bytes += result->exact ? bytesOf(*result->exact->flat) : 0;
         }
     }
 }

@@ -34,8 +34,8 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
 /// Reads files and makes their garment, with its scene. Errors: of `readFiles` and `makeGarment`.
 Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
                             const LoadOptions& loading, Progress& progress);
-/// Makes all of it flat.
-void flatten(Derivation& made, const FlattenOptions& options, GarmentFlattener& flattener,
+/// Makes all of it flat, as the state asks.
+void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& flattener,
              Progress& progress);
 /// Puts cold results in the place of warm ones.
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress);

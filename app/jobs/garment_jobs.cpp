@@ -67,7 +67,7 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
         }
         if (order.flatten || order.settle) {
             progress.setShare(from, from + (1 - from) * kFlatteningShare);
-            order.flatten ? flatten(made, state.options, *flattener, progress)
+            order.flatten ? flatten(made, state, *flattener, progress)
                           : settle(made, *flattener, progress);
             from += (1 - from) * kFlatteningShare;
         }

@@ -55,6 +55,7 @@ CutPlan ReadyChecker::planOfDocument() const {
     return {.garment = document_.garment(),
             .results = document_.results(),
             .options = document_.options(),
+            .lines = document_.state().lines,
             .fabric = document_.fabric(),
             .settings = document_.settings(),
             .labels = document_.state().labels,

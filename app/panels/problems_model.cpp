@@ -125,6 +125,8 @@ QString figureText(const Figure& figure) {
             return signedNumber(kPercent * figure.value, 1).remove('+') + tr(" %");
         case Figure::Unit::Strain:
             return signedNumber(kPercent * figure.value, 1) + tr(" %");
+        case Figure::Unit::Angle:
+            return angleWithUnit(figure.value);
         case Figure::Unit::Count:
             return QLocale().toString(figure.value, 'f', 0);
     }

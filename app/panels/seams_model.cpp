@@ -83,10 +83,17 @@ Qt::ItemFlags SeamsModel::flags(const QModelIndex& index) const {
     const Qt::ItemFlags usual = ColumnsModel::flags(index);
     const bool eased =
         index.isValid() && index.column() == Ease && seam(index.row()).kind != SeamKind::Free;
-    return eased ? usual | Qt::ItemIsEditable : usual;
+    const bool drawable =
+        index.isValid() && index.column() == Drawn && seam(index.row()).ease.has_value();
+    return eased ? usual | Qt::ItemIsEditable : drawable ? usual | Qt::ItemIsUserCheckable : usual;
 }
 
 bool SeamsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (role == Qt::CheckStateRole && garment_ == document_.garment() &&
+        flags(index).testFlag(Qt::ItemIsUserCheckable)) {
+        emit drawingWanted(index.row(), value.toInt() == Qt::Checked);
+        return true;
+    }
     if (role != Qt::EditRole || garment_ != document_.garment() ||
         !flags(index).testFlag(Qt::ItemIsEditable)) {
         return false;
@@ -110,6 +117,10 @@ QVariant SeamsModel::data(const QModelIndex& index, int role) const {
             return stated ? cell(row, column).text : QString();
         case Qt::ToolTipRole:
             return tip(row, column);
+        case Qt::CheckStateRole:
+            return column == Drawn && seam(row).ease
+                       ? QVariant(seam(row).drawn ? Qt::Checked : Qt::Unchecked)
+                       : QVariant();
         case Qt::DecorationRole:
             return column == Fit
                        ? QVariant(fitMark(seamFit(seam(row), measures_[std::size_t(row)])))
@@ -173,6 +184,8 @@ SeamsModel::Cell SeamsModel::cell(int row, int column) const {
             return figure(signedFineLength(known.deltaMm), known.deltaMm);
         case Ease:
             return {sewn ? signedNumber(100 * easeOf(asked), 1) : QString(kDash), easeOf(asked)};
+        case Drawn:
+            return {QString(), asked.drawn ? 2 : asked.ease ? 1 : 0};
         case Error:
             return figure(signedFineLength(known.errorMm), residual);
         case Fit:
@@ -214,6 +227,8 @@ std::vector<SeamsModel::Heading> SeamsModel::headings() const {
         {tr("Ease %"), tr("How much longer the left edge is meant to be. Grey: as on the garment; "
                           "bold: stated by you. Double click or F2 to state it, Delete to take it "
                           "from the garment")},
+        {tr("Drawn"), tr("Whether the longer edge is drawn that much longer in the pattern; for an "
+                         "ease that you have stated")},
         {tr("Error %1").arg(lengthUnit()),
          tr("What is left of the difference when the ease is taken out")},
         {tr("Fit"), tr("Matches: up to %1; nearly: up to %2; does not match: more")

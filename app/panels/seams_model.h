@@ -33,6 +33,7 @@ public:
         FlatRight,
         Difference,
         Ease,
+        Drawn,
         Error,
         Fit,
         ColumnCount
@@ -51,11 +52,13 @@ public:
 signals:
     /// @param ease a part of the right side's length; none: as the 3D lengths have it
     void easeWanted(int seam, std::optional<double> ease);
+    /// That the stated ease is drawn in the pattern, or no longer.
+    void drawingWanted(int seam, bool drawn);
 
 protected:
     std::vector<Heading> headings() const override;
     bool isWords(int column) const override {
-        return column == Name || column == Kind || column == Fit;
+        return column == Name || column == Kind || column == Drawn || column == Fit;
     }
     Cell cell(int row, int column) const override;
 

@@ -112,6 +112,7 @@ SeamsPanel::SeamsPanel(Document& document, QWidget* parent)
     connect(cuts, &CutsPanel::removeWanted, this, &SeamsPanel::cutRemovalWanted);
     connect(cuts, &CutsPanel::joinRemovalWanted, this, &SeamsPanel::joinRemovalWanted);
     connect(model_, &SeamsModel::easeWanted, this, &SeamsPanel::easeWanted);
+    connect(model_, &SeamsModel::drawingWanted, &document_, &Document::setEaseDrawn);
     // After the model's own connection: its rows are the new ones by then.
     connect(&document_, &Document::changed, this, &SeamsPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {

@@ -131,6 +131,12 @@ void GpuLines::upload(const std::vector<LineVertex>& vertices, const LineRuns& r
         add(run);
     }
     reference_ = rangeSince(referenceFirst);
+    const std::size_t exactFirst = indices.size() / 2;
+    for (const VertexRun& run : runs.exact) {
+        add(run);
+    }
+    exact_ = rangeSince(exactFirst);
+    boundaryAt_ = runs.boundaryAt;
     for (const VertexRun& run : runs.outlines) {
         const std::size_t first = indices.size() / 2;
         add(run);
@@ -149,13 +155,23 @@ void GpuLines::drawOutline(int piece, int first, int count) const {
     if (piece < 0 || piece >= static_cast<int>(outline_.size())) {
         return;
     }
-    const Range& whole = outline_[static_cast<std::size_t>(piece)];
-    const int size = static_cast<int>(whole.count);
+    const auto at = static_cast<std::size_t>(piece);
+    const Range& whole = outline_[at];
+    const auto* drawnAt =
+        at < boundaryAt_.size() && !boundaryAt_[at].empty() ? &boundaryAt_[at] : nullptr;
+    const int size = static_cast<int>(drawnAt ? drawnAt->size() - 1 : whole.count);
     first = std::clamp(first, 0, size);
     count = std::clamp(count, 0, size);
+    const auto drawEdges = [&](int from, int to) {
+        const auto segment = [drawnAt](int k) -> std::size_t {
+            const auto edge = static_cast<std::size_t>(k);
+            return drawnAt ? (*drawnAt)[edge] : edge;
+        };
+        drawSegments({whole.first + segment(from), segment(to) - segment(from)});
+    };
     const int before = std::min(count, size - first);
-    drawSegments({whole.first + static_cast<std::size_t>(first), static_cast<std::size_t>(before)});
-    drawSegments({whole.first, static_cast<std::size_t>(count - before)});
+    drawEdges(first, first + before);
+    drawEdges(0, count - before);
 }
 
 void GpuGlyphs::upload(const StrainGlyphs& glyphs) {

@@ -84,7 +84,9 @@ public:
     /// Both its sides.
     void drawSeam(int seam) const;
     void drawReference() const { drawSegments(reference_); }
-    /// Edges of an outline, as counted by OutlineRun: it may pass the outline's beginning.
+    void drawExact() const { drawSegments(exact_); }
+    /// Edges of a piece's boundary, as counted by OutlineRun, as they are drawn: it may pass the
+    /// outline's beginning.
     void drawOutline(int piece, int first, int count) const;
 
 private:
@@ -97,8 +99,9 @@ private:
         draw(GL_LINES, 2 * range.first, 2 * range.count);
     }
 
-    Range seams_, reference_;
+    Range seams_, reference_, exact_;
     std::vector<Range> seam_, outline_;
+    std::vector<std::vector<std::uint32_t>> boundaryAt_;  ///< LineRuns::boundaryAt
 };
 
 /// The GPU's copy of the principal strains' glyphs: one draw call, as many places as the scale of

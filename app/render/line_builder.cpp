@@ -49,6 +49,26 @@ Points closedLine(const Points& points, const std::vector<int>& loop) {
     return line;
 }
 
+/// Which points of a drawn outline are the vertices of the boundary, and the last point.
+/// @param worn  the outline in space, through all of these vertices
+std::vector<std::uint32_t> boundaryOn(const Points3& worn, const Piece& piece) {
+    const Points3 vertices = closedLine<Points3>(piece.mesh.V, piece.boundary);
+    std::vector<std::uint32_t> at{0};
+    double arc = 0, along = 0;  // up to the vertex, and to the point
+    Eigen::Index point = 0;
+    for (Eigen::Index k = 1; k + 1 < vertices.rows(); ++k) {
+        arc += (vertices.row(k) - vertices.row(k - 1)).norm();
+        const auto step = [&] { return (worn.row(point + 1) - worn.row(point)).norm(); };
+        while (point + 1 < worn.rows() && along + step() / 2 < arc) {
+            along += step();
+            ++point;
+        }
+        at.push_back(static_cast<std::uint32_t>(point));
+    }
+    at.push_back(static_cast<std::uint32_t>(worn.rows() - 1));
+    return at;
+}
+
 }  // namespace
 
 void addSeamLines(const Garment& garment, const PieceResults& results, Scene& scene) {
@@ -69,8 +89,8 @@ void addSeamLines(const Garment& garment, const PieceResults& results, Scene& sc
             const Piece& piece = *garment.pieces[at];
             entry.sides[k].piece = side->piece;
             const FlatPiece* flat = flatPieceOf(garment, results, side->piece);
-            const Points2 line = flat ? flatLine(*side, piece, flat->Q) : Points2();
-            Points3 worn = spaceLine(*side, piece);
+            auto [worn, line] = flat ? stretchLines(*side, piece, *flat)
+                                     : StretchLines{spaceLine(*side, piece), Points2()};
             worn.rowwise() -= scene.origin.transpose();
             inSpace[k] = addLine(scene, worn, line, {side->piece, tint});
             for (Eigen::Index i = 0; i < worn.rows(); ++i) {
@@ -91,16 +111,36 @@ void addOutlines(const Garment& garment, const PieceResults& results, Scene& sce
         const Piece& piece = *garment.pieces[static_cast<std::size_t>(i)];
         VertexRun& inSpace = scene.garmentLines.outlines.emplace_back();
         VertexRun& inPattern = scene.patternLines.outlines.emplace_back();
+        auto& boundaryAt = scene.garmentLines.boundaryAt.emplace_back();
         if (piece.boundary.empty()) {
             continue;
         }
         const FlatPiece* flat = flatPieceOf(garment, results, i);
-        Points3 worn = closedLine<Points3>(piece.mesh.V, piece.boundary);
+        auto [worn, line] =
+            flat && flat->line
+                ? stretchLines(wholeOutline(piece, i), piece, *flat)
+                : StretchLines{closedLine<Points3>(piece.mesh.V, piece.boundary),
+                               flat ? closedLine<Points2>(flat->Q, piece.boundary) : Points2()};
+        if (flat && flat->line) {
+            boundaryAt = boundaryOn(worn, piece);
+        }
         worn.rowwise() -= scene.origin.transpose();
-        inSpace =
-            addLine(scene, worn, flat ? closedLine<Points2>(flat->Q, piece.boundary) : Points2(),
-                    {i, kNoTint});
+        inSpace = addLine(scene, worn, line, {i, kNoTint});
         inPattern = flat ? inSpace : VertexRun{};
+    }
+    scene.patternLines.boundaryAt = scene.garmentLines.boundaryAt;
+}
+
+void addExactOutlines(const Garment& garment, const PieceResults& results, Scene& scene) {
+    for (int i = 0; i < static_cast<int>(garment.pieces.size()); ++i) {
+        const FlatPiece* flat = flatPieceOf(garment, results, i);
+        const PieceResult* result = flat ? results[static_cast<std::size_t>(i)].get() : nullptr;
+        if (result && result->exact && result->exact->flat && flat->line) {
+            const Piece& piece = *garment.pieces[static_cast<std::size_t>(i)];
+            scene.patternLines.exact.push_back(
+                addLine(scene, Points3(),
+                        closedLine<Points2>(result->exact->flat->Q, piece.boundary), {i, kNoTint}));
+        }
     }
 }
 

@@ -23,6 +23,7 @@ struct RenderStyle {
     QColor seam, seamHalo;   ///< the selected seam: yellow on near black reads on any cloth
     QColor freeEdge;         ///< edges that are sewn to nothing
     QColor reference;        ///< the reference panels
+    QColor exactOutline;     ///< the outline as it was solved, where another is drawn
     QColor text, faintText;  ///< captions over the backdrop
     QColor labelFill;        ///< behind names on the cloth
 };

@@ -15,7 +15,8 @@ std::size_t bytesOf(const MeshIndices& mesh) {
 }
 
 std::size_t bytesOf(const LineRuns& lines) {
-    return bytesOf(lines.seams) + bytesOf(lines.reference) + bytesOf(lines.outlines);
+    return bytesOf(lines.seams) + bytesOf(lines.reference) + bytesOf(lines.exact) +
+           bytesOf(lines.outlines);
 }
 
 }  // namespace

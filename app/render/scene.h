@@ -85,9 +85,13 @@ struct LineRuns {
     /// side of a free edge, and in the pattern a side whose piece is not flat.
     std::vector<std::array<VertexRun, 2>> seams;
     std::vector<VertexRun> reference;  ///< loops of the reference panels; in the pattern only
+    std::vector<VertexRun> exact;      ///< outlines as they were solved, where others are drawn
     /// Per piece its outline, the first vertex once more at the end; empty of a piece that is no
-    /// disk, and in the pattern of one that is not flat. Vertex k is vertex k of Piece::boundary.
+    /// disk, and in the pattern of one that is not flat.
     std::vector<VertexRun> outlines;
+    /// Per piece: which vertices of its outline those of Piece::boundary are, the first once more
+    /// at the end; empty where vertex k is vertex k of Piece::boundary.
+    std::vector<std::vector<std::uint32_t>> boundaryAt;
 };
 
 /// Per seam: where it is, for framing. Empty where nothing of it is drawn.

@@ -83,7 +83,7 @@ public:
         if (flat) {
             entry.patternRun = appendIndices(scene_.pattern, piece, base);
             entry.patternTree = treeOf<2>(&ClothVertex::flat, scene_.pattern, entry.patternRun);
-            entry.label = placeLabel(flatLoops(piece, flat->Q), {}).position;
+            entry.label = placeLabel(flatLoops(piece, *flat), {}).position;
             addFaces(values);
             entry.rest = bestRest(flat->Q, piece.mesh.V, scene_.origin);
         }
@@ -206,6 +206,7 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
     addSeamLines(garment, results, *scene);
     addOutlines(garment, results, *scene);
     addReferenceLines(garment, results, *scene);
+    addExactOutlines(garment, results, *scene);
 
     scene->glyphs = makeStrainGlyphs(*scene);
     for (const auto& [overlay, finest] :

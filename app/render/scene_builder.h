@@ -33,4 +33,7 @@ void addOutlines(const Garment& garment, const PieceResults& results, Scene& sce
 /// Outline and holes of the reference panels, laid on the flat pieces that carry one.
 void addReferenceLines(const Garment& garment, const PieceResults& results, Scene& scene);
 
+/// The outlines as they were solved, of the pieces whose outline is drawn otherwise.
+void addExactOutlines(const Garment& garment, const PieceResults& results, Scene& scene);
+
 }  // namespace toile::app

@@ -29,7 +29,7 @@ constexpr float kSeamWidth = 4.0F, kSeamHaloWidth = 8.0F, kReferenceWidth = 1.5F
 constexpr float kPlainSeamWidth = 2.6F;  ///< free edges half of it
 constexpr float kHoveredShare = 0.7F;  ///< what the pointer is on is highlighted by narrower lines
 constexpr float kHoveredPieceWidth = 2.4F;
-constexpr float kDashPixels = 11.0F;
+constexpr float kDashPixels = 11.0F, kExactDashPixels = 6.0F, kExactWidth = 1.25F;
 /// How much of a seam shows through the cloth that hides it.
 constexpr int kHiddenSeamAlpha = 75;
 /// Between glyphs, at least; at most half as many again.
@@ -242,6 +242,10 @@ void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
     }
     setLine(frame.style.outline, kOutlineWidth, false, frame);
     mesh_.drawOutline();
+    if (frame.view.exactOutline) {
+        program.setUniformValue("depthShift", 1.1F * depthShift);  // beneath the line that is drawn
+        paintExactOutlines(frame);
+    }
     if (frame.view.seams) {
         program.setUniformValue("depthShift", 1.25F * depthShift);
         // A halo that leaves no depth behind, so that the seam's own colour stays upon it.
@@ -311,6 +315,14 @@ void SceneRenderer::paintReferenceLines(const Frame& frame) {
                             kDashPixels * frame.pixelRatio * frame.millimetresPerPixel);
     setLine(frame.style.reference, kReferenceWidth, false, frame);
     overLines_.drawReference();
+    lines_->setUniformValue("dashLength", 0.0F);
+}
+
+void SceneRenderer::paintExactOutlines(const Frame& frame) {
+    lines_->setUniformValue("dashLength",
+                            kExactDashPixels * frame.pixelRatio * frame.millimetresPerPixel);
+    setLine(frame.style.exactOutline, kExactWidth, false, frame);
+    overLines_.drawExact();
     lines_->setUniformValue("dashLength", 0.0F);
 }
 

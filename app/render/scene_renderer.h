@@ -119,6 +119,7 @@ private:
     void paintChosenOutlines(const Frame& frame, float selected, float hovered);
     void paintSeams(const Frame& frame);
     void paintReferenceLines(const Frame& frame);
+    void paintExactOutlines(const Frame& frame);
     void paintHighlight(const Frame& frame, float depthShift, const Feature& feature, bool hovered);
     void drawFeature(const Feature& feature);
     void setLine(const QColor& colour, float width, bool selectedOnly, const Frame& frame);

@@ -54,6 +54,36 @@ std::optional<Feature> vertexAt(const ToolView& view, const Document& document,
                    .face = hit.face};
 }
 
+/// The edge of the boundary under a seam's line, which may be of other points than the boundary.
+int edgeUnder(const SeamHit& hit, const SeamSide& side, const Scene& scene, const Piece& piece) {
+    const VertexRun run =
+        scene.garmentLines
+            .seams[static_cast<std::size_t>(hit.seam)][static_cast<std::size_t>(hit.side)];
+    double along = 0;  // to the middle of the segment that was hit
+    for (std::uint32_t k = 0; k + 1 < run.count && static_cast<int>(k) <= hit.segment; ++k) {
+        const LineVertex* point = &scene.lineVertices[run.first + k];
+        const double length = (wornPoint(point[1]) - wornPoint(point[0])).norm();
+        along += static_cast<int>(k) < hit.segment ? length : length / 2;
+    }
+    const double at = side.reversed ? side.start - along : side.start + along;
+    const auto size = static_cast<int>(piece.boundary.size());
+    const auto lengthOf = [&](int k) -> double {
+        const auto tail = static_cast<std::size_t>(k % size);
+        const auto head = static_cast<std::size_t>((k + 1) % size);
+        return (piece.mesh.V.row(piece.boundary[head]) - piece.mesh.V.row(piece.boundary[tail]))
+            .norm();
+    };
+    double end = 0;
+    for (int k = 0; k <= side.first; ++k) {
+        end += lengthOf(k);
+    }
+    int edge = side.first;
+    while (edge + 1 < side.first + side.count && end < at) {
+        end += lengthOf(++edge);
+    }
+    return edge;
+}
+
 }  // namespace
 
 std::optional<Feature> featureAt(const ToolView& view, const Document& document,
@@ -89,8 +119,7 @@ std::optional<Feature> runAt(const ToolView& view, const Document& document, con
         return std::nullopt;
     }
     const int size = static_cast<int>(document.garment()->pieces[piece]->boundary.size());
-    const int along = std::clamp(hit->segment, 0, side.count - 1);
-    const int edge = side.first + (side.reversed ? side.count - 1 - along : along);
+    const int edge = edgeUnder(*hit, side, *document.scene(), *document.garment()->pieces[piece]);
     const OutlineRun run =
         runBetweenCorners(document.scene()->pieces[piece].corners, size, edge % size);
     return Feature{

@@ -142,7 +142,7 @@ RunLengths runLengths(const Garment& garment, const PieceResults& results, const
     const auto lengthOf = [&](const SeamSide& side) -> double {
         return lengths.flat
                    ? flatLength(side, *garment.pieces[static_cast<std::size_t>(side.piece)],
-                                flatOf(side.piece)->Q)
+                                *flatOf(side.piece))
                    : wornLength(side);
     };
     SeamSide whole;

@@ -1595,6 +1595,46 @@
         <source>Distance to the panel that the file carries, laid on each other as well as may be; root mean square</source>
         <translation>Abstand zum Schnittteil in der Datei, bestmöglich aufeinandergelegt; quadratisches Mittel</translation>
     </message>
+    <message>
+        <source>the outline could not be drawn as a fair line, and is exact</source>
+        <translation>der Umriss ließ sich nicht als ausgeglichene Linie zeichnen und ist der genaue</translation>
+    </message>
+    <message>
+        <source>Allow it to stray less, take straight lines back, or refine the mesh along it</source>
+        <translation>Lassen Sie ihn weniger abweichen, nehmen Sie gerade Linien zurück, oder verfeinern Sie das Netz an ihm</translation>
+    </message>
+    <message>
+        <source>no interior without flipped triangles fits the outline as it was moved</source>
+        <translation>kein Inneres ohne umgeklappte Dreiecke passt in den verschobenen Umriss</translation>
+    </message>
+    <message>
+        <source>Move the outline by less, or refine the mesh along it</source>
+        <translation>Verschieben Sie den Umriss weniger, oder verfeinern Sie das Netz an ihm</translation>
+    </message>
+    <message>
+        <source>an edge of the outline is to have %1 mm</source>
+        <translation>eine Kante des Umrisses soll %1 mm lang sein</translation>
+    </message>
+    <message>
+        <source>the triangle at %1 mm would turn over</source>
+        <translation>das Dreieck bei %1 mm würde umklappen</translation>
+    </message>
+    <message>
+        <source>the triangle at %1 mm, all its corners on the outline, would turn over</source>
+        <translation>das Dreieck bei %1 mm, dessen Ecken alle am Umriss liegen, würde umklappen</translation>
+    </message>
+    <message>
+        <source>Kinks at the ends of seams</source>
+        <translation>Knicke an Nahtenden</translation>
+    </message>
+    <message>
+        <source>the lines that meet over the end of the seam make a corner of %1</source>
+        <translation>die Linien, die über das Nahtende hinweg zusammentreffen, bilden eine Ecke von %1</translation>
+    </message>
+    <message>
+        <source>True the seam&apos;s end, or leave it if a corner is meant</source>
+        <translation>Gleichen Sie das Nahtende aus, oder lassen Sie es, wenn eine Ecke gemeint ist</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -3405,6 +3445,22 @@
         <source>Right drag: turn · Shift+right drag: move · Wheel: zoom</source>
         <translation>Rechte Taste: drehen · Umschalt+rechte Taste: verschieben · Mausrad: vergrößern</translation>
     </message>
+    <message>
+        <source>Exact o&amp;utline</source>
+        <translation>Genauer &amp;Umriss</translation>
+    </message>
+    <message>
+        <source>Draw the outline as it was solved, dashed, where a fair line is drawn in its place</source>
+        <translation>Den Umriss, wie er berechnet wurde, gestrichelt zeichnen, wo eine ausgeglichene Linie an seiner Stelle steht</translation>
+    </message>
+    <message>
+        <source>Go to &amp;lines</source>
+        <translation>Zu den &amp;Linien</translation>
+    </message>
+    <message>
+        <source>Show how the lines of the pattern are drawn and move the keyboard there</source>
+        <translation>Zeigen, wie die Linien des Schnittmusters gezeichnet werden, und die Tastatur dorthin bringen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::Banner</name>
@@ -3644,6 +3700,14 @@
     <message>
         <source>Ease of a seam</source>
         <translation>Einhalteweite einer Naht</translation>
+    </message>
+    <message>
+        <source>Drawn ease</source>
+        <translation>Einhalteweite zeichnen</translation>
+    </message>
+    <message>
+        <source>Ease no longer drawn</source>
+        <translation>Einhalteweite nicht mehr zeichnen</translation>
     </message>
 </context>
 <context>
@@ -3913,6 +3977,89 @@
     <message>
         <source>Click a seam: join the cloth on both sides of it, so that it becomes one · Esc: back to selecting</source>
         <translation>Naht anklicken: den Stoff auf beiden Seiten verbinden, sodass er eins wird · Esc: zurück zum Auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::LinesPanel</name>
+    <message>
+        <source>&amp;Fair lines</source>
+        <translation>&amp;Linien ausgleichen</translation>
+    </message>
+    <message>
+        <source>&amp;True seam ends, up to</source>
+        <translation>Knicke a&amp;usgleichen bis</translation>
+    </message>
+    <message>
+        <source>Distance of fair lines</source>
+        <translation>Abweichung der Linien</translation>
+    </message>
+    <message>
+        <source>Smoothing of lines</source>
+        <translation>Glättung der Linien</translation>
+    </message>
+    <message>
+        <source>Trueing of a seam end</source>
+        <translation>Knick an einem Nahtende ausgleichen</translation>
+    </message>
+    <message>
+        <source>Kink at a seam end</source>
+        <translation>Knick an einem Nahtende lassen</translation>
+    </message>
+    <message>
+        <source>Draw every line as a smooth curve of the same length, near the outline as it was flattened</source>
+        <translation>Jede Linie als glatte Kurve derselben Länge zeichnen, nahe am Umriss, wie er abgewickelt wurde</translation>
+    </message>
+    <message>
+        <source>Turn the lines at the ends of seams so that they run on into each other once sewn, where they miss that by no more than this</source>
+        <translation>Die Linien an Nahtenden so drehen, dass sie genäht ineinander übergehen, wo dazu nicht mehr als dieser Winkel fehlt</translation>
+    </message>
+    <message>
+        <source>How far a line may stray from the exact outline</source>
+        <translation>Wie weit eine Linie vom genauen Umriss abweichen darf</translation>
+    </message>
+    <message>
+        <source>The larger, the longer the waves that are smoothed out</source>
+        <translation>Je größer, desto längere Wellen werden geglättet</translation>
+    </message>
+    <message>
+        <source>True seam ends up to this kink</source>
+        <translation>Nahtenden bis zu diesem Knick ausgleichen</translation>
+    </message>
+    <message>
+        <source>&amp;May stray by</source>
+        <translation>A&amp;bweichung bis</translation>
+    </message>
+    <message>
+        <source>Smoot&amp;hing length</source>
+        <translation>&amp;Glättungslänge</translation>
+    </message>
+    <message>
+        <source>Every line is the exact outline.</source>
+        <translation>Jede Linie ist der genaue Umriss.</translation>
+    </message>
+    <message>
+        <source>At most %1 from the exact outline; the largest strain goes from %2 to %3.</source>
+        <translation>Höchstens %1 vom genauen Umriss; die größte Dehnung geht von %2 auf %3.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Fair lines</source>
+        <translation>Linien ausgleichen</translation>
+    </message>
+    <message>
+        <source>Exact outlines</source>
+        <translation>Genaue Umrisse</translation>
+    </message>
+    <message>
+        <source>True seam ends</source>
+        <translation>Knicke an Nahtenden ausgleichen</translation>
+    </message>
+    <message>
+        <source>Seam ends as they are</source>
+        <translation>Nahtenden lassen, wie sie sind</translation>
     </message>
 </context>
 <context>
@@ -4644,6 +4791,53 @@
     </message>
 </context>
 <context>
+    <name>toile::app::SeamEndsList</name>
+    <message>
+        <source>Seam ends</source>
+        <translation>Nahtenden</translation>
+    </message>
+    <message>
+        <source>Seam end</source>
+        <translation>Nahtende</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Am</translation>
+    </message>
+    <message>
+        <source>Kink</source>
+        <translation>Knick</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Gezeichnet</translation>
+    </message>
+    <message>
+        <source>Ticked: the kink there is taken out</source>
+        <translation>Angehakt: Der Knick dort wird ausgeglichen</translation>
+    </message>
+    <message>
+        <source>Where the seam starts or where it ends</source>
+        <translation>Wo die Naht beginnt oder wo sie endet</translation>
+    </message>
+    <message>
+        <source>By how much the two lines that meet at the seam&apos;s end miss running on into each other, as flattened</source>
+        <translation>Um wie viel die beiden Linien, die sich am Nahtende treffen, nach dem Abwickeln nicht ineinander übergehen</translation>
+    </message>
+    <message>
+        <source>What is left of the kink as the lines are drawn</source>
+        <translation>Was vom Knick bleibt, wie die Linien gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::SeamsModel</name>
     <message>
         <source>seam</source>
@@ -4757,6 +4951,14 @@
         <source>Matches: up to %1; nearly: up to %2; does not match: more</source>
         <translation>Passt: bis %1; fast: bis %2; passt nicht: mehr</translation>
     </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Gezeichnet</translation>
+    </message>
+    <message>
+        <source>Whether the longer edge is drawn that much longer in the pattern; for an ease that you have stated</source>
+        <translation>Ob die längere Kante im Schnittmuster um so viel länger gezeichnet wird; bei einer Einhalteweite, die Sie angegeben haben</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::SeamsPanel</name>
@@ -4779,6 +4981,129 @@
     <message>
         <source>No two edges of this garment lie on each other, so nothing is sewn. “Show free edges” lists the edges there are.</source>
         <translation>Keine zwei Kanten dieses Kleidungsstücks liegen aufeinander, also ist nichts genäht. „Freie Kanten zeigen“ führt die vorhandenen Kanten auf.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::SegmentForm</name>
+    <message>
+        <source>%1: free edge</source>
+        <translation>%1: freie Kante</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>As in 3D</source>
+        <translation>Wie in 3D</translation>
+    </message>
+    <message>
+        <source>Take the typed length back: as long as on the garment</source>
+        <translation>Die eingegebene Länge zurücknehmen: so lang wie am Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>As the others</source>
+        <translation>Wie die anderen</translation>
+    </message>
+    <message>
+        <source>Take the typed distance back: as for all other lines</source>
+        <translation>Die eingegebene Abweichung zurücknehmen: wie bei allen anderen Linien</translation>
+    </message>
+    <message>
+        <source>Add turn point</source>
+        <translation>Eckpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Let the line turn at the selected vertex: a segment ends there</source>
+        <translation>Die Linie an der ausgewählten Ecke des Netzes abbiegen lassen: Dort endet ein Abschnitt</translation>
+    </message>
+    <message>
+        <source>Remove turn point</source>
+        <translation>Eckpunkt entfernen</translation>
+    </message>
+    <message>
+        <source>Let the line run on smoothly at the selected vertex</source>
+        <translation>Die Linie an der ausgewählten Ecke des Netzes glatt weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Straight</source>
+        <translation>Gerade Linie</translation>
+    </message>
+    <message>
+        <source>A kink is what two lines that are sewn together lack to run on into each other; else by how much the outline turns</source>
+        <translation>Ein Knick ist, was zwei zusammengenähten Linien fehlt, um ineinander überzugehen; sonst, um wie viel der Umriss abbiegt</translation>
+    </message>
+    <message>
+        <source>Draw the segment as one straight line; lines are made fair for it</source>
+        <translation>Den Abschnitt als eine gerade Linie zeichnen; dafür werden Linien ausgeglichen</translation>
+    </message>
+    <message>
+        <source>Length in the pattern, on both sides of a seam. Bold: typed by you</source>
+        <translation>Länge im Schnittmuster, auf beiden Seiten einer Naht. Fett: von Ihnen eingegeben</translation>
+    </message>
+    <message>
+        <source>How far the line of this segment may stray from the exact outline; lines are made fair for it. Bold: typed by you</source>
+        <translation>Wie weit die Linie dieses Abschnitts vom genauen Umriss abweichen darf; dafür werden Linien ausgeglichen. Fett: von Ihnen eingegeben</translation>
+    </message>
+    <message>
+        <source>Len&amp;gth</source>
+        <translation>L&amp;änge</translation>
+    </message>
+    <message>
+        <source>May &amp;stray by</source>
+        <translation>Ab&amp;weichung bis</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Select a seam, or a stretch of outline by a double click.</source>
+        <translation>Wählen Sie eine Naht, oder ein Stück Umriss durch Doppelklick.</translation>
+    </message>
+    <message>
+        <source>%1 in 3D, %2 in the pattern</source>
+        <translation>%1 in 3D, %2 im Schnittmuster</translation>
+    </message>
+    <message>
+        <source>%1 in 3D</source>
+        <translation>%1 in 3D</translation>
+    </message>
+    <message>
+        <source>kink %1</source>
+        <translation>Knick %1</translation>
+    </message>
+    <message>
+        <source>turn %1</source>
+        <translation>Winkel %1</translation>
+    </message>
+    <message>
+        <source>Ends: %1, %2</source>
+        <translation>Enden: %1, %2</translation>
+    </message>
+    <message>
+        <source>Length of a segment</source>
+        <translation>Länge eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>Distance of a segment</source>
+        <translation>Abweichung eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>Straight segment</source>
+        <translation>Abschnitt als gerade Linie</translation>
+    </message>
+    <message>
+        <source>Segment no longer straight</source>
+        <translation>Abschnitt nicht mehr gerade</translation>
+    </message>
+    <message>
+        <source>Turn point</source>
+        <translation>Eckpunkt</translation>
+    </message>
+    <message>
+        <source>Removal of a turn point</source>
+        <translation>Entfernen eines Eckpunkts</translation>
     </message>
 </context>
 <context>
@@ -4878,6 +5203,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Problems (%1)</source>
         <translation>Probleme (%1)</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
     </message>
 </context>
 <context>

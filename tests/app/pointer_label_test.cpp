@@ -231,9 +231,9 @@ private slots:
             QCOMPARE(seamOfRun(garment, run), std::optional(seam));
             const RunLengths all = runLengths(garment, document().results(), run);
             const auto measure = measureSeam(sewn, *garment.pieces[std::size_t(sewn.left.piece)],
-                                             document().result(sewn.left.piece)->flat->Q,
+                                             *document().result(sewn.left.piece)->flat,
                                              *garment.pieces[std::size_t(sewn.right.piece)],
-                                             document().result(sewn.right.piece)->flat->Q);
+                                             *document().result(sewn.right.piece)->flat);
             const bool left = side == &sewn.left;
             QVERIFY(std::abs(all.sewn - (left ? measure.length2dLeft : measure.length2dRight)) <
                     1e-6);

@@ -185,9 +185,9 @@ private slots:
         table().setCurrentIndex(cell(0, SeamsModel::Name));
         const auto& seam = document().garment()->seams.seams[0];
         const auto measure = measureSeam(seam, *results[std::size_t(seam.left.piece)]->piece,
-                                         results[std::size_t(seam.left.piece)]->flat->Q,
+                                         *results[std::size_t(seam.left.piece)]->flat,
                                          *results[std::size_t(seam.right.piece)]->piece,
-                                         results[std::size_t(seam.right.piece)]->flat->Q);
+                                         *results[std::size_t(seam.right.piece)]->flat);
 
         QTest::keyClick(&table(), Qt::Key_F2);
         auto* editor = table().findChild<QLineEdit*>("easeEditor");

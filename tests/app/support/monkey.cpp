@@ -46,8 +46,9 @@ Monkey::Monkey(MainWindow& window, Generator& random, QString folder)
         {8, &Monkey::select},         {3, &Monkey::cutSomewhere},
         {2, &Monkey::takeOut},        {3, &Monkey::stateEase},
         {6, &Monkey::layOut},         {1, &Monkey::choosePreference},
-        {2, &Monkey::touchFrame},     {3, &Monkey::cancel},
-        {12, &Monkey::pause},         {2, &Monkey::settle},
+        {2, &Monkey::touchFrame},     {3, &Monkey::decideOnLines},
+        {3, &Monkey::cancel},         {12, &Monkey::pause},
+        {2, &Monkey::settle},
     };
     for (const ActionSpec& spec : actionTable()) {
         if (!kLeftAlone.contains(spec.id)) {

@@ -77,6 +77,7 @@ private:
     void cutSomewhere();
     void takeOut();
     void stateEase();
+    void decideOnLines();
     void layOut();
     void choosePreference();
     void touchFrame();

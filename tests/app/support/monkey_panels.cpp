@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QSlider>
 #include <QTest>
@@ -172,6 +173,30 @@ void Monkey::choosePreference() {
         random_.chance(0.6) ? dialog->accept() : dialog->reject();
     }
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+}
+
+void Monkey::decideOnLines() {
+    window_.actions()[ActionId::GoToLines].trigger();
+    Document& document = window_.workspace().document();
+    if (document.seamCount() > 0 && random_.chance(0.7)) {
+        document.setSeam(random_.whole(0, document.seamCount() - 1));
+    }
+    constexpr const char* kBoxes[] = {"fairLines", "trueSeamEnds", "segmentStraight"};
+    const int choice = random_.whole(0, 3);
+    if (choice < 3) {
+        auto* box = window_.findChild<QAbstractButton*>(kBoxes[choice]);
+        if (box && box->isVisible() && box->isEnabled()) {
+            note(QString("lines: ") + kBoxes[choice]);
+            box->click();
+        }
+        return;
+    }
+    auto* length = window_.findChild<QDoubleSpinBox*>("segmentLength");
+    if (length && length->isVisible() && length->isEnabled()) {
+        note("lines: a segment's length");
+        length->setFocus();
+        length->setValue(length->value() * random_.between(0.98, 1.02));
+    }
 }
 
 void Monkey::touchFrame() {

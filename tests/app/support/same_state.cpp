@@ -49,7 +49,8 @@ QString resultDifference(const PieceResult* one, const PieceResult* other) {
 
 bool sameRuns(const LineRuns& one, const LineRuns& other) {
     return sameBytes(one.seams, other.seams) && sameBytes(one.reference, other.reference) &&
-           sameBytes(one.outlines, other.outlines);
+           sameBytes(one.outlines, other.outlines) && sameBytes(one.exact, other.exact) &&
+           one.boundaryAt == other.boundaryAt;
 }
 
 bool sameScene(const Scene& one, const Scene& other) {

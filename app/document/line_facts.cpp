@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/line_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace toile::app {
+
+namespace {
+
+/// Places on an outline nearer to each other than this are one, mm.
+constexpr double kSamePlace = 1e-3;
+
+const PieceResult* shownOf(const Garment& garment, const PieceResults& results, std::size_t piece) {
+    const PieceResult* result = piece < results.size() ? results[piece].get() : nullptr;
+    return result && result->piece == garment.pieces[piece] && result->flat ? result : nullptr;
+}
+
+/// The results as they were solved, of these very pieces.
+PieceResults exactResults(const Garment& garment, const PieceResults& results) {
+    PieceResults exact(garment.pieces.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        if (const PieceResult* shown = shownOf(garment, results, i)) {
+            exact[i] = shown->exact ? shown->exact : results[i];
+        }
+    }
+    return exact;
+}
+
+double largestStrain(const PieceResult& result) {
+    if (!result.quality) {
+        return 0;
+    }
+    return std::max(std::abs(result.quality->strainMin.value_or(0)),
+                    std::abs(result.quality->strainMax.value_or(0)));
+}
+
+void measureDrawn(const Garment& garment, const PieceResults& results, LineFacts& facts) {
+    for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
+        const PieceResult* shown = shownOf(garment, results, i);
+        if (!shown) {
+            continue;
+        }
+        facts.exactStrain = std::max(facts.exactStrain, largestStrain(exactOf(*shown)));
+        facts.strain = std::max(facts.strain, largestStrain(*shown));
+        if (shown->flat->line) {
+            facts.drawn = true;
+            facts.farthest = std::max(facts.farthest, shown->flat->line->farthest);
+        }
+    }
+}
+
+/// By how much of the kinks stays, and the largest first.
+void judgeEnds(const LineSettings& lines, LineFacts& facts) {
+    std::ranges::stable_sort(facts.ends, std::greater<>(),
+                             [](const SeamEnd& end) { return std::abs(end.kink); });
+    const auto turns = truedTurns(facts.segments, facts.ends);
+    for (const SeamEnd& end : facts.ends) {
+        const auto changeAt = [&turns](const OutlineCorner& corner) -> double {
+            return turns[static_cast<std::size_t>(corner.piece)]
+                        [static_cast<std::size_t>(corner.point)];
+        };
+        facts.kept.push_back(lines.fairing ? end.kink - changeAt(end.left) - changeAt(end.right)
+                                           : end.kink);
+    }
+}
+
+/// How much of a segment lies between two places of its outline, which may count past its end.
+double shared(const Segment& segment, double from, double to, double perimeter) {
+    double length = 0;
+    for (int turn = -2; turn <= 2; ++turn) {
+        length += std::max(0.0, std::min(segment.at.end, to + turn * perimeter) -
+                                    std::max(segment.at.start, from + turn * perimeter));
+    }
+    return length;
+}
+
+double perimeterOf(const OutlineSegments& segments) {
+    double perimeter = 0;
+    for (const Segment& segment : segments.segments) {
+        perimeter += segment.length();
+    }
+    return perimeter;
+}
+
+/// The segment that has most of a stretch of outline.
+std::optional<SegmentAt> mostOf(const LineFacts& facts, int piece, double from, double to) {
+    if (piece < 0 || piece >= static_cast<int>(facts.segments.size())) {
+        return std::nullopt;
+    }
+    const OutlineSegments& of = facts.segments[static_cast<std::size_t>(piece)];
+    const double perimeter = perimeterOf(of);
+    SegmentAt found{piece, -1};
+    double most = 0;
+    for (std::size_t k = 0; k < of.segments.size(); ++k) {
+        if (const double has = shared(of.segments[k], from, to, perimeter); has > most) {
+            most = has;
+            found.segment = static_cast<int>(k);
+        }
+    }
+    return found.segment < 0 ? std::nullopt : std::optional(found);
+}
+
+/// Place of a vertex along the outline; `k` may count on past its last vertex.
+double arcAt(const Piece& piece, int k) {
+    const std::size_t size = piece.boundary.size();
+    double arc = 0;
+    for (int i = 0; i < k; ++i) {
+        const auto at = static_cast<std::size_t>(i) % size;
+        arc += (piece.mesh.V.row(piece.boundary[(at + 1) % size]) -
+                piece.mesh.V.row(piece.boundary[at]))
+                   .norm();
+    }
+    return arc;
+}
+
+/// Where a place on one side of a seam comes to lie on the other.
+double opposite(const Seam& seam, bool fromRight, double place) {
+    const auto here = [&](const SeamMatch& match) { return fromRight ? match.right : match.left; };
+    const auto there = [&](const SeamMatch& match) { return fromRight ? match.left : match.right; };
+    for (std::size_t k = 0; k + 1 < seam.matches.size(); ++k) {
+        const SeamMatch &a = seam.matches[k], &b = seam.matches[k + 1];
+        const auto [low, high] = std::minmax(here(a), here(b));
+        if (low <= place && place <= high && low < high) {
+            return std::lerp(there(a), there(b), (place - here(a)) / (here(b) - here(a)));
+        }
+    }
+    return there(seam.matches[seam.matches.size() / 2]);
+}
+
+}  // namespace
+
+LineFacts lineFacts(const Garment& garment, const PieceResults& results,
+                    const LineSettings& lines) {
+    LineFacts facts;
+    facts.segments = findSegments(garment, exactResults(garment, results), lines);
+    facts.ends = findSeamEnds(garment, facts.segments, lines);
+    judgeEnds(lines, facts);
+    measureDrawn(garment, results, facts);
+    return facts;
+}
+
+std::optional<SegmentAt> segmentAt(const Garment& garment, const LineFacts& facts,
+                                   const Feature& mark) {
+    const Piece& piece = *garment.pieces[static_cast<std::size_t>(mark.piece)];
+    if (mark.kind == Feature::Kind::Run) {
+        return mostOf(facts, mark.piece, arcAt(piece, mark.first),
+                      arcAt(piece, mark.first + mark.count));
+    }
+    const auto at = boundaryIndex(piece, mark.vertex);
+    return at ? mostOf(facts, mark.piece, arcAt(piece, *at), arcAt(piece, *at + 1)) : std::nullopt;
+}
+
+std::optional<SegmentAt> segmentOfSeam(const LineFacts& facts, const Seam& seam) {
+    const auto [from, to] = std::minmax(seam.left.start, seam.left.end);
+    return seam.left.loop == 0 ? mostOf(facts, seam.left.piece, from, to) : std::nullopt;
+}
+
+std::optional<SegmentAt> partnerOf(const Garment& garment, const LineFacts& facts,
+                                   const SegmentAt& one) {
+    const Segment& segment = facts.at(one);
+    if (segment.seam < 0) {
+        return std::nullopt;
+    }
+    const Seam& seam = garment.seams.seams[static_cast<std::size_t>(segment.seam)];
+    const SeamSide& there = segment.isRight ? seam.left : seam.right;
+    if (there.piece < 0 || there.loop != 0 || seam.matches.empty()) {
+        return std::nullopt;
+    }
+    const SeamSide& here = segment.isRight ? seam.right : seam.left;
+    const double perimeter = perimeterOf(facts.segments[static_cast<std::size_t>(one.piece)]);
+    double middle = (segment.at.start + segment.at.end) / 2;
+    const double low = std::min(here.start, here.end);
+    middle += perimeter * std::ceil((low - middle) / perimeter);  // counted as the seam does
+    const double place = opposite(seam, segment.isRight, middle);
+    return mostOf(facts, there.piece, place - kSamePlace, place + kSamePlace);
+}
+
+const TurnPoint* turnPointOf(const Piece& piece, const OutlineSegments& segments, int at) {
+    const double place = arcAt(piece, at), perimeter = perimeterOf(segments);
+    const auto found = std::ranges::find_if(segments.turnPoints, [&](const TurnPoint& point) {
+        return std::abs(std::remainder(point.at - place, perimeter)) < kSamePlace;
+    });
+    return found == segments.turnPoints.end() ? nullptr : &*found;
+}
+
+std::optional<int> boundaryIndex(const Piece& piece, int vertex) {
+    const auto found = std::ranges::find(piece.boundary, vertex);
+    return found == piece.boundary.end()
+               ? std::nullopt
+               : std::optional(static_cast<int>(found - piece.boundary.begin()));
+}
+
+}  // namespace toile::app

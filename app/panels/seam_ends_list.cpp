@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/seam_ends_list.h"
+
+#include <QHeaderView>
+#include <QScopedValueRollback>
+#include <QScrollBar>
+
+#include "app/text/figures.h"
+#include "app/widgets/cell_delegate.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr int kSeamOfRow = Qt::UserRole;
+
+}  // namespace
+
+SeamEndsList::SeamEndsList(QWidget* parent) : QTreeWidget(parent) {
+    setObjectName("seamEndList");
+    setAccessibleName(tr("Seam ends"));
+    setRootIsDecorated(false);
+    dressList(*this);
+    setColumnCount(ColumnCount);
+    setHeaderLabels({tr("Seam end"), tr("At"), tr("Kink"), tr("Drawn")});
+    headerItem()->setToolTip(Name, tr("Ticked: the kink there is taken out"));
+    headerItem()->setToolTip(End, tr("Where the seam starts or where it ends"));
+    headerItem()->setToolTip(Kink, tr("By how much the two lines that meet at the seam's end miss "
+                                      "running on into each other, as flattened"));
+    headerItem()->setToolTip(Kept, tr("What is left of the kink as the lines are drawn"));
+    for (const Column column : {Kink, Kept}) {
+        headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    for (const Column column : {End, Kink, Kept}) {
+        header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    }
+    connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* row, int column) {
+        if (!fills_ && column == Name) {
+            emit trueingWanted(indexOfTopLevelItem(row), row->checkState(Name) == Qt::Checked);
+        }
+    });
+    const auto choose = [this](const QTreeWidgetItem* row) {
+        if (!fills_ && row) {
+            emit seamChosen(row->data(Name, kSeamOfRow).toInt());
+        }
+    };
+    connect(this, &QTreeWidget::currentItemChanged, this, choose);
+    connect(this, &QTreeWidget::itemClicked, this, choose);  // the current one once more
+}
+
+void SeamEndsList::show(const Garment& garment, const LineFacts& facts) {
+    const QScopedValueRollback fills(fills_, true);
+    const int place = verticalScrollBar()->value();
+    // Rows stay, so that a click that changes one does not take it from under the pointer.
+    while (topLevelItemCount() > static_cast<int>(facts.ends.size())) {
+        delete takeTopLevelItem(topLevelItemCount() - 1);
+    }
+    for (std::size_t k = 0; k < facts.ends.size(); ++k) {
+        const SeamEnd& end = facts.ends[k];
+        auto* row = topLevelItem(static_cast<int>(k));
+        row = row ? row : new QTreeWidgetItem(this);
+        const Seam& seam = garment.seams.seams[static_cast<std::size_t>(end.seam)];
+        row->setText(Name, QString::fromStdString(seam.name));
+        row->setCheckState(Name, end.isTrued ? Qt::Checked : Qt::Unchecked);
+        row->setData(Name, kSeamOfRow, end.seam);
+        row->setText(End, end.atEnd ? tr("end") : tr("start"));
+        row->setText(Kink, angleWithUnit(end.kink));
+        row->setText(Kept, angleWithUnit(facts.kept[k]));
+        for (const Column column : {Kink, Kept}) {
+            row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        }
+    }
+    verticalScrollBar()->setValue(place);
+}
+
+void SeamEndsList::select(std::optional<int> seam) {
+    const QTreeWidgetItem* current = currentItem();
+    if (seam && current && current->data(Name, kSeamOfRow).toInt() == *seam &&
+        current->isSelected()) {
+        return;
+    }
+    const QScopedValueRollback fills(fills_, true);
+    QTreeWidgetItem* found = nullptr;
+    for (int k = 0; seam && !found && k < topLevelItemCount(); ++k) {
+        found =
+            topLevelItem(k)->data(Name, kSeamOfRow).toInt() == *seam ? topLevelItem(k) : nullptr;
+    }
+    if (found) {
+        setCurrentItem(found);
+    } else {
+        setCurrentItem(nullptr);
+        clearSelection();
+    }
+}
+
+}  // namespace toile::app
