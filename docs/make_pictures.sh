@@ -6,6 +6,7 @@
 #   docs/make_pictures.sh                     every picture
 #   docs/make_pictures.sh methods             docs/images/method-NAME.png for every method
 #   docs/make_pictures.sh methods lscm abf    for these
+#   docs/make_pictures.sh patterns            those of the page on fair lines
 #   docs/make_pictures.sh readme              those of the README
 #   IMAGES=trial docs/make_pictures.sh        into another folder than docs/images
 #   TOILE=build/release/app/toile docs/make_pictures.sh    with another program than build/ci's
@@ -42,6 +43,16 @@ make_methods() {
     done
 }
 
+make_patterns() { # the bodice's pattern, exact and drawn
+    local name
+    for name in exact fair; do
+        env -u DISPLAY "$toile" render "$samples/bodice.obj" --unit mm --up y --view pattern \
+            --overlay none $([ $name = exact ] || echo --true) --size 900x640 \
+            -o "$images/pattern-$name.png"
+        echo "$images/pattern-$name.png"
+    done
+}
+
 make_readme() {
     window_picture "$images/window.png" "$samples/tshirt.obj" --unit mm
     window_picture "$images/strain.png" "$samples/bodice.obj" --unit mm --up y --overlay strain
@@ -52,7 +63,8 @@ make_readme() {
 
 case ${1:-all} in
     methods) make_methods "${@:2}" ;;
+    patterns) make_patterns ;;
     readme) make_readme ;;
-    all) make_methods && make_readme ;;
-    *) sed -n '3,12s/^# \{0,1\}//p' "$0" && exit 2 ;;
+    all) make_methods && make_patterns && make_readme ;;
+    *) sed -n '3,13s/^# \{0,1\}//p' "$0" && exit 2 ;;
 esac
