@@ -34,7 +34,8 @@ constexpr Word<bool> kSwitchWords[] = {{true, "on"}, {false, "off"}};
 constexpr Word<Panel> kPanelWords[] = {{Panel::Pieces, "pieces"},
                                        {Panel::Seams, "seams"},
                                        {Panel::ProblemList, "problems"},
-                                       {Panel::History, "history"}};
+                                       {Panel::History, "history"},
+                                       {Panel::Lines, "lines"}};
 
 template <class Value, std::size_t n>
 std::vector<std::string> namesOf(const Word<Value> (&words)[n]) {

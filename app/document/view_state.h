@@ -51,7 +51,7 @@ constexpr bool isSigned(Overlay overlay) {
 }
 
 /// The lists below the views.
-enum class Panel { Pieces, Seams, ProblemList, History };
+enum class Panel { Pieces, Seams, ProblemList, History, Lines };
 
 /// Of the two views: in pictures of them.
 enum class ViewsShown { Garment, Pattern, Both };

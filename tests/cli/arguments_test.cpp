@@ -31,6 +31,7 @@ TEST(Arguments, NothingOrAFileOpensTheWindow) {
     EXPECT_EQ(parse({"dress.obj", "--overlay", "stretch"}).status, 2);
     EXPECT_FALSE(parse({}).overlay);  // so that a project may say
     EXPECT_EQ(parse({"dress.obj", "--panel", "seams"}).panel, Panel::Seams);
+    EXPECT_EQ(parse({"dress.obj", "--panel", "lines"}).panel, Panel::Lines);
     EXPECT_FALSE(parse({"dress.obj"}).panel);
     EXPECT_EQ(parse({"dress.obj", "--method", "natural"}).options.method, Method::Natural);
 }
