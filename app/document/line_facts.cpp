@@ -122,7 +122,7 @@ double opposite(const Seam& seam, bool fromRight, double place) {
     const auto there = [&](const SeamMatch& match) { return fromRight ? match.left : match.right; };
     for (std::size_t k = 0; k + 1 < seam.matches.size(); ++k) {
         const SeamMatch &a = seam.matches[k], &b = seam.matches[k + 1];
-        const auto [low, high] = std::minmax(here(a), here(b));
+        const auto [low, high] = std::minmax({here(a), here(b)});
         if (low <= place && place <= high && low < high) {
             return std::lerp(there(a), there(b), (place - here(a)) / (here(b) - here(a)));
         }
