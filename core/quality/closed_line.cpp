@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/geometry/segment.h"
@@ -48,6 +49,20 @@ Eigen::RowVector2d ClosedLine::pointAt(double at) const {
     const double edge = arc_[k + 1] - arc_[k];
     const double t = edge > 0 ? (wrap(at) - arc_[k]) / edge : 0;
     return (1 - t) * points_.row(k) + t * points_.row((k + 1) % count());
+}
+
+double ClosedLine::nearestPlace(const Eigen::RowVector2d& point) const {
+    double nearest = arc_.front(), least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < count(); ++k) {
+        const Eigen::RowVector2d a = points_.row(k), b = points_.row((k + 1) % count());
+        const double t = geometry::nearestShare(point, a, b);
+        const double distance = (a + t * (b - a) - point).squaredNorm();
+        if (distance < least) {
+            least = distance;
+            nearest = (1 - t) * arc_[k] + t * arc_[k + 1];
+        }
+    }
+    return nearest;
 }
 
 double ClosedLine::placeOn(const ClosedLine& other, double at) const {

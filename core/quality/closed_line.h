@@ -28,6 +28,8 @@ public:
     /// The edge that a place lies on, which runs from point k to the next.
     int edgeAt(double at) const;
     Eigen::RowVector2d pointAt(double at) const;
+    /// The place nearest to a point, the first of equals.  Cost: linear.
+    double nearestPlace(const Eigen::RowVector2d& point) const;
     /// The same place on another line, which has as many points that stand for these.
     double placeOn(const ClosedLine& other, double at) const;
     /// By how much the line turns at a point, radians, positive to the left.

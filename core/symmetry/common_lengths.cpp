@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/symmetry/common_lengths.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace toile {
 namespace {
 
@@ -56,6 +59,15 @@ CommonLengths commonLengths(const Garment& garment, const MirrorSegments& segmen
         }
     }
     return common;
+}
+
+double largestChange(const SeamGraph& seams, const CommonLengths& lengths) {
+    double change = 0;
+    for (std::size_t s = 0; s < seams.seams.size(); ++s) {
+        const auto& sides = seams.seams[s].length3d;
+        change = std::max(change, std::abs(lengths.factor[s] - 1) * std::max(sides[0], sides[1]));
+    }
+    return change;
 }
 
 }  // namespace toile

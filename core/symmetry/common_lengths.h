@@ -34,4 +34,8 @@ struct CommonLengths {
 CommonLengths commonLengths(const Garment& garment, const MirrorSegments& segments,
                             const std::vector<int>& counterpart, const SegmentPairs& pairs);
 
+/// By how much a seam's common length differs from its own, at most, over both sides of all, mm.
+/// @param lengths  of these seams  Cost: linear. Pure.
+double largestChange(const SeamGraph& seams, const CommonLengths& lengths);
+
 }  // namespace toile

@@ -10,17 +10,18 @@ namespace toile::symmetry {
 namespace {
 
 /// The pieces' arrays one after the other.
-void appendPieces(const Garment& garment, GarmentSurface& surface) {
+void appendPieces(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                  GarmentSurface& surface) {
     Eigen::Index vertices = 0, faces = 0;
-    for (const auto& piece : garment.pieces) {
+    for (const auto& piece : pieces) {
         vertices += piece->mesh.V.rows();
         faces += piece->mesh.F.rows();
     }
     surface.mesh.V.resize(vertices, 3);
     surface.mesh.F.resize(faces, 3);
     Eigen::Index v = 0, f = 0;
-    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
-        const MeshArrays& mesh = garment.pieces[p]->mesh;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const MeshArrays& mesh = pieces[p]->mesh;
         surface.mesh.V.middleRows(v, mesh.V.rows()) = mesh.V;
         surface.mesh.F.middleRows(f, mesh.F.rows()) = mesh.F.array() + static_cast<int>(v);
         v += mesh.V.rows();
@@ -64,9 +65,9 @@ std::vector<int> GarmentSurface::sampled(int most) const {
     return vertices;
 }
 
-GarmentSurface surfaceOf(const Garment& garment) {
+GarmentSurface surfaceOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
     GarmentSurface surface;
-    appendPieces(garment, surface);
+    appendPieces(pieces, surface);
     weigh(surface);
     return surface;
 }

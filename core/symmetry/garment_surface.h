@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "core/garment/garment.h"
+#include "core/garment/piece.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile::symmetry {
 
-/// All pieces of a garment as one set of triangles, mm; along seams nothing is joined.
+/// Pieces of a garment as one set of triangles, mm; along seams nothing is joined.
 struct GarmentSurface {
     MeshArrays mesh;
     std::vector<int> pieceOfVertex;   ///< #V
@@ -26,6 +27,6 @@ struct GarmentSurface {
 };
 
 /// Precondition: finite positions.  Cost: linear. Pure.
-GarmentSurface surfaceOf(const Garment& garment);
+GarmentSurface surfaceOf(const std::vector<std::shared_ptr<const Piece>>& pieces);
 
 }  // namespace toile::symmetry

@@ -28,12 +28,15 @@ geometry::Buckets<> samplesByPiece(const GarmentSurface& surface, int pieceCount
 
 /// Per piece: where most of its area comes to lie, the least index of several; -1 without area.
 std::vector<int> majorities(const GarmentSurface& surface, const geometry::Buckets<>& samples,
-                            const MirrorPlane& plane) {
+                            const MirrorPlane& plane, const Progress& progress) {
     const NearestSurface nearest(surface.mesh);
     std::vector<int> most(static_cast<std::size_t>(samples.keyCount()), -1);
     for (int p = 0; p < samples.keyCount(); ++p) {
         std::map<int, double> areas;
         for (const int v : samples[p]) {
+            if (progress.isCancelled()) {
+                return most;
+            }
             const Eigen::Vector3d image = plane.reflected(surface.mesh.V.row(v));
             areas[surface.pieceOfFace[nearest.find(image).face]] += surface.area[v];
         }
@@ -63,18 +66,23 @@ Eigen::Vector2d distancesTo(const NearestSurface& nearest, const MeshArrays& the
 
 }  // namespace
 
-MirrorPieces pairPieces(const Garment& garment, const MirrorPlane& plane) {
+MirrorPieces pairPieces(const Garment& garment, const MirrorPlane& plane,
+                        const Progress& progress) {
     const auto count = static_cast<int>(garment.pieces.size());
-    MirrorPieces pairs{std::vector<int>(garment.pieces.size(), -1),
-                       std::vector<double>(garment.pieces.size(), 0)};
-    const GarmentSurface surface = symmetry::surfaceOf(garment);
+    MirrorPieces none{std::vector<int>(garment.pieces.size(), -1),
+                      std::vector<double>(garment.pieces.size(), 0)};
+    const GarmentSurface surface = symmetry::surfaceOf(garment.pieces);
     if (surface.mesh.F.rows() == 0) {
-        return pairs;
+        return none;
     }
+    MirrorPieces pairs = none;
     const geometry::Buckets<> samples = samplesByPiece(surface, count);
-    const std::vector<int> most = majorities(surface, samples, plane);
+    const std::vector<int> most = majorities(surface, samples, plane, progress);
     std::vector<Eigen::Vector2d> sums(garment.pieces.size(), Eigen::Vector2d::Zero());
     for (int p = 0; p < count; ++p) {
+        if (progress.isCancelled()) {
+            return none;
+        }
         const int q = most[p];
         if (q < 0 || most[q] != p) {
             continue;

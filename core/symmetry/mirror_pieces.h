@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/garment/garment.h"
 #include "core/symmetry/mirror_plane.h"
 
@@ -20,7 +21,9 @@ struct MirrorPieces {
 /// A piece's counterpart is the one that most of its area is nearest to once it is reflected, if
 /// that holds the other way round too.
 /// Precondition: finite positions. Deterministic.
+/// @param progress  polled from vertex to vertex; cancelled, there are none
 /// Cost: O(log #F) for each of at most 20 000 vertices, twice.  Pure.
-MirrorPieces pairPieces(const Garment& garment, const MirrorPlane& plane);
+MirrorPieces pairPieces(const Garment& garment, const MirrorPlane& plane,
+                        const Progress& progress = {});
 
 }  // namespace toile

@@ -60,13 +60,16 @@ MirrorPlane bestPlane(const ReflectedPairs& pairs) {
 
 class PlaneSearch {
 public:
-    explicit PlaneSearch(const GarmentSurface& surface)
-        : surface_(surface), nearest_(surface.mesh), radius_(surface.radius()) {}
+    PlaneSearch(const GarmentSurface& surface, const Progress& progress)
+        : surface_(surface),
+          nearest_(surface.mesh),
+          radius_(surface.radius()),
+          progress_(progress) {}
 
     /// The plane where the rounds come to rest, or the last.
     MirrorPlane improved(MirrorPlane plane, int most) const {
         const std::vector<int> vertices = surface_.sampled(most);
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < kRounds && !progress_.isCancelled(); ++round) {
             ReflectedPairs pairs = pairsOf(vertices, plane);
             leaveOutFarPairs(pairs);
             if (!(pairs.weight.sum() > 0)) {
@@ -94,9 +97,9 @@ public:
 private:
     ReflectedPairs pairsOf(const std::vector<int>& vertices, const MirrorPlane& plane) const {
         const auto count = static_cast<Eigen::Index>(vertices.size());
-        ReflectedPairs pairs{Points3(count, 3), Points3(count, 3), Eigen::VectorXd(count),
-                             Eigen::VectorXd(count)};
-        for (Eigen::Index i = 0; i < count; ++i) {
+        ReflectedPairs pairs{Points3::Zero(count, 3), Points3::Zero(count, 3),
+                             Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
+        for (Eigen::Index i = 0; i < count && !progress_.isCancelled(); ++i) {
             const int v = vertices[static_cast<std::size_t>(i)];
             const Eigen::Vector3d image = plane.reflected(surface_.mesh.V.row(v));
             const Eigen::Vector3d there = positionOf(surface_.mesh, nearest_.find(image));
@@ -119,6 +122,7 @@ private:
     const GarmentSurface& surface_;
     NearestSurface nearest_;
     double radius_;
+    const Progress& progress_;
 };
 
 /// Root mean square distance of the area from a plane, mm.
@@ -146,12 +150,13 @@ std::vector<Eigen::Vector3d> axesOf(const GarmentSurface& surface) {
 
 }  // namespace
 
-std::optional<MirrorPlane> findMirrorPlane(const Garment& garment) {
-    const GarmentSurface surface = symmetry::surfaceOf(garment);
+std::optional<MirrorPlane> findMirrorPlane(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                                           const Progress& progress) {
+    const GarmentSurface surface = symmetry::surfaceOf(pieces);
     if (!(surface.radius() > 0)) {
         return std::nullopt;
     }
-    const PlaneSearch search(surface);
+    const PlaneSearch search(surface, progress);
     std::optional<MirrorPlane> best;
     for (const Eigen::Vector3d& axis : axesOf(surface)) {
         const MirrorPlane start = planeThrough(surface.centre, axis);
@@ -161,11 +166,13 @@ std::optional<MirrorPlane> findMirrorPlane(const Garment& garment) {
             best = plane;
         }
     }
-    if (!best) {
+    if (!best || progress.isCancelled()) {
         return std::nullopt;
     }
     best = search.measured(search.improved(*best, kMany), kMost);
-    return best->deviation <= kMaxMirrorDeviation * surface.radius() ? best : std::nullopt;
+    return !progress.isCancelled() && best->deviation <= kMaxMirrorDeviation * surface.radius()
+               ? best
+               : std::nullopt;
 }
 
 }  // namespace toile

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
-#include "core/garment/garment.h"
+#include "core/base/progress.h"
+#include "core/garment/piece.h"
 
 namespace toile {
 
@@ -40,11 +43,14 @@ inline constexpr double kMinMirrorWidth = 0.1;
 /// 40 more from the best.
 /// None where even the least deviation is too large (`kMaxMirrorDeviation`), where the garment is a
 /// line (`kMinMirrorWidth`), or without any area.
-/// Follows the garment when it is moved, turned or reflected. Of large garments every so many
-/// vertices are taken, 500 for the choice and 1500 for the plane.
+/// It follows from these pieces alone, and moves, turns and is reflected with them. Of large
+/// garments every so many vertices are taken, 500 for the choice and 1500 for the plane.
+/// @param pieces    as divided (`Garment::uncut`): where they are cut and sewn does not count
+/// @param progress  polled from vertex to vertex; cancelled, there is none
 /// Precondition: finite positions. Deterministic.
 /// Cost: 40 rounds of these, with a search of O(log #F) for each vertex: a second, or two to three
 /// for a hundred thousand vertices.  Pure.
-std::optional<MirrorPlane> findMirrorPlane(const Garment& garment);
+std::optional<MirrorPlane> findMirrorPlane(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                                           const Progress& progress = {});
 
 }  // namespace toile

@@ -20,6 +20,12 @@ struct MirrorSegment {
     bool isRight = false;  ///< the right side of it
 };
 
+/// Where a segment of a known seam runs.
+inline const SeamSide& sideOf(const Garment& garment, const MirrorSegment& segment) {
+    const Seam& seam = garment.seams.seams[static_cast<std::size_t>(segment.seam)];
+    return segment.isRight ? seam.right : seam.left;
+}
+
 /// Per piece, in order along its outline.
 using MirrorSegments = std::vector<std::vector<MirrorSegment>>;
 /// Per piece and segment: the segment of its counterpart that mirrors it, or -1. Where a piece is

@@ -5,17 +5,21 @@
 
 namespace toile {
 
-std::optional<Symmetry> findSymmetry(const Garment& garment) {
-    const auto plane = findMirrorPlane(garment);
+Symmetry symmetryIn(const MirrorPlane& plane, const Garment& garment, const Progress& progress) {
+    MirrorPieces pieces = pairPieces(garment, plane, progress);
+    MirrorSegments segments = seamSegments(garment);
+    SegmentPairs pairs = pairSegments(segments, pieces.counterpart, plane);
+    CommonLengths lengths = commonLengths(garment, segments, pieces.counterpart, pairs);
+    return {plane, std::move(pieces), std::move(segments), std::move(pairs), std::move(lengths)};
+}
+
+std::optional<Symmetry> findSymmetry(const Garment& garment, const Progress& progress) {
+    const auto plane = findMirrorPlane(garment.uncut, progress);
     if (!plane) {
         return std::nullopt;
     }
-    MirrorPieces pieces = pairPieces(garment, *plane);
-    MirrorSegments segments = seamSegments(garment);
-    SegmentPairs pairs = pairSegments(segments, pieces.counterpart, *plane);
-    CommonLengths lengths = commonLengths(garment, segments, pieces.counterpart, pairs);
-    return Symmetry{*plane, std::move(pieces), std::move(segments), std::move(pairs),
-                    std::move(lengths)};
+    Symmetry symmetry = symmetryIn(*plane, garment, progress);
+    return progress.isCancelled() ? std::nullopt : std::optional(std::move(symmetry));
 }
 
 }  // namespace toile

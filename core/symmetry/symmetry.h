@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/base/progress.h"
 #include "core/garment/garment.h"
 #include "core/symmetry/common_lengths.h"
 #include "core/symmetry/mirror_pieces.h"
@@ -20,9 +21,16 @@ struct Symmetry {
     CommonLengths lengths;  ///< of the seams
 };
 
-/// None where the garment has no mirror plane. It follows from the pieces and the places of the
-/// seams; ease that is stated does not count.
-/// Precondition: finite positions. Deterministic.  Cost: that of `findMirrorPlane`.  Pure.
-std::optional<Symmetry> findSymmetry(const Garment& garment);
+/// What mirrors what in a plane. It follows from the pieces and the places of the seams; ease that
+/// is stated does not count.
+/// @param plane     of the garment as divided
+/// @param progress  polled; cancelled, what is returned is worth nothing
+/// Precondition: finite positions. Deterministic.  Cost: that of `pairPieces`.  Pure.
+Symmetry symmetryIn(const MirrorPlane& plane, const Garment& garment,
+                    const Progress& progress = {});
+
+/// The same in the mirror plane of the garment; none where it has none, or after a cancel.
+/// Cost: that of `findMirrorPlane`, on the garment as divided.  Pure.
+std::optional<Symmetry> findSymmetry(const Garment& garment, const Progress& progress = {});
 
 }  // namespace toile

@@ -16,7 +16,7 @@ namespace {
 using Indices = std::vector<int>;
 
 CommonLengths commonOf(const Garment& garment) {
-    const auto plane = findMirrorPlane(garment);
+    const auto plane = findMirrorPlane(garment.pieces);
     EXPECT_TRUE(plane);
     if (!plane) {
         return {};

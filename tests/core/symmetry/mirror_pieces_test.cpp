@@ -15,7 +15,7 @@ namespace {
 using Counterparts = std::vector<int>;
 
 MirrorPieces pairsOf(const Garment& garment) {
-    const auto plane = findMirrorPlane(garment);
+    const auto plane = findMirrorPlane(garment.pieces);
     EXPECT_TRUE(plane);
     return pairPieces(garment, plane.value_or(MirrorPlane{}));
 }

@@ -21,7 +21,7 @@ void expectSamePlane(const MirrorPlane& plane, const MirrorPlane& wanted, double
 }
 
 MirrorPlane planeOf(const Garment& garment) {
-    const auto plane = findMirrorPlane(garment);
+    const auto plane = findMirrorPlane(garment.pieces);
     EXPECT_TRUE(plane);
     return plane.value_or(MirrorPlane{});
 }
@@ -92,11 +92,17 @@ TEST(MirrorPlane, NoneOfAScrew) {
     }
     Garment garment;
     garment.pieces = {test::asPiece(std::move(mesh), "ribbon")};
-    EXPECT_FALSE(findMirrorPlane(garment));
+    EXPECT_FALSE(findMirrorPlane(garment.pieces));
 }
 
 TEST(MirrorPlane, NoneWithoutCloth) {
-    EXPECT_FALSE(findMirrorPlane(Garment{}));
+    EXPECT_FALSE(findMirrorPlane({}));
+}
+
+TEST(MirrorPlane, NoneOnceCancelled) {
+    Progress progress;
+    progress.cancel();
+    EXPECT_FALSE(findMirrorPlane(test::tube4().pieces, progress));
 }
 
 class MirrorPlaneOfSample : public testing::TestWithParam<const char*> {};

@@ -121,7 +121,7 @@ class MirrorSegmentsOf : public testing::TestWithParam<Unpaired> {};
 TEST_P(MirrorSegmentsOf, AreMutualAndPairedWhereTheOrderAgrees) {
     TOILE_NEEDS_SHARED(test::dataFile(GetParam().file));
     const Garment garment = test::garmentOf(GetParam().file);
-    const auto plane = findMirrorPlane(garment);
+    const auto plane = findMirrorPlane(garment.pieces);
     ASSERT_TRUE(plane);
     const Indices counterpart = pairPieces(garment, *plane).counterpart;
     const MirrorSegments segments = seamSegments(garment);

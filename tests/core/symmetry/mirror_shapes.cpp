@@ -41,6 +41,7 @@ std::shared_ptr<const Piece> panel(const std::string& name, double from, double 
 Garment sewn(std::vector<std::shared_ptr<const Piece>> pieces) {
     Garment garment;
     garment.pieces = std::move(pieces);
+    garment.uncut = garment.pieces;
     garment.seams = findSeams(garment.pieces);
     return garment;
 }
