@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/best_grain.h"
+#include "core/quality/grain_cost.h"
 
 #include <algorithm>
 #include <array>
@@ -15,16 +15,12 @@
 namespace toile {
 namespace {
 
-constexpr int kDirections = 48, kMeans = 16, kSpreads = 16;  // groups along each measure
 constexpr double kLargestSquare = 16;  // of a stretch: beyond, a triangle is as good as torn
-constexpr int kTrials = 36;            // every five degrees
-constexpr int kRefinements = 24;       // golden sections of ten degrees: 2e-6 radians
 constexpr double kTieWeight = 1e-3;    // of squared strain next to squared excess
 constexpr double kStiffest = 0.001;    // strain: no cloth gives way less
-constexpr double kAlike = 1e-9;        // relative spread of the cost: no direction is better
 
-/// How the cloth of one triangle, or of a group of them, is stretched along each direction of the
-/// flat piece: the squared stretch along angle t is mean + cosine cos 2t + sine sin 2t.
+/// How the cloth of one triangle is stretched along each direction of the flat piece: the squared
+/// stretch along angle t is mean + cosine cos 2t + sine sin 2t.
 struct Stretch {
     double area = 0;  ///< worn
     double mean = 0, cosine = 0, sine = 0;
@@ -47,50 +43,6 @@ Stretch stretchOf(const MeshArrays& mesh, const Points2& Q, Eigen::Index face) {
     }
     return stretch;
 }
-
-/// Triangles that are strained nearly alike, as one with the mean of their strains: what that
-/// leaves out is of second order in a group's width.
-class Groups {
-public:
-    Groups() : sums_(static_cast<std::size_t>(kDirections * kMeans * kSpreads)) {}
-
-    void add(const Stretch& one) {
-        if (!(one.area > 0)) {
-            return;
-        }
-        const double direction = std::atan2(one.sine, one.cosine) / (2 * kPi) + 0.5;
-        const int place =
-            (index(direction, kDirections) * kMeans + index(fine(one.mean - 1), kMeans)) *
-                kSpreads +
-            index(2 * fine(std::hypot(one.cosine, one.sine)) - 1, kSpreads);
-        Stretch& sum = sums_[static_cast<std::size_t>(place)];
-        sum.area += one.area;
-        sum.mean += one.area * one.mean;
-        sum.cosine += one.area * one.cosine;
-        sum.sine += one.area * one.sine;
-    }
-
-    std::vector<Stretch> take() const {
-        std::vector<Stretch> groups;
-        for (const Stretch& sum : sums_) {
-            if (sum.area > 0) {
-                groups.push_back(
-                    {sum.area, sum.mean / sum.area, sum.cosine / sum.area, sum.sine / sum.area});
-            }
-        }
-        return groups;
-    }
-
-private:
-    static int index(double share, int count) {
-        return std::clamp(static_cast<int>(share * count), 0, count - 1);
-    }
-
-    /// From all strains to (0, 1), finest around none.
-    static double fine(double strain) { return 0.5 + 0.5 * strain / (0.05 + std::abs(strain)); }
-
-    std::vector<Stretch> sums_;
-};
 
 /// What one direction of the cloth allows.
 struct Along {
@@ -142,39 +94,6 @@ private:
 };
 
 }  // namespace
-
-std::optional<double> bestGrain(const MeshArrays& mesh, const Points2& Q, const Fabric& fabric) {
-    Groups groups;
-    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
-        groups.add(stretchOf(mesh, Q, f));
-    }
-    const std::vector<Stretch> stretches = groups.take();
-    const Cost cost(fabric);
-    double least = HUGE_VAL, most = 0, best = 0;
-    for (int k = 0; k < kTrials; ++k) {
-        const double angle = kPi * k / kTrials, value = cost(stretches, angle);
-        most = std::max(most, value);
-        if (value < least) {
-            least = value;
-            best = angle;
-        }
-    }
-    if (!(most - least > kAlike * most) || most < kAlike * kAlike) {
-        return std::nullopt;
-    }
-    // The least between the neighbours of the best trial, by golden sections.
-    constexpr double kGolden = 0.6180339887498949;
-    double low = best - kPi / kTrials, high = best + kPi / kTrials;
-    for (int i = 0; i < kRefinements; ++i) {
-        const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-        if (cost(stretches, a) <= cost(stretches, b)) {
-            high = b;
-        } else {
-            low = a;
-        }
-    }
-    return std::fmod(0.5 * (low + high) + kPi, kPi);
-}
 
 double grainCost(const MeshArrays& mesh, const Points2& Q, const Fabric& fabric, double angle) {
     std::vector<Stretch> stretches;
