@@ -62,21 +62,6 @@ SeamSide partOf(const SeamSide& side, const std::vector<double>& arcs, Span span
     return part;
 }
 
-/// Where a place on one side of a seam comes to lie on the other.
-double opposite(const Seam& seam, bool fromLeft, double place) {
-    const auto& matches = seam.matches;
-    const auto here = [&](std::size_t i) { return fromLeft ? matches[i].left : matches[i].right; };
-    const auto there = [&](std::size_t i) { return fromLeft ? matches[i].right : matches[i].left; };
-    std::size_t i = 0;
-    const bool rises = here(0) <= here(matches.size() - 1);
-    while (i + 2 < matches.size() && (rises ? here(i + 1) < place : here(i + 1) > place)) {
-        ++i;
-    }
-    const double step = here(i + 1) - here(i);
-    const double share = step == 0 ? 0 : std::clamp((place - here(i)) / step, 0.0, 1.0);
-    return there(i) + share * (there(i + 1) - there(i));
-}
-
 double wornLength(const SeamSide& side) {
     return std::abs(side.end - side.start);
 }
@@ -108,8 +93,8 @@ std::vector<SewnPart> sewnParts(const Garment& garment, const Feature& run) {
                     continue;
                 }
                 const Piece& other = *garment.pieces[static_cast<std::size_t>(there.piece)];
-                const auto ends =
-                    std::minmax({opposite(seam, left, both.low), opposite(seam, left, both.high)});
+                const auto ends = std::minmax(
+                    {placeAcross(seam, both.low, !left), placeAcross(seam, both.high, !left)});
                 parts.push_back({static_cast<int>(s), all.length() - both.length() <= kNothing,
                                  partOf(here, arcs, both),
                                  partOf(there, arcsOf(other), {ends.first, ends.second})});

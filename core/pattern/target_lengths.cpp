@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/seam/outline.h"
+#include "core/seam/seam_measure.h"
 #include "core/seam/seam_origin.h"
 
 namespace toile {
@@ -102,23 +103,6 @@ void mirrorLengths(const Garment& garment, const CommonLengths& common,
     }
 }
 
-/// The place on the other side of a seam.
-double across(const Seam& seam, double place, bool fromRight) {
-    const auto here = [fromRight](const SeamMatch& m) { return fromRight ? m.right : m.left; };
-    const auto there = [fromRight](const SeamMatch& m) { return fromRight ? m.left : m.right; };
-    for (std::size_t k = 0; k + 1 < seam.matches.size(); ++k) {
-        const SeamMatch &a = seam.matches[k], &b = seam.matches[k + 1];
-        const auto [low, high] = std::minmax({here(a), here(b)});
-        if (low <= place && place <= high && low < high) {
-            const double t = (place - here(a)) / (here(b) - here(a));
-            return (1 - t) * there(a) + t * there(b);
-        }
-    }
-    const bool isFirst =
-        std::abs(place - here(seam.matches.front())) < std::abs(place - here(seam.matches.back()));
-    return there(isFirst ? seam.matches.front() : seam.matches.back());
-}
-
 /// What is said of segments, on both sides of the seams that they are part of.
 class TypedLengths {
 public:
@@ -165,7 +149,8 @@ private:
             const double from = std::max(low, part.from + turn);
             const double to = std::min(high, part.to + turn);
             if (from < to) {
-                const double a = across(seam, from, fromRight), b = across(seam, to, fromRight);
+                const double a = placeAcross(seam, from, fromRight);
+                const double b = placeAcross(seam, to, fromRight);
                 stretches_.add(outlines_.indexOf(other), {std::min(a, b), std::max(a, b)}, factor);
             }
         }

@@ -79,6 +79,22 @@ bool isDrawn(const SeamSide& side, const FlatPiece& flat) {
 
 }  // namespace
 
+double placeAcross(const Seam& seam, double place, bool fromRight) {
+    const auto here = [fromRight](const SeamMatch& m) { return fromRight ? m.right : m.left; };
+    const auto there = [fromRight](const SeamMatch& m) { return fromRight ? m.left : m.right; };
+    for (std::size_t k = 0; k + 1 < seam.matches.size(); ++k) {
+        const SeamMatch &a = seam.matches[k], &b = seam.matches[k + 1];
+        const auto [low, high] = std::minmax({here(a), here(b)});
+        if (low <= place && place <= high && low < high) {
+            const double t = (place - here(a)) / (here(b) - here(a));
+            return (1 - t) * there(a) + t * there(b);
+        }
+    }
+    const SeamMatch &first = seam.matches.front(), &last = seam.matches.back();
+    const bool isFirst = std::abs(place - here(first)) < std::abs(place - here(last));
+    return there(isFirst ? first : last);
+}
+
 const std::vector<int>& loopOf(const SeamSide& side, const Piece& piece) {
     return side.loop == 0 ? piece.boundary : piece.holes[static_cast<std::size_t>(side.loop) - 1];
 }

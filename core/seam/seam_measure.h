@@ -53,6 +53,11 @@ std::optional<SeamMeasure> measured(const Garment& garment, const PieceResults& 
 
 SeamFit seamFit(const Seam& seam, const std::optional<SeamMeasure>& measure);
 
+/// Where a place on one side of a seam comes to lie on the other; one beyond the side at its nearer
+/// end. @param place  arc length, counted as the side does  @param fromRight  it is on the right
+/// side. Precondition: the seam has matches.  Cost: linear in them. Pure.
+double placeAcross(const Seam& seam, double place, bool fromRight);
+
 /// The vertices of the loop that a side runs along, surface on its left.
 const std::vector<int>& loopOf(const SeamSide& side, const Piece& piece);
 

@@ -56,4 +56,12 @@ inline bool isWarm(const PieceResult& result) {
 
 using PieceResults = std::vector<std::shared_ptr<const PieceResult>>;
 
+/// The results with their outlines as they were solved; null where one is.
+inline PieceResults exactResults(PieceResults results) {
+    for (auto& result : results) {
+        result = result && result->exact ? result->exact : result;
+    }
+    return results;
+}
+
 }  // namespace toile

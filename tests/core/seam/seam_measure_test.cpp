@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/seam/seam_measure.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "core/seam/find_seams.h"
@@ -83,6 +85,22 @@ TEST(SeamMeasure, LinesInSpaceAreAsLongAsTheSidesAndRunTogether) {
     EXPECT_LT((left.topRows<1>() - right.topRows<1>()).norm(), 1e-9);
     EXPECT_LT((left.bottomRows<1>() - right.bottomRows<1>()).norm(), 1e-9);
     EXPECT_EQ(left.rows(), flatLine(seam.left, *l, flat(*l)).rows());
+}
+
+TEST(SeamMeasure, PlacesComeToLieOnEachOther) {
+    const auto l = asPiece(rectangle(0, 0, 50, 140, 5, 14), "front");
+    const auto r = asPiece(rectangle(50, 0, 70, 95, 7, 9), "back");
+    const Seam seam = named(findSeams({l, r}), "front / back");
+    for (const double share : {0.0, 0.013, 0.5, 0.77, 1.0}) {
+        const double left = std::lerp(seam.left.start, seam.left.end, share);
+        const double right = placeAcross(seam, left, false);
+        EXPECT_NEAR(right, std::lerp(seam.right.start, seam.right.end, share), 1e-9) << share;
+        EXPECT_NEAR(placeAcross(seam, right, true), left, 1e-9) << share;
+    }
+    const bool rises = seam.left.start < seam.left.end;
+    EXPECT_NEAR(placeAcross(seam, seam.left.start + (rises ? -5 : 5), false), seam.right.start,
+                1e-9);
+    EXPECT_NEAR(placeAcross(seam, seam.left.end + (rises ? 5 : -5), false), seam.right.end, 1e-9);
 }
 
 }  // namespace
