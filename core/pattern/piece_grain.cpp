@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/piece_grain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+#include "core/base/units.h"
+#include "core/pattern/mirrored_edit.h"
+#include "core/quality/grain_cost.h"
+
+namespace toile {
+namespace {
+
+/// Of what height changes by along the cloth: less on the mean, and the piece lies level.
+constexpr double kLevel = 0.05;
+/// Of its absolute value: less of the mean change, and ups and downs cancel out.
+constexpr double kCancelled = 0.35;
+/// A turned grain is taken where it costs less than this part of the straight one.
+constexpr double kWorthTurning = 0.8;
+
+/// How height changes over a flat piece, millimetres per millimetre.
+struct Rise {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();      ///< over the area
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();  ///< of g g^T
+    double length = 0;                                  ///< of |g|
+    double area = 0;
+};
+
+/// @param height  per vertex
+Rise riseOf(const MeshArrays& mesh, const Points2& Q, const Eigen::VectorXd& height) {
+    Rise rise;
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+        const Eigen::RowVector3i corner = mesh.F.row(f);
+        Eigen::Matrix2d sides;
+        sides << Q.row(corner[1]) - Q.row(corner[0]), Q.row(corner[2]) - Q.row(corner[0]);
+        const double doubled = sides.determinant();
+        const Eigen::Vector2d change(height[corner[1]] - height[corner[0]],
+                                     height[corner[2]] - height[corner[0]]);
+        const Eigen::Vector2d gradient = sides.inverse() * change;
+        if (!(doubled > 0) || !gradient.allFinite()) {
+            continue;  // flipped, or no triangle
+        }
+        const double area = doubled / 2;
+        rise.sum += area * gradient;
+        rise.squares += area * gradient * gradient.transpose();
+        rise.length += area * gradient.norm();
+        rise.area += area;
+    }
+    return rise;
+}
+
+double angleOf(const Eigen::Vector2d& way) {
+    return std::atan2(way.y(), way.x());
+}
+
+bool isSewnToItself(const Garment& garment, int piece) {
+    return std::ranges::any_of(garment.seams.seams, [piece](const Seam& seam) {
+        return seam.kind == SeamKind::Seam && seam.left.piece == piece && seam.right.piece == piece;
+    });
+}
+
+std::optional<double> verticalGrain(const Garment& garment, const PieceResult& result, int piece) {
+    const MeshArrays& mesh = result.piece->mesh;
+    const Rise rise = riseOf(mesh, result.flat->Q, mesh.V.col(1));
+    if (!(rise.length > kLevel * rise.area)) {
+        return std::nullopt;
+    }
+    if (rise.sum.norm() > kCancelled * rise.length) {
+        return angleOf(rise.sum);
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(rise.squares);
+    // Height runs around a tube that lies, and the warp along it.
+    Eigen::Vector2d way = axes.eigenvectors().col(isSewnToItself(garment, piece) ? 0 : 1);
+    const double up = way.dot(rise.sum);
+    return angleOf(up < 0 || (up == 0 && way.y() < 0) ? Eigen::Vector2d(-way) : way);
+}
+
+/// Up the reference panel.
+std::optional<double> referenceGrain(const PieceResult& result) {
+    const Rise rise = riseOf(result.piece->mesh, result.flat->Q, result.piece->reference->col(1));
+    return rise.sum.norm() > kCancelled * rise.length ? std::optional(angleOf(rise.sum))
+                                                      : std::nullopt;
+}
+
+/// The straight grain, or the one turned by so much that the cloth suffers least.
+double leastStrained(const PieceResult& result, const Fabric& fabric, double straight) {
+    double best = straight;
+    double least = kWorthTurning * grainCost(result.piece->mesh, result.flat->Q, fabric, straight);
+    for (const double turn : {kPi / 2, kPi / 4, -kPi / 4}) {
+        const double cost = grainCost(result.piece->mesh, result.flat->Q, fabric, straight + turn);
+        if (cost < least) {
+            least = cost;
+            best = straight + turn;
+        }
+    }
+    return best;
+}
+
+std::optional<double> grainBy(GrainRule rule, const Garment& garment, const PieceResult& result,
+                              int piece, const Fabric& fabric) {
+    if (!result.flat) {
+        return std::nullopt;
+    }
+    if (rule == GrainRule::Reference && result.piece->reference) {
+        if (const auto grain = referenceGrain(result)) {
+            return grain;
+        }
+    }
+    const auto straight = verticalGrain(garment, result, piece);
+    return straight && rule == GrainRule::LeastStrain
+               ? std::optional(leastStrained(result, fabric, *straight))
+               : straight;
+}
+
+}  // namespace
+
+std::vector<std::optional<double>> findGrains(const Garment& garment, const PieceResults& results,
+                                              const Symmetry* symmetry, GrainRule rule,
+                                              const Fabric& fabric) {
+    std::vector<std::optional<double>> grains(results.size());
+    for (int p = 0; p < static_cast<int>(results.size()); ++p) {
+        if (!results[p]) {
+            continue;
+        }
+        const int other = symmetry ? symmetry->pieces.counterpart[p] : -1;
+        if (other >= 0 && other < p && grains[other]) {
+            grains[p] = mirroredDirection(garment, results, *symmetry, other, *grains[other]);
+        }
+        if (!grains[p]) {
+            grains[p] = grainBy(rule, garment, *results[p], p, fabric);
+        }
+    }
+    return grains;
+}
+
+}  // namespace toile
