@@ -4,7 +4,7 @@
 # from running; what it said is in build/nightly/STEP.log. Ends with a table, and with 1 if any failed.
 #
 #   tests/nightly.sh           everything, as ./test.sh --nightly does
-#   tests/nightly.sh STEP...   these: monkey asan-window tsan fuzz odr tidy large clock bench clients
+#   tests/nightly.sh STEP...   these: monkey asan-window tsan fuzz odr tidy large outlines clock bench clients
 set -uo pipefail
 cd "$(dirname "$0")/.."
 jobs=$(nproc)
@@ -70,6 +70,12 @@ within() {
     prlimit --cpu="$seconds" --as=$((gib << 30)) build/ci/app/toile "$@"
 }
 
+# Cutting lines of 10 000 random outlines.
+step_outlines() {
+    build ci -DTOILE_TESTS=ON toile_core_test || return
+    TOILE_OUTLINES=10000 build/ci/tests/core/toile_core_test --gtest_brief=1 --gtest_filter='*CuttingLine*'
+}
+
 step_clock() {
     build ci -DTOILE_TESTS=ON && ctest --preset ci -L nightly --parallel 1
 }
@@ -111,7 +117,7 @@ sys.exit(document.audit().has_errors or not closed)' "$file.dxf" || status=1
 ./run.sh --prepare libgtest-dev libbenchmark-dev xvfb clang clang-tidy libclang-rt-14-dev libomp-dev \
     python3-numpy python3-ezdxf librsvg2-bin || exit
 steps=("$@")
-[ $# -gt 0 ] || steps=(monkey asan-window tsan fuzz odr tidy large clock bench clients)
+[ $# -gt 0 ] || steps=(monkey asan-window tsan fuzz odr tidy large outlines clock bench clients)
 rows=()
 failed=0
 for step in "${steps[@]}"; do

@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
     registerResolve(scope);
     registerOutline(scope);
     registerFairing(scope);
+    registerAllowances(scope);
 #ifdef TOILE_PEERS
     registerPeers(scope);
 #endif
