@@ -11,6 +11,7 @@
 #include <Eigen/QR>
 
 #include "core/geometry/disjoint_sets.h"
+#include "core/quality/closed_line.h"
 #include "core/seam/seam_settings.h"
 
 namespace toile {
@@ -108,6 +109,18 @@ void trueTogether(const std::vector<const SeamEnd*>& ends,
 
 double kinkOf(double turnLeft, double turnRight) {
     return std::numbers::pi - turnLeft - turnRight;
+}
+
+double drawnTurn(const PieceResult& result, const TurnPoint& point) {
+    if (!result.flat || !result.flat->line) {
+        return point.turn;
+    }
+    const FlatLine& line = *result.flat->line;
+    const ClosedLine byArc(line.points, line.arc);
+    const auto apart = [&](double arc) { return byArc.apart(arc, point.at); };
+    const auto nearest = std::ranges::min_element(line.arc.begin(), line.arc.end() - 1, {}, apart);
+    const double turn = byArc.turnAt(static_cast<int>(nearest - line.arc.begin()));
+    return point.turn + std::remainder(turn - point.turn, 2 * std::numbers::pi);
 }
 
 std::vector<SeamEnd> findSeamEnds(const Garment& garment,

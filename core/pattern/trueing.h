@@ -27,6 +27,9 @@ struct SeamEnd {
 /// The inner angles of two corners less a straight one, from what their lines turn by there.
 double kinkOf(double turnLeft, double turnRight);
 
+/// What the outline turns by at a turn point as it is drawn: where there is no line, exactly.
+double drawnTurn(const PieceResult& result, const TurnPoint& point);
+
 /// Ends of seams whose two sides both turn a corner there, by seam. A kink beyond kMaxKink is a
 /// corner that is meant, and is not listed.
 /// @param segments  one per piece  Cost: seams times turn points of their pieces. Pure.

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/notch_mark.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/geometry/segment.h"
+
+namespace toile {
+namespace {
+
+/// The line's direction is that of a chord so far to either side, mm.
+constexpr double kHalfChord = 1;
+
+/// A place beside a notch: along the seam line, and inwards from the cutting line, mm.
+struct BesideNotch {
+    double along = 0, inwards = 0;
+};
+
+std::vector<std::vector<BesideNotch>> strokesOf(NotchForm form, double depth, double width) {
+    const double half = 0.5 * width;
+    switch (form) {
+        case NotchForm::V:
+            return {{{-half, 0}, {0, depth}, {half, 0}}};
+        case NotchForm::T:
+            return {{{0, 0}, {0, depth}}, {{-half, depth}, {half, depth}}};
+        case NotchForm::Castle:
+            return {{{-half, 0}, {-half, depth}, {half, depth}, {half, 0}}};
+        case NotchForm::Slit:
+            break;
+    }
+    return {{{0, 0}, {0, depth}}};
+}
+
+}  // namespace
+
+NotchSpot notchSpot(const ClosedLine& line, double place) {
+    const Eigen::RowVector2d chord =
+        line.pointAt(place + kHalfChord) - line.pointAt(place - kHalfChord);
+    const Eigen::Vector2d along = chord.transpose().normalized();
+    return {line.pointAt(place).transpose(), -geometry::leftOf(along)};
+}
+
+std::vector<Points2> notchStrokes(const NotchSpot& spot, double allowance, NotchForm form,
+                                  int count, const NotchSize& size) {
+    const double depth = allowance > 0 ? std::min(size.depth, 0.5 * allowance) : size.depth;
+    const Eigen::Vector2d along = geometry::leftOf(spot.outward);
+    std::vector<Points2> strokes;
+    for (int k = 0; k < count; ++k) {
+        const double shift = size.spacing * (k - 0.5 * (count - 1));
+        for (const auto& stroke : strokesOf(form, depth, size.width)) {
+            Points2 line(static_cast<Eigen::Index>(stroke.size()), 2);
+            for (Eigen::Index i = 0; i < line.rows(); ++i) {
+                const BesideNotch& at = stroke[static_cast<std::size_t>(i)];
+                line.row(i) = spot.point + (shift + at.along) * along +
+                              (allowance - at.inwards) * spot.outward;
+            }
+            strokes.push_back(std::move(line));
+        }
+    }
+    return strokes;
+}
+
+}  // namespace toile

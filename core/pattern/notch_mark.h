@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/mesh/mesh_arrays.h"
+#include "core/pattern/notch_settings.h"
+#include "core/quality/closed_line.h"
+
+namespace toile {
+
+/// A place on a seam line in the plane, mm.
+struct NotchSpot {
+    Eigen::Vector2d point{0, 0};
+    Eigen::Vector2d outward{0, 0};  ///< unit, square to the line, away from the cloth
+};
+
+/// The spot at a place on a drawn outline or rim, which has the cloth on its left. Its line is the
+/// chord over a millimetre to either side.
+/// @param line  measured as `place` is  Precondition: longer than 2 mm.  Cost: logarithmic. Pure.
+NotchSpot notchSpot(const ClosedLine& line, double place);
+
+/// Measures of a notch as drawn, mm.
+struct NotchSize {
+    double depth = 5;    ///< from the cutting line inwards; NotchRules::depth
+    double width = 5;    ///< of V and castle at the cutting line, of the bar of a T
+    double spacing = 8;  ///< between the two of a double notch
+};
+
+/// A notch on the cutting line, square to the seam line: open polylines, #n x 2, one for each
+/// stroke. It is no deeper than half the allowance; without allowance it goes into the cloth.
+/// - Slit: from the cutting line inwards.
+/// - V: two corners on the cutting line, the tip inwards.
+/// - T: a slit with a bar at its inner end.
+/// - Castle: three sides of a rectangle, open at the cutting line.
+/// @param allowance  its width there, mm, 0 or more; the cutting line is parallel to the seam line
+/// @param count      1, or 2: side by side along the line, about the spot
+/// Pure.
+std::vector<Points2> notchStrokes(const NotchSpot& spot, double allowance, NotchForm form,
+                                  int count, const NotchSize& size = {});
+
+}  // namespace toile

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/seam_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/quality/measures.h"
+#include "core/seam/seam_measure.h"
+
+namespace toile {
+namespace {
+
+double shareOnSide(const SeamSide& side, double arc) {
+    const double length = side.end - side.start;
+    return length != 0 ? (arc - side.start) / length : 0;
+}
+
+/// Where something that rises from match to match has a value.
+template <class Rising>
+SeamMatch placeWhere(const Seam& seam, const Rising& rising, double value) {
+    const std::vector<SeamMatch>& all = seam.matches;
+    const auto next =
+        std::ranges::partition_point(all, [&](const SeamMatch& m) { return rising(m) < value; });
+    if (next == all.begin() || next == all.end()) {
+        return next == all.begin() ? all.front() : all.back();
+    }
+    const SeamMatch &a = *(next - 1), &b = *next;
+    const double t = (value - rising(a)) / (rising(b) - rising(a));
+    return {(1 - t) * a.left + t * b.left, (1 - t) * a.right + t * b.right};
+}
+
+std::vector<double> summedUp(const Eigen::VectorXd& lengths) {
+    std::vector<double> arc{0};
+    arc.reserve(static_cast<std::size_t>(lengths.size()) + 1);
+    for (const double length : lengths) {
+        arc.push_back(arc.back() + length);
+    }
+    return arc;
+}
+
+DrawnLoop drawnLoop(const PieceResult& result, const SeamSide& side) {
+    const std::vector<int>& loop = loopOf(side, *result.piece);
+    const Eigen::VectorXd in3d = boundaryLengths3d(result.piece->mesh.V, loop);
+    const bool hasTargets = side.loop == 0 && result.targets.lengths.size() > 0;
+    const Points2 points = result.flat->Q(loop, Eigen::all);
+    const ClosedLine byArc(points, summedUp(in3d));
+    const ClosedLine target(points, summedUp(hasTargets ? result.targets.lengths : in3d));
+    const auto& line = result.flat->line;
+    if (!line || side.loop != 0) {
+        return {byArc, target, target, ClosedLine(points)};
+    }
+    std::vector<double> places = line->arc;
+    for (double& place : places) {
+        place = byArc.placeOn(target, place);
+    }
+    return {byArc, target, ClosedLine(line->points, std::move(places)), ClosedLine(line->points)};
+}
+
+}  // namespace
+
+double shareOf(const Seam& seam, const SeamMatch& place) {
+    return 0.5 * (shareOnSide(seam.left, place.left) + shareOnSide(seam.right, place.right));
+}
+
+SeamMatch placeAtShare(const Seam& seam, double share) {
+    return placeWhere(
+        seam, [&seam](const SeamMatch& m) { return shareOf(seam, m); }, share);
+}
+
+SeamMatch placeOnSide(const Seam& seam, bool onRight, double arc) {
+    const SeamSide& side = onRight ? seam.right : seam.left;
+    const auto share = [&](const SeamMatch& m) -> double {
+        return shareOnSide(side, onRight ? m.right : m.left);
+    };
+    return placeWhere(seam, share, shareOnSide(side, arc));
+}
+
+bool DrawnLoops::isFlat(const SeamSide& side) const {
+    const auto at = static_cast<std::size_t>(side.piece);
+    return side.piece >= 0 && at < results_.size() && results_[at] && results_[at]->flat;
+}
+
+const DrawnLoop& DrawnLoops::of(const SeamSide& side) {
+    const std::pair key(side.piece, side.loop);
+    auto known = loops_.find(key);
+    if (known == loops_.end()) {
+        known = loops_.emplace(key, drawnLoop(*results_[side.piece], side)).first;
+    }
+    return known->second;
+}
+
+double DrawnLoops::lengthOf(const SeamSide& side, double from, double to) {
+    const DrawnLoop& loop = of(side);
+    return std::abs(loop.flatAt(to) - loop.flatAt(from));
+}
+
+double DrawnLoops::targetOf(const SeamSide& side, double from, double to) {
+    const DrawnLoop& loop = of(side);
+    return std::abs(loop.targetAt(to) - loop.targetAt(from));
+}
+
+}  // namespace toile
