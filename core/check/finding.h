@@ -31,6 +31,7 @@ enum class FindingKind {
     StrainWeft,        ///< across it,
     StrainBias,        ///< at 45 degrees to it
     SeamKink,          ///< lines that run on into each other over a seam make a corner there
+    NotSymmetric,      ///< a piece is to be cut by half, and is not drawn as a mirror image
     PiecesOverlap,     ///< two pieces lie on each other on the sheet
     UnlikelySize,      ///< no garment is as small or as large
     UnitInDoubt,       ///< the file's unit was guessed, and another is as likely

@@ -12,6 +12,7 @@
 #include "core/garment/identify.h"
 #include "core/layout/arrange.h"
 #include "core/layout/sheet_overlaps.h"
+#include "core/pattern/half_pattern.h"
 #include "core/pattern/trueing.h"
 #include "core/seam/seam_measure.h"
 
@@ -40,6 +41,7 @@ public:
         if (!progress_.isCancelled()) {
             checkSeams();
             checkSeamEnds();
+            checkHalves();
             checkSheet();
         }
         Readiness readiness = found_.inOrder();
@@ -170,13 +172,8 @@ private:
     }
 
     void checkSeamEnds() {
-        PieceResults exact;
-        for (std::size_t i = 0; i < garment_.pieces.size(); ++i) {
-            const PieceResult* result = resultOf(static_cast<int>(i));
-            const bool isThere = result && result->flat;
-            exact.push_back(!isThere ? nullptr : result->exact ? result->exact : plan_.results[i]);
-        }
-        const auto segments = findSegments(garment_, exact, plan_.lines);
+        const auto segments =
+            findSegments(garment_, exactResults(garment_, plan_.results), plan_.lines);
         for (const SeamEnd& end : findSeamEnds(garment_, segments, plan_.lines)) {
             const bool isDrawn = end.isTrued && resultOf(end.left.piece)->flat->line &&
                                  resultOf(end.right.piece)->flat->line;
@@ -206,6 +203,22 @@ private:
         const Segment& after = of.segments[static_cast<std::size_t>(corner.point)];
         const int vertex = piece.boundary[static_cast<std::size_t>(after.at.first)];
         return {result.flat->Q.row(vertex), piece.mesh.V.row(vertex)};
+    }
+
+    void checkHalves() {
+        const std::vector<DrawnMirror> mirrors = drawnMirrors(plan_.results);
+        for (std::size_t i = 0; i < garment_.pieces.size(); ++i) {
+            const PieceResult* result = resultOf(static_cast<int>(i));
+            const bool byHalf = settingsOf(static_cast<int>(i)).byHalf;
+            if (!byHalf || !result || !result->flat || cutAs(mirrors[i], byHalf) != CutAs::Whole) {
+                continue;
+            }
+            Finding finding;
+            finding.kind = FindingKind::NotSymmetric;
+            finding.subject = subjectOf(*garment_.pieces[i]);
+            finding.pieces = {static_cast<int>(i)};
+            found_.add(std::move(finding));
+        }
     }
 
     void checkSheet() {

@@ -8,7 +8,8 @@ namespace toile {
 
 /// Reads unit, cuts, joins and ease, which a seams file and a project have alike.
 /// @param easeUnit  what the file writes for a side twice as long as the other: 100 for percent
-/// @param withIds   of cuts: a seams file is written by people, and has none
+/// @param withIds   of cuts, and of those that they mirror: a seams file is written by people, and
+///                  has none
 void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit, bool withIds);
 
 /// The most ease that can be stated, as a part of the seam's right side: ten times as long again.

@@ -51,6 +51,9 @@ void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit, bool withI
         if (withIds && at.find("id")) {
             at.readWord("id", cut.id.value, "16 hexadecimal digits", parseId);
         }
+        if (withIds && at.find("mirrors")) {
+            at.readWord("mirrors", cut.mirrors.value, "16 hexadecimal digits", parseId);
+        }
         readNameAndPoints(at, cut.name, cut.points);
     });
     giveIds(seams.cuts);
@@ -108,6 +111,9 @@ OrderedJson cutsJson(const SeamsFile& seams, bool withIds) {
         OrderedJson& entry = list.emplace_back(OrderedJson{{"name", cut.name}});
         if (cut.id && withIds) {
             entry["id"] = idText(cut.id);
+        }
+        if (cut.mirrors && withIds) {
+            entry["mirrors"] = idText(cut.mirrors);
         }
         entry["kind"] = std::string(name(cut.kind));
         entry["along"] = std::string(wordOf(kAlongEdges, cut.alongEdges));

@@ -39,6 +39,16 @@ inline Eigen::Vector3d positionOf(const MeshArrays& mesh, const SurfacePoint& po
     return sum;
 }
 
+/// Position in the plane. @param Q  of the vertices, #V x 2
+inline Eigen::RowVector2d flatPositionOf(const Points2& Q, const Triangles& F,
+                                         const SurfacePoint& point) {
+    Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
+    for (int k = 0; k < 3; ++k) {
+        sum += point.barycentric[k] * Q.row(F(point.face, k));
+    }
+    return sum;
+}
+
 /// Sum of the straight pieces. Cost: linear. Pure.
 double measuredLength(const MeshArrays& mesh, const PathPolyline& path);
 

@@ -108,8 +108,8 @@ Result<PathPolyline> pathOfCut(const SurfaceLinks& links, const SurfacePoint& fr
                       : geodesicPath(links, from, to, progress);
 }
 
-Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
-                                  const UserCut& cut, const Progress& progress) {
+Result<std::vector<SurfacePoint>> pointsOfCut(const SurfaceLinks& links,
+                                              const NearestSurface& nearest, const UserCut& cut) {
     const int needed = cut.kind == UserCut::Kind::Loop ? 3 : 2;
     if (static_cast<int>(cut.points.size()) < needed) {
         return cutError(subjectOf(cut), worded("it needs %1 points or more", {figure(needed)}));
@@ -124,10 +124,21 @@ Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurfac
     if (cut.kind == UserCut::Kind::Path) {
         points.front() = ontoNearRim(links, points.front());
         points.back() = ontoNearRim(links, points.back());
-    } else if (cut.kind == UserCut::Kind::Loop) {
-        points.push_back(points.front());
-    } else if (!putOnRim(links, points)) {
+    } else if (cut.kind == UserCut::Kind::Dart && !putOnRim(links, points)) {
         return cutError(subjectOf(cut), worded("a dart starts at the rim, and the piece has none"));
+    }
+    return points;
+}
+
+Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
+                                  const UserCut& cut, const Progress& progress) {
+    auto placed = pointsOfCut(links, nearest, cut);
+    if (!placed) {
+        return placed.error();
+    }
+    std::vector<SurfacePoint>& points = *placed;
+    if (cut.kind == UserCut::Kind::Loop) {
+        points.push_back(points.front());
     }
     PathPolyline whole;
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -28,6 +28,7 @@ struct UserCut {
     std::vector<Eigen::Vector3d> points;  ///< mm
     bool alongEdges = false;              ///< between the nearest vertices, along edges
     CutId id{};                           ///< kept where points or name change; see `giveIds`
+    CutId mirrors{};                      ///< the cut that this one was made the mirror image of
 
     bool operator==(const UserCut&) const = default;
 };
@@ -45,10 +46,15 @@ Result<PathPolyline> pathOfCut(const SurfaceLinks& links, const SurfacePoint& fr
                                const SurfacePoint& to, bool alongEdges,
                                const Progress& progress = Progress());
 
-/// The cut's curve on the surface. An end of a path that lies within a tenth of a triangle from the
-/// rim reaches it.
-/// @errors  a cut error about the cut: too few points, points not connected, no rim;
-///          Cancelled
+/// The cut's points on the surface, as many as it has. An end of a path that lies within a tenth of
+/// a triangle from the rim reaches it, as does the end of a dart that is nearer to it.
+/// @errors  a cut error about the cut: too few points, one that is not finite, no rim
+/// Cost: a question each, and of a dart all triangles. Pure.
+Result<std::vector<SurfacePoint>> pointsOfCut(const SurfaceLinks& links,
+                                              const NearestSurface& nearest, const UserCut& cut);
+
+/// The cut's curve on the surface, through these points.
+/// @errors  as before; a cut error where the points are not connected; Cancelled
 Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
                                   const UserCut& cut, const Progress& progress = Progress());
 

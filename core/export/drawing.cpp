@@ -51,13 +51,28 @@ void addSeams(Drawing& drawing, const PatternPiece& piece, const Placement& plac
     }
 }
 
+void addFold(Drawing& drawing, const PatternPiece& piece, const Placement& placement,
+             const std::string& words) {
+    const std::string id = "piece-" + piece.slug + "--fold";
+    FoldMark mark = foldMark(piece, placement, words);
+    mark.path.rowwise() += placement.offset.transpose();
+    drawing.paths.push_back({id, LayerKind::Marks, std::move(mark.path), false});
+    drawing.texts.push_back({id + "-text",
+                             LayerKind::Marks,
+                             mark.place.position + placement.offset,
+                             mark.place.height,
+                             {words},
+                             mark.angle});
+}
+
 void addPiece(Drawing& drawing, const PatternPiece& piece, const Placement& placement,
               const DrawingWords& words) {
     const std::string id = "piece-" + piece.slug + "-";
     const auto placed = [&placement](const Points2& line) -> Points2 {
         return turnedLine(line, placement).rowwise() + placement.offset.transpose();
     };
-    std::vector<std::string> lines = labelLines(piece.name, piece, placement.mirrored, words);
+    std::vector<std::string> lines =
+        labelLines(piece.name, piece, placement.mirrored, words, piece.cutAs);
     auto [label, grain] = placeMarks(piece, placement, lines, grainOf(piece));
     label.position += placement.offset;
     keepOnPage(label, lines, drawing);
@@ -73,6 +88,9 @@ void addPiece(Drawing& drawing, const PatternPiece& piece, const Placement& plac
             {id + "-hole-" + std::to_string(k + 1), LayerKind::Cut, placed(piece.holes[k])});
     }
     addSeams(drawing, piece, placement);
+    if (piece.cutAs == CutAs::OnFold) {
+        addFold(drawing, piece, placement, words.placeOnFold);
+    }
 }
 
 void addCheckSquare(Drawing& drawing, const Eigen::Vector2d& corner, const std::string& words) {

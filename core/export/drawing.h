@@ -47,13 +47,16 @@ struct Drawing {
 /// True where the drawing has the layer: see kLayerKinds.
 bool hasLayer(const Drawing& drawing, LayerKind kind);
 
-/// Draws every copy's seam line and holes, its label (`labelLines`), its grain line where the grain
+/// Draws every copy's seam line (a half pattern's with the edge that lies on the fold, marked as
+/// such by `foldMark`) and holes, its label (`labelLines`), its grain line where the grain
 /// is stated (`placeMarks`), the ticks and names of its seams (`seamMarks`), and a 100 mm check
 /// square to the right of the pieces, with a margin of 10 mm around all; labels of pieces narrower
 /// than their names stay on the page. Width and height are whole millimetres.
 /// Ids: `piece-<slug>-cut`, `piece-<slug>--hole-<k>`, `piece-<slug>-name`, `piece-<slug>--grain`,
 /// `piece-<slug>--seam-<number>-tick-<k>`, `piece-<slug>--seam-<number>-name` ("b" after the number
-/// of a seam's second side on the same piece), `check-square`, `check-square-text`.
+/// of a seam's second side on the same piece), `piece-<slug>--fold`, `piece-<slug>--fold-text`,
+/// `check-square`, `check-square-text`.
+/// @param pattern  as it is cut (`asCut`)
 /// Cost: that of placeLabel (label.h) per piece. Pure.
 Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& words = {});
 

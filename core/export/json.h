@@ -9,6 +9,7 @@
 #include "core/base/json_fields.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
+#include "core/symmetry/symmetry.h"
 
 /// The parts that the report and the description of a garment share. Include in writers only: the
 /// JSON library takes a second to compile.
@@ -34,6 +35,9 @@ Json seamsJson(const Garment& garment, const PieceResults& results);
 Json lineJson(const PieceResult& result);
 /// Kinks at the ends of seams, exact and as drawn. @param results  one per piece
 Json seamEndsJson(const Garment& garment, const PieceResults& results);
+/// The plane, what mirrors what, and what common lengths and mirrored lines change.
+/// @param results  one per piece
+Json symmetryJson(const Garment& garment, const PieceResults& results, const Symmetry& symmetry);
 /// What there is to say about the garment beyond its files.
 Json problemsJson(const Garment& garment);
 

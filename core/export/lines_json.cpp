@@ -1,27 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/export/json.h"
 #include "core/pattern/fair_outline.h"
 #include "core/pattern/trueing.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
 
-/// What the outline turns by at a turn point as it is drawn: where there is no line, exactly.
-double drawnTurn(const PieceResult& result, const TurnPoint& point) {
-    if (!result.flat || !result.flat->line) {
-        return point.turn;
+/// Strain over pieces: the extremes, and the mean weighted by area. Null where a piece has none.
+Json strainJson(const PieceResults& results, const std::vector<int>& pieces) {
+    double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0, area = 0;
+    for (const int p : pieces) {
+        const auto& q = results[p]->quality;
+        if (!q || !q->strainMin || !q->strainMax || !q->strainMeanAbs) {
+            least = most = sum = std::numeric_limits<double>::quiet_NaN();
+            break;
+        }
+        least = std::min(least, *q->strainMin);
+        most = std::max(most, *q->strainMax);
+        sum += q->area3d * *q->strainMeanAbs;
+        area += q->area3d;
     }
-    const FlatLine& line = *result.flat->line;
-    const ClosedLine byArc(line.points, line.arc);
-    const auto apart = [&](double arc) { return byArc.apart(arc, point.at); };
-    const auto nearest = std::ranges::min_element(line.arc.begin(), line.arc.end() - 1, {}, apart);
-    const double turn = byArc.turnAt(static_cast<int>(nearest - line.arc.begin()));
-    return point.turn + std::remainder(turn - point.turn, 2 * std::numbers::pi);
+    return {{"strain_min", number(least)},
+            {"strain_max", number(most)},
+            {"strain_mean_abs", number(sum / area)}};
+}
+
+/// The same as drawn, and with the exact outlines.
+void addStrain(Json& json, const PieceResults& results, const std::vector<int>& pieces) {
+    json.update(strainJson(results, pieces));
+    json["exact"] = strainJson(exactResults(results), pieces);
+}
+
+bool isDrawnMirrored(const PieceResult& result) {
+    return result.flat && result.flat->line && result.plan && result.plan->mirrored;
+}
+
+/// Pieces that mirror each other, each pair once, and those that are symmetric in themselves.
+Json pairsJson(const Garment& garment, const PieceResults& results, const MirrorPieces& pieces) {
+    Json pairs = Json::array();
+    for (int p = 0; p < static_cast<int>(pieces.counterpart.size()); ++p) {
+        const int other = pieces.counterpart[p];
+        if (other < p) {
+            continue;
+        }
+        const std::vector<int> both = other == p ? std::vector{p} : std::vector{p, other};
+        Json names = Json::array();
+        for (const int piece : both) {
+            names.push_back(garment.pieces[piece]->name);
+        }
+        Json pair{{"pieces", std::move(names)},
+                  {"deviation", number(pieces.deviation[p])},
+                  {"equal", isDrawnMirrored(*results[p]) && isDrawnMirrored(*results[other])}};
+        addStrain(pair, results, both);
+        pairs.push_back(std::move(pair));
+    }
+    return pairs;
 }
 
 }  // namespace
@@ -41,11 +79,7 @@ Json lineJson(const PieceResult& result) {
 }
 
 Json seamEndsJson(const Garment& garment, const PieceResults& results) {
-    PieceResults exact;
-    for (const auto& result : results) {
-        exact.push_back(result->exact ? result->exact : result);
-    }
-    const auto segments = findSegments(garment, exact, {});
+    const auto segments = findSegments(garment, exactResults(garment, results), {});
     const auto turnAt = [&](const OutlineCorner& corner) -> double {
         return drawnTurn(*results[corner.piece], segments[corner.piece].turnPoints[corner.point]);
     };
@@ -57,6 +91,31 @@ Json seamEndsJson(const Garment& garment, const PieceResults& results) {
                         {"kink", number(kinkOf(turnAt(end.left), turnAt(end.right)))}});
     }
     return ends;
+}
+
+Json symmetryJson(const Garment& garment, const PieceResults& results, const Symmetry& symmetry) {
+    const MirrorPlane& plane = symmetry.plane;
+    const double change = largestChange(garment.seams, symmetry.lengths);
+    Json without = Json::array();
+    for (const int s : symmetry.lengths.withoutCounterpart()) {
+        without.push_back(garment.seams.seams[s].name);
+    }
+    std::vector<int> mirrored;
+    for (int p = 0; p < static_cast<int>(results.size()); ++p) {
+        if (isDrawnMirrored(*results[p])) {
+            mirrored.push_back(p);
+        }
+    }
+    Json json{
+        {"normal", {number(plane.normal.x()), number(plane.normal.y()), number(plane.normal.z())}},
+        {"offset", number(plane.offset)},
+        {"deviation", number(plane.deviation)},
+        {"farthest", number(plane.farthest)},
+        {"pairs", pairsJson(garment, results, symmetry.pieces)},
+        {"largest_length_change", number(change)}};
+    addStrain(json, results, mirrored);
+    json["without_counterpart"] = std::move(without);
+    return json;
 }
 
 }  // namespace toile

@@ -4,7 +4,6 @@
 #include "core/base/file.h"
 #include "core/base/version.h"
 #include "core/export/json.h"
-#include "core/export/mirror_json.h"
 #include "core/export/writers.h"
 #include "core/quality/measures.h"
 
@@ -91,8 +90,28 @@ Json secondsJson(const PieceResult& result, double readSeconds) {
             {"total", number(result.seconds)}};
 }
 
+/// How the piece is cut; once where there is no pattern. Of halves only where they were asked for.
+void addCutting(Json& json, const Pattern& pattern, std::size_t index) {
+    const PatternPiece none;
+    const PatternPiece& piece = index < pattern.pieces.size() ? pattern.pieces[index] : none;
+    json["quantity"] = piece.quantity;
+    json["mirrored_pair"] = piece.mirroredPair;
+    if (piece.grain) {
+        json["grain"] = number(*piece.grain);
+    }
+    if (piece.byHalf) {
+        json["by_half"] = true;
+    }
+    if (piece.cutAs != CutAs::Whole) {
+        json["cut_as"] = piece.cutAs == CutAs::OnFold ? "fold" : "pair";
+    }
+    if (piece.cutAs == CutAs::Image) {
+        json["cut_with"] = pattern.pieces[piece.mirror.counterpart].name;
+    }
+}
+
 Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& result,
-               const Cutting& cutting) {
+               const Pattern& pattern, std::size_t index) {
     const SourceFile& file = *garment.files[piece.file];
     const bool solves = traits(result.options.method).solvesBoundary;
     Json json{{"name", piece.name},
@@ -114,8 +133,7 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
     if (result.flat && result.flat->line) {
         json["line"] = lineJson(result);
     }
-    json["quantity"] = cutting.quantity;
-    json["mirrored_pair"] = cutting.mirroredPair;
+    addCutting(json, pattern, index);
     json["seconds"] = secondsJson(result, file.readSeconds);
     return json;
 }
@@ -128,11 +146,7 @@ std::string writeReport(const Garment& garment, const PieceResults& results, con
     report["files"] = filesJson(garment, results);
     report["pieces"] = Json::array();
     for (std::size_t i = 0; i < results.size(); ++i) {
-        Cutting cutting;
-        if (i < pattern.pieces.size()) {
-            cutting = pattern.pieces[i];
-        }
-        report["pieces"].push_back(pieceJson(garment, *garment.pieces[i], *results[i], cutting));
+        report["pieces"].push_back(pieceJson(garment, *garment.pieces[i], *results[i], pattern, i));
     }
     report["cuts"] = cutsJson(garment);
     report["seams"] = seamsJson(garment, results);

@@ -37,7 +37,7 @@ std::string writeDxf(const Drawing& drawing);
 /// Cost: linear; about a third of a second per million triangles.
 std::string writeObj(const Garment& garment, const PieceResults& results, const Marker& marker);
 /// The JSON report of docs/report.md. Never NaN or Infinity: null.
-/// @param pattern   says how often each piece is cut; without pieces: once
+/// @param pattern   as it is cut (`asCut`): says how, and how often; without pieces: once
 /// @param symmetry  where pieces are mirrored; null: nothing is said of it
 std::string writeReport(const Garment& garment, const PieceResults& results,
                         const Pattern& pattern = {}, const Symmetry* symmetry = nullptr);

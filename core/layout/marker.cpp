@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
+
+#include "core/pattern/half_pattern.h"
 
 namespace toile {
 namespace {
@@ -194,6 +197,14 @@ Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>
         }
     }
     return marker;
+}
+
+LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements) {
+    LaidOutPattern laid;
+    laid.whole = layOut(whole, placements);
+    laid.pattern = asCut(std::move(whole));
+    laid.marker = layOut(laid.pattern, placements);
+    return laid;
 }
 
 }  // namespace toile

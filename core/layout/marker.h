@@ -22,15 +22,20 @@ struct Marker {
     double width = 0, height = 0;
 };
 
+/// A pattern as it is cut (`asCut`), laid out: there is room for nothing but what is drawn.
 struct LaidOutPattern {
     Pattern pattern;
     Marker marker;
+    Marker whole;  ///< of all pieces, none of them as a half: of a UV map
 };
 
 /// The pieces where they are to lie, the lower left corner of all at (0, 0); those without a place
 /// in rows to the right of the others, or alone (`layOutInRows`).
 /// @param placements  one per piece of the pattern, or none  Cost: linear. Pure.
 Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements = {});
+
+/// @param whole  with the `Cutting` of each piece
+LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements = {});
 
 /// 20 mm, or a tenth of the largest side of any piece where that is smaller, so that garments of
 /// any scale keep their digits.

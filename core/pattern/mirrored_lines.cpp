@@ -113,8 +113,7 @@ public:
         : flat_(outline.points) {
         const ClosedLine byArc(outline.points, outline.arc);
         for (const MirrorSegment& one : segments) {
-            const Seam& seam = garment.seams.seams[one.seam];
-            const SeamSide& side = one.isRight ? seam.right : seam.left;
+            const SeamSide& side = sideOf(garment, one);
             const auto [low, high] = std::minmax(side.start, side.end);
             starts_.push_back(byArc.placeOn(flat_, low));
             ends_.push_back(byArc.placeOn(flat_, high));
@@ -249,8 +248,9 @@ std::vector<MirrorPlan> planMirrors(const Garment& garment, const PieceResults& 
         if (!mirrored.correspond()) {
             continue;
         }
-        const auto outline = p == q ? mirrored.own() : mirrored.pair(mirror);
+        auto outline = p == q ? mirrored.own() : mirrored.pair(mirror);
         if (outline) {
+            outline->lead = garment.pieces[lead]->id;
             plans[lead] = {lead, *outline};
             plans[other] = {lead, *outline};
             plans[other].outline.isImage = p != q;

@@ -31,6 +31,7 @@ struct MirroredOutline {
     MirrorPlaces places{};         ///< from the leading one's outline to the other's
     bool isImage = false;          ///< this is the other
     bool isSymmetric = false;      ///< there is no other: it is symmetric in itself
+    PieceId lead{};                ///< the leading one
 
     bool operator==(const MirroredOutline&) const = default;
 };

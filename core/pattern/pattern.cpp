@@ -1,31 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/pattern.h"
 
+#include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "core/base/text.h"
 #include "core/base/unique_names.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
+#include "core/pattern/drawn_outline.h"
+#include "core/pattern/half_pattern.h"
+#include "core/pattern/outline_reference.h"
+#include "core/pattern/segments.h"
+#include "core/quality/closed_line.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {
 
 namespace {
 
-void addSide(PatternPiece& made, const Piece& piece, const FlatPiece& flat, const Seam& seam,
-             int number, const SeamSide& side) {
+/// The outline of a piece as it is drawn, measured in 3D and in the plane.
+struct MeasuredOutline {
+    ClosedLine in3d, flat;
+
+    MeasuredOutline(const Piece& piece, const FlatPiece& of)
+        : in3d(of.line ? ClosedLine(of.line->points, of.line->arc)
+                       : ClosedLine(of.Q(piece.boundary, Eigen::all), outlineArc(piece))),
+          flat(in3d.points()) {}
+
+    /// In the plane, the first within the first turn.
+    std::pair<double, double> places(double from3d, double to3d) const {
+        const double from = in3d.placeOn(flat, from3d), to = in3d.placeOn(flat, to3d);
+        const double first = flat.wrap(from);
+        return {first, first + to - from};
+    }
+};
+
+void addSide(PatternPiece& made, const Piece& piece, const FlatPiece& flat,
+             const MeasuredOutline& outline, const Seam& seam, int number, const SeamSide& side) {
     Points2 line = flatLine(side, piece, flat);
     if (side.reversed) {
         line = line.colwise().reverse().eval();
     }
-    made.seams.push_back({number, seam.name, std::move(line), seam.closed, seam.kind,
-                          &side == &seam.right, seam.id});
+    SeamLine& added = made.seams.emplace_back(SeamLine{
+        number, seam.name, std::move(line), seam.closed, seam.kind, &side == &seam.right, seam.id});
+    if (side.loop == 0) {
+        const auto [low, high] = std::minmax(side.start, side.end);
+        std::tie(added.from, added.to) = outline.places(low, high);
+    }
 }
 
-void addSeams(PatternPiece& made, const Piece& piece, const FlatPiece& flat, const SeamGraph& graph,
-              int index) {
+void addSeams(PatternPiece& made, const Piece& piece, const FlatPiece& flat,
+              const MeasuredOutline& outline, const SeamGraph& graph, int index) {
     std::set<int> touched;
     if (index < static_cast<int>(graph.seamsOfEdge.size())) {
         for (const std::vector<int>& ofEdge : graph.seamsOfEdge[index]) {
@@ -39,19 +67,46 @@ void addSeams(PatternPiece& made, const Piece& piece, const FlatPiece& flat, con
         const Seam& seam = graph.seams[k];
         for (const SeamSide* side : {&seam.left, &seam.right}) {
             if (side->piece == index) {
-                addSide(made, piece, flat, seam, k + 1, *side);
+                addSide(made, piece, flat, outline, seam, k + 1, *side);
             }
         }
     }
 }
 
+void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOutline& outline,
+                 const SeamGraph& graph, const OutlineSegments& found) {
+    const Piece& piece = *result.piece;
+    const ClosedLine in3d(result.flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
+    std::vector<double> targets{0};
+    for (const double length : outlineLengths(piece, result.targets)) {
+        targets.push_back(targets.back() + length);
+    }
+    const ClosedLine target(in3d.points(), std::move(targets));
+    for (std::size_t k = 0; k < found.segments.size(); ++k) {
+        const Segment& segment = found.segments[k];
+        PatternSegment& added = made.segments.emplace_back();
+        std::tie(added.from, added.to) = outline.places(segment.at.start, segment.at.end);
+        added.isCorner = k < found.turnPoints.size() && found.turnPoints[k].isCorner;
+        added.seam = segment.seam + 1;
+        added.isRight = segment.isRight;
+        added.kind = segment.seam < 0 ? SeamKind::Free : graph.seams[segment.seam].kind;
+        added.place = segment.place;
+        added.length =
+            in3d.placeOn(target, segment.at.end) - in3d.placeOn(target, segment.at.start);
+    }
+    std::ranges::stable_sort(made.segments, {}, &PatternSegment::from);
+}
+
 }  // namespace
 
-Pattern makePattern(const Garment& garment, const PieceResults& results) {
+Pattern makePattern(const Garment& garment, const PieceResults& results,
+                    const LineSettings& lines) {
     Pattern pattern;
     pattern.name =
         garment.files.empty() ? std::string() : garment.files.front()->path.stem().string();
     pattern.pieces.resize(garment.pieces.size());
+    const auto segments = findSegments(garment, exactResults(garment, results), lines);
+    const std::vector<DrawnMirror> mirrors = drawnMirrors(results);
     UniqueNames slugs;
     for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
         PatternPiece& made = pattern.pieces[i];
@@ -66,7 +121,11 @@ Pattern makePattern(const Garment& garment, const PieceResults& results) {
         made.holes = flatLoops(piece, flat);
         made.outline = std::move(made.holes.front());
         made.holes.erase(made.holes.begin());
-        addSeams(made, piece, flat, garment.seams, static_cast<int>(i));
+        made.isFine = flat.line && results[i]->plan && !results[i]->plan->stretches.empty();
+        made.mirror = mirrors[i];
+        const MeasuredOutline outline(piece, flat);
+        addSeams(made, piece, flat, outline, garment.seams, static_cast<int>(i));
+        addSegments(made, *results[i], outline, garment.seams, segments[i]);
     }
     return pattern;
 }

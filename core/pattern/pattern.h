@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "core/base/id.h"
 #include "core/garment/seam.h"
 #include "core/mesh/mesh_arrays.h"
+#include "core/pattern/line_settings.h"
 
 namespace toile {
 
@@ -28,6 +30,9 @@ struct Cutting {
     std::optional<double> grain{};
     int quantity = 1;           ///< how many are cut
     bool mirroredPair = false;  ///< each of them also mirrored: left and right
+    /// Only one half is drawn of what is a mirror image: of a piece that is symmetric in itself the
+    /// one beside the fold of the cloth, of two that mirror each other one, cut as a pair.
+    bool byHalf = false;
 
     bool operator==(const Cutting&) const = default;
 };
@@ -45,6 +50,43 @@ struct SeamLine {
     SeamKind kind = SeamKind::Seam;
     bool isRight = false;  ///< of the two sides of the seam
     SeamId seam{};
+    /// Where it lies on `PatternPiece::outline`, as a segment does; 0 and 0 on the rim of a hole.
+    double from = 0, to = 0;
+    /// Its start, its end is none: on a half pattern it goes on beyond the fold.
+    std::array<bool, 2> isAtFold{};
+};
+
+/// A stretch of a piece's seam line from one turn point to the next (segments.h).
+struct PatternSegment {
+    /// Arc lengths along `PatternPiece::outline` in the plane, mm: `from` within the first turn,
+    /// `to` counted on past the outline's first point.
+    double from = 0, to = 0;
+    bool isCorner = false;  ///< the line has a corner where the segment starts; else it runs on
+    int seam = 0;           ///< SeamLine::number; 0: part of none
+    bool isRight = false;   ///< of that seam's sides
+    SeamKind kind = SeamKind::Free;
+    LineStretch place{};  ///< by which settings know it
+    double length = 0;    ///< that it is to have, mm: where lengths are kept, to - from
+    bool isFold = false;  ///< of a half pattern: the edge that lies on the fold, no seam line
+};
+
+/// What a piece mirrors in the pattern, as outlines are drawn (`Mirror`).
+struct DrawnMirror {
+    /// It is its own image: row k of the outline mirrors row #n - k, modulo #n, and the mirror line
+    /// goes straight from row 0 to row #n / 2 through the cloth.
+    bool isSymmetric = false;
+    int counterpart = -1;  ///< the other piece that is its image; -1: none
+    bool leads = false;    ///< of the two
+
+    bool operator==(const DrawnMirror&) const = default;
+};
+
+/// How a piece comes out of the cloth.
+enum class CutAs {
+    Whole,   ///< as it is drawn
+    OnFold,  ///< one half is drawn, and cut on the fold of the cloth
+    Pair,    ///< it stands for its image too, and is cut with it through two layers
+    Image,   ///< it is cut with its counterpart, and not drawn itself
 };
 
 /// One flat piece as a pattern maker knows it, in its own coordinates wherever copies of it lie:
@@ -58,6 +100,11 @@ struct PatternPiece : Cutting {
     /// for rims that nothing is sewn to.
     std::vector<SeamLine> seams{};
     PieceId id{};
+    /// The outline in order; the first is the one that starts first.
+    std::vector<PatternSegment> segments{};
+    bool isFine = false;   ///< a fair line, which stands for a curve; else the polygon itself
+    DrawnMirror mirror{};  ///< of the whole piece
+    CutAs cutAs = CutAs::Whole;
 };
 
 struct Pattern {
@@ -67,8 +114,11 @@ struct Pattern {
 
 /// Everything of a garment that is flat, in its own coordinates. Pieces whose names give the same
 /// slug get "-2", "-3" in order.
-/// @param results  one per piece; null where there is none  Cost: linear in the outlines. Pure.
-Pattern makePattern(const Garment& garment, const PieceResults& results);
+/// @param results  one per piece; null where there is none
+/// @param lines    by which they were drawn: turn points that a person has said
+/// Cost: that of `findSegments`. Pure.
+Pattern makePattern(const Garment& garment, const PieceResults& results,
+                    const LineSettings& lines = {});
 
 /// The outline as it is drawn, then the rims of the holes; closed, first point not repeated.
 std::vector<Points2> flatLoops(const Piece& piece, const FlatPiece& flat);

@@ -8,24 +8,28 @@
 #include <utility>
 
 #include "core/geometry/segment.h"
+#include "core/pattern/half_pattern.h"
 
 namespace toile {
 
-std::string cuttingNote(const Cutting& cutting, const DrawingWords& words) {
-    if (cutting.quantity == 1) {
-        return cutting.mirroredPair ? words.cutPair : std::string();
+std::string cuttingNote(const Cutting& cutting, const DrawingWords& words, CutAs cutAs) {
+    const bool isOnFold = cutAs == CutAs::OnFold;
+    const bool isPair = !isOnFold && (cutting.mirroredPair || cutAs == CutAs::Pair);
+    if (cutting.quantity == 1 && !isOnFold) {
+        return isPair ? words.cutPair : std::string();
     }
-    std::string note = cutting.mirroredPair ? words.cutPairs : words.cut;
+    std::string note = isOnFold ? words.cutOnFold : isPair ? words.cutPairs : words.cut;
+    const int count = cutting.quantity * (isOnFold && cutting.mirroredPair ? 2 : 1);
     if (const std::size_t place = note.find("%1"); place != std::string::npos) {
-        note.replace(place, 2, std::to_string(cutting.quantity));
+        note.replace(place, 2, std::to_string(count));
     }
     return note;
 }
 
 std::vector<std::string> labelLines(const std::string& name, const Cutting& cutting, bool mirrored,
-                                    const DrawingWords& words) {
+                                    const DrawingWords& words, CutAs cutAs) {
     std::vector<std::string> lines{name};
-    if (std::string note = cuttingNote(cutting, words); !note.empty()) {
+    if (std::string note = cuttingNote(cutting, words, cutAs); !note.empty()) {
         lines.push_back(std::move(note));
     }
     lines.push_back(words.noAllowance);
@@ -57,13 +61,17 @@ PieceMarks placeMarks(const PatternPiece& piece, const Placement& placement,
 
 namespace {
 
-constexpr double kTick = 5;            // mm; shorter on a short seam
-constexpr double kTickOfSeam = 0.2;    // of the seam's length, at most
-constexpr double kNameHeight = 2.5;    // mm, of a capital
-constexpr double kSmallestText = 0.8;  // mm: what cannot be read is not written
-constexpr double kNameOfSeam = 0.8;    // of the seam's length that a text may take
-constexpr double kOffCut = 1.2;        // capital heights between the outline and the text's middle
-constexpr double kSameTick = 0.1;      // mm
+constexpr double kTick = 5;             // mm; shorter on a short seam
+constexpr double kTickOfSeam = 0.2;     // of the seam's length, at most
+constexpr double kNameHeight = 2.5;     // mm, of a capital
+constexpr double kSmallestText = 0.8;   // mm: what cannot be read is not written
+constexpr double kNameOfSeam = 0.8;     // of the seam's length that a text may take
+constexpr double kOffCut = 1.2;         // capital heights between the outline and the text's middle
+constexpr double kSameTick = 0.1;       // mm
+constexpr double kFoldOff = 8;          // mm: the bracket from the fold,
+constexpr double kFoldOffOfEdge = 0.1;  // at most so much of the fold's length
+constexpr double kFoldHead = 0.4;       // of that: an arrow head
+constexpr double kFoldFrom = 0.2;       // of the fold's length: where the arrows are
 
 double lengthOf(const Points2& line) {
     double length = 0;
@@ -85,6 +93,13 @@ Eigen::Vector2d pointAt(const Points2& line, double arc) {
     return line.bottomRows<1>().transpose();
 }
 
+/// The same line for a text, which is never upside down.
+double readable(double angle) {
+    const bool isUpsideDown =
+        angle > 0.5 * std::numbers::pi + 1e-9 || angle <= -0.5 * std::numbers::pi + 1e-9;
+    return !isUpsideDown ? angle : angle + (angle > 0 ? -std::numbers::pi : std::numbers::pi);
+}
+
 /// Marks the seams of one piece, one after the other.
 class SeamMarker {
 public:
@@ -100,8 +115,13 @@ public:
         mark.number = seam.number;
         mark.second = !numbers_.insert(seam.number).second;
         const double tick = std::min(kTick, kTickOfSeam * length);
-        mark.ticks[0] = this->tick(pointAt(line, 0), pointAt(line, tick), tick);
-        if (!seam.closed) {
+        // Of a mirrored piece the line runs from its end.
+        const bool isAtFold[] = {seam.isAtFold[placement_.mirrored ? 1 : 0],
+                                 seam.isAtFold[placement_.mirrored ? 0 : 1]};
+        if (!isAtFold[0]) {
+            mark.ticks[0] = this->tick(pointAt(line, 0), pointAt(line, tick), tick);
+        }
+        if (!seam.closed && !isAtFold[1]) {
             // Seen from the end backwards the cloth is on the right.
             mark.ticks[1] = this->tick(pointAt(line, length), pointAt(line, length - tick), -tick);
         }
@@ -159,11 +179,7 @@ private:
         }
         mark.place = {0.5 * (before + after) + (bulge + kOffCut * height) * geometry::leftOf(along),
                       height};
-        mark.angle = std::atan2(along.y(), along.x());
-        if (mark.angle > 0.5 * std::numbers::pi + 1e-9 ||
-            mark.angle <= -0.5 * std::numbers::pi + 1e-9) {
-            mark.angle += mark.angle > 0 ? -std::numbers::pi : std::numbers::pi;
-        }
+        mark.angle = readable(std::atan2(along.y(), along.x()));
         mark.text = std::move(words);
     }
 
@@ -185,6 +201,39 @@ std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& plac
         }
     }
     return marks;
+}
+
+FoldMark foldMark(const PatternPiece& piece, const Placement& placement, const std::string& words) {
+    const Chord fold = foldOf(piece);
+    Points2 chord(2, 2);
+    chord << fold.from.transpose(), fold.to.transpose();
+    chord = turnedLine(chord, placement);
+    const Eigen::Vector2d from = chord.row(0), way = (chord.row(1) - chord.row(0)).transpose();
+    const double length = way.norm();
+    const Eigen::Vector2d along = way.normalized(), inwards = geometry::leftOf(along);
+    const double off = std::min(kFoldOff, kFoldOffOfEdge * length), head = kFoldHead * off;
+    const auto at = [&](double share, double aside, double in) -> Eigen::RowVector2d {
+        return (from + share * way + aside * along + in * inwards).transpose();
+    };
+    FoldMark mark;
+    mark.path.resize(10, 2);
+    Eigen::Index row = 0;
+    const auto addArrow = [&](double share) {
+        for (const double aside : {-head, 0.0, head}) {
+            mark.path.row(row++) = at(share, aside, std::abs(aside));
+        }
+    };
+    addArrow(kFoldFrom);
+    mark.path.row(row++) = at(kFoldFrom, 0, 0);
+    mark.path.row(row++) = at(kFoldFrom, 0, off);
+    mark.path.row(row++) = at(1 - kFoldFrom, 0, off);
+    mark.path.row(row++) = at(1 - kFoldFrom, 0, 0);
+    addArrow(1 - kFoldFrom);
+    const double room = (1 - 2 * kFoldFrom) * length;
+    const double height = std::min(kNameHeight, room / textExtent({words}, 1).x());
+    mark.place = {at(0.5, 0, off + kOffCut * height).transpose(), height};
+    mark.angle = readable(std::atan2(along.y(), along.x()));
+    return mark;
 }
 
 }  // namespace toile

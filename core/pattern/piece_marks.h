@@ -19,16 +19,19 @@ struct DrawingWords {
     std::string mirrored = "mirrored: wrong side of the fabric up";
     std::string cut = "cut %1", cutPair = "cut 1 pair", cutPairs = "cut %1 pairs";
     std::string checkSquare = "check square 100 mm x 100 mm";
+    std::string cutOnFold = "cut %1 on fold", placeOnFold = "place on fold";
 };
 
-/// What stands on a piece that is not cut once: "cut 3", or "cut 2 pairs" where each of them is cut
-/// mirrored too. Empty for a single piece.
-std::string cuttingNote(const Cutting& cutting, const DrawingWords& words = {});
+/// What stands on a piece that is not cut once as it is: "cut 3", "cut 2 pairs" where each of them
+/// is cut mirrored too, or is drawn for its image as well, "cut 1 on fold". Empty for a single
+/// piece.
+std::string cuttingNote(const Cutting& cutting, const DrawingWords& words = {},
+                        CutAs cutAs = CutAs::Whole);
 
 /// The label of a piece, line by line: its name, how often it is cut, what kind of outline it is
 /// and, where it is mirrored, that the wrong side is up.
 std::vector<std::string> labelLines(const std::string& name, const Cutting& cutting, bool mirrored,
-                                    const DrawingWords& words);
+                                    const DrawingWords& words, CutAs cutAs = CutAs::Whole);
 
 /// What is drawn on a piece as it lies, in files and on screen alike: in sheet directions, about
 /// the placement's offset.
@@ -58,5 +61,16 @@ struct SeamMark {
 
 /// The marks of a piece's seams, by number; free edges have none. Linear. Pure.
 std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& placement);
+
+/// The sign of a half pattern: a bracket with two arrow heads on the edge that lies on the fold, as
+/// one open path, and words beside it. In sheet directions, about the placement's offset.
+struct FoldMark {
+    Points2 path;
+    LabelPlace place;  ///< of the words' middle
+    double angle = 0;  ///< of the words, radians, never upside down
+};
+
+/// @param piece  that is cut on the fold  Cost: constant. Pure.
+FoldMark foldMark(const PatternPiece& piece, const Placement& placement, const std::string& words);
 
 }  // namespace toile

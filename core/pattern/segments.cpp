@@ -258,6 +258,17 @@ std::vector<int> findCorners(const Points2& points) {
     return corners;
 }
 
+PieceResults exactResults(const Garment& garment, const PieceResults& results) {
+    PieceResults exact(garment.pieces.size());
+    for (std::size_t p = 0; p < exact.size() && p < results.size(); ++p) {
+        const auto& result = results[p];
+        if (result && result->piece == garment.pieces[p] && result->flat) {
+            exact[p] = result->exact ? result->exact : result;
+        }
+    }
+    return exact;
+}
+
 std::vector<OutlineSegments> findSegments(const Garment& garment, const PieceResults& results,
                                           const LineSettings& settings) {
     const seam::Outlines outlines = seam::buildOutlines(garment.pieces);

@@ -48,6 +48,9 @@ inline constexpr double kCornerWindow = 5;                  ///< mm
 /// @param points  #n x 2, mm  @return vertices, ascending  Cost: n, times the corners. Pure.
 std::vector<int> findCorners(const Points2& points);
 
+/// The results as they were solved; null where a piece is not flat, or has another shape now.
+PieceResults exactResults(const Garment& garment, const PieceResults& results);
+
 /// The segments of every piece: ends of seams and free edges, corners, and what a person has added
 /// or taken away. @param results  one per piece, as solved (`PieceResult::exact`)
 /// @return one per piece; nothing where a piece is not flat  Cost: outlines and settings. Pure.

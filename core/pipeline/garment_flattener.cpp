@@ -44,19 +44,26 @@ std::vector<double> placesOf(const SeamGraph& graph) {
 }  // namespace
 
 std::shared_ptr<const Symmetry> GarmentFlattener::symmetryOf(const Garment& garment,
-                                                             const LineSettings& lines) {
+                                                             const LineSettings& lines,
+                                                             const Progress& progress) {
     if (lines.mirror == Mirror::None) {
         return nullptr;
     }
-    std::vector<double> places = placesOf(garment.seams);
     std::shared_ptr<const KeptSymmetry> kept;
     {
         const std::lock_guard lock(mutex_);
         kept = symmetry_;
     }
-    if (!kept || kept->pieces != garment.pieces || kept->places != places) {
-        kept = std::make_shared<const KeptSymmetry>(
-            KeptSymmetry{garment.pieces, std::move(places), findSymmetry(garment)});
+    const bool hasPlane = kept && kept->uncut == garment.uncut;
+    std::vector<double> places = placesOf(garment.seams);
+    if (!hasPlane || kept->pieces != garment.pieces || kept->places != places) {
+        const auto plane = hasPlane ? kept->plane : findMirrorPlane(garment.uncut, progress);
+        auto found = plane ? std::optional(symmetryIn(*plane, garment, progress)) : std::nullopt;
+        if (progress.isCancelled()) {
+            return nullptr;
+        }
+        kept = std::make_shared<const KeptSymmetry>(KeptSymmetry{
+            garment.uncut, plane, garment.pieces, std::move(places), std::move(found)});
         const std::lock_guard lock(mutex_);
         symmetry_ = kept;
     }
@@ -87,7 +94,7 @@ PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOpti
                                        const LineSettings& lines) {
     progress.start(1);
     Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
-    const auto symmetry = symmetryOf(garment, lines);
+    const auto symmetry = symmetryOf(garment, lines, progress);
     PieceResults results = flattenExactly(garment, options, solving, threads, known,
                                           outlineTargets(garment, lines, symmetry.get()));
     results =
@@ -174,14 +181,12 @@ PieceResults GarmentFlattener::flattenExactly(const Garment& garment, const Flat
 PieceResults GarmentFlattener::settle(const Garment& garment, PieceResults results,
                                       Progress& progress, int threads, const LineSettings& lines) {
     const PieceResults known = results;
-    for (auto& result : results) {
-        result = result && result->exact ? result->exact : result;
-    }
     progress.start(1);
     Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
-    results = settleExactly(std::move(results), solving, threads);
-    results = drawLines(garment, std::move(results), lines, symmetryOf(garment, lines).get(), known,
-                        drawing, threads);
+    results = settleExactly(exactResults(std::move(results)), solving, threads);
+    const auto symmetry = symmetryOf(garment, lines, progress);
+    results =
+        drawLines(garment, std::move(results), lines, symmetry.get(), known, drawing, threads);
     if (!progress.isCancelled()) {
         progress.report(1);
     }

@@ -25,7 +25,8 @@ namespace toile {
 /// What is found so fast is to be looked at (`FlatPiece::warm`); `settle` puts in its place what
 /// `flattenGarment` finds, which follows from the piece and the options alone.
 ///
-/// The mirror plane and what follows from it are kept as long as pieces and seams are the same.
+/// The mirror plane is kept as long as the garment as divided is the same, whatever is cut or
+/// joined, and what follows from it as long as pieces and seams are.
 ///
 /// Thread-safe. Calls may overlap: each begins with what was kept when it began, and the one that
 /// ends last is kept. After a cancel the finished pieces are kept, and of the others what was
@@ -51,6 +52,11 @@ public:
     PieceResults settle(const Garment& garment, PieceResults results, Progress& progress,
                         int threads = 0, const LineSettings& lines = {});
 
+    /// What the lines are mirrored by; null where they ask for none, where the garment has none, or
+    /// after a cancel.
+    std::shared_ptr<const Symmetry> symmetryOf(const Garment& garment, const LineSettings& lines,
+                                               const Progress& progress = {});
+
     /// Begins anew.
     void reset();
 
@@ -65,16 +71,16 @@ private:
 
     using KeptPointer = std::shared_ptr<const Kept>;
 
-    /// The symmetry of a garment, and all that it follows from.
+    /// The symmetry of a garment, and all that it follows from; the plane from `uncut` alone.
     struct KeptSymmetry {
+        std::vector<std::shared_ptr<const Piece>> uncut;
+        std::optional<MirrorPlane> plane;
         std::vector<std::shared_ptr<const Piece>> pieces;
         std::vector<double> places;  ///< of the seams' sides
         std::optional<Symmetry> found;
     };
 
     std::vector<KeptPointer> snapshot() const;
-    /// Null where lines ask for none, or there is none.
-    std::shared_ptr<const Symmetry> symmetryOf(const Garment& garment, const LineSettings& lines);
     PieceResults flattenExactly(const Garment& garment, const FlattenOptions& options,
                                 Progress& progress, int threads, const PieceResults& known,
                                 const std::vector<OutlineTargets>& targets);

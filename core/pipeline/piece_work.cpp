@@ -19,7 +19,7 @@
 #include "core/base/content_hash.h"
 #include "core/base/stopwatch.h"
 #include "core/diagnose/crossing_cut.h"
-#include "core/flatten/base/outline_figures.h"
+#include "core/flatten/base/outline_targets.h"
 #include "core/garment/piece.h"
 #include "core/pattern/drawn_outline.h"
 

@@ -25,20 +25,21 @@ std::string lowerCaseEnding(const std::filesystem::path& path) {
 /// Of the time that an export takes, about; the rest is writing.
 constexpr double kMakingShare = 0.8;
 
-std::optional<Symmetry> symmetryOf(const Garment& garment, const LineSettings& lines) {
-    return lines.mirror != Mirror::None ? findSymmetry(garment) : std::nullopt;
+std::optional<Symmetry> symmetryOf(const Garment& garment, const LineSettings& lines,
+                                   const Progress& progress) {
+    return lines.mirror != Mirror::None ? findSymmetry(garment, progress) : std::nullopt;
 }
 
 /// @param ending  one that `canExport`
 std::string bytesOf(const std::string& ending, const Garment& garment, const PieceResults& results,
                     const LaidOutPattern& laid, const DrawingWords& words,
-                    const LineSettings& lines) {
+                    const LineSettings& lines, const Progress& progress) {
     if (ending == ".json") {
-        const auto symmetry = symmetryOf(garment, lines);
+        const auto symmetry = symmetryOf(garment, lines, progress);
         return writeReport(garment, results, laid.pattern, symmetry ? &*symmetry : nullptr);
     }
     if (ending == ".obj") {
-        return writeObj(garment, results, laid.marker);
+        return writeObj(garment, results, laid.whole);
     }
     const Drawing drawing = draw(laid.pattern, laid.marker, words);
     return ending == ".svg" ? writeSvg(drawing) : writeDxf(drawing);
@@ -46,10 +47,13 @@ std::string bytesOf(const std::string& ending, const Garment& garment, const Pie
 
 }  // namespace
 
-LaidOutPattern inRows(const Garment& garment, const PieceResults& results) {
-    Pattern pattern = makePattern(garment, results);
-    Marker marker = layOut(pattern);
-    return {std::move(pattern), std::move(marker)};
+LaidOutPattern inRows(const Garment& garment, const PieceResults& results,
+                      const LineSettings& lines, bool byHalf) {
+    Pattern pattern = makePattern(garment, results, lines);
+    for (PatternPiece& piece : pattern.pieces) {
+        piece.byHalf = byHalf;
+    }
+    return laidOut(std::move(pattern));
 }
 
 bool canExport(const std::filesystem::path& path) {
@@ -68,7 +72,8 @@ Result<void> exportFile(const std::filesystem::path& path, const Garment& garmen
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
-    const std::string bytes = bytesOf(lowerCaseEnding(path), garment, results, laid, words, lines);
+    const std::string bytes =
+        bytesOf(lowerCaseEnding(path), garment, results, laid, words, lines, progress);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
@@ -80,7 +85,7 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
                             Progress& progress, int threads, const LineSettings& lines) {
     progress.start(1);
     Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
-    const auto found = symmetryOf(garment, lines);
+    const auto found = symmetryOf(garment, lines, progress);
     const Symmetry* const symmetry = found ? &*found : nullptr;
     const std::vector<OutlineTargets> targets = outlineTargets(garment, lines, symmetry);
     std::vector<PieceTask> tasks;

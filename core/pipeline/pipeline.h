@@ -97,7 +97,8 @@ std::optional<Garment> easedGarment(const Garment& garment,
 ///                  method; reaches 1 at the end and only there. Not used after the return.
 /// @param threads   how many work at once; 0: as many as the machine has cores
 /// @param lines     how the outlines are drawn, and what they are to measure; as it is here, as
-///                  they are in 3D
+///                  they are in 3D. Where they are mirrored a cancel may come up to a quarter of a
+///                  second later, at a million triangles, while the mirror plane is looked for
 /// @return one result per piece, in the garment's order; after a cancel the unfinished ones carry
 ///         ErrorCode::Cancelled
 /// For a garment that is being edited see garment_flattener.h.
@@ -109,7 +110,9 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
 inline constexpr double kCancelSeconds = 0.05;
 
 /// The pattern of a garment in rows. @param results  one per piece; null where there is none
-LaidOutPattern inRows(const Garment& garment, const PieceResults& results);
+/// @param lines  by which they were drawn  @param byHalf  `Cutting::byHalf` of all pieces
+LaidOutPattern inRows(const Garment& garment, const PieceResults& results,
+                      const LineSettings& lines = {}, bool byHalf = false);
 
 /// True where `exportFile` knows the path's ending.
 bool canExport(const std::filesystem::path& path);

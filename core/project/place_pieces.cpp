@@ -303,17 +303,17 @@ std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
 }
 
 LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
-                      const std::vector<PieceSettings>& settings, const PieceLabels& labels) {
-    LaidOutPattern laid{makePattern(garment, results), {}};
+                      const std::vector<PieceSettings>& settings, const PieceLabels& labels,
+                      const LineSettings& lines) {
+    Pattern pattern = makePattern(garment, results, lines);
     std::vector<std::optional<Placement>> placements;
     for (std::size_t i = 0; i < settings.size(); ++i) {
-        PatternPiece& piece = laid.pattern.pieces[i];
+        PatternPiece& piece = pattern.pieces[i];
         static_cast<Cutting&>(piece) = settings[i];
         piece.name = nameOf(labels, *garment.pieces[i]);
         placements.push_back(settings[i].placement);
     }
-    laid.marker = layOut(laid.pattern, placements);
-    return laid;
+    return laidOut(std::move(pattern), placements);
 }
 
 }  // namespace toile

@@ -42,8 +42,10 @@ std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
                                           const std::vector<std::optional<FlatMotion>>& motions);
 
 /// The pattern as a person has it: called, cut and laid out as has been said.
-/// @param settings  one per piece, or none  Cost: linear in the outlines. Pure.
+/// @param settings  one per piece, or none  @param lines  by which the results were drawn
+/// Cost: that of `makePattern`. Pure.
 LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
-                      const std::vector<PieceSettings>& settings, const PieceLabels& labels);
+                      const std::vector<PieceSettings>& settings, const PieceLabels& labels,
+                      const LineSettings& lines = {});
 
 }  // namespace toile

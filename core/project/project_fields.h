@@ -162,6 +162,9 @@ inline constexpr auto kPiece = [](auto& at, auto& piece) {
     at.field("grain", settings.grain, -kMaxTurn, kMaxTurn);
     at.field("quantity", settings.quantity, 0, kMaxCopies);
     at.field("mirroredPair", settings.mirroredPair);
+    if (at.kReads || settings.byHalf) {
+        at.field("byHalf", settings.byHalf);
+    }
     at.id("partOf", settings.partOf);
     if (at.kReads || !settings.anchors.empty()) {
         at.list("anchors", settings.anchors, kAnchor);

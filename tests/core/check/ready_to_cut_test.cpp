@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/check/finding.h"
+#include "core/pattern/drawn_outline.h"
 #include "core/pipeline/pipeline.h"
 #include "core/seam/find_seams.h"
 #include "tests/core/check/cut_plans.h"
@@ -402,6 +403,28 @@ TEST(ReadyToCut, LengthKeepingMethodsLeaveNoSeamAndNoFlipOnCurvedCloth) {
                                    FindingKind::SeamLengths, FindingKind::OutlineCrosses}) {
         EXPECT_TRUE(findingsOf(readiness, kind).empty()) << name(kind);
     }
+}
+
+TEST(ReadyToCut, AHalfThatIsNoneIsANote) {
+    CutPlan plan = readyPlan();
+    plan.settings[1].byHalf = true;
+    const Finding found = onlyFinding(plan, FindingKind::NotSymmetric);
+    EXPECT_EQ(found.severity, Severity::Note);
+    EXPECT_EQ(found.pieces, std::vector<int>{1});
+    EXPECT_EQ(found.subject.name, "back");
+
+    // Drawn as its own mirror image it is one: the square's outline from the middle of a side.
+    auto drawn = copyOfResult(plan, 1);
+    auto line = std::make_shared<FlatLine>();
+    line->points.resize(6, 2);
+    line->points << 50, 0, 100, 0, 100, 100, 50, 100, 0, 100, 0, 0;
+    line->arc = {50, 100, 200, 250, 300, 400, 450};
+    drawn->flat->line = line;
+    auto outline = std::make_shared<OutlinePlan>();
+    outline->mirrored.emplace().isSymmetric = true;
+    drawn->plan = outline;
+    plan.results[1] = drawn;
+    EXPECT_TRUE(readyToCut(plan).findings.empty());
 }
 
 }  // namespace

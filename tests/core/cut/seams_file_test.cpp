@@ -56,6 +56,15 @@ TEST(SeamsFile, ReadsWhatItWrites) {
     EXPECT_TRUE(parseSeamsFile(writeSeamsFile({}), "b.json")->empty());
 }
 
+TEST(SeamsFile, KnowsNeitherIdsNorWhichCutMirrorsWhich) {
+    SeamsFile file;
+    file.cuts = {{"dart 1", UserCut::Kind::Dart, {{0, 1, 2}, {3, 4, 5}}, false}};
+    const std::string text = writeSeamsFile(file);
+    file.cuts[0].id = {7};
+    file.cuts[0].mirrors = {9};
+    EXPECT_EQ(writeSeamsFile(file), text);
+}
+
 TEST(SeamsFile, SaysWhatIsWrongInOneSentence) {
     for (const char* wrong : {"",
                               "nonsense",

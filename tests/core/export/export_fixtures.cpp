@@ -7,6 +7,8 @@
 #include <locale>
 #include <numbers>
 
+#include "core/mesh/edge_table.h"
+
 namespace toile::test {
 namespace {
 
@@ -25,6 +27,7 @@ std::shared_ptr<Piece> makePiece(const std::string& name, const SourceFile& file
     auto piece = std::make_shared<Piece>();
     piece->name = name;
     piece->mesh.F = F;
+    piece->table = buildEdgeTable(F, static_cast<int>(sourceVertex.size()));
     piece->mesh.V.resize(static_cast<Eigen::Index>(sourceVertex.size()), 3);
     for (std::size_t i = 0; i < sourceVertex.size(); ++i) {
         if (sourceVertex[i] >= 0) {

@@ -2,7 +2,8 @@
 // Pieces drawn as mirror images, through the whole pipeline.
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -13,14 +14,12 @@
 #include "core/pattern/target_lengths.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/pipeline/pipeline.h"
-#include "core/seam/seam_measure.h"
+#include "tests/core/pipeline/mirror_images.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
 
 namespace toile {
 namespace {
-
-constexpr double kMirrorImage = 1e-9, kSameSeam = 1e-6;  // mm
 
 Garment garmentNamed(const std::string& name) {
     return name == "tube" ? test::tube4(test::draped) : test::garmentOf(name);
@@ -41,97 +40,12 @@ PieceResults flattenedAs(const Garment& garment, const LineSettings& lines, int 
     return flattenGarment(garment, {}, progress, threads, lines);
 }
 
-Points2 imageOf(const Points2& points) {
-    Points2 image = points.colwise().reverse();
-    image.col(0) *= -1;
-    return image;
-}
-
-Points2 rolled(const Points2& points, Eigen::Index by) {
-    Points2 rolled(points.rows(), 2);
-    rolled << points.bottomRows(points.rows() - by), points.topRows(by);
-    return rolled;
-}
-
-/// The shift at which the points of two closed lines lie alike about their means.
-Eigen::Index shiftOf(const Points2& points, const Points2& onto) {
-    const auto radii = [](const Points2& of) -> Eigen::VectorXd {
-        return (of.rowwise() - of.colwise().mean()).rowwise().norm();
-    };
-    const Eigen::VectorXd a = radii(points), b = radii(onto);
-    const Eigen::Index n = a.size();
-    Eigen::Index best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (Eigen::Index by = 0; by < n; ++by) {
-        const double off = (a.tail(n - by) - b.head(n - by)).squaredNorm() +
-                           (a.head(by) - b.tail(by)).squaredNorm();
-        if (off < least) {
-            best = by;
-            least = off;
-        }
-    }
-    return best;
-}
-
-/// How far a line's mirror image lies from another, once it is laid over it, mm.
-double apart(const FlatLine& line, const FlatLine& other) {
-    if (line.points.rows() != other.points.rows()) {
-        return std::numeric_limits<double>::infinity();
-    }
-    const Points2 image = imageOf(line.points);
-    const Points2 shifted = rolled(image, shiftOf(image, other.points));
-    return (laidOver(shifted, other.points) - other.points).rowwise().norm().maxCoeff();
-}
-
 struct Case {
     const char* garment;
     std::size_t mirrored;  ///< pieces that are drawn as mirror images
 };
 
 class MirroredLines : public testing::TestWithParam<Case> {};
-
-std::vector<bool> isMirrored(const Garment& garment, const PieceResults& results) {
-    std::vector<bool> is(garment.pieces.size());
-    for (std::size_t p = 0; p < is.size(); ++p) {
-        is[p] = results[p]->plan && results[p]->plan->mirrored;
-    }
-    return is;
-}
-
-void expectMirrorImages(const Garment& garment, const Symmetry& symmetry,
-                        const PieceResults& results) {
-    const std::vector<bool> is = isMirrored(garment, results);
-    for (std::size_t p = 0; p < is.size(); ++p) {
-        if (is[p]) {
-            const auto other = static_cast<std::size_t>(symmetry.pieces.counterpart[p]);
-            ASSERT_TRUE(results[p]->flat->line) << garment.pieces[p]->name;
-            EXPECT_LT(apart(*results[p]->flat->line, *results[other]->flat->line), kMirrorImage)
-                << garment.pieces[p]->name;
-        }
-    }
-}
-
-void expectLengths(const Garment& garment, const PieceResults& results) {
-    for (const auto& result : results) {
-        ASSERT_TRUE(result->flat) << result->piece->name;
-        EXPECT_LE(result->quality->maxBoundaryLengthError, 1e-9) << result->piece->name;
-        EXPECT_EQ(result->quality->flippedTriangles, 0) << result->piece->name;
-        for (const Error& note : result->flat->notes) {
-            EXPECT_NE(note.code, ErrorCode::LineNotDrawn) << result->piece->name;
-        }
-    }
-    for (const Seam& seam : garment.seams.seams) {
-        if (seam.kind == SeamKind::Free || seam.left.loop != 0 || seam.right.loop != 0) {
-            continue;
-        }
-        const PieceResult& left = *results[seam.left.piece];
-        const PieceResult& right = *results[seam.right.piece];
-        const SeamMeasure measure =
-            measureSeam(seam, *left.piece, *left.flat, *right.piece, *right.flat);
-        const double ratio = seam.length3d[1] / seam.length3d[0];
-        EXPECT_NEAR(measure.length2dRight, ratio * measure.length2dLeft, kSameSeam) << seam.name;
-    }
-}
 
 void expectSameLines(const PieceResults& a, const PieceResults& b) {
     ASSERT_EQ(a.size(), b.size());
@@ -155,10 +69,10 @@ TEST_P(MirroredLines, AreMirrorImagesAndSeamsStayEqual) {
     for (const bool isFair : {false, true}) {
         for (const Mirror mirror : {Mirror::Mean, Mirror::First}) {
             const PieceResults results = flattenedAs(garment, mirrored(isFair, mirror));
-            const std::vector<bool> is = isMirrored(garment, results);
+            const std::vector<bool> is = test::areMirrored(results);
             EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(is, true)), GetParam().mirrored);
-            expectMirrorImages(garment, *symmetry, results);
-            expectLengths(garment, results);
+            test::expectMirrorImages(garment, *symmetry, results);
+            test::expectLengths(garment, results);
         }
     }
 }
@@ -195,6 +109,42 @@ TEST(MirroredLinesOfATube, AreFoundAgainByPointer) {
     const PieceResults none = flattener.flatten(garment, {}, progress, 0, first, {});
     const PieceResults settled = flattener.settle(garment, none, progress);
     expectSameLines(settled, flattenedAs(garment, {}));
+}
+
+TEST(MirroredLinesOfATube, CancelledWhileThePlaneIsLookedFor) {
+    const Garment garment = test::tube4(test::draped);
+    const LineSettings lines = mirrored(false);
+    GarmentFlattener flattener;
+    Progress cancelled;
+    cancelled.cancel();
+    EXPECT_FALSE(findSymmetry(garment, cancelled));
+    EXPECT_FALSE(flattener.symmetryOf(garment, lines, cancelled));
+    for (const PieceResults& results : {flattenGarment(garment, {}, cancelled, 0, lines),
+                                        flattener.flatten(garment, {}, cancelled, 0, {}, lines)}) {
+        for (const auto& result : results) {
+            ASSERT_TRUE(result->error);
+            EXPECT_EQ(result->error->code, ErrorCode::Cancelled);
+        }
+    }
+    EXPECT_TRUE(flattener.symmetryOf(garment, lines));
+}
+
+TEST(MirroredLinesOfATube, ThePlaneIsThatOfTheGarmentAsDivided) {
+    const Garment garment = test::tube4(test::draped);
+    Garment other = garment;  // as if it had been cut: only the plane stays
+    other.pieces.pop_back();
+    other.seams = {};
+    GarmentFlattener flattener;
+    const auto before = flattener.symmetryOf(garment, mirrored(false));
+    const auto after = flattener.symmetryOf(other, mirrored(false));
+    ASSERT_TRUE(before && after);
+    EXPECT_EQ(after->plane.normal, before->plane.normal);
+    EXPECT_EQ(after->plane.offset, before->plane.offset);
+    EXPECT_EQ(after->pieces.counterpart, (std::vector<int>{0, -1, 2}));
+    EXPECT_EQ(flattener.symmetryOf(other, mirrored(false)), after);
+    other.uncut = other.pieces;
+    const auto divided = flattener.symmetryOf(other, mirrored(false));
+    EXPECT_TRUE(!divided || divided->plane.offset != before->plane.offset);
 }
 
 TEST(MirroredLinesOfATube, HaveCommonLengths) {
@@ -236,6 +186,38 @@ TEST(MirroredLinesReport, SaysWhatIsMirroredWhereThatWasAskedFor) {
         pieces += pair.at("pieces").size();
     }
     EXPECT_EQ(pieces, garment.pieces.size());
+}
+
+/// The mean strain of all pieces by their areas, and the largest.
+std::pair<double, double> strainOf(const PieceResults& results) {
+    double sum = 0, area = 0, most = 0;
+    for (const auto& result : results) {
+        sum += result->quality->area3d * result->quality->strainMeanAbs.value_or(0);
+        area += result->quality->area3d;
+        most = std::max(most, result->quality->strainMax.value_or(0));
+    }
+    return {sum / area, most};
+}
+
+TEST(MirroredLinesReport, SaysWhatMirroringCostsInStrain) {
+    Garment garment = test::tube4(test::draped);
+    garment.files = {std::make_shared<const SourceFile>()};
+    const auto symmetry = findSymmetry(garment);
+    ASSERT_TRUE(symmetry);
+    const PieceResults results = flattenedAs(garment, mirrored(false));
+    const auto report = nlohmann::json::parse(writeReport(garment, results, {}, &*symmetry));
+    const auto& said = report.at("symmetry");
+    const auto [mean, most] = strainOf(results);
+    const auto [exactMean, exactMost] = strainOf(exactResults(results));
+    EXPECT_NEAR(said.at("strain_mean_abs"), mean, 1e-12);
+    EXPECT_EQ(said.at("strain_max"), most);
+    EXPECT_NEAR(said.at("exact").at("strain_mean_abs"), exactMean, 1e-12);
+    EXPECT_EQ(said.at("exact").at("strain_max"), exactMost);
+    EXPECT_NE(mean, exactMean);
+    for (const auto& pair : said.at("pairs")) {
+        EXPECT_LE(pair.at("strain_max"), most);
+        EXPECT_LE(pair.at("exact").at("strain_max"), exactMost);
+    }
 }
 
 }  // namespace

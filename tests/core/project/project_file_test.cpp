@@ -46,6 +46,7 @@ public:
             cut.name = text();
             cut.kind = static_cast<UserCut::Kind>(upTo(2));
             cut.alongEdges = flag();
+            cut.mirrors = flag() ? CutId{random_() | 1U} : CutId{};
             for (int i = upTo(5); i > 0; --i) {
                 cut.points.emplace_back(number(), number(), number());
             }
@@ -117,6 +118,7 @@ private:
             lines.fairing = Fairing{tolerance(), kMinSmoothing + 1.0 / 3};
         }
         lines.trueBelow = flag() ? kProposedTrueing : 0;
+        lines.mirror = static_cast<Mirror>(upTo(2));
         for (int k = upTo(3); k > 0; --k) {
             lines.segments.push_back({stretch(), flag() ? std::optional(1000.0 / 7) : std::nullopt,
                                       flag() ? std::optional(tolerance()) : std::nullopt, flag()});
@@ -151,6 +153,7 @@ private:
         }
         settings.quantity = upTo(1000);
         settings.mirroredPair = flag();
+        settings.byHalf = flag();
         settings.partOf = flag() ? PieceId{random_() | 1U} : PieceId{};
         for (int k = upTo(3); k > 0; --k) {
             settings.anchors.push_back({upTo(1 << 20), {number(kFarthest), number(kFarthest)}});

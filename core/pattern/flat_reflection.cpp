@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/flat_reflection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/cut/surface_point.h"
+#include "core/pattern/fair_outline.h"
+#include "core/quality/closed_line.h"
+#include "core/symmetry/garment_surface.h"
+
+namespace toile {
+namespace {
+
+/// Of either piece: vertices to start from, at most, and places on its outline.
+constexpr int kReflectedVertices = 400, kOutlinePlaces = 200;
+constexpr int kOutlineRounds = 40;
+/// A reflection that moves the middle by less than this, mm, or turns by less, has come to rest.
+constexpr double kReflectionAtRest = 1e-9;
+
+/// Points of one flat piece, and where they are to come to lie on the other.
+struct ReflectedPoints {
+    Points2 from, to;
+    Eigen::VectorXd weight;
+};
+
+/// Vertices of `piece`, and what their mirror images are nearest to on `other`.
+ReflectedPoints nearestPoints(const PieceResult& piece, const PieceResult& other,
+                              const MirrorPlane& plane) {
+    const symmetry::GarmentSurface surface = symmetry::surfaceOf({piece.piece});
+    const MeshArrays& there = other.piece->mesh;
+    const NearestSurface nearest(there);
+    const std::vector<int> vertices = surface.sampled(kReflectedVertices);
+    const auto count = static_cast<Eigen::Index>(vertices.size());
+    ReflectedPoints points{Points2(count, 2), Points2(count, 2), Eigen::VectorXd(count)};
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const int v = vertices[static_cast<std::size_t>(i)];
+        const SurfacePoint image = nearest.find(plane.reflected(surface.mesh.V.row(v)));
+        points.from.row(i) = piece.flat->Q.row(v);
+        points.to.row(i) = flatPositionOf(other.flat->Q, there.F, image);
+        points.weight[i] = surface.area[v];
+    }
+    return points;
+}
+
+/// Both one after the other, of the second the points changed round.
+ReflectedPoints bothWays(const ReflectedPoints& there, const ReflectedPoints& back) {
+    const Eigen::Index n = there.from.rows(), m = back.from.rows();
+    ReflectedPoints both{Points2(n + m, 2), Points2(n + m, 2), Eigen::VectorXd(n + m)};
+    both.from << there.from, back.to;
+    both.to << there.to, back.from;
+    both.weight << there.weight, back.weight;
+    return both;
+}
+
+/// The other way round.
+MirrorPlaces inverse(MirrorPlaces places) {
+    std::ranges::reverse(places.rising);
+    std::ranges::reverse(places.falling);
+    return {std::move(places.falling), std::move(places.rising)};
+}
+
+bool isDrawnMirrored(const PieceResult& result) {
+    return result.flat->line && result.plan && result.plan->mirrored;
+}
+
+/// Nodes of one drawn line, and the places that mirror them on the other.
+ReflectedPoints pointsOfLines(const PieceResult& piece, const PieceResult& other) {
+    const FlatLine &line = *piece.flat->line, &otherLine = *other.flat->line;
+    const MirroredOutline& outline = *piece.plan->mirrored;
+    const MirrorPlaces places = outline.isImage ? inverse(outline.places) : outline.places;
+    const ClosedLine there(otherLine.points, otherLine.arc);
+    const Eigen::Index count = line.points.rows();
+    ReflectedPoints points{line.points, Points2(count, 2), Eigen::VectorXd::Ones(count)};
+    for (Eigen::Index i = 0; i < count; ++i) {
+        points.to.row(i) = there.pointAt(places(line.arc[static_cast<std::size_t>(i)]));
+    }
+    return points;
+}
+
+/// The best reflection in the least-squares sense. With angles a of the reflected points about
+/// their mean and b of what they are to meet, of all turns t that with the largest sum of
+/// |from| |to| cos(t - a - b).
+FlatReflection bestReflection(const ReflectedPoints& points) {
+    const double sum = points.weight.sum();
+    FlatReflection best;
+    best.from = points.weight.transpose() * points.from / sum;
+    best.to = points.weight.transpose() * points.to / sum;
+    const Points2 from = points.from.rowwise() - best.from, to = points.to.rowwise() - best.to;
+    const Eigen::Matrix2d product = from.transpose() * points.weight.asDiagonal() * to;
+    best.turn = std::atan2(product(0, 1) + product(1, 0), product(0, 0) - product(1, 1));
+    return best;
+}
+
+FlatReflection inverse(const FlatReflection& reflection) {
+    return {reflection.turn, reflection.to, reflection.from};
+}
+
+/// Places on an outline, evenly, and what they are nearest to on another once they are reflected.
+ReflectedPoints nearestPlaces(const ClosedLine& line, const ClosedLine& other,
+                              const FlatReflection& reflection) {
+    ReflectedPoints points{Points2(kOutlinePlaces, 2), Points2(kOutlinePlaces, 2),
+                           Eigen::VectorXd::Ones(kOutlinePlaces)};
+    for (int i = 0; i < kOutlinePlaces; ++i) {
+        points.from.row(i) = line.pointAt(line.length() * i / kOutlinePlaces);
+        points.to.row(i) = other.pointAt(other.nearestPlace(reflection(points.from.row(i))));
+    }
+    return points;
+}
+
+/// Lays one outline over the other.
+FlatReflection improved(FlatReflection reflection, const ClosedLine& line,
+                        const ClosedLine& other) {
+    for (int round = 0; round < kOutlineRounds; ++round) {
+        const FlatReflection next =
+            bestReflection(bothWays(nearestPlaces(line, other, reflection),
+                                    nearestPlaces(other, line, inverse(reflection))));
+        const double moved = (next(next.from) - reflection(next.from)).norm();
+        const double turned = std::abs(std::sin((next.turn - reflection.turn) / 2));
+        reflection = next;
+        if (moved <= kReflectionAtRest && turned <= kReflectionAtRest) {
+            break;
+        }
+    }
+    return reflection;
+}
+
+ClosedLine outlineOf(const PieceResult& result) {
+    return ClosedLine(result.flat->Q(result.piece->boundary, Eigen::all));
+}
+
+}  // namespace
+
+Eigen::RowVector2d FlatReflection::operator()(const Eigen::RowVector2d& p) const {
+    const double c = std::cos(turn), s = std::sin(turn);
+    const Eigen::RowVector2d d = p - from;
+    return to + Eigen::RowVector2d(c * d.x() + s * d.y(), s * d.x() - c * d.y());
+}
+
+FlatReflection reflectionBetween(const PieceResult& piece, const PieceResult& counterpart,
+                                 const MirrorPlane& plane) {
+    if (isDrawnMirrored(piece) && isDrawnMirrored(counterpart)) {
+        return bestReflection(pointsOfLines(piece, counterpart));
+    }
+    const FlatReflection start = bestReflection(bothWays(nearestPoints(piece, counterpart, plane),
+                                                         nearestPoints(counterpart, piece, plane)));
+    return improved(start, outlineOf(piece), outlineOf(counterpart));
+}
+
+}  // namespace toile

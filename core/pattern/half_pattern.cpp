@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/half_pattern.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "core/geometry/segment.h"
+#include "core/pattern/drawn_outline.h"
+#include "core/quality/closed_line.h"
+
+namespace toile {
+namespace {
+
+/// Stretches shorter than this are left over by rounding, mm.
+constexpr double kNothing = 1e-6;
+
+/// By what the piece's outline was drawn as a mirror image; null where it was not.
+const MirroredOutline* mirroredOf(const PieceResult* result) {
+    const bool isDrawn = result && result->flat && result->flat->line && result->plan;
+    return isDrawn && result->plan->mirrored && result->piece->holes.empty()
+               ? &*result->plan->mirrored
+               : nullptr;
+}
+
+/// True where the mirror line lies on the cloth, from row 0 half-way around.
+bool hasFold(const Points2& outline) {
+    const Eigen::Index half = outline.rows() / 2;
+    if (half < 2 || 2 * half != outline.rows()) {
+        return false;
+    }
+    const Eigen::RowVector2d fold = outline.row(half) - outline.row(0);
+    for (Eigen::Index k = 1; k < half; ++k) {
+        if (!(geometry::cross(fold, outline.row(k) - outline.row(0)) < 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The parts of a stretch of outline that lie on its first half, to `end`.
+struct HalfPart {
+    double from = 0, to = 0;                        ///< within the half
+    bool startsAtFold = false, endsAtFold = false;  ///< parted there
+};
+
+std::vector<HalfPart> partsOnHalf(double from, double to, double end) {
+    std::vector<HalfPart> parts;
+    for (const double turn : {0.0, 2 * end}) {
+        const double low = std::max(from - turn, 0.0), high = std::min(to - turn, end);
+        if (high - low > kNothing) {
+            parts.push_back({low, high, from - turn<-kNothing, to - turn> end + kNothing});
+        }
+    }
+    return parts;
+}
+
+std::vector<SeamLine> halfSeams(const std::vector<SeamLine>& seams, const ClosedLine& outline,
+                                double end) {
+    std::vector<SeamLine> halves;
+    for (const SeamLine& seam : seams) {
+        for (const HalfPart& part : partsOnHalf(seam.from, seam.to, end)) {
+            SeamLine& half = halves.emplace_back(seam);
+            half.from = part.from;
+            half.to = part.to;
+            half.isAtFold = {part.startsAtFold, part.endsAtFold};
+            if (part.startsAtFold || part.endsAtFold) {
+                half.line = outline.part(part.from, part.to);
+                half.closed = false;
+            }
+        }
+    }
+    return halves;
+}
+
+std::vector<PatternSegment> halfSegments(const std::vector<PatternSegment>& segments, double end,
+                                         double fold) {
+    std::vector<PatternSegment> halves;
+    for (const PatternSegment& segment : segments) {
+        for (const HalfPart& part : partsOnHalf(segment.from, segment.to, end)) {
+            PatternSegment& half = halves.emplace_back(segment);
+            half.from = part.from;
+            half.to = part.to;
+            half.length *= (part.to - part.from) / (segment.to - segment.from);
+            half.isCorner |= part.from < kNothing;
+        }
+    }
+    std::ranges::stable_sort(halves, {}, &PatternSegment::from);
+    PatternSegment& edge = halves.emplace_back();
+    edge.from = end;
+    edge.to = end + fold;
+    edge.length = fold;
+    edge.isCorner = edge.isFold = true;
+    return halves;
+}
+
+/// Precondition: it is symmetric.
+void halve(PatternPiece& piece) {
+    const Eigen::Index half = piece.outline.rows() / 2;
+    const ClosedLine outline(piece.outline);
+    const double end = outline.length() / 2;
+    const double fold = (piece.outline.row(half) - piece.outline.row(0)).norm();
+    piece.seams = halfSeams(piece.seams, outline, end);
+    piece.segments = halfSegments(piece.segments, end, fold);
+    piece.outline = Points2(piece.outline.topRows(half + 1));
+}
+
+}  // namespace
+
+std::vector<DrawnMirror> drawnMirrors(const PieceResults& results) {
+    std::vector<DrawnMirror> mirrors(results.size());
+    std::map<PieceId, int> leads;
+    for (int p = 0; p < static_cast<int>(results.size()); ++p) {
+        const MirroredOutline* mirrored = mirroredOf(results[p].get());
+        if (mirrored && mirrored->isSymmetric) {
+            mirrors[p].isSymmetric = hasFold(results[p]->flat->line->points);
+        } else if (mirrored && !mirrored->isImage) {
+            leads.emplace(mirrored->lead, p);
+        }
+    }
+    for (int p = 0; p < static_cast<int>(results.size()); ++p) {
+        const MirroredOutline* mirrored = mirroredOf(results[p].get());
+        const auto lead = mirrored && mirrored->isImage ? leads.find(mirrored->lead) : leads.end();
+        if (lead != leads.end()) {
+            mirrors[p].counterpart = lead->second;
+            mirrors[lead->second].counterpart = p;
+            mirrors[lead->second].leads = true;
+        }
+    }
+    return mirrors;
+}
+
+CutAs cutAs(const DrawnMirror& mirror, bool byHalf) {
+    return !byHalf                  ? CutAs::Whole
+           : mirror.isSymmetric     ? CutAs::OnFold
+           : mirror.counterpart < 0 ? CutAs::Whole
+           : mirror.leads           ? CutAs::Pair
+                                    : CutAs::Image;
+}
+
+Pattern asCut(Pattern whole) {
+    for (PatternPiece& piece : whole.pieces) {
+        const int other = piece.mirror.counterpart;
+        piece.cutAs =
+            cutAs(piece.mirror, piece.byHalf || (other >= 0 && whole.pieces[other].byHalf));
+        if (piece.cutAs == CutAs::OnFold) {
+            halve(piece);
+        } else if (piece.cutAs == CutAs::Image) {
+            piece.outline.resize(0, 2);
+            piece.seams.clear();
+            piece.segments.clear();
+        }
+    }
+    return whole;
+}
+
+Chord foldOf(const PatternPiece& piece) {
+    const Eigen::Index n = piece.outline.rows();
+    const Eigen::Index end = piece.cutAs == CutAs::OnFold ? n - 1 : n / 2;
+    return {piece.outline.row(end), piece.outline.row(0)};
+}
+
+}  // namespace toile

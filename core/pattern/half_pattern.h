@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/flatten/base/piece_result.h"
+#include "core/pattern/grain_line.h"
+#include "core/pattern/pattern.h"
+
+namespace toile {
+
+/// Half patterns (`Cutting::byHalf`): what is drawn once of two halves, or of two pieces, that are
+/// mirror images of each other to the last digits. What is not drawn so is never called a half.
+
+/// What mirrors what, as outlines are drawn. Nothing does that has holes, whose rims are not drawn,
+/// that is not drawn as planned, or whose outline crosses its mirror line elsewhere.
+/// @return one per result  Cost: linear in the outlines. Pure.
+std::vector<DrawnMirror> drawnMirrors(const PieceResults& results);
+
+/// @param byHalf  of the piece or of its counterpart
+CutAs cutAs(const DrawnMirror& mirror, bool byHalf);
+
+/// The pattern as it is drawn in files. Of a piece that is cut on the fold the outline up to the
+/// mirror line and straight back along it (its last edge), with what lies on it; of a pair the
+/// leading piece, as often as that is cut, while the other has no outline any more. A pair has both
+/// sides already: `mirroredPair` adds nothing to it. A piece on the fold is its own image:
+/// `mirroredPair` doubles how often it is cut.
+/// @param whole  of `makePattern`, with the `Cutting` of each piece  Cost: linear. Pure.
+Pattern asCut(Pattern whole);
+
+/// The line on which the cloth is folded, for a half pattern and for a whole piece that is
+/// symmetric; along the half's outline, cloth on the left.  Precondition: it is one of both.
+Chord foldOf(const PatternPiece& piece);
+
+}  // namespace toile

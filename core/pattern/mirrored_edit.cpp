@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/mirrored_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/cut/surface_links.h"
+#include "core/garment/cut_owner.h"
+#include "core/geometry/segment.h"
+#include "core/pattern/flat_reflection.h"
+#include "core/quality/closed_line.h"
+#include "core/seam/outline.h"
+
+namespace toile {
+namespace {
+
+/// A weight below this puts a point on the rim, as does a share of a segment on its end.
+constexpr double kOnRim = 1e-6;
+
+const PieceResult* flatResult(const Garment& garment, const PieceResults& results, int piece) {
+    const auto i = static_cast<std::size_t>(piece);
+    const PieceResult* result = i < results.size() ? results[i].get() : nullptr;
+    return result && result->piece == garment.pieces[i] && result->flat ? result : nullptr;
+}
+
+int counterpartOf(const Symmetry& symmetry, int piece) {
+    const std::vector<int>& counterpart = symmetry.pieces.counterpart;
+    const auto i = static_cast<std::size_t>(piece);
+    return i < counterpart.size() ? counterpart[i] : -1;
+}
+
+/// A place on the outline or on the rim of a hole: arc length in 3D, mm.
+struct RimPlace {
+    const seam::Outline* rim = nullptr;
+    double at = 0;
+};
+
+/// A piece with its rims, for points to be carried from one to the other.
+class PieceRims {
+public:
+    explicit PieceRims(const PieceResult& result)
+        : result_(result), outlines_(seam::buildOutlines({result.piece})) {}
+
+    /// The place of a point of the surface; none where that is not on a rim. Told by its triangle,
+    /// as the two sides of a cut are one line in space.
+    std::optional<RimPlace> placeOf(const SurfaceLinks& links, const SurfacePoint& point) const {
+        const Eigen::Vector3d& weight = point.barycentric;
+        for (int k = 0; k < 3; ++k) {
+            if (weight[k] > 1 - kOnRim) {
+                return placeFrom(links.mesh().F(point.face, k), 0);
+            }
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int use = 3 * point.face + k, next = (k + 1) % 3;
+            if (links.twin(use) < 0 && weight[(k + 2) % 3] < kOnRim) {
+                return placeFrom(links.tail(use), weight[next] / (weight[k] + weight[next]));
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// The place that is nearest to a point when flat.
+    RimPlace nearest(const Eigen::RowVector2d& point) const {
+        RimPlace nearest;
+        double least = std::numeric_limits<double>::infinity();
+        for (const seam::Outline& rim : outlines_.list) {
+            const ClosedLine flat(result_.flat->Q(rim.vertices, Eigen::all), rim.arc);
+            const double at = flat.nearestPlace(point);
+            if (const double distance = (flat.pointAt(at) - point).norm(); distance < least) {
+                least = distance;
+                nearest = {&rim, at};
+            }
+        }
+        return nearest;
+    }
+
+    const seam::Outline& outline() const { return outlines_.list.front(); }
+
+private:
+    /// On the edge from a vertex, as a share of it.
+    std::optional<RimPlace> placeFrom(int vertex, double share) const {
+        for (const seam::Outline& rim : outlines_.list) {
+            const auto found = std::ranges::find(rim.vertices, vertex);
+            if (found != rim.vertices.end()) {
+                const auto k = static_cast<std::size_t>(found - rim.vertices.begin());
+                return RimPlace{&rim, std::lerp(rim.arc[k], rim.arc[k + 1], share)};
+            }
+        }
+        return std::nullopt;
+    }
+
+    const PieceResult& result_;
+    seam::Outlines outlines_;
+};
+
+/// The flat piece in the plane z = 0.
+MeshArrays flatMesh(const PieceResult& result) {
+    MeshArrays mesh{Points3::Zero(result.flat->Q.rows(), 3), result.piece->mesh.F};
+    mesh.V.leftCols<2>() = result.flat->Q;
+    return mesh;
+}
+
+/// Carries points of a flat piece over to its counterpart.
+class MirroredSurface {
+public:
+    MirroredSurface(const Garment& garment, const Symmetry& symmetry, const PieceResult& piece,
+                    const PieceResult& counterpart, int index)
+        : garment_(garment),
+          symmetry_(symmetry),
+          piece_(piece),
+          other_(counterpart),
+          index_(index),
+          reflection_(reflectionBetween(piece, counterpart, symmetry.plane)),
+          rims_(piece),
+          otherRims_(counterpart),
+          flatOther_(flatMesh(counterpart)),
+          nearest_(flatOther_) {}
+
+    Eigen::Vector3d image(const SurfaceLinks& links, const SurfacePoint& point) const {
+        const Eigen::RowVector2d flat =
+            reflection_(flatPositionOf(piece_.flat->Q, links.mesh().F, point));
+        const auto rim = rims_.placeOf(links, point);
+        if (!rim) {
+            return positionOf(other_.piece->mesh, nearest_.find({flat.x(), flat.y(), 0}));
+        }
+        const bool isOnOutline = rim->rim == &rims_.outline();
+        if (const auto at = isOnOutline ? mirroredPlace(rim->at) : std::nullopt) {
+            return otherRims_.outline().pointAt(*at);
+        }
+        const RimPlace there = otherRims_.nearest(flat);
+        return there.rim->pointAt(there.at);
+    }
+
+private:
+    /// On the counterpart's outline, where the segment has a counterpart.
+    std::optional<double> mirroredPlace(double at) const {
+        const auto piece = static_cast<std::size_t>(index_);
+        const auto other = static_cast<std::size_t>(symmetry_.pieces.counterpart[piece]);
+        const std::vector<MirrorSegment>& segments = symmetry_.segments[piece];
+        for (std::size_t i = 0; i < segments.size(); ++i) {
+            const int pair = symmetry_.pairs[piece][i];
+            const SeamSide& side = sideOf(garment_, segments[i]);
+            const double length = side.length(), low = std::min(side.start, side.end);
+            const bool isNextTurn = at < low - kOnRim * length;
+            const double past = at - low + (isNextTurn ? rims_.outline().length() : 0);
+            if (pair >= 0 && past <= (1 + kOnRim) * length) {
+                const auto k = static_cast<std::size_t>(pair);
+                const SeamSide& there = sideOf(garment_, symmetry_.segments[other][k]);
+                const double share = std::clamp(past / length, 0.0, 1.0);
+                return std::max(there.start, there.end) - share * there.length();
+            }
+        }
+        return std::nullopt;
+    }
+
+    const Garment& garment_;
+    const Symmetry& symmetry_;
+    const PieceResult &piece_, &other_;
+    int index_;
+    FlatReflection reflection_;
+    PieceRims rims_, otherRims_;
+    MeshArrays flatOther_;
+    NearestSurface nearest_;  ///< of that
+};
+
+/// The piece that a cut is drawn on; -1 where there is none.
+int pieceOf(const Garment& garment, const UserCut& cut) {
+    const CutOwners owners = findCutOwners(garment.pieces, {cut}, Progress());
+    const auto owner =
+        std::ranges::find_if(owners.cutsOf, [](const auto& cuts) { return !cuts.empty(); });
+    return owner == owners.cutsOf.end() ? -1 : static_cast<int>(owner - owners.cutsOf.begin());
+}
+
+double distanceTo(const MeshArrays& mesh, const PathPolyline& line, const Eigen::Vector3d& point) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        least =
+            std::min(least, geometry::distanceToSegment(point, positionOf(mesh, line.points[i - 1]),
+                                                        positionOf(mesh, line.points[i])));
+    }
+    return least;
+}
+
+/// Whether points lie on a line, as near as one line is another (`kSameCut`).
+bool lieOn(const std::vector<Eigen::Vector3d>& points, const MeshArrays& mesh,
+           const PathPolyline& line) {
+    const double size = (mesh.V.colwise().maxCoeff() - mesh.V.colwise().minCoeff()).norm();
+    const double most = std::max(kSameCut, kSameCutShare * size);
+    return std::ranges::all_of(
+        points, [&](const Eigen::Vector3d& p) { return distanceTo(mesh, line, p) <= most; });
+}
+
+}  // namespace
+
+std::optional<UserCut> mirroredCut(const Garment& garment, const PieceResults& results,
+                                   const Symmetry& symmetry, const UserCut& cut) {
+    const int index = pieceOf(garment, cut), other = counterpartOf(symmetry, index);
+    const PieceResult* const piece = flatResult(garment, results, index);
+    const PieceResult* const counterpart = flatResult(garment, results, other);
+    if (!piece || !counterpart) {
+        return std::nullopt;
+    }
+    const MeshArrays& mesh = piece->piece->mesh;
+    const SurfaceLinks links(mesh, piece->piece->table);
+    const NearestSurface nearest(mesh);
+    const auto line = traceUserCut(links, nearest, cut);
+    const auto points = pointsOfCut(links, nearest, cut);
+    if (!line || !points) {
+        return std::nullopt;
+    }
+    const MirroredSurface mirrored(garment, symmetry, *piece, *counterpart, index);
+    UserCut image;
+    image.kind = cut.kind;
+    image.alongEdges = cut.alongEdges;
+    for (const SurfacePoint& point : *points) {
+        image.points.push_back(mirrored.image(links, point));
+    }
+    if (index == other && lieOn(image.points, mesh, *line)) {
+        return std::nullopt;
+    }
+    return image;
+}
+
+std::optional<double> mirroredDirection(const Garment& garment, const PieceResults& results,
+                                        const Symmetry& symmetry, int piece, double direction) {
+    const int other = counterpartOf(symmetry, piece);
+    const PieceResult* const here = flatResult(garment, results, piece);
+    const PieceResult* const there = flatResult(garment, results, other);
+    if (piece == other || !here || !there) {
+        return std::nullopt;
+    }
+    const FlatReflection reflection = reflectionBetween(*here, *there, symmetry.plane);
+    return std::remainder(reflection.turn - direction, 2 * std::numbers::pi);
+}
+
+}  // namespace toile

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/cut/user_cuts.h"
+#include "core/flatten/base/piece_result.h"
+#include "core/garment/garment.h"
+#include "core/symmetry/symmetry.h"
+
+namespace toile {
+
+/// What a person does on one side of a garment, for its other side. Places are carried over in the
+/// plane, by the reflection that lays the flat piece over its counterpart (flat_reflection.h), so
+/// that both sides of the pattern look alike, however differently the cloth hangs.
+
+/// A mirrored cut whose points all lie within this of the cut itself is no other cut: mm, or a part
+/// of the diagonal of the piece's bounding box, whichever is more.
+inline constexpr double kSameCut = 1, kSameCutShare = 0.005;
+
+/// The mirror image of a cut that is drawn on a piece of the garment (`findCutOwners`): on the
+/// piece's counterpart, or on its other half. Points within the piece go to the place of the flat
+/// counterpart where their reflection is, or is nearest to. Points on the outline, and the ends
+/// that reach it (`pointsOfCut`), go to the outline: where their segment has a counterpart, to the
+/// same share of that; else, and from the rims of holes, to the nearest place of a flat rim. Kind,
+/// number of points and `alongEdges` stay; name and id are left empty.
+/// None where the piece has no counterpart, one of both is not flat, the cut cannot be made, or
+/// where the image is the cut itself (`kSameCut`).
+/// @param results   one per piece, as drawn; null, or of another piece: not flat
+/// @param symmetry  of this garment
+/// @param cut  its points as the pieces are, mm  Cost: linear in the pieces. Pure.
+std::optional<UserCut> mirroredCut(const Garment& garment, const PieceResults& results,
+                                   const Symmetry& symmetry, const UserCut& cut);
+
+/// The direction on a piece's counterpart that mirrors one on the piece, radians in [-pi, pi], in
+/// flat coordinates. None where there is no counterpart but itself, or one of both is not flat.
+/// Cost: linear in the two pieces. Pure.
+std::optional<double> mirroredDirection(const Garment& garment, const PieceResults& results,
+                                        const Symmetry& symmetry, int piece, double direction);
+
+}  // namespace toile
