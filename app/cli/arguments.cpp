@@ -31,11 +31,9 @@ constexpr Word<ViewsShown> kViewWords[] = {
 
 constexpr Word<bool> kSwitchWords[] = {{true, "on"}, {false, "off"}};
 
-constexpr Word<Panel> kPanelWords[] = {{Panel::Pieces, "pieces"},
-                                       {Panel::Seams, "seams"},
-                                       {Panel::ProblemList, "problems"},
-                                       {Panel::History, "history"},
-                                       {Panel::Lines, "lines"}};
+constexpr Word<Panel> kPanelWords[] = {
+    {Panel::Pieces, "pieces"},   {Panel::Seams, "seams"}, {Panel::ProblemList, "problems"},
+    {Panel::History, "history"}, {Panel::Lines, "lines"}, {Panel::Symmetry, "symmetry"}};
 
 template <class Value, std::size_t n>
 std::vector<std::string> namesOf(const Word<Value> (&words)[n]) {
@@ -191,6 +189,13 @@ void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
         ->allow_extra_args(false);  // so that inputs may follow
     addMethodOptions(flatten, arguments.stated);
     addLineOptions(flatten, arguments.stated);
+    addChoice(flatten, "--grain", arguments.grain, kGrainRuleWords,
+              "How the grain runs where a project does not say: as the garment hangs, as in the "
+              "reference panels, or as the garment hangs and turned by 45 or 90 degrees where that "
+              "strains the cloth much less [unset: no grain line is drawn]");
+    flatten.add_flag("--half", arguments.stated.byHalf,
+                     "Draw only half of what is symmetric, to be cut on the fold, and one of two "
+                     "that mirror each other, to be cut as a pair; asks for --mirror auto");
     addReading(flatten, arguments);
     flatten.add_flag("--ledger", arguments.ledger,
                      "Print every seam with the lengths of its two sides");
@@ -265,6 +270,19 @@ void addCheck(CLI::App& app, Arguments& arguments) {
     addLineOptions(check, arguments.stated);
     addReading(check, arguments);
     check.add_flag("--json", arguments.json, "Print as JSON");
+}
+
+void addWalk(CLI::App& app, Arguments& arguments) {
+    CLI::App& walk = addCommand(app, arguments, Arguments::Command::Walk, "walk",
+                                "Flatten a garment and walk its seams from notch to notch: the "
+                                "lengths of both sides, and the kinks at the ends");
+    walk.footer(
+        "\nExit status 1 where the lengths of two sides differ by more than a millionth of a\n"
+        "millimetre from the ease that is meant, or a piece failed.");
+    addMethodOptions(walk, arguments.stated);
+    addLineOptions(walk, arguments.stated);
+    addReading(walk, arguments);
+    walk.add_flag("--json", arguments.json, "Print as JSON");
 }
 
 void addInfo(CLI::App& app, Arguments& arguments) {
@@ -402,7 +420,8 @@ LineSettings StatedOptions::over(LineSettings lines) const {
         lines.fairing = fairing.value_or(Fairing{});
     }
     lines.trueBelow = trueSeams ? kProposedTrueing : lines.trueBelow;
-    lines.mirror = mirror.value_or(lines.mirror);
+    const bool asksForMirror = byHalf && lines.mirror == Mirror::None;
+    lines.mirror = mirror.value_or(asksForMirror ? Mirror::Mean : lines.mirror);
     return lines;
 }
 
@@ -414,7 +433,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     app.set_version_flag("--version", "toile " + std::string(version()));
     app.footer(
         "\nExit status: 0 all pieces done, 1 some piece failed (the rest is written),\n"
-        "isometric flipped triangles or check found faults, 2 wrong usage,\n"
+        "isometric flipped triangles, check found faults or walk unequal lengths, 2 wrong usage,\n"
         "3 a file cannot be read or written.");
     app.require_subcommand(0, 1);
 
@@ -423,6 +442,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     addFlatten(app, typed, arguments);
     addCompare(app, typed, arguments);
     addCheck(app, arguments);
+    addWalk(app, arguments);
     addInfo(app, arguments);
     addRender(app, typed, arguments);
     // A window's files stand where a command could: `toile dress.obj`.

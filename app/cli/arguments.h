@@ -9,6 +9,7 @@
 #include "app/cli/picture_arguments.h"
 #include "app/document/view_state.h"
 #include "core/garment/fabric.h"
+#include "core/pattern/piece_grain.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/project.h"
 
@@ -25,6 +26,7 @@ struct StatedOptions {
     std::optional<Fairing> fairing{};
     bool trueSeams = false;
     std::optional<Mirror> mirror{};
+    bool byHalf = false;  ///< every piece, in files; asks for mirrored pieces
 
     /// These options where something was typed, the given ones else.
     FlattenOptions over(FlattenOptions options) const;
@@ -42,6 +44,7 @@ struct Arguments {
         Check,
         Info,
         Render,
+        Walk,
         Message,  ///< help, version or a usage error: print `message` and end with `status`
     };
 
@@ -50,13 +53,14 @@ struct Arguments {
     std::vector<std::filesystem::path> outputs;
     LoadOptions load;  ///< but for the seams file, which the command reads
     std::filesystem::path seams;
-    bool json = false;                 ///< info, compare, check: as JSON
+    bool json = false;                 ///< info, compare, check, walk: as JSON
     bool markdown = false;             ///< compare: as Markdown
     bool perPiece = false;             ///< compare: a table per piece too
     bool ledger = false;               ///< flatten: print the seams
     StatedOptions stated{};            ///< how pieces are flattened, as far as it was typed
     FlattenOptions options;            ///< the same, with what holds where nothing was typed
     LineSettings lines{};              ///< likewise, how outlines are drawn
+    std::optional<GrainRule> grain;    ///< flatten: of pieces whose grain nobody has stated
     std::vector<Method> methods;       ///< compare: each once, in the order typed
     std::filesystem::path screenshot;  ///< window: save a picture of itself and end
     std::optional<Overlay> overlay;    ///< window, render: what is painted on the cloth

@@ -25,6 +25,8 @@ int runCommand(const Arguments& typed) {
                 return runCheck(arguments, std::cout, std::cerr);
             case Arguments::Command::Info:
                 return runInfo(arguments, std::cout, std::cerr);
+            case Arguments::Command::Walk:
+                return runWalk(arguments, std::cout, std::cerr);
             case Arguments::Command::Message:
                 (arguments.status == kExitDone ? std::cout : std::cerr) << arguments.message;
                 return arguments.status;
@@ -122,15 +124,39 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
     return arguments;
 }
 
-LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
-                       const PieceResults& results) {
+namespace {
+
+LaidOutPattern laidOutAsStated(const Arguments& arguments, const Garment& garment,
+                               const PieceResults& results) {
     if (!arguments.project) {
-        return inRows(garment, results);
+        return inRows(garment, results, arguments.lines, arguments.stated.byHalf);
     }
-    const std::vector<PieceSettings> settings =
+    std::vector<PieceSettings> settings =
         placedSettings(settingsFor(*arguments.project, garment), results,
                        std::vector<std::optional<FlatMotion>>(results.size()));
-    return layOut(garment, results, settings, arguments.project->labels);
+    for (PieceSettings& piece : settings) {
+        piece.byHalf = piece.byHalf || arguments.stated.byHalf;
+    }
+    return layOut(garment, results, settings, arguments.project->labels, arguments.lines);
+}
+
+}  // namespace
+
+LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
+                       const PieceResults& results) {
+    LaidOutPattern laid = laidOutAsStated(arguments, garment, results);
+    if (arguments.grain) {
+        const auto symmetry = arguments.lines.mirror != Mirror::None ? findSymmetry(garment)
+                                                                     : std::optional<Symmetry>();
+        const auto grains =
+            findGrains(garment, results, symmetry ? &*symmetry : nullptr, *arguments.grain,
+                       arguments.fabric.value_or(fabricPresets().front()));
+        for (std::size_t p = 0; p < grains.size(); ++p) {
+            std::optional<double>& grain = laid.pattern.pieces[p].grain;
+            grain = grain ? grain : grains[p];
+        }
+    }
+    return laid;
 }
 
 void printDifferences(const Arguments& arguments, const Garment& garment, std::ostream& err) {

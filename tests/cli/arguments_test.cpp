@@ -32,6 +32,7 @@ TEST(Arguments, NothingOrAFileOpensTheWindow) {
     EXPECT_FALSE(parse({}).overlay);  // so that a project may say
     EXPECT_EQ(parse({"dress.obj", "--panel", "seams"}).panel, Panel::Seams);
     EXPECT_EQ(parse({"dress.obj", "--panel", "lines"}).panel, Panel::Lines);
+    EXPECT_EQ(parse({"dress.obj", "--panel", "symmetry"}).panel, Panel::Symmetry);
     EXPECT_FALSE(parse({"dress.obj"}).panel);
     EXPECT_EQ(parse({"dress.obj", "--method", "natural"}).options.method, Method::Natural);
 }
@@ -71,6 +72,10 @@ TEST(Arguments, PiecesAreMirroredOnRequest) {
     EXPECT_EQ(parse({"flatten", "a.obj"}).lines.mirror, Mirror::None);
     EXPECT_EQ(parse({"flatten", "a.obj", "--mirror", "auto"}).lines.mirror, Mirror::Mean);
     EXPECT_EQ(parse({"flatten", "a.obj", "--mirror", "none"}).lines.mirror, Mirror::None);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--half"}).lines.mirror, Mirror::Mean);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--half", "--mirror", "none"}).lines.mirror, Mirror::None);
+    EXPECT_TRUE(parse({"flatten", "a.obj", "--half"}).stated.byHalf);
+    EXPECT_FALSE(parse({"flatten", "a.obj", "--mirror", "auto"}).stated.byHalf);
     EXPECT_EQ(parse({"flatten", "a.obj", "--mirror", "left"}).command, Command::Message);
     LineSettings said;
     said.mirror = Mirror::First;

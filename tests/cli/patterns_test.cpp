@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fair and trued lines by the command line: the tables of docs/patterns.md.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -69,6 +71,94 @@ TEST(FairOption, LeavesReportsAsTheyAreWhereItIsNotGiven) {
     const Json report = reportOf(test::dataFile("samples/bodice.obj"), {});
     EXPECT_FALSE(report.contains("seam_ends"));
     EXPECT_FALSE(report["pieces"][0].contains("line"));
+}
+
+TEST(GrainOption, DrawsAGrainLineOnEveryPiece) {
+    const std::string shirt = test::dataFile("samples/tshirt.obj").string();
+    for (const std::string rule : {"vertical", "reference", "least-strain"}) {
+        const Json report = reportOf(shirt, {"--grain", rule});
+        for (const Json& piece : report["pieces"]) {
+            EXPECT_TRUE(piece.contains("grain")) << rule << ' ' << piece["name"];
+        }
+    }
+    EXPECT_FALSE(reportOf(shirt, {})["pieces"][0].contains("grain"));
+    EXPECT_EQ(test::run(TOILE_PROGRAM, {"flatten", shirt, "--grain", "best"}).status, 2);
+    const test::TemporaryFolder folder;
+    const auto svg = (folder / "a.svg").string();
+    EXPECT_EQ(test::run(TOILE_PROGRAM, {"flatten", shirt, "--grain", "vertical", "-o", svg}).status,
+              0);
+    EXPECT_NE(folder.read("a.svg").find("--grain\""), std::string::npos);
+}
+
+TEST(GrainOption, GivesMirroredPiecesOneAnswer) {
+    const Json report =
+        reportOf(test::dataFile("samples/tshirt.obj"), {"--grain", "vertical", "--mirror", "auto"});
+    std::map<std::string, double> grains;
+    for (const Json& piece : report["pieces"]) {
+        grains[piece["name"]] = piece["grain"];
+    }
+    for (const Json& pair : report["symmetry"]["pairs"]) {
+        if (pair["pieces"].size() == 2) {  // they lie as each other's mirror images in x
+            const double sum = grains[pair["pieces"][0]] + grains[pair["pieces"][1]];
+            EXPECT_NEAR(std::cos(sum), -1, 0.01);
+        }
+    }
+}
+
+TEST(HalfOption, DrawsOnceWhatMirrors) {
+    const std::string tshirt = test::dataFile("samples/tshirt.obj").string();
+    const test::TemporaryFolder folder;
+    const auto svgOf = [&](const std::vector<std::string>& options) -> std::string {
+        std::vector<std::string> arguments{"flatten", tshirt, "-o", (folder / "a.svg").string()};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const auto run = test::run(TOILE_PROGRAM, arguments);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return folder.read("a.svg");
+    };
+    const std::string half = svgOf({"--mirror", "auto", "--half"});
+    for (const char* said : {"cut 1 on fold", "place on fold", "cut 1 pair", "-front--fold"}) {
+        EXPECT_NE(half.find(said), std::string::npos) << said;
+    }
+    EXPECT_EQ(half, svgOf({"--half"}));
+    const std::string exact = svgOf({"--mirror", "none", "--half"});
+    EXPECT_EQ(exact.find("fold"), std::string::npos);
+    EXPECT_EQ(exact, svgOf({}));
+
+    int folds = 0, pairs = 0, left = 0;
+    const Json report = reportOf(tshirt, {"--half"});
+    for (const Json& piece : report["pieces"]) {
+        EXPECT_TRUE(piece["by_half"]);
+        const std::string cutAs = piece["cut_as"];
+        folds += cutAs == "fold" ? 1 : 0;
+        pairs += cutAs == "pair" ? 1 : 0;
+        left += piece.contains("cut_with") ? 1 : 0;
+    }
+    EXPECT_EQ(folds, 3);
+    EXPECT_EQ(pairs, 2);
+    EXPECT_EQ(left, 1);
+    EXPECT_FALSE(reportOf(tshirt, {})["pieces"][0].contains("by_half"));
+}
+
+TEST(MirrorOption, SaysWhatMirrorsWhatAndWhatThatCosts) {
+    const std::string bodice = test::dataFile("samples/bodice.obj").string();
+    EXPECT_FALSE(reportOf(bodice, {}).contains("symmetry"));
+    const Json said = reportOf(bodice, {"--mirror", "auto"}).at("symmetry");
+    double least = 0, most = 0, exactMost = 0;
+    for (const Json& pair : said.at("pairs")) {
+        EXPECT_TRUE(pair.at("equal"));
+        EXPECT_LE(pair.at("strain_mean_abs"), std::max(-pair.at("strain_min").get<double>(),
+                                                       pair.at("strain_max").get<double>()));
+        least = std::min(least, pair.at("strain_min").get<double>());
+        most = std::max(most, pair.at("strain_max").get<double>());
+        exactMost = std::max(exactMost, pair.at("exact").at("strain_max").get<double>());
+    }
+    EXPECT_EQ(said.at("pairs").size(), 4U);
+    EXPECT_EQ(said.at("strain_min"), least);
+    EXPECT_EQ(said.at("strain_max"), most);
+    EXPECT_EQ(said.at("exact").at("strain_max"), exactMost);
+    // It was made with a mirror plane: there is nothing to be paid for.
+    EXPECT_NEAR(said.at("strain_mean_abs"), said.at("exact").at("strain_mean_abs").get<double>(),
+                1e-6);
 }
 
 }  // namespace
