@@ -14,6 +14,7 @@
 #include "app/panels/position_panel.h"
 #include "app/panels/problems_panel.h"
 #include "app/panels/seams_panel.h"
+#include "app/panels/symmetry_panel.h"
 #include "app/render/scene.h"
 #include "app/settings/preferences.h"
 #include "app/views/view_area.h"
@@ -56,6 +57,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
       problems_(new ProblemsPanel(checker_)),
       history_(new QUndoView(&document_.history())),
       lines_(new LinesPanel(document_)),
+      symmetry_(new SymmetryPanel(document_)),
       position_(new PositionPanel(document_, actions)),
       fabric_(new FabricPanel(document_)) {
     history_->setObjectName("historyList");
@@ -66,6 +68,8 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
         actions[ActionId::GoToProblems]);
     add(tr("History"), "historyDock", history_, *history_, actions[ActionId::GoToHistory]);
     add(tr("Lines"), "linesDock", lines_, lines_->firstField(), actions[ActionId::GoToLines]);
+    add(tr("Symmetry"), "symmetryDock", symmetry_, symmetry_->firstField(),
+        actions[ActionId::GoToSymmetry]);
     add(tr("Position"), "positionDock", position_, position_->firstField(),
         actions[ActionId::GoToPosition]);
     add(tr("Fabric"), "fabricDock", fabric_, fabric_->firstField(), actions[ActionId::GoToFabric]);

@@ -22,6 +22,7 @@ class PositionPanel;
 class Preferences;
 class ProblemsPanel;
 class SeamsPanel;
+class SymmetryPanel;
 class ViewArea;
 class Workspace;
 
@@ -48,7 +49,16 @@ public:
 
 private:
     /// In the order of `Panel`, then the other one below the views and those beside them.
-    enum Dock : qsizetype { Pieces, Seams, Problems, History, Lines, Position, FabricDock };
+    enum Dock : qsizetype {
+        Pieces,
+        Seams,
+        Problems,
+        History,
+        Lines,
+        Symmetry,
+        Position,
+        FabricDock
+    };
 
     /// @param field  where the keyboard goes
     void add(const QString& title, const char* name, QWidget* panel, QWidget& field,
@@ -71,6 +81,7 @@ private:
     ProblemsPanel* problems_;
     QUndoView* history_;
     LinesPanel* lines_;
+    SymmetryPanel* symmetry_;
     PositionPanel* position_;
     FabricPanel* fabric_;
     QList<QDockWidget*> docks_;

@@ -49,6 +49,7 @@ WindowStatus::WindowStatus(QStatusBar& bar, Workspace& workspace, const ActionRe
     }
     connect(&session, &ProjectSession::saved, this,
             [this](const QString& path) { say(tr("Saved: %1").arg(path)); });
+    connect(&workspace, &Workspace::noted, this, &WindowStatus::say);
     connect(&workspace, &Workspace::exported, this, [this, &checker](const QString& path) {
         const int faults = checker.readiness().count(Severity::Fault);
         bar_.showMessage(faults == 0 ? tr("Written: %1").arg(path)

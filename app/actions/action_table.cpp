@@ -47,6 +47,10 @@ bool hasExactOutline(Workspace& on) {
     return scene && !scene->patternLines.exact.empty();
 }
 
+bool drawsMirrored(Workspace& on) {
+    return isOpen(on) && on.document().state().lines.mirror != Mirror::None;
+}
+
 bool hasCuts(Workspace& on) {
     return !on.loading().seams.cuts.empty();
 }
@@ -507,10 +511,17 @@ std::vector<ActionSpec> makeActions() {
          TR("Turn the selected pieces, or all where none is selected, so that their grain runs "
             "upwards"),
          onChosen(turnGrainUpwards)},
+        {ActionId::VerticalGrain, "verticalGrain", TR("Grain as it &hangs"), "",
+         TR("Let the grain of the selected pieces, or of all, run up the garment"),
+         asks(&GarmentActions::findVerticalGrain, isAnyFlat), "", TR("Hanging")},
+        {ActionId::ReferenceGrain, "referenceGrain", TR("Grain of the reference &panels"), "",
+         TR("Let the grain of the selected pieces, or of all, run up the designer's panels; as it "
+            "hangs where a piece has none"),
+         asks(&GarmentActions::findReferenceGrain, isAnyFlat)},
         {ActionId::BestGrain, "bestGrain", TR("&Best grain"), "",
-         TR("Let the grain of the selected pieces, or of all, run where it strains the fabric "
-            "least"),
-         asks(&GarmentActions::lookForBestGrain, isAnyFlat), "", TR("Best")},
+         TR("Let the grain of the selected pieces, or of all, run up the garment, or at 90 or 45 "
+            "degrees to that where the fabric is strained much less"),
+         asks(&GarmentActions::findBestGrain, isAnyFlat), "", TR("Best")},
         {ActionId::ResetGrain, "resetGrain", TR("R&eset the grain"), "",
          TR("Leave it open how the grain of the selected pieces, or of all, runs"),
          asks(&GarmentActions::resetGrain, isAnyGrainSet), "", TR("Reset")},
@@ -522,6 +533,10 @@ std::vector<ActionSpec> makeActions() {
          TR("Let pieces catch at the grid and at each other while they are moved; Alt turns it the "
             "other way round"),
          switches(&ViewState::snapping)},
+        {ActionId::MirrorEdits, "mirrorEdits", TR("Mirror &edits"), "Y",
+         TR("Cut on both sides of the garment at once, and turn the grain on both, where mirrored "
+            "pieces are drawn equal"),
+         switches(&ViewState::mirrorsEdits, drawsMirrored)},
         {ActionId::GoToPosition, "goToPosition", TR("&Place…"), "P",
          TR("Type where the selected pieces lie, how far they are turned and how the grain runs"),
          whenOpen()},
@@ -537,6 +552,8 @@ std::vector<ActionSpec> makeActions() {
          TR("Show the steps done so far and move the keyboard there"), whenOpen()},
         {ActionId::GoToLines, "goToLines", TR("Go to &lines"), "Ctrl+5",
          TR("Show how the lines of the pattern are drawn and move the keyboard there"), whenOpen()},
+        {ActionId::GoToSymmetry, "goToSymmetry", TR("Go to s&ymmetry"), "Ctrl+6",
+         TR("Show which pieces mirror each other and move the keyboard there"), whenOpen()},
         {ActionId::ResetLayout, "resetLayout", TR("Reset &window layout"), "",
          TR("Put every list back below the views and every panel beside them, as at the first "
             "start")},

@@ -10,6 +10,7 @@
 #include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/document/layout.h"
+#include "app/document/mirrored_edits.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/settings/preferences.h"
 #include "app/text/error_text.h"
@@ -166,31 +167,32 @@ void GarmentActions::resetEase() {
     }
 }
 
-void GarmentActions::lookForBestGrain() {
-    const std::vector<int> pieces = selectedOrAllFlat(workspace_.document());
+void GarmentActions::findGrain(GrainRule rule) {
+    const std::vector<int> pieces =
+        withoutCounterparts(workspace_.document(), selectedOrAllFlat(workspace_.document()));
     if (pieces.empty()) {
         return;
     }
-    grain_ = workspace_.jobs().start(
-        grainJob(workspace_.document(), pieces, [this](const PieceGrains& found, bool outdated) {
+    grain_ = workspace_.jobs().start(grainJob(
+        workspace_.document(), rule, pieces, [this](const PieceGrains& found, bool outdated) {
             grain_ = 0;
             if (outdated) {
                 sayOutdated();
             } else if (found.empty()) {
                 emit failed(
-                    tr("No grain is better than another here: the cloth is strained alike in all "
-                       "directions, or not at all. Say yourself how the grain runs."));
+                    tr("These pieces lie level, so that no way on them is up. Say yourself how the "
+                       "grain runs."));
             }
             if (!found.empty()) {
-                setGrain(workspace_.document(), tr("Best grain"), found);
+                setGrain(workspace_.document(), tr("Grain"), found);
             }
         }));
 }
 
 void GarmentActions::sayOutdated() {
     emit failed(
-        tr("Pieces were flattened anew, or the fabric was changed, while their best "
-           "grain was looked for. Ask for it once more."));
+        tr("Pieces were flattened anew, or the fabric was changed, while their "
+           "grain was found. Ask for it once more."));
 }
 
 void GarmentActions::resetGrain() {

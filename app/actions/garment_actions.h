@@ -7,6 +7,7 @@
 #include "app/actions/file_dialogs.h"
 #include "app/document/document_change.h"
 #include "app/jobs/job_runner.h"
+#include "core/pattern/piece_grain.h"
 
 namespace toile::app {
 
@@ -42,7 +43,9 @@ public:
     /// The ease of the selected seam is that of the garment again.
     void resetEase();
     /// For the selected pieces that are flat, or for all.
-    void lookForBestGrain();
+    void findVerticalGrain() { findGrain(GrainRule::Vertical); }
+    void findReferenceGrain() { findGrain(GrainRule::Reference); }
+    void findBestGrain() { findGrain(GrainRule::LeastStrain); }
     void resetGrain();
 
 signals:
@@ -54,6 +57,7 @@ private:
     void updateHistory();
     void onChanged(DocumentChanges what);
     void openNow(const QStringList& files);
+    void findGrain(GrainRule rule);
     void sayOutdated();
 
     ActionRegistry& actions_;
@@ -62,7 +66,7 @@ private:
     QWidget& window_;
     FileDialogs dialogs_ = FileDialogs::native();
     ProjectActions* project_;
-    JobRunner::Ticket grain_ = 0;  ///< looks for the best grain
+    JobRunner::Ticket grain_ = 0;  ///< finds the grain
 };
 
 }  // namespace toile::app

@@ -7,7 +7,6 @@
 #include "app/base/text.h"
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/garment_jobs.h"
-#include "app/text/error_text.h"
 #include "core/garment/identify.h"
 
 namespace toile::app {
@@ -23,8 +22,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
     });
     recompute_.setObjection(
         [this](const Garment& garment, DocumentState& rest) { return objectionTo(garment, rest); });
-    connect(&recompute_, &Recompute::refused, this,
-            [this](const Error& why) { emit refused(errorText(why)); });
+    connect(&recompute_, &Recompute::refused, this, &Workspace::sayRefused);
     // A job that makes room for another says nothing about what is asked for now.
     connect(&jobs_, &JobRunner::failed, this,
             [this](const QString&, const QString&, bool replaced) {

@@ -82,7 +82,9 @@ public:
     /// Writes the cuts and the ease that were stated as a seams file.
     Result<void> writeSeams(const std::filesystem::path& path) const;
     /// Makes a cut, the name aside, which it gets here: "cut 3", "dart 1". One that turns out to be
-    /// impossible, or to open nothing, is `refused` and leaves no step.
+    /// impossible, or to open nothing, is `refused` and leaves no step. Where edits are mirrored
+    /// its mirror image is made in the same step: both, or neither where one of them cannot be.
+    /// What has no mirror image, or none that is known, is made alone, and that is `noted`.
     /// @param cut  its points in mm, as the pieces are
     void addCut(UserCut cut);
     /// Joins the cloth on both sides of a seam: a cut of the user's is taken back, two pieces that
@@ -90,7 +92,8 @@ public:
     /// cut of Toile's own, sides that do not fit vertex by vertex.
     /// @param seam an index into Garment::seams
     void joinSeam(int seam);
-    /// Takes a cut of the user's back.
+    /// Takes a cut of the user's back; where edits are mirrored its mirror image too, as does
+    /// joining the seam that it made.
     void removeCut(CutId id);
     /// Takes a join back, the first of this name: the seam is there again.
     void removeJoin(const std::string& name);
@@ -120,8 +123,16 @@ signals:
     void exported(const QString& path);
     /// What was asked for cannot be done, and why; nothing has changed.
     void refused(const QString& sentence);
+    /// Something was done otherwise than might be expected.
+    void noted(const QString& sentence);
 
 private:
+    /// A cut or a join that was drawn by hand.
+    struct Trial {
+        std::string name;
+        std::string image{};  ///< the mirror image that was made of it; or empty
+    };
+
     /// A change of how files are read, divided and cut.
     struct LoadingChange {
         QString text;
@@ -142,6 +153,10 @@ private:
     template <class Value>
     void setLoadingField(const QString& text, Value LoadOptions::*field, const Value& value);
     std::optional<Error> objectionTo(const Garment& garment, DocumentState& rest);
+    void sayRefused(const Error& why);
+    /// None where edits are not mirrored, or where there is none.
+    std::optional<UserCut> mirrorImageOf(const UserCut& cut);
+    std::function<void(SeamsFile&)> removalOf(std::vector<CutId> cuts) const;
 
     template <class Value>
     void setOption(const QString& text, Value FlattenOptions::*field, Value value);
@@ -155,8 +170,8 @@ private:
     Opening opening_;
     /// For what is being opened, where that is not known before it is there.
     std::vector<LoadingChange> forOpening_;
-    /// Cuts and joins that were drawn by hand, until it has turned out that they can be.
-    std::vector<std::string> onTrial_;
+    std::vector<Trial> onTrial_;  ///< until it has turned out that they can be
+    bool isImageRefused_ = false;
     JobRunner::Ticket reading_ = 0;
     int step_ = 0;  ///< of the history
 };

@@ -4,7 +4,10 @@
 #include <utility>
 
 #include "app/actions/workspace.h"
+#include "app/document/mirrored_edits.h"
+#include "app/text/error_text.h"
 #include "core/base/file.h"
+#include "core/pattern/mirrored_edit.h"
 #include "core/pipeline/file_space.h"
 #include "core/seam/seam_origin.h"
 #include "core/seam/seam_settings.h"
@@ -24,6 +27,23 @@ std::string freeName(const std::vector<Entry>& entries, const std::string& stem,
     return name;
 }
 
+struct CutWords {
+    QString text;      ///< for the history
+    std::string stem;  ///< of its name
+};
+
+CutWords wordsOf(UserCut::Kind kind) {
+    switch (kind) {
+        case UserCut::Kind::Dart:
+            return {Workspace::tr("Dart"), "dart"};
+        case UserCut::Kind::Loop:
+            return {Workspace::tr("Closed loop"), "loop"};
+        case UserCut::Kind::Path:
+            break;
+    }
+    return {Workspace::tr("Cut"), "cut"};
+}
+
 }  // namespace
 
 void Workspace::divideByWhatIsThere(LoadOptions& loading) {
@@ -33,25 +53,38 @@ void Workspace::divideByWhatIsThere(LoadOptions& loading) {
 }
 
 std::optional<Error> Workspace::objectionTo(const Garment& garment, DocumentState& rest) {
-    const std::vector<std::string> tried = std::exchange(onTrial_, {});
-    const auto isTried = [&tried](const std::string& name) {
-        return std::ranges::find(tried, name) != tried.end();
-    };
+    const std::vector<Trial> tried = std::exchange(onTrial_, {});
+    SeamsFile& seams = rest.inputs.loading.seams;
     std::optional<Error> objection;
     for (const Error& problem : garment.problems) {
-        SeamsFile& seams = rest.inputs.loading.seams;
         const bool isCut = problem.code == ErrorCode::CutImpossible;
-        if ((isCut || problem.code == ErrorCode::JoinImpossible) && isTried(problem.subject.name)) {
-            isCut ? std::erase_if(
-                        seams.cuts,
-                        [&](const UserCut& cut) { return cut.name == problem.subject.name; })
-                  : std::erase_if(seams.joins, [&](const UserJoin& join) {
-                        return join.name == problem.subject.name;
-                    });
-            objection = problem;
+        const auto trial = std::ranges::find_if(tried, [&problem](const Trial& one) {
+            return one.name == problem.subject.name || one.image == problem.subject.name;
+        });
+        if (trial == tried.end() || !(isCut || problem.code == ErrorCode::JoinImpossible)) {
+            continue;
         }
+        if (isCut) {
+            std::erase_if(seams.cuts, [trial](const UserCut& cut) {
+                return cut.name == trial->name || cut.name == trial->image;
+            });
+        } else {
+            std::erase_if(seams.joins,
+                          [trial](const UserJoin& join) { return join.name == trial->name; });
+        }
+        objection = problem;
+        isImageRefused_ = isCut && problem.subject.name == trial->image;
     }
     return objection;
+}
+
+void Workspace::sayRefused(const Error& why) {
+    QString sentence = errorText(why);
+    if (std::exchange(isImageRefused_, false)) {
+        sentence += ' ' + tr("It was to be the mirror image of the one that you drew. Switch off "
+                             "Tools ▸ Mirror edits to cut one side alone.");
+    }
+    emit refused(sentence);
 }
 
 void Workspace::changeSeams(const QString& text, std::function<void(SeamsFile&)> change) {
@@ -90,23 +123,53 @@ void Workspace::addCut(UserCut cut) {
     if (!document_.garment() || opening_.isActive()) {
         return;  // it was drawn on what is about to go
     }
-    const auto [text, stem] = [&cut]() -> std::pair<QString, std::string> {
-        switch (cut.kind) {
-            case UserCut::Kind::Dart:
-                return {tr("Dart"), "dart"};
-            case UserCut::Kind::Loop:
-                return {tr("Closed loop"), "loop"};
-            case UserCut::Kind::Path:
-                break;
+    const CutWords words = wordsOf(cut.kind);
+    std::optional<UserCut> image = mirrorImageOf(cut);
+    std::vector<UserCut> named = loading().seams.cuts;
+    const auto finish = [&](UserCut& made) {
+        made.name = freeName(named, words.stem, true);
+        for (Eigen::Vector3d& point : made.points) {
+            point = inFileSpace(point, loading().seams, *document_.garment());
         }
-        return {tr("Cut"), "cut"};
-    }();
-    cut.name = freeName(loading().seams.cuts, stem, true);
-    for (Eigen::Vector3d& point : cut.points) {
-        point = inFileSpace(point, loading().seams, *document_.garment());
+        named.push_back(made);
+    };
+    finish(cut);
+    if (!image) {
+        onTrial_.push_back({cut.name});
+        changeSeams(words.text,
+                    [cut = std::move(cut)](SeamsFile& seams) { seams.cuts.push_back(cut); });
+        return;
     }
-    onTrial_.push_back(cut.name);
-    changeSeams(text, [cut = std::move(cut)](SeamsFile& seams) { seams.cuts.push_back(cut); });
+    finish(*image);
+    onTrial_.push_back({cut.name, image->name});
+    changeSeams(tr("%1 on both sides").arg(words.text),
+                [cut = std::move(cut), image = std::move(*image)](SeamsFile& seams) {
+                    addMirroredCuts(seams.cuts, cut, image);
+                });
+}
+
+std::optional<UserCut> Workspace::mirrorImageOf(const UserCut& cut) {
+    if (!mirrorsEdits(document_)) {
+        return std::nullopt;
+    }
+    const Symmetry* symmetry = editSymmetry(document_);
+    std::optional<UserCut> image =
+        symmetry ? mirroredCut(*document_.garment(), document_.results(), *symmetry, cut)
+                 : std::nullopt;
+    if (!image) {
+        emit noted(symmetry ? tr("Cut once: it has no mirror image of its own.")
+                            : tr("Cut on one side alone: no mirror plane is known."));
+    }
+    return image;
+}
+
+std::function<void(SeamsFile&)> Workspace::removalOf(std::vector<CutId> cuts) const {
+    return [cuts = std::move(cuts), both = mirrorsEdits(document_)](SeamsFile& seams) {
+        const std::vector<CutId> gone = both ? withMirrorImages(seams.cuts, cuts) : cuts;
+        std::erase_if(seams.cuts, [&gone](const UserCut& cut) {
+            return std::ranges::find(gone, cut.id) != gone.end();
+        });
+    };
 }
 
 void Workspace::joinSeam(int seam) {
@@ -134,11 +197,7 @@ void Workspace::joinSeam(int seam) {
         }
     }
     if (!chosen.cuts.empty()) {
-        changeSeams(tr("Removal of a cut"), [cuts = chosen.cuts](SeamsFile& seams) {
-            std::erase_if(seams.cuts, [&cuts](const UserCut& cut) {
-                return std::ranges::find(cuts, cut.id) != cuts.end();
-            });
-        });
+        changeSeams(tr("Removal of a cut"), removalOf(chosen.cuts));
         return;
     }
     UserJoin join = joinAlong(chosen, garment->pieces);
@@ -146,7 +205,7 @@ void Workspace::joinSeam(int seam) {
     for (Eigen::Vector3d& point : join.points) {
         point = inFileSpace(point, loading().seams, *garment);
     }
-    onTrial_.push_back(join.name);
+    onTrial_.push_back({join.name});
     changeSeams(tr("Join"),
                 [join = std::move(join)](SeamsFile& seams) { seams.joins.push_back(join); });
 }
@@ -155,9 +214,7 @@ void Workspace::removeCut(CutId id) {
     if (opening_.isActive()) {
         return;  // what comes may be the same garment, cut in another way
     }
-    changeSeams(tr("Removal of a cut"), [id](SeamsFile& seams) {
-        std::erase_if(seams.cuts, [id](const UserCut& cut) { return cut.id == id; });
-    });
+    changeSeams(tr("Removal of a cut"), removalOf({id}));
 }
 
 void Workspace::removeJoin(const std::string& name) {

@@ -12,6 +12,7 @@
 
 namespace toile {
 struct Pattern;
+struct Symmetry;
 }  // namespace toile
 
 namespace toile::app {
@@ -39,6 +40,8 @@ struct Derived {
     /// until others come.
     PieceResults results{};
     std::optional<LineSettings> lines = LineSettings{};  ///< that results are of; none: of older
+    /// What results are mirrored by; null where they are not.
+    std::shared_ptr<const Symmetry> symmetry{};
     /// What is flat, as pieces of cloth, and what the views draw: of all this; or null, both.
     std::shared_ptr<const Pattern> pattern{};
     std::shared_ptr<const Scene> scene{};

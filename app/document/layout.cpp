@@ -8,8 +8,10 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
+#include "app/document/mirrored_edits.h"
 #include "app/document/piece_edits.h"
 #include "core/layout/marker.h"
+#include "core/pattern/half_pattern.h"
 
 namespace toile::app {
 
@@ -93,6 +95,17 @@ Placement placementOf(const Document& document, int piece) {
     return document.settings()[static_cast<std::size_t>(piece)].placement.value_or(Placement{});
 }
 
+CutAs cutAsOf(const Document& document, int piece) {
+    const PatternPiece* const flat = document.patternPiece(piece);
+    if (!flat) {
+        return CutAs::Whole;
+    }
+    const auto isByHalf = [&document](int k) -> bool {
+        return k >= 0 && document.settings()[static_cast<std::size_t>(k)].byHalf;
+    };
+    return cutAs(flat->mirror, isByHalf(piece) || isByHalf(flat->mirror.counterpart));
+}
+
 Eigen::AlignedBox2d boxOnSheet(const Document& document, int piece) {
     return outlineBox(flatOutline(document, piece), placementOf(document, piece));
 }
@@ -126,10 +139,11 @@ void placeBack(Document& document, const QString& text, const PiecePlacements& p
 }
 
 void setGrain(Document& document, const QString& text, const PieceGrains& grains, int gesture) {
-    const auto turn = [&grains](int piece, PieceSettings& settings) {
-        settings.grain = grains.at(piece);
+    const PieceGrains all = withMirroredGrains(document, grains);
+    const auto turn = [&all](int piece, PieceSettings& settings) {
+        settings.grain = all.at(piece);
     };
-    editSettings(document, text, piecesOf(grains), turn, gesture);
+    editSettings(document, text, piecesOf(all), turn, gesture);
 }
 
 void turnTogether(Document& document, const QString& text, const std::vector<int>& pieces,

@@ -31,6 +31,8 @@ std::vector<int> selectedOrAllFlat(const Document& document);
 /// Net outline in the piece's own coordinates; empty where it is not flat.
 const Points2& flatOutline(const Document& document, int piece);
 Placement placementOf(const Document& document, int piece);
+/// How files draw the piece; the sheet always shows all of it.
+CutAs cutAsOf(const Document& document, int piece);
 /// Around the piece as it lies; empty where it is not flat.
 Eigen::AlignedBox2d boxOnSheet(const Document& document, int piece);
 Eigen::AlignedBox2d boxOnSheet(const Document& document, const std::vector<int>& pieces);
@@ -42,6 +44,7 @@ void place(Document& document, const QString& text, const PiecePlacements& place
 /// @param before  the settings of all pieces then
 void placeBack(Document& document, const QString& text, const PiecePlacements& pieces,
                const std::vector<PieceSettings>& before, int gesture);
+/// Turns the grain of mirrored pieces' counterparts too (`withMirroredGrains`).
 void setGrain(Document& document, const QString& text, const PieceGrains& grains, int gesture = -1);
 
 /// Turns the pieces together about the middle of the box around them.

@@ -6,6 +6,8 @@
 #include <functional>
 #include <numeric>
 
+#include "core/seam/seam_measure.h"
+
 namespace toile::app {
 
 namespace {
@@ -18,38 +20,12 @@ const PieceResult* shownOf(const Garment& garment, const PieceResults& results, 
     return result && result->piece == garment.pieces[piece] && result->flat ? result : nullptr;
 }
 
-/// The results as they were solved, of these very pieces.
-PieceResults exactResults(const Garment& garment, const PieceResults& results) {
-    PieceResults exact(garment.pieces.size());
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        if (const PieceResult* shown = shownOf(garment, results, i)) {
-            exact[i] = shown->exact ? shown->exact : results[i];
-        }
-    }
-    return exact;
-}
-
 double largestStrain(const PieceResult& result) {
     if (!result.quality) {
         return 0;
     }
     return std::max(std::abs(result.quality->strainMin.value_or(0)),
                     std::abs(result.quality->strainMax.value_or(0)));
-}
-
-void measureDrawn(const Garment& garment, const PieceResults& results, LineFacts& facts) {
-    for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
-        const PieceResult* shown = shownOf(garment, results, i);
-        if (!shown) {
-            continue;
-        }
-        facts.exactStrain = std::max(facts.exactStrain, largestStrain(exactOf(*shown)));
-        facts.strain = std::max(facts.strain, largestStrain(*shown));
-        if (shown->flat->line) {
-            facts.drawn = true;
-            facts.farthest = std::max(facts.farthest, shown->flat->line->farthest);
-        }
-    }
 }
 
 /// By how much of the kinks stays, and the largest first.
@@ -116,29 +92,32 @@ double arcAt(const Piece& piece, int k) {
     return arc;
 }
 
-/// Where a place on one side of a seam comes to lie on the other.
-double opposite(const Seam& seam, bool fromRight, double place) {
-    const auto here = [&](const SeamMatch& match) { return fromRight ? match.right : match.left; };
-    const auto there = [&](const SeamMatch& match) { return fromRight ? match.left : match.right; };
-    for (std::size_t k = 0; k + 1 < seam.matches.size(); ++k) {
-        const SeamMatch &a = seam.matches[k], &b = seam.matches[k + 1];
-        const auto [low, high] = std::minmax({here(a), here(b)});
-        if (low <= place && place <= high && low < high) {
-            return std::lerp(there(a), there(b), (place - here(a)) / (here(b) - here(a)));
+}  // namespace
+
+DrawnFacts drawnFacts(const Garment& garment, const PieceResults& results) {
+    DrawnFacts facts;
+    for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
+        const PieceResult* shown = shownOf(garment, results, i);
+        if (!shown) {
+            continue;
+        }
+        facts.exactStrain = std::max(facts.exactStrain, largestStrain(exactOf(*shown)));
+        facts.strain = std::max(facts.strain, largestStrain(*shown));
+        if (shown->flat->line) {
+            facts.drawn = true;
+            facts.farthest = std::max(facts.farthest, shown->flat->line->farthest);
         }
     }
-    return there(seam.matches[seam.matches.size() / 2]);
+    return facts;
 }
-
-}  // namespace
 
 LineFacts lineFacts(const Garment& garment, const PieceResults& results,
                     const LineSettings& lines) {
     LineFacts facts;
+    static_cast<DrawnFacts&>(facts) = drawnFacts(garment, results);
     facts.segments = findSegments(garment, exactResults(garment, results), lines);
     facts.ends = findSeamEnds(garment, facts.segments, lines);
     judgeEnds(lines, facts);
-    measureDrawn(garment, results, facts);
     return facts;
 }
 
@@ -174,7 +153,7 @@ std::optional<SegmentAt> partnerOf(const Garment& garment, const LineFacts& fact
     double middle = (segment.at.start + segment.at.end) / 2;
     const double low = std::min(here.start, here.end);
     middle += perimeter * std::ceil((low - middle) / perimeter);  // counted as the seam does
-    const double place = opposite(seam, segment.isRight, middle);
+    const double place = placeAcross(seam, middle, segment.isRight);
     return mostOf(facts, there.piece, place - kSamePlace, place + kSamePlace);
 }
 

@@ -17,14 +17,21 @@ struct SegmentAt {
     bool operator==(const SegmentAt&) const = default;
 };
 
+/// What the outlines as they are drawn differ in from the exact ones. Lengths in mm.
+struct DrawnFacts {
+    double farthest = 0;                 ///< of a drawn line from the exact outline
+    double exactStrain = 0, strain = 0;  ///< largest of an edge, before and after
+    bool drawn = false;                  ///< some piece has a line of its own
+};
+
+/// @param results  one per piece, or empty; of other pieces they are left out  Cost: linear. Pure.
+DrawnFacts drawnFacts(const Garment& garment, const PieceResults& results);
+
 /// What there is to know of a garment's lines. Angles in radians, lengths in mm.
-struct LineFacts {
+struct LineFacts : DrawnFacts {
     std::vector<OutlineSegments> segments;  ///< one per piece; empty where not flat
     std::vector<SeamEnd> ends;              ///< the largest kink first
     std::vector<double> kept;               ///< kink of each that is there when it is sewn
-    double farthest = 0;                    ///< of a drawn line from the exact outline
-    double exactStrain = 0, strain = 0;     ///< largest of an edge, before and after
-    bool drawn = false;                     ///< some piece has a line of its own
 
     const Segment& at(const SegmentAt& one) const {
         return segments[static_cast<std::size_t>(one.piece)]

@@ -25,10 +25,8 @@ QString nameOf(const Document& document, const std::vector<int>& pieces) {
         document.garment()->pieces[static_cast<std::size_t>(pieces.front())]->name);
 }
 
-}  // namespace
-
-void editSettings(Document& document, const QString& text, const std::vector<int>& pieces,
-                  const std::function<void(int piece, PieceSettings&)>& change, int gesture) {
+DocumentState withSettings(const Document& document, const std::vector<int>& pieces,
+                           const std::function<void(int piece, PieceSettings&)>& change) {
     DocumentState next = document.state();
     for (const int piece : pieces) {
         const auto at = static_cast<std::size_t>(piece);
@@ -36,7 +34,14 @@ void editSettings(Document& document, const QString& text, const std::vector<int
         said = document.settings()[at];
         change(piece, said);
     }
-    document.edit(text, std::move(next), gesture);
+    return next;
+}
+
+}  // namespace
+
+void editSettings(Document& document, const QString& text, const std::vector<int>& pieces,
+                  const std::function<void(int piece, PieceSettings&)>& change, int gesture) {
+    document.edit(text, withSettings(document, pieces, change), gesture);
 }
 
 void setQuantity(Document& document, const std::vector<int>& pieces, int quantity) {
@@ -55,6 +60,20 @@ void setMirroredPair(Document& document, const std::vector<int>& pieces, bool is
         editSettings(document, text.arg(nameOf(document, there)), there,
                      [isPair](int, PieceSettings& settings) { settings.mirroredPair = isPair; });
     }
+}
+
+void setByHalf(Document& document, const std::vector<int>& pieces, bool byHalf) {
+    const std::vector<int> there = inGarment(document, pieces);
+    if (there.empty()) {
+        return;
+    }
+    DocumentState next = withSettings(
+        document, there, [byHalf](int, PieceSettings& settings) { settings.byHalf = byHalf; });
+    if (byHalf && next.lines.mirror == Mirror::None) {
+        next.lines.mirror = Mirror::Mean;
+    }
+    const QString text = byHalf ? tr("Half only: %1") : tr("As a whole: %1");
+    document.edit(text.arg(nameOf(document, there)), std::move(next));
 }
 
 int copiesOf(const Document& document, int piece) {

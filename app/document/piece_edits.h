@@ -24,6 +24,11 @@ void setQuantity(Document& document, const std::vector<int>& pieces, int quantit
 /// @param isPair  each of them is also cut mirrored
 void setMirroredPair(Document& document, const std::vector<int>& pieces, bool isPair);
 
+/// @param pieces  two that mirror each other, or one that is symmetric in itself
+/// @param byHalf  only one half of them is drawn (Cutting::byHalf); mirrored pieces are made equal
+///                for it where they are not yet
+void setByHalf(Document& document, const std::vector<int>& pieces, bool byHalf);
+
 /// How many pieces of cloth are cut from it: two for one mirrored pair.
 int copiesOf(const Document& document, int piece);
 

@@ -51,7 +51,7 @@ constexpr bool isSigned(Overlay overlay) {
 }
 
 /// The lists below the views.
-enum class Panel { Pieces, Seams, ProblemList, History, Lines };
+enum class Panel { Pieces, Seams, ProblemList, History, Lines, Symmetry };
 
 /// Of the two views: in pictures of them.
 enum class ViewsShown { Garment, Pattern, Both };
@@ -87,6 +87,7 @@ struct ViewState {
     bool rulers = true;              ///< along the edges of the pattern view
     bool grid = true;                ///< on the sheet
     bool snapping = true;            ///< whether pieces catch at the grid and at each other
+    bool mirrorsEdits = true;        ///< see mirrored_edits.h
 
     bool operator==(const ViewState&) const = default;
 };

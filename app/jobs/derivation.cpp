@@ -95,6 +95,7 @@ void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& fla
     become(made, flattener.flatten(*made.derived.garment, state.options, progress, 0,
                                    made.derived.results, state.lines));
     made.derived.lines = state.lines;
+    made.derived.symmetry = flattener.symmetryOf(*made.derived.garment, state.lines);
 }
 
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress) {
@@ -106,8 +107,8 @@ void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress) {
 }
 
 void draw(Derived& derived, Progress& progress) {
-    derived.pattern =
-        std::make_shared<const Pattern>(makePattern(*derived.garment, derived.results));
+    derived.pattern = std::make_shared<const Pattern>(
+        makePattern(*derived.garment, derived.results, derived.lines.value_or(LineSettings{})));
     derived.scene = buildScene(*derived.garment, derived.results, progress);
     derived.bytes = bytesOf(*derived.scene);
     for (const auto& result : derived.results) {

@@ -121,9 +121,10 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
         }
         const Garment& garment = *derived.garment;
         const PieceResults& results = made.derived.results;
+        const LineSettings lines = made.derived.lines.value_or(LineSettings{});
         const auto written =
-            exportFile(path, garment, results, layOut(garment, results, ofPieces, labels), progress,
-                       words, made.derived.lines.value_or(LineSettings{}));
+            exportFile(path, garment, results, layOut(garment, results, ofPieces, labels, lines),
+                       progress, words, lines);
         return written ? Result(path) : written.error();
     };
     return makeJob(QCoreApplication::translate("ExportJob", "Writing %1").arg(name),

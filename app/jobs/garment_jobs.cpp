@@ -7,7 +7,6 @@
 #include "app/base/text.h"
 #include "app/document/document.h"
 #include "core/pipeline/garment_flattener.h"
-#include "core/quality/best_grain.h"
 
 namespace toile::app {
 
@@ -84,23 +83,22 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
     return makeJob(title, std::move(work), std::move(done));
 }
 
-std::unique_ptr<Job> grainJob(const Document& document, const std::vector<int>& pieces,
+std::unique_ptr<Job> grainJob(const Document& document, GrainRule rule,
+                              const std::vector<int>& pieces,
                               std::function<void(const PieceGrains& found, bool outdated)> done) {
     std::map<int, std::shared_ptr<const PieceResult>> results;
     for (const int piece : pieces) {
         results[piece] = document.results()[static_cast<std::size_t>(piece)];
     }
-    auto work = [results, fabric = document.fabric()](Progress& progress) -> Result<PieceGrains> {
+    auto work = [derived = document.derived(), results, rule,
+                 fabric = document.fabric()](Progress&) -> Result<PieceGrains> {
+        const auto grains =
+            findGrains(*derived.garment, derived.results, derived.symmetry.get(), rule, fabric);
         PieceGrains found;
-        progress.start(static_cast<double>(results.size()));
         for (const auto& [piece, result] : results) {
-            if (progress.isCancelled()) {
-                break;
+            if (const auto& grain = grains[static_cast<std::size_t>(piece)]) {
+                found[piece] = grain;
             }
-            if (const auto grain = bestGrain(result->piece->mesh, result->flat->Q, fabric)) {
-                found[piece] = *grain;
-            }
-            progress.advance(1);
         }
         return found;
     };
@@ -114,8 +112,8 @@ std::unique_ptr<Job> grainJob(const Document& document, const std::vector<int>& 
         });
         done(found, dropped > 0);
     };
-    return makeJob(QCoreApplication::translate("GrainJob", "Looking for the best grain"),
-                   std::move(work), std::move(taken));
+    return makeJob(QCoreApplication::translate("GrainJob", "Finding the grain"), std::move(work),
+                   std::move(taken));
 }
 
 }  // namespace toile::app

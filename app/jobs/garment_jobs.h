@@ -9,6 +9,7 @@
 #include "app/document/layout.h"
 #include "app/jobs/derivation.h"
 #include "app/jobs/job.h"
+#include "core/pattern/piece_grain.h"
 
 namespace toile {
 class GarmentFlattener;
@@ -47,10 +48,11 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
                                   std::function<void(Derivation)> onGarment,
                                   std::function<void(Derivation)> done);
 
-/// Finds the grain that suits each of some flat pieces best.
-/// @param done  `found`: pieces without a better direction are left out. `outdated`: some was found
+/// Finds the grain of some flat pieces by a rule.
+/// @param done  `found`: pieces for which there is none are left out. `outdated`: some was found
 ///              for a flattening or a fabric that is another now: left out too
-std::unique_ptr<Job> grainJob(const Document& document, const std::vector<int>& pieces,
+std::unique_ptr<Job> grainJob(const Document& document, GrainRule rule,
+                              const std::vector<int>& pieces,
                               std::function<void(const PieceGrains& found, bool outdated)> done);
 
 }  // namespace toile::app

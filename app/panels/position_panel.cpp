@@ -127,7 +127,7 @@ void PositionPanel::makeLayout(const ActionRegistry& actions) {
     auto* buttons = new QHBoxLayout(grainButtons_);
     buttons->setContentsMargins(0, 0, 0, 0);
     buttons->setSpacing(4);
-    for (const ActionId id : {ActionId::BestGrain, ActionId::ResetGrain}) {
+    for (const ActionId id : {ActionId::VerticalGrain, ActionId::BestGrain, ActionId::ResetGrain}) {
         auto* button = new QToolButton(this);
         button->setDefaultAction(&actions[id]);
         button->setText(actions[id].iconText());

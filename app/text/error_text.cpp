@@ -77,7 +77,9 @@ DrawingWords drawingWords() {
         .cut = told(QCoreApplication::translate("toile", "cut %1")),
         .cutPair = told(QCoreApplication::translate("toile", "cut 1 pair")),
         .cutPairs = told(QCoreApplication::translate("toile", "cut %1 pairs")),
-        .checkSquare = told(QCoreApplication::translate("toile", "check square 100 mm x 100 mm"))};
+        .checkSquare = told(QCoreApplication::translate("toile", "check square 100 mm x 100 mm")),
+        .cutOnFold = told(QCoreApplication::translate("toile", "cut %1 on fold")),
+        .placeOnFold = told(QCoreApplication::translate("toile", "place on fold"))};
 }
 
 QString faultText(const std::exception_ptr& fault) {

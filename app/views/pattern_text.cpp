@@ -18,6 +18,7 @@
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
 #include "app/views/callouts.h"
+#include "app/views/fold_line.h"
 #include "app/views/grain_arrow.h"
 #include "app/views/ruler.h"
 #include "app/views/tool.h"
@@ -41,6 +42,10 @@ QString emptyText(const Document& document) {
     return PatternWords::tr("None of the pieces could be flattened. The list of pieces says why.");
 }
 
+QString nameOf(const Document& document, std::size_t piece) {
+    return QString::fromStdString(document.garment()->pieces[piece]->name);
+}
+
 void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& text,
                 std::vector<QRectF> taken) {
     const Scene& scene = *text.document.scene();
@@ -53,9 +58,14 @@ void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& 
             continue;
         }
         const Placement& placement = placeOf(text.places, static_cast<int>(i)).placement;
-        const QString name = QString::fromStdString(text.document.garment()->pieces[i]->name);
-        const QString whole =
+        const QString name = nameOf(text.document, i);
+        QString whole =
             placement.mirrored ? PatternWords::tr("%1 · wrong side up").arg(name) : name;
+        if (cutAsOf(text.document, static_cast<int>(i)) == CutAs::Image) {
+            const int other = text.document.patternPiece(static_cast<int>(i))->mirror.counterpart;
+            whole = PatternWords::tr("%1 · cut with %2")
+                        .arg(whole, nameOf(text.document, static_cast<std::size_t>(other)));
+        }
         // Where files have its name, as it lies.
         const PieceMarks& marks =
             text.document.marks().of(text.document, static_cast<int>(i), words);
@@ -97,8 +107,10 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     const double scale = text.camera.pixelsPerMillimetre();
     const QRectF caption = captionBox(painter.font(), corner, title, note);
     const std::vector<QRectF> taken{caption, scaleBarBox(painter.font(), text.view, scale, ruler)};
+    std::vector<QRectF> words = paintFolds(painter, style, onScreen, document);
+    words.insert(words.end(), taken.begin(), taken.end());
     paintGrainArrows(painter, style, onScreen, document, text.strongGrain);
-    paintNames(painter, style, text, taken);
+    paintNames(painter, style, text, std::move(words));
     paintSpotCallouts(painter, style, {QRectF(text.view.adjusted(ruler, ruler, 0, 0)), taken},
                       document, text.spots, [&text](const WorstSpot& spot) {
                           return placeOfSpot(spot, text.camera, text.places);

@@ -194,8 +194,8 @@
 <context>
     <name>GrainJob</name>
     <message>
-        <source>Looking for the best grain</source>
-        <translation>Der beste Fadenlauf wird gesucht</translation>
+        <source>Finding the grain</source>
+        <translation>Der Fadenlauf wird gesucht</translation>
     </message>
 </context>
 <context>
@@ -323,6 +323,14 @@
     <message>
         <source>%1 · wrong side up</source>
         <translation>%1 · linke Stoffseite oben</translation>
+    </message>
+    <message>
+        <source>%1 · cut with %2</source>
+        <translation>%1 · mit %2 zuschneiden</translation>
+    </message>
+    <message>
+        <source>fold</source>
+        <translation>Stoffbruch</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -1060,6 +1068,14 @@
         <translation>Prüfquadrat 100 mm x 100 mm</translation>
     </message>
     <message>
+        <source>cut %1 on fold</source>
+        <translation>%1 × im Stoffbruch zuschneiden</translation>
+    </message>
+    <message>
+        <source>place on fold</source>
+        <translation>an den Stoffbruch legen</translation>
+    </message>
+    <message>
         <source>the project needs it, it is not there</source>
         <translation>das Projekt braucht sie, sie ist nicht da</translation>
     </message>
@@ -1634,6 +1650,18 @@
     <message>
         <source>True the seam&apos;s end, or leave it if a corner is meant</source>
         <translation>Gleichen Sie das Nahtende aus, oder lassen Sie es, wenn eine Ecke gemeint ist</translation>
+    </message>
+    <message>
+        <source>Pieces that have no half</source>
+        <translation>Schnittteile ohne Hälfte</translation>
+    </message>
+    <message>
+        <source>the piece is to be cut by half, but is not drawn as a mirror image: it is drawn whole</source>
+        <translation>das Schnittteil soll halb gezeichnet werden, ist aber nicht spiegelgleich gezeichnet: es wird ganz gezeichnet</translation>
+    </message>
+    <message>
+        <source>Draw pieces that mirror each other alike, or cut it whole</source>
+        <translation>Zeichnen Sie gespiegelte Schnittteile gleich, oder schneiden Sie es ganz zu</translation>
     </message>
 </context>
 <context>
@@ -2505,10 +2533,6 @@
     <message>
         <source>&amp;Best grain</source>
         <translation>&amp;Bester Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Let the grain of the selected pieces, or of all, run where it strains the fabric least</source>
-        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, so legen, dass er den Stoff am wenigsten dehnt</translation>
     </message>
     <message>
         <source>Best</source>
@@ -3461,6 +3485,54 @@
         <source>Show how the lines of the pattern are drawn and move the keyboard there</source>
         <translation>Zeigen, wie die Linien des Schnittmusters gezeichnet werden, und die Tastatur dorthin bringen</translation>
     </message>
+    <message>
+        <source>Grain as it &amp;hangs</source>
+        <translation>Fadenlauf, wie es &amp;hängt</translation>
+    </message>
+    <message>
+        <source>Let the grain of the selected pieces, or of all, run up the garment</source>
+        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, am Kleidungsstück aufwärts legen</translation>
+    </message>
+    <message>
+        <source>Hanging</source>
+        <translation>Hängend</translation>
+    </message>
+    <message>
+        <source>Grain of the reference &amp;panels</source>
+        <translation>Fadenlauf der &amp;Referenzteile</translation>
+    </message>
+    <message>
+        <source>Let the grain of the selected pieces, or of all, run up the designer&apos;s panels; as it hangs where a piece has none</source>
+        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, in den Referenzteilen aufwärts legen; wie es hängt, wo ein Teil keine hat</translation>
+    </message>
+    <message>
+        <source>Let the grain of the selected pieces, or of all, run up the garment, or at 90 or 45 degrees to that where the fabric is strained much less</source>
+        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, am Kleidungsstück aufwärts legen oder um 90 oder 45 Grad gedreht, wo das den Stoff viel weniger dehnt</translation>
+    </message>
+    <message>
+        <source>Mirror &amp;edits</source>
+        <translation>Änderungen s&amp;piegeln</translation>
+    </message>
+    <message>
+        <source>Cut on both sides of the garment at once, and turn the grain on both, where mirrored pieces are drawn equal</source>
+        <translation>Auf beiden Seiten des Kleidungsstücks zugleich schneiden und den Fadenlauf auf beiden drehen, wo gespiegelte Schnittteile gleich gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Go to s&amp;ymmetry</source>
+        <translation>Zur S&amp;ymmetrie</translation>
+    </message>
+    <message>
+        <source>Show which pieces mirror each other and move the keyboard there</source>
+        <translation>Zeigen, welche Schnittteile einander spiegeln, und die Tastatur dorthin bringen</translation>
+    </message>
+    <message>
+        <source>Half only: %1</source>
+        <translation>Nur halb: %1</translation>
+    </message>
+    <message>
+        <source>As a whole: %1</source>
+        <translation>Ganz: %1</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::Banner</name>
@@ -3907,20 +3979,16 @@
         <translation>Spiegeln</translation>
     </message>
     <message>
-        <source>No grain is better than another here: the cloth is strained alike in all directions, or not at all. Say yourself how the grain runs.</source>
-        <translation>Hier ist kein Fadenlauf besser als ein anderer: Der Stoff ist in allen Richtungen gleich gedehnt oder gar nicht. Legen Sie den Fadenlauf selbst fest.</translation>
-    </message>
-    <message>
-        <source>Best grain</source>
-        <translation>Bester Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Pieces were flattened anew, or the fabric was changed, while their best grain was looked for. Ask for it once more.</source>
-        <translation>Während der beste Fadenlauf gesucht wurde, sind Schnittteile neu abgewickelt worden oder das Material hat sich geändert. Fragen Sie noch einmal danach.</translation>
-    </message>
-    <message>
         <source>Grain</source>
         <translation>Fadenlauf</translation>
+    </message>
+    <message>
+        <source>These pieces lie level, so that no way on them is up. Say yourself how the grain runs.</source>
+        <translation>Diese Schnittteile liegen waagerecht, so dass nichts an ihnen aufwärts zeigt. Legen Sie den Fadenlauf selbst fest.</translation>
+    </message>
+    <message>
+        <source>Pieces were flattened anew, or the fabric was changed, while their grain was found. Ask for it once more.</source>
+        <translation>Während der Fadenlauf gesucht wurde, sind Schnittteile neu abgewickelt worden oder das Material hat sich geändert. Fragen Sie noch einmal danach.</translation>
     </message>
 </context>
 <context>
@@ -4144,6 +4212,113 @@
     <message>
         <source>Comparing methods</source>
         <translation>Verfahren werden verglichen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::MirroredPiecesList</name>
+    <message>
+        <source>Mirrored pieces</source>
+        <translation>Gespiegelte Schnittteile</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>Differ by</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Drawn</source>
+        <translation>Gezeichnet</translation>
+    </message>
+    <message>
+        <source>Half only</source>
+        <translation>Nur halb</translation>
+    </message>
+    <message>
+        <source>Two that mirror each other, or one that is symmetric in itself</source>
+        <translation>Zwei, die einander spiegeln, oder eines, das in sich symmetrisch ist</translation>
+    </message>
+    <message>
+        <source>Root mean square distance on the garment between a piece and the mirror image of the other</source>
+        <translation>Quadratisches Mittel des Abstands am Kleidungsstück zwischen einem Schnittteil und dem Spiegelbild des anderen</translation>
+    </message>
+    <message>
+        <source>Whether the pattern has them as mirror images</source>
+        <translation>Ob sie im Schnittmuster Spiegelbilder sind</translation>
+    </message>
+    <message>
+        <source>Ticked: one of two pieces is drawn, to be cut as a pair; one half of a piece, to be cut on the fold of the cloth</source>
+        <translation>Angehakt: von zweien wird eines gezeichnet und als Paar zugeschnitten; von einem die Hälfte, im Stoffbruch zugeschnitten</translation>
+    </message>
+    <message>
+        <source>%1 and %2 mirror each other</source>
+        <translation>%1 und %2 spiegeln einander</translation>
+    </message>
+    <message>
+        <source>%1 is symmetric in itself</source>
+        <translation>%1 ist in sich symmetrisch</translation>
+    </message>
+    <message>
+        <source>cut 1 pair</source>
+        <translation>1 Paar zuschneiden</translation>
+    </message>
+    <message>
+        <source>cut on the fold</source>
+        <translation>im Bruch zuschneiden</translation>
+    </message>
+    <message>
+        <source>Only what is drawn equal can be halved</source>
+        <translation>Nur was gleich gezeichnet wird, lässt sich halbieren</translation>
+    </message>
+    <message>
+        <source>no counterpart</source>
+        <translation>kein Gegenstück</translation>
+    </message>
+    <message>
+        <source>No other piece is its mirror image, and it is not symmetric in itself</source>
+        <translation>Kein anderes Schnittteil ist sein Spiegelbild, und es ist nicht in sich symmetrisch</translation>
+    </message>
+    <message>
+        <source>equal</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>other segments</source>
+        <translation>andere Abschnitte</translation>
+    </message>
+    <message>
+        <source>The segments of the two outlines do not follow each other in the same order: each keeps its own line</source>
+        <translation>Die Abschnitte der beiden Umrisse folgen nicht in derselben Ordnung aufeinander: jeder behält seine eigene Linie</translation>
+    </message>
+    <message>
+        <source>not flat</source>
+        <translation>nicht flach</translation>
+    </message>
+    <message>
+        <source>Only flat pieces are drawn</source>
+        <translation>Nur flache Schnittteile werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>not drawn</source>
+        <translation>nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>No line could be found that both have: each keeps its own</source>
+        <translation>Eine gemeinsame Linie ließ sich nicht finden: jeder behält seine eigene</translation>
+    </message>
+    <message>
+        <source>One half of the line is the mirror image of the other</source>
+        <translation>Eine Hälfte der Linie ist das Spiegelbild der anderen</translation>
+    </message>
+    <message>
+        <source>Both have the line of %1</source>
+        <translation>Beide haben die Linie von %1</translation>
+    </message>
+    <message>
+        <source>Both have the mean of their lines</source>
+        <translation>Beide haben das Mittel ihrer Linien</translation>
     </message>
 </context>
 <context>
@@ -5122,6 +5297,85 @@
     </message>
 </context>
 <context>
+    <name>toile::app::SymmetryPanel</name>
+    <message>
+        <source>Mirror &amp;edits</source>
+        <translation>Änderungen s&amp;piegeln</translation>
+    </message>
+    <message>
+        <source>as they are</source>
+        <translation>wie sie sind</translation>
+    </message>
+    <message>
+        <source>equal: the mean of both</source>
+        <translation>gleich: das Mittel beider</translation>
+    </message>
+    <message>
+        <source>equal: one for both</source>
+        <translation>gleich: eines für beide</translation>
+    </message>
+    <message>
+        <source>What becomes of pieces that are mirror images of each other, but for how the cloth hangs. Where they are to be equal, seams that mirror each other get a common length</source>
+        <translation>Was aus Schnittteilen wird, die Spiegelbilder voneinander sind, nur dass der Stoff verschieden fällt. Wo sie gleich werden sollen, bekommen Nähte, die einander spiegeln, eine gemeinsame Länge</translation>
+    </message>
+    <message>
+        <source>Cut on both sides of the garment at once, and turn the grain on both; where mirrored pieces are equal</source>
+        <translation>Auf beiden Seiten des Kleidungsstücks zugleich schneiden und den Fadenlauf auf beiden drehen; wo gespiegelte Schnittteile gleich sind</translation>
+    </message>
+    <message>
+        <source>&amp;Mirrored pieces</source>
+        <translation>&amp;Gespiegelte Schnittteile</translation>
+    </message>
+    <message>
+        <source>Mirrored pieces</source>
+        <translation>Gespiegelte Schnittteile</translation>
+    </message>
+    <message>
+        <source>Seams without a counterpart</source>
+        <translation>Nähte ohne Gegenstück</translation>
+    </message>
+    <message>
+        <source>Seams and free edges that are no mirror image of another: they keep their length</source>
+        <translation>Nähte und freie Kanten, die kein Spiegelbild einer anderen sind: sie behalten ihre Länge</translation>
+    </message>
+    <message>
+        <source>Left and right differ by %1, at most %2.</source>
+        <translation>Links und rechts weichen um %1 voneinander ab, höchstens um %2.</translation>
+    </message>
+    <message>
+        <source>Left and right are not compared. Choose what they are to have in common.</source>
+        <translation>Links und rechts werden nicht verglichen. Wählen Sie, was sie gemeinsam haben sollen.</translation>
+    </message>
+    <message>
+        <source>No mirror plane: left and right of this garment differ too much.</source>
+        <translation>Keine Spiegelebene: links und rechts sind an diesem Kleidungsstück zu verschieden.</translation>
+    </message>
+    <message>
+        <source>The mirror plane is not known yet: it is found when the pieces are flattened.</source>
+        <translation>Die Spiegelebene ist noch nicht bekannt: sie wird gesucht, wenn die Schnittteile abgewickelt werden.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 are drawn equal. Seams change by at most %3; the largest strain goes from %4 to %5.</source>
+        <translation>%1 von %2 sind gleich gezeichnet. Nähte ändern sich um höchstens %3; die größte Dehnung geht von %4 auf %5.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Without a counterpart (%1)</source>
+        <translation>Ohne Gegenstück (%1)</translation>
+    </message>
+    <message>
+        <source>Mirrored pieces as they are</source>
+        <translation>Gespiegelte Schnittteile lassen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Mirrored pieces equal</source>
+        <translation>Gespiegelte Schnittteile angleichen</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::WelcomePage</name>
     <message>
         <source>Open a garment…</source>
@@ -5207,6 +5461,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Lines</source>
         <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
     </message>
 </context>
 <context>
@@ -5305,6 +5563,22 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Removal of a join</source>
         <translation>Entfernen einer Verbindung</translation>
+    </message>
+    <message>
+        <source>It was to be the mirror image of the one that you drew. Switch off Tools ▸ Mirror edits to cut one side alone.</source>
+        <translation>Es sollte das Spiegelbild des gezeichneten Schnitts sein. Schalten Sie Werkzeuge ▸ Änderungen spiegeln aus, um nur eine Seite zu schneiden.</translation>
+    </message>
+    <message>
+        <source>%1 on both sides</source>
+        <translation>%1 auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Cut once: it has no mirror image of its own.</source>
+        <translation>Einmal geschnitten: ein eigenes Spiegelbild gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Cut on one side alone: no mirror plane is known.</source>
+        <translation>Nur auf einer Seite geschnitten: eine Spiegelebene ist nicht bekannt.</translation>
     </message>
 </context>
 </TS>

@@ -4,7 +4,9 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "app/document/layout.h"
 #include "app/render/scene.h"
+#include "core/pattern/drawn_outline.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
@@ -17,6 +19,23 @@ namespace {
 std::shared_ptr<const Garment> twoPieces() {
     return test::makeGarment(
         {{"front", test::makeSheet(100, 50, 2, 1)}, {"back", test::makeSheet(80, 50, 2, 1)}});
+}
+
+/// A sheet of 100 by 50 mm, flat, its outline drawn from the middle of its lower side on.
+std::shared_ptr<const PieceResult> drawnSymmetric(const std::shared_ptr<const Piece>& piece) {
+    auto result = std::make_shared<PieceResult>();
+    result->piece = piece;
+    auto line = std::make_shared<FlatLine>();
+    line->points.resize(6, 2);
+    line->points << 50, 0, 100, 0, 100, 50, 50, 50, 0, 50, 0, 0;
+    line->arc = {50, 100, 150, 200, 250, 300, 350};
+    result->flat.emplace();
+    result->flat->Q = piece->mesh.V.leftCols<2>();
+    result->flat->line = line;
+    auto plan = std::make_shared<OutlinePlan>();
+    plan->mirrored.emplace().isSymmetric = true;
+    result->plan = plan;
+    return result;
 }
 
 DocumentChanges lastChange(const QSignalSpy& spy) {
@@ -317,6 +336,20 @@ private slots:
         test::setGarment(document, twoPieces(), nullptr);
         QCOMPARE(document.history().count(), 0);
         QCOMPARE(document.fabric().id, std::string("jersey"));
+    }
+
+    void symmetricPieceIsCutOnTheFoldWhereThatIsSaid() {
+        Document document;
+        const auto garment = twoPieces();
+        test::setGarment(document, garment, nullptr);
+        test::setResults(document, {drawnSymmetric(garment->pieces[0]), nullptr}, nullptr);
+        QCOMPARE(cutAsOf(document, 0), CutAs::Whole);
+        DocumentState next = document.state();
+        test::said(next, document, 0).byHalf = true;
+        test::said(next, document, 1).byHalf = true;
+        document.edit("Half", next);
+        QCOMPARE(cutAsOf(document, 0), CutAs::OnFold);
+        QCOMPARE(cutAsOf(document, 1), CutAs::Whole);  // it is not flat
     }
 
     void titleIsTheFilesName() {

@@ -211,11 +211,16 @@ private slots:
         QVERIFY(fixture_.waitForResults());
     }
 
-    void theBestGrainIsLookedForOnAWorker() {
-        action(ActionId::BestGrain).trigger();
-        QVERIFY(fixture_.waitUntilIdle());
-        // The sheet is not strained at all, so that nothing is better for it.
-        QVERIFY(!document().settings()[2].grain);
+    void theGrainIsFoundOnAWorker() {
+        for (const ActionId id :
+             {ActionId::VerticalGrain, ActionId::ReferenceGrain, ActionId::BestGrain}) {
+            action(id).trigger();
+            QVERIFY(fixture_.waitUntilIdle());
+            for (const PieceSettings& settings : document().settings()) {
+                QVERIFY(settings.grain);
+            }
+            action(ActionId::Undo).trigger();
+        }
     }
 
     void theGrainShowsOnTheGarmentToo() {

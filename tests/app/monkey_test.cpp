@@ -15,6 +15,7 @@
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
 #include "app/views/tools/tool_box.h"
+#include "core/pattern/mirrored_edit.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/same_state.h"
 #include "tests/app/support/warnings.h"
@@ -234,6 +235,43 @@ private slots:
         document().cache().setMaxBytes(static_cast<std::size_t>(megabytes) << 20U);
         play(static_cast<std::uint64_t>(theSeed + 1000 * seed),
              numberFrom("TOILE_MONKEY_ACTIONS", 3 * kActionsPerGarment) / 3);
+    }
+
+    /// Where edits are mirrored a cut is made with its mirror image, or is its own, or is not made.
+    void everyCutHasItsMirrorImage() {
+        openSample("tshirt.obj");
+        LineSettings lines;
+        lines.mirror = Mirror::Mean;
+        document().setLines(lines, "Mirror");
+        QVERIFY(settle());
+        test::Generator random(static_cast<std::uint64_t>(theSeed));
+        int images = 0;
+        for (int k = 0; k < 25; ++k) {
+            const std::vector<UserCut> before = document().loading().seams.cuts;
+            const UserCut cut = test::randomCut(document(), random);
+            QVERIFY(document().derived().symmetry);
+            const bool hasImage = mirroredCut(*document().garment(), document().results(),
+                                              *document().derived().symmetry, cut)
+                                      .has_value();
+            workspace().addCut(cut);
+            QVERIFY(settle());
+            const std::vector<UserCut>& after = document().loading().seams.cuts;
+            if (after == before) {
+                continue;  // one of the two cannot be
+            }
+            QCOMPARE(after.size(), before.size() + (hasImage ? 2 : 1));
+            const bool isImage = after.back().mirrors == (after.end() - 2)->id;
+            QVERIFY(!hasImage || isImage);
+            images += hasImage ? 1 : 0;
+            if (random.chance(0.7)) {
+                document().history().undo();
+                QVERIFY(document().loading().seams.cuts == before);
+                QVERIFY(settle());
+            }
+        }
+        QVERIFY(images > 0);
+        undoEverything();
+        QVERIFY(document().loading().seams.cuts.empty());
     }
 
     /// What was done is in the project, and a project that was opened is as good as the garment.

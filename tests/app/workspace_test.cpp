@@ -189,7 +189,7 @@ private slots:
         QVERIFY(!document().results()[2]);
     }
 
-    void theBestGrainOfAnEarlierFlatteningIsNotTaken() {
+    void theGrainOfAnEarlierFlatteningIsNotTaken() {
         workspace().open({file("cap.obj")});
         QVERIFY(waitUntilDone());
         workspace().setMethod(Method::Curvature);
@@ -201,8 +201,8 @@ private slots:
             outdated = old;
         };
         Progress progress;
-        const auto first = grainJob(document(), {0, 1}, done);
-        const auto second = grainJob(document(), {0, 1}, done);
+        const auto first = grainJob(document(), GrainRule::Vertical, {0, 1}, done);
+        const auto second = grainJob(document(), GrainRule::Vertical, {0, 1}, done);
         QVERIFY(first->process(progress) && second->process(progress));
         first->finalize();
         QVERIFY(!found.empty());

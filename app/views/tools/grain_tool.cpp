@@ -4,8 +4,10 @@
 #include <QApplication>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "app/document/document.h"
+#include "app/document/mirrored_edits.h"
 #include "app/text/figures.h"
 #include "app/views/feature_at.h"
 #include "app/views/grain_arrow.h"
@@ -65,9 +67,13 @@ bool GrainTool::press(ToolView& view, const Pointer& pointer) {
     if (!arrow) {
         return false;
     }
+    PieceGrains before;
+    for (const int turned : withCounterparts(document_, {*piece})) {
+        before[turned] = document_.settings()[static_cast<std::size_t>(turned)].grain;
+    }
     turning_ = Turning{*piece,
                        document_.newGesture(),
-                       {{*piece, document_.settings()[static_cast<std::size_t>(*piece)].grain}},
+                       std::move(before),
                        arrow->middle,
                        arrow->length,
                        std::atan2(arrow->direction.y(), arrow->direction.x()),

@@ -31,6 +31,22 @@ const std::set<ActionId> kLeftAlone = {
 
 }  // namespace
 
+UserCut randomCut(const Document& document, Generator& random) {
+    const Piece& piece =
+        *document.garment()->pieces[std::size_t(random.whole(0, document.pieceCount() - 1))];
+    constexpr UserCut::Kind kKinds[] = {UserCut::Kind::Path, UserCut::Kind::Path,
+                                        UserCut::Kind::Path, UserCut::Kind::Loop,
+                                        UserCut::Kind::Dart};
+    UserCut cut;
+    cut.kind = kKinds[random.whole(0, 4)];
+    cut.alongEdges = random.chance(0.4);
+    for (int points = random.whole(2, 4); points > 0; --points) {
+        const auto vertex = random.whole(0, static_cast<int>(piece.mesh.V.rows()) - 1);
+        cut.points.push_back(piece.mesh.V.row(vertex).transpose());
+    }
+    return cut;
+}
+
 Monkey::Monkey(MainWindow& window, Generator& random, QString folder)
     : window_(window), random_(random), folder_(std::move(folder)) {
     habits_ = {
@@ -48,7 +64,7 @@ Monkey::Monkey(MainWindow& window, Generator& random, QString folder)
         {6, &Monkey::layOut},         {1, &Monkey::choosePreference},
         {2, &Monkey::touchFrame},     {3, &Monkey::decideOnLines},
         {3, &Monkey::cancel},         {12, &Monkey::pause},
-        {2, &Monkey::settle},
+        {2, &Monkey::settle},         {3, &Monkey::decideOnSymmetry},
     };
     for (const ActionSpec& spec : actionTable()) {
         if (!kLeftAlone.contains(spec.id)) {
@@ -361,15 +377,7 @@ void Monkey::cutSomewhere() {
     if (document.pieceCount() == 0) {
         return;
     }
-    const Piece& piece =
-        *document.garment()->pieces[std::size_t(random_.whole(0, document.pieceCount() - 1))];
-    UserCut cut;
-    cut.kind = random_.chance(0.6) ? UserCut::Kind::Path : UserCut::Kind::Loop;
-    cut.alongEdges = random_.chance(0.4);
-    for (int points = random_.whole(2, 4); points > 0; --points) {
-        const auto vertex = random_.whole(0, static_cast<int>(piece.mesh.V.rows()) - 1);
-        cut.points.push_back(piece.mesh.V.row(vertex).transpose());
-    }
+    UserCut cut = randomCut(document, random_);
     note(QString("cut with %1 points").arg(cut.points.size()));
     window_.workspace().addCut(std::move(cut));
 }

@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "app/actions/action_registry.h"
+#include "core/cut/user_cuts.h"
 #include "tests/core/support/generator.h"
 
 class QWidget;
 
 namespace toile::app {
+class Document;
 class MainWindow;
 class SceneView;
 }  // namespace toile::app
@@ -21,6 +23,9 @@ class SceneView;
 namespace toile::test {
 
 using namespace app;
+
+/// Through points anywhere on some piece, mm; often such as cannot be made.
+UserCut randomCut(const Document& document, Generator& random);
 
 /// Does what a person might do with a window and a garment in it, at random and without sense:
 /// mouse and keys in the views, actions, numbers in the panels, requests to the workspace, any of
@@ -78,6 +83,7 @@ private:
     void takeOut();
     void stateEase();
     void decideOnLines();
+    void decideOnSymmetry();
     void layOut();
     void choosePreference();
     void touchFrame();

@@ -11,10 +11,12 @@
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <QUndoView>
 #include <algorithm>
 
 #include "app/main_window.h"
+#include "app/panels/mirrored_pieces_list.h"
 #include "app/panels/preferences_dialog.h"
 #include "tests/app/support/monkey.h"
 
@@ -196,6 +198,34 @@ void Monkey::decideOnLines() {
         note("lines: a segment's length");
         length->setFocus();
         length->setValue(length->value() * random_.between(0.98, 1.02));
+    }
+}
+
+void Monkey::decideOnSymmetry() {
+    window_.actions()[ActionId::GoToSymmetry].trigger();
+    const int choice = random_.whole(0, 3);
+    const bool isBack = random_.chance(0.3);
+    if (choice == 0) {
+        auto* mirror = window_.findChild<QComboBox*>("mirrorChoice");
+        if (mirror->isVisible() && mirror->isEnabled()) {
+            note("symmetry: other choice");
+            QTest::keyClick(mirror, isBack ? Qt::Key_Up : Qt::Key_Down);
+        }
+    } else if (choice == 1) {
+        auto* edits = window_.findChild<QAbstractButton*>("mirrorEdits");
+        if (edits->isVisible() && edits->isEnabled()) {
+            note("symmetry: mirror edits or not");
+            edits->click();
+        }
+    } else {
+        auto* list = window_.findChild<QTreeWidget*>("mirroredPieceList");
+        const int rows = list->topLevelItemCount();
+        auto* row = rows > 0 ? list->topLevelItem(random_.whole(0, rows - 1)) : nullptr;
+        constexpr int kHalf = MirroredPiecesList::Half;
+        if (row && row->data(kHalf, Qt::CheckStateRole).isValid()) {
+            note("symmetry: half of " + row->text(0));
+            row->setCheckState(kHalf, isBack ? Qt::Unchecked : Qt::Checked);
+        }
     }
 }
 

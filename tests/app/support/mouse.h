@@ -7,8 +7,6 @@
 
 namespace toile::test {
 
-using namespace app;
-
 /// A mouse at work on one widget, in its coordinates, to a fraction of a pixel. Every event has
 /// been handled when a function returns; no other event is, and no time passes.
 

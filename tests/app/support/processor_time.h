@@ -5,8 +5,6 @@
 
 namespace toile::test {
 
-using namespace app;
-
 /// That this thread has had of the processor, milliseconds: what other threads and programs do
 /// meanwhile does not count.
 inline double processorTime() {

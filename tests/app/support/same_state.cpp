@@ -84,6 +84,9 @@ QString difference(const Moment& one, const Moment& other) {
     if (!(one.state.options == other.state.options)) {
         return "options";
     }
+    if (!(one.state.lines == other.state.lines)) {
+        return "lines";
+    }
     if (!(one.state.fabric == other.state.fabric)) {
         return "fabric";
     }

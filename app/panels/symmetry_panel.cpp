@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/symmetry_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScopedValueRollback>
+#include <QScrollArea>
+#include <QTreeWidget>
+
+#include "app/document/document.h"
+#include "app/document/piece_edits.h"
+#include "app/panels/mirrored_pieces_list.h"
+#include "app/settings/length_display.h"
+#include "app/text/figures.h"
+#include "app/widgets/cell_delegate.h"
+#include "app/widgets/number_edits.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr int kSeamOfItem = Qt::UserRole;
+
+constexpr int kGap = 6;  // logical pixels, between the lists
+/// Spare width of the columns goes by these.
+constexpr int kSettingsShare = 4, kPiecesShare = 6, kSeamsShare = 3;
+
+/// A number stays beside its unit where the text is wrapped.
+QString unbroken(QString figure) {
+    return figure.replace(' ', QChar(QChar::Nbsp));
+}
+
+}  // namespace
+
+SymmetryPanel::SymmetryPanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      mirror_(new QComboBox(this)),
+      edits_(new QCheckBox(tr("Mirror &edits"), this)),
+      plane_(new QLabel(this)),
+      drawn_(new QLabel(this)),
+      pieces_(new MirroredPiecesList(this)),
+      seams_(new QTreeWidget(this)) {
+    makeSeamList();
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    QWidget* settings = makeSettings();
+    scroll->setWidget(settings);
+    scroll->setMinimumWidth(settings->minimumSizeHint().width());
+    auto* columns = new QHBoxLayout(this);
+    columns->setContentsMargins(0, 0, 0, 0);
+    columns->setSpacing(0);
+    columns->addWidget(scroll, kSettingsShare);
+    columns->addWidget(pieces_, kPiecesShare);
+    columns->addSpacing(kGap);
+    columns->addWidget(seams_, kSeamsShare);
+    connect(mirror_, &QComboBox::activated, this, &SymmetryPanel::setMirror);
+    connect(edits_, &QCheckBox::clicked, this,
+            [this](bool on) { document_.setView(&ViewState::mirrorsEdits, on); });
+    connect(pieces_, &MirroredPiecesList::halfWanted, this, &SymmetryPanel::setHalf);
+    connect(pieces_, &MirroredPiecesList::rowChosen, this, [this](int row) {
+        const std::vector<int> chosen = facts_.rows[static_cast<std::size_t>(row)].pieces();
+        document_.setSelection({chosen.begin(), chosen.end()});
+    });
+    connect(&document_, &Document::changed, this, &SymmetryPanel::onChanged);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &SymmetryPanel::refresh);
+    refresh();
+}
+
+QWidget& SymmetryPanel::firstField() const {
+    return *mirror_;
+}
+
+QWidget* SymmetryPanel::makeSettings() {
+    auto* settings = new QWidget(this);
+    mirror_->setObjectName("mirrorChoice");
+    mirror_->addItem(tr("as they are"), static_cast<int>(Mirror::None));
+    mirror_->addItem(tr("equal: the mean of both"), static_cast<int>(Mirror::Mean));
+    mirror_->addItem(tr("equal: one for both"), static_cast<int>(Mirror::First));
+    mirror_->setToolTip(
+        tr("What becomes of pieces that are mirror images of each other, but for how the cloth "
+           "hangs. Where they are to be equal, seams that mirror each other get a common length"));
+    mirror_->setFocusPolicy(Qt::StrongFocus);
+    (new FieldGuard(this))->install(*mirror_);
+    edits_->setObjectName("mirrorEdits");
+    edits_->setToolTip(
+        tr("Cut on both sides of the garment at once, and turn the grain on both; where mirrored "
+           "pieces are equal"));
+    for (QLabel* label : {plane_, drawn_}) {
+        label->setWordWrap(true);
+        label->setForegroundRole(QPalette::PlaceholderText);
+    }
+    plane_->setObjectName("mirrorPlane");
+    drawn_->setObjectName("mirrorDrawn");
+    auto* label = new QLabel(tr("&Mirrored pieces"), settings);
+    label->setBuddy(mirror_);
+    mirror_->setAccessibleName(tr("Mirrored pieces"));
+    auto* grid = new QGridLayout(settings);
+    grid->setContentsMargins(10, 6, 10, 6);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->addWidget(label, 0, 0);
+    grid->addWidget(mirror_, 0, 1);
+    grid->addWidget(edits_, 1, 0, 1, 2);
+    grid->addWidget(plane_, 2, 0, 1, 3);
+    grid->addWidget(drawn_, 3, 0, 1, 3);
+    grid->setColumnStretch(2, 1);
+    grid->setRowStretch(4, 1);
+    return settings;
+}
+
+void SymmetryPanel::makeSeamList() {
+    seams_->setObjectName("unmirroredSeamList");
+    seams_->setAccessibleName(tr("Seams without a counterpart"));
+    seams_->setRootIsDecorated(false);
+    dressList(*seams_);
+    seams_->headerItem()->setToolTip(
+        0, tr("Seams and free edges that are no mirror image of another: they keep their length"));
+    const auto choose = [this](const QTreeWidgetItem* item) {
+        if (!fills_ && item) {
+            document_.setMark({});
+            document_.setSeam(item->data(0, kSeamOfItem).toInt());
+        }
+    };
+    connect(seams_, &QTreeWidget::currentItemChanged, this, choose);
+    connect(seams_, &QTreeWidget::itemClicked, this, choose);  // the current one once more
+}
+
+void SymmetryPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (isStale_) {
+        refresh();
+    }
+}
+
+void SymmetryPanel::onChanged(DocumentChanges what) {
+    if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
+                DocumentChange::Seams | DocumentChange::Options | DocumentChange::Settings |
+                DocumentChange::View)) {
+        refresh();
+    } else if (what.testFlag(DocumentChange::Selection)) {
+        pieces_->select(document_.selection());
+    }
+}
+
+void SymmetryPanel::refresh() {
+    isStale_ = !isVisible();
+    const Mirror mirror = document_.state().lines.mirror;
+    const bool isOpen = document_.garment() != nullptr;
+    mirror_->setEnabled(isOpen);
+    mirror_->setCurrentIndex(mirror_->findData(static_cast<int>(mirror)));
+    edits_->setEnabled(isOpen && mirror != Mirror::None);
+    edits_->setChecked(document_.view().mirrorsEdits);
+    if (!isStale_) {
+        showFacts();
+    }
+}
+
+void SymmetryPanel::showFacts() {
+    const Symmetry* symmetry = document_.derived().symmetry.get();
+    facts_ = document_.garment() && symmetry
+                 ? symmetryFacts(*document_.garment(), document_.results(), *symmetry)
+                 : SymmetryFacts{};
+    pieces_->show(document_, facts_);
+    pieces_->select(document_.selection());
+    plane_->setText(planeText());
+    drawn_->setText(drawnText());
+    showSeams();
+}
+
+QString SymmetryPanel::planeText() const {
+    if (!document_.garment()) {
+        return {};
+    }
+    if (const Symmetry* symmetry = document_.derived().symmetry.get()) {
+        return tr("Left and right differ by %1, at most %2.")
+            .arg(unbroken(lengthWithUnit(symmetry->plane.deviation)),
+                 unbroken(lengthWithUnit(symmetry->plane.farthest)));
+    }
+    if (document_.state().lines.mirror == Mirror::None) {
+        return tr("Left and right are not compared. Choose what they are to have in common.");
+    }
+    return document_.isFlattened()
+               ? tr("No mirror plane: left and right of this garment differ too much.")
+               : tr("The mirror plane is not known yet: it is found when the pieces are "
+                    "flattened.");
+}
+
+QString SymmetryPanel::drawnText() const {
+    if (facts_.equal == 0) {
+        return {};
+    }
+    return tr("%1 of %2 are drawn equal. Seams change by at most %3; the largest strain goes from "
+              "%4 to %5.")
+        .arg(QString::number(facts_.equal), QString::number(facts_.pairs),
+             unbroken(fineLength(facts_.lengthChange) + ' ' + lengthUnit()),
+             unbroken(tr("%1 %").arg(percent(facts_.exactStrain))),
+             unbroken(tr("%1 %").arg(percent(facts_.strain))));
+}
+
+void SymmetryPanel::showSeams() {
+    const QScopedValueRollback fills(fills_, true);
+    seams_->clear();
+    seams_->setVisible(!facts_.seams.empty());
+    seams_->setHeaderLabels({tr("Without a counterpart (%1)").arg(facts_.seams.size())});
+    for (const int seam : facts_.seams) {
+        auto* item = new QTreeWidgetItem(seams_);
+        item->setText(0,
+                      QString::fromStdString(
+                          document_.garment()->seams.seams[static_cast<std::size_t>(seam)].name));
+        item->setToolTip(0, item->text(0));
+        item->setData(0, kSeamOfItem, seam);
+    }
+}
+
+void SymmetryPanel::setMirror(int choice) {
+    LineSettings lines = document_.state().lines;
+    lines.mirror = static_cast<Mirror>(mirror_->itemData(choice).toInt());
+    const QString text = lines.mirror == Mirror::None ? tr("Mirrored pieces as they are")
+                                                      : tr("Mirrored pieces equal");
+    document_.setLines(std::move(lines), text);
+}
+
+void SymmetryPanel::setHalf(int row, bool byHalf) {
+    setByHalf(document_, facts_.rows[static_cast<std::size_t>(row)].pieces(), byHalf);
+}
+
+}  // namespace toile::app
