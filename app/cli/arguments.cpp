@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that includes CLI11: it takes seconds to compile.
+// The only file that includes CLI11, since it takes seconds to compile; so it is longer than most:
+// all options of all commands, in the order in which their help lists them.
 #include "app/cli/arguments.h"
 
 #include <algorithm>
