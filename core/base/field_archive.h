@@ -48,6 +48,12 @@ public:
     void word(std::string_view key, Value& value, const Word<Value> (&words)[n]) {
         fields_.readWord(key, value, words);
     }
+    template <class Value, std::size_t n>
+    void word(std::string_view key, std::optional<Value>& value, const Word<Value> (&words)[n]) {
+        if (fields_.find(key)) {
+            fields_.readWord(key, value.emplace(), words);
+        }
+    }
     /// @param words  for the message
     template <class Value, class Parse>
     void word(std::string_view key, Value& value, std::string_view words, const Parse& parse) {
@@ -114,8 +120,8 @@ public:
     void field(const char* key, const Value& value, Limits...) {
         json_[key] = value;
     }
-    template <class... Limits>
-    void field(const char* key, const std::optional<double>& value, Limits...) {
+    template <class Value, class... Limits>
+    void field(const char* key, const std::optional<Value>& value, Limits...) {
         if (value) {
             json_[key] = *value;
         }
@@ -140,6 +146,12 @@ public:
     template <class Value, std::size_t n>
     void word(const char* key, const Value& value, const Word<Value> (&words)[n]) {
         json_[key] = wordOf(words, value);
+    }
+    template <class Value, std::size_t n>
+    void word(const char* key, const std::optional<Value>& value, const Word<Value> (&words)[n]) {
+        if (value) {
+            json_[key] = wordOf(words, *value);
+        }
     }
     template <class Value, class Parse>
     void word(const char* key, const Value& value, std::string_view, const Parse&) {

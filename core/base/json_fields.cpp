@@ -195,6 +195,14 @@ void JsonFields::read(std::string_view key, std::optional<double>& value, double
     }
 }
 
+void JsonFields::read(std::string_view key, std::optional<int>& value, int least, int most) {
+    if (find(key)) {
+        int number = 0;
+        read(key, number, least, most);
+        value = number;
+    }
+}
+
 void JsonFields::read(std::string_view key, std::optional<LengthUnit>& unit) {
     if (find(key)) {
         LengthUnit stated{};

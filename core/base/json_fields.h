@@ -72,6 +72,7 @@ public:
               double most = std::numeric_limits<double>::max());
     void read(std::string_view key, int& value, int least, int most);
     void read(std::string_view key, std::optional<double>& value, double least, double most);
+    void read(std::string_view key, std::optional<int>& value, int least, int most);
     void read(std::string_view key, std::optional<LengthUnit>& unit);
     /// `count` numbers.
     /// @param most  of what size each may be, either sign

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/pattern/darts.h"
+#include "core/pattern/notch_mark.h"
+
 namespace toile {
 namespace {
 
@@ -30,8 +33,9 @@ Points2 movedChord(const Chord& chord, const Eigen::Vector2d& offset) {
     return line;
 }
 
-void addSeams(Drawing& drawing, const PatternPiece& piece, const Placement& placement) {
-    for (SeamMark& seam : seamMarks(piece, placement)) {
+void addSeams(Drawing& drawing, const PatternPiece& piece, const Placement& placement,
+              const std::vector<SeamMark>& seams) {
+    for (const SeamMark& seam : seams) {
         const std::string id = "piece-" + piece.slug + "--seam-" + std::to_string(seam.number) +
                                (seam.second ? "b" : "");
         for (std::size_t k = 0; k < seam.ticks.size(); ++k) {
@@ -40,14 +44,19 @@ void addSeams(Drawing& drawing, const PatternPiece& piece, const Placement& plac
                                          movedChord(*seam.ticks[k], placement.offset), false});
             }
         }
-        if (!seam.text.empty()) {
-            drawing.texts.push_back({id + "-name",
-                                     LayerKind::Marks,
-                                     seam.place.position + placement.offset,
-                                     seam.place.height,
-                                     {std::move(seam.text)},
-                                     seam.angle});
-        }
+        const auto addText = [&](const std::optional<LabelPlace>& at, const char* kind,
+                                 const std::string& text) {
+            if (at) {
+                drawing.texts.push_back({id + kind,
+                                         LayerKind::Marks,
+                                         at->position + placement.offset,
+                                         at->height,
+                                         {text},
+                                         seam.angle});
+            }
+        };
+        addText(seam.numberPlace, "-number", std::to_string(seam.number));
+        addText(seam.namePlace, "-name", seam.name);
     }
 }
 
@@ -65,18 +74,56 @@ void addFold(Drawing& drawing, const PatternPiece& piece, const Placement& place
                              mark.angle});
 }
 
-void addPiece(Drawing& drawing, const PatternPiece& piece, const Placement& placement,
-              const DrawingWords& words) {
+void addNotches(Drawing& drawing, const Pattern& pattern, const PatternPiece& piece,
+                const Placement& placement) {
+    const auto marks = notchMarks(pattern, piece);
+    for (std::size_t n = 0; n < marks.size(); ++n) {
+        const std::string id = "piece-" + piece.slug + "--notch-" + std::to_string(n + 1);
+        for (std::size_t k = 0; k < marks[n].size(); ++k) {
+            drawing.paths.push_back(
+                {k == 0 ? id : id + "-" + std::to_string(k + 1), LayerKind::Notches,
+                 turnedLine(marks[n][k], placement).rowwise() + placement.offset.transpose(),
+                 false});
+        }
+    }
+}
+
+/// Fold lines, drill points and tips, where the cloth between the legs stays.
+void addDarts(Drawing& drawing, const PatternPiece& piece, const Placement& placement) {
+    const std::vector<PieceDart> darts = findDarts(piece);
+    for (std::size_t k = 0; k < darts.size(); ++k) {
+        const std::string id = "piece-" + piece.slug + "--dart-" + std::to_string(k + 1);
+        const auto add = [&](const char* what, const Points2& line, bool closed) {
+            if (line.rows() > 0) {
+                drawing.paths.push_back(
+                    {id + what, LayerKind::Internal,
+                     turnedLine(line, placement).rowwise() + placement.offset.transpose(), closed});
+            }
+        };
+        const DartMarks marks = dartMarks(darts[k]);
+        add("-fold", marks.fold, false);
+        add("-drill", marks.drill, true);
+        add("-tip-1", marks.cross[0], false);
+        add("-tip-2", marks.cross[1], false);
+    }
+}
+
+void addPiece(Drawing& drawing, const Pattern& pattern, const PatternPiece& piece,
+              const Placement& placement, const DrawingWords& words) {
     const std::string id = "piece-" + piece.slug + "-";
     const auto placed = [&placement](const Points2& line) -> Points2 {
         return turnedLine(line, placement).rowwise() + placement.offset.transpose();
     };
-    std::vector<std::string> lines =
-        labelLines(piece.name, piece, placement.mirrored, words, piece.cutAs);
-    auto [label, grain] = placeMarks(piece, placement, lines, grainOf(piece));
+    std::vector<std::string> lines = labelLines(piece.name, piece, placement.mirrored, words,
+                                                piece.cutAs, factsOf(pattern, piece));
+    auto [label, grain, seams] =
+        placeMarks(piece, placement, lines, grainOf(piece), drawnOnCloth(pattern, piece));
     label.position += placement.offset;
     keepOnPage(label, lines, drawing);
-    drawing.paths.push_back({id + "cut", LayerKind::Cut, placed(piece.outline)});
+    drawing.paths.push_back({id + "cut", LayerKind::Cut, placed(edgeOf(piece))});
+    if (piece.cuttingLine.rows() > 0) {
+        drawing.paths.push_back({id + "-sew", LayerKind::Sew, placed(piece.outline)});
+    }
     if (piece.grain && grain) {
         const Chord line{grain->from + placement.offset, grain->to + placement.offset};
         drawing.paths.push_back({id + "-grain", LayerKind::Grain, arrowPath(line), false});
@@ -87,7 +134,11 @@ void addPiece(Drawing& drawing, const PatternPiece& piece, const Placement& plac
         drawing.paths.push_back(
             {id + "-hole-" + std::to_string(k + 1), LayerKind::Cut, placed(piece.holes[k])});
     }
-    addSeams(drawing, piece, placement);
+    addSeams(drawing, piece, placement, seams);
+    addNotches(drawing, pattern, piece, placement);
+    if (pattern.hasAllowance) {
+        addDarts(drawing, piece, placement);
+    }
     if (piece.cutAs == CutAs::OnFold) {
         addFold(drawing, piece, placement, words.placeOnFold);
     }
@@ -106,9 +157,11 @@ void addCheckSquare(Drawing& drawing, const Eigen::Vector2d& corner, const std::
 }  // namespace
 
 bool hasLayer(const Drawing& drawing, LayerKind kind) {
-    return kind != LayerKind::Grain || std::ranges::any_of(drawing.paths, [](const auto& path) {
-               return path.layer == LayerKind::Grain;
-           });
+    const bool isOptional = kind == LayerKind::Sew || kind == LayerKind::Notches ||
+                            kind == LayerKind::Internal || kind == LayerKind::Grain;
+    return !isOptional || std::ranges::any_of(drawing.paths, [kind](const auto& path) -> bool {
+        return path.layer == kind;
+    });
 }
 
 Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& words) {
@@ -120,7 +173,7 @@ Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& w
     drawing.width = left + kCheckSide + kMargin;
     drawing.height = std::ceil(std::max(marker.height, kCheckSide)) + 2 * kMargin;
     for (const auto& [piece, placement] : marker.copies) {
-        addPiece(drawing, pattern.pieces[static_cast<std::size_t>(piece)],
+        addPiece(drawing, pattern, pattern.pieces[static_cast<std::size_t>(piece)],
                  movedBy(placement, Eigen::Vector2d::Constant(kMargin)), words);
     }
     addCheckSquare(drawing, {left, kMargin}, words.checkSquare);

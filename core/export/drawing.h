@@ -12,12 +12,13 @@
 namespace toile {
 
 /// What a drawing's layer holds; each writer knows its name and colour for it.
-enum class LayerKind { Cut, Marks, Grain, Text, Check };
+enum class LayerKind { Cut, Sew, Notches, Internal, Marks, Grain, Text, Check };
 
-/// Every kind, in the order in which layers are written. That of the grain is left out where no
-/// piece has a grain line.
-inline constexpr std::array kLayerKinds{LayerKind::Cut, LayerKind::Marks, LayerKind::Grain,
-                                        LayerKind::Text, LayerKind::Check};
+/// Every kind, in the order in which layers are written. Those of the seam line, the notches, what
+/// is inside and the grain are left out where nothing is on them.
+inline constexpr std::array kLayerKinds{LayerKind::Cut,      LayerKind::Sew,   LayerKind::Notches,
+                                        LayerKind::Internal, LayerKind::Marks, LayerKind::Grain,
+                                        LayerKind::Text,     LayerKind::Check};
 
 struct DrawnPath {
     std::string id;  ///< unique in the drawing
@@ -47,17 +48,20 @@ struct Drawing {
 /// True where the drawing has the layer: see kLayerKinds.
 bool hasLayer(const Drawing& drawing, LayerKind kind);
 
-/// Draws every copy's seam line (a half pattern's with the edge that lies on the fold, marked as
-/// such by `foldMark`) and holes, its label (`labelLines`), its grain line where the grain
-/// is stated (`placeMarks`), the ticks and names of its seams (`seamMarks`), and a 100 mm check
+/// Draws what every copy is cut along (of a half pattern with the edge that lies on the fold,
+/// marked as such by `foldMark`), its seam line where that is another, its holes, its notches, the
+/// marks of its darts where it has allowances, its label (`labelLines`), its grain line where the
+/// grain is stated (`placeMarks`), the ticks, numbers and names of its seams, and a 100 mm check
 /// square to the right of the pieces, with a margin of 10 mm around all; labels of pieces narrower
 /// than their names stay on the page. Width and height are whole millimetres.
-/// Ids: `piece-<slug>-cut`, `piece-<slug>--hole-<k>`, `piece-<slug>-name`, `piece-<slug>--grain`,
-/// `piece-<slug>--seam-<number>-tick-<k>`, `piece-<slug>--seam-<number>-name` ("b" after the number
-/// of a seam's second side on the same piece), `piece-<slug>--fold`, `piece-<slug>--fold-text`,
+/// Ids: `piece-<slug>-cut`, `piece-<slug>--sew`, `piece-<slug>--notch-<k>` (further strokes of it
+/// `-2` and so on), `piece-<slug>--dart-<k>-fold`, `-drill`, `-tip-1` and `-tip-2`,
+/// `piece-<slug>--hole-<k>`, `piece-<slug>-name`, `piece-<slug>--grain`,
+/// `piece-<slug>--seam-<number>-tick-<k>`, `...-number` and `...-name` ("b" after the number of a
+/// seam's second side on the same piece), `piece-<slug>--fold`, `piece-<slug>--fold-text`,
 /// `check-square`, `check-square-text`.
 /// @param pattern  as it is cut (`asCut`)
-/// Cost: that of placeLabel (label.h) per piece. Pure.
+/// Cost: that of placeMarks per piece. Pure.
 Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& words = {});
 
 }  // namespace toile

@@ -20,11 +20,14 @@ struct DxfLayer {
 };
 
 /// In the order of the kinds.
-constexpr DxfLayer kDxfLayers[] = {{"CUT", 1},     // red
-                                   {"MARKS", 3},   // green
-                                   {"GRAIN", 6},   // magenta
-                                   {"TEXT", 7},    // black on white, white on black
-                                   {"CHECK", 5}};  // blue
+constexpr DxfLayer kDxfLayers[] = {{"CUT", 1},       // red
+                                   {"SEW", 8},       // grey
+                                   {"NOTCHES", 2},   // yellow
+                                   {"INTERNAL", 4},  // cyan
+                                   {"MARKS", 3},     // green
+                                   {"GRAIN", 6},     // magenta
+                                   {"TEXT", 7},      // black on white, white on black
+                                   {"CHECK", 5}};    // blue
 static_assert(std::size(kDxfLayers) == kLayerKinds.size());
 
 const DxfLayer& styleOf(LayerKind kind) {

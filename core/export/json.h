@@ -9,6 +9,7 @@
 #include "core/base/json_fields.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
+#include "core/pattern/pattern.h"
 #include "core/symmetry/symmetry.h"
 
 /// The parts that the report and the description of a garment share. Include in writers only: the
@@ -33,6 +34,8 @@ Json cutsJson(const Garment& garment);
 Json seamsJson(const Garment& garment, const PieceResults& results);
 /// How a drawn outline came out. Precondition: the result has one (`FlatPiece::line`).
 Json lineJson(const PieceResult& result);
+/// Adds what has been added to the outline: allowances and notches, where there are any.
+void addPatternJson(Json& json, const Pattern& pattern, const PatternPiece& piece);
 /// Kinks at the ends of seams, exact and as drawn. @param results  one per piece
 Json seamEndsJson(const Garment& garment, const PieceResults& results);
 /// The plane, what mirrors what, and what common lengths and mirrored lines change.

@@ -108,6 +108,7 @@ void addCutting(Json& json, const Pattern& pattern, std::size_t index) {
     if (piece.cutAs == CutAs::Image) {
         json["cut_with"] = pattern.pieces[piece.mirror.counterpart].name;
     }
+    addPatternJson(json, pattern, piece);
 }
 
 Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& result,
@@ -140,8 +141,8 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
 
 }  // namespace
 
-std::string writeReport(const Garment& garment, const PieceResults& results, const Pattern& pattern,
-                        const Symmetry* symmetry) {
+std::string writeReport(const Garment& garment, const PieceResults& results,
+                        const Pattern& pattern) {
     Json report{{"version", kReportVersion}, {"toile", text(version())}};
     report["files"] = filesJson(garment, results);
     report["pieces"] = Json::array();
@@ -153,8 +154,8 @@ std::string writeReport(const Garment& garment, const PieceResults& results, con
     if (std::ranges::any_of(results, [](const auto& result) { return result->exact != nullptr; })) {
         report["seam_ends"] = seamEndsJson(garment, results);
     }
-    if (symmetry) {
-        report["symmetry"] = symmetryJson(garment, results, *symmetry);
+    if (pattern.symmetry) {
+        report["symmetry"] = symmetryJson(garment, results, *pattern.symmetry);
     }
     report["problems"] = problemsJson(garment);
     return jsonText(report);

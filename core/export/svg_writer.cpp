@@ -20,11 +20,9 @@ struct SvgLayer {
 };
 
 /// In the order of the kinds.
-constexpr SvgLayer kSvgLayers[] = {{"cut", "#ff0000"},
-                                   {"marks", "#008000"},
-                                   {"grain", "#800080"},
-                                   {"text", "#000000"},
-                                   {"check", "#0000ff"}};
+constexpr SvgLayer kSvgLayers[] = {
+    {"cut", "#ff0000"},   {"sew", "#606060"},   {"notches", "#c06000"}, {"internal", "#0070c0"},
+    {"marks", "#008000"}, {"grain", "#800080"}, {"text", "#000000"},    {"check", "#0000ff"}};
 static_assert(std::size(kSvgLayers) == kLayerKinds.size());
 
 /// Collects what pugixml writes.

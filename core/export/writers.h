@@ -23,8 +23,9 @@ inline constexpr int kDrawingDecimals = 4;
 std::string writeSvg(const Drawing& drawing);
 
 /// DXF R12 ASCII, profile "plain": LTYPE and LAYER tables, no blocks, POLYLINEs, closed but for
-/// ticks and grain lines, on named coloured layers (CUT, MARKS, TEXT, CHECK, and GRAIN where there
-/// is a grain line), millimetres, y up, CRLF. 4 decimals. Texts become ASCII.
+/// ticks and grain lines, on named coloured layers (CUT, MARKS, TEXT, CHECK, and SEW, NOTCHES,
+/// INTERNAL and GRAIN where there is something on them), millimetres, y up, CRLF. 4 decimals. Texts
+/// become ASCII.
 std::string writeDxf(const Drawing& drawing);
 
 /// The input again as OBJ with the pattern as its UV map: `v` lines with the file's own digits,
@@ -38,9 +39,8 @@ std::string writeDxf(const Drawing& drawing);
 std::string writeObj(const Garment& garment, const PieceResults& results, const Marker& marker);
 /// The JSON report of docs/report.md. Never NaN or Infinity: null.
 /// @param pattern   as it is cut (`asCut`): says how, and how often; without pieces: once
-/// @param symmetry  where pieces are mirrored; null: nothing is said of it
 std::string writeReport(const Garment& garment, const PieceResults& results,
-                        const Pattern& pattern = {}, const Symmetry* symmetry = nullptr);
+                        const Pattern& pattern = {});
 
 /// What a garment holds before it is flat: files, pieces, cuts, seams and problems, as JSON.
 std::string writeInfo(const Garment& garment);

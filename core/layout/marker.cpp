@@ -87,7 +87,7 @@ std::vector<Row> chooseRows(const std::vector<Box>& boxes, double gap) {
 }
 
 Box boxOf(const PatternPiece& piece, const Placement& placement) {
-    Box box = outlineBox(turnedLine(piece.outline, placement), {});
+    Box box = outlineBox(turnedLine(edgeOf(piece), placement), {});
     return box.isEmpty() ? box : box.translate(placement.offset);
 }
 
@@ -106,7 +106,7 @@ void placeTheRest(const Pattern& pattern, const std::vector<std::size_t>& rest, 
     boxes.reserve(rest.size());
     for (const std::size_t copy : rest) {
         boxes.push_back(outlineBox(
-            pattern.pieces[static_cast<std::size_t>(marker.copies[copy].piece)].outline, {}));
+            edgeOf(pattern.pieces[static_cast<std::size_t>(marker.copies[copy].piece)]), {}));
     }
     const Rows rows = layOutInRows(boxes);
     marker.width = rows.width;
@@ -155,7 +155,7 @@ Rows layOutInRows(std::span<const Box> boxes) {
 Rows layOutInRows(const Pattern& pattern) {
     std::vector<Box> boxes;
     for (const PatternPiece& piece : pattern.pieces) {
-        boxes.push_back(outlineBox(piece.outline, {}));
+        boxes.push_back(outlineBox(edgeOf(piece), {}));
     }
     return layOutInRows(boxes);
 }

@@ -217,19 +217,6 @@ private:
 
 }  // namespace
 
-double defaultAllowance(SeamKind kind) {
-    switch (kind) {
-        case SeamKind::Seam:
-            return 10;
-        case SeamKind::Free:
-            return 30;
-        case SeamKind::Dart:
-        case SeamKind::Fold:
-            break;
-    }
-    return 0;
-}
-
 Points2 cuttingLine(const Points2& seamLine, const std::vector<AllowanceStretch>& stretches) {
     const Grid grid(seamLine);
     const Allowances allowances(seamEdges(seamLine, stretches), stretches, grid);

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "core/garment/seam.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/corner_allowance.h"
 
@@ -16,10 +15,6 @@ struct AllowanceStretch {
     double width = 0;                       ///< of the allowance, mm, >= 0
     CornerRule corner = CornerRule::Mitre;  ///< of the corner in which it begins
 };
-
-/// What is added to a stretch of this kind where nobody has said otherwise, mm: 10 to a seam, 30 to
-/// a free edge for its hem. Folds have none, and the cloth between the sides of a dart stays.
-double defaultAllowance(SeamKind kind);
 
 /// mm: a point nearer to the one before counts as one with it.
 inline constexpr double kShortestSeamEdge = 1e-5;

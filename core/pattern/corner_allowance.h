@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "core/base/words.h"
+
 namespace toile {
 
 /// How the cutting line goes round a corner of the seam line. The stretch that ends there is the
@@ -42,6 +44,16 @@ enum class CornerRule {
     MirrorSecond,
     Stepped,
 };
+
+/// What they are called in project files.
+inline constexpr Word<CornerRule> kCornerRuleWords[] = {
+    {CornerRule::Mitre, "mitre"},
+    {CornerRule::Square, "square"},
+    {CornerRule::RightAngleFirst, "right-angle-first"},
+    {CornerRule::RightAngleSecond, "right-angle-second"},
+    {CornerRule::MirrorFirst, "mirror-first"},
+    {CornerRule::MirrorSecond, "mirror-second"},
+    {CornerRule::Stepped, "stepped"}};
 
 /// Times the greater width: a mitre is cut off below an angle of 39 degrees.
 inline constexpr double kMitreLimit = 3;

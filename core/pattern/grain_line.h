@@ -2,11 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/mesh_arrays.h"
+#include "core/pattern/pole.h"
 
 namespace toile {
 
@@ -14,11 +13,11 @@ struct Chord {
     Eigen::Vector2d from, to;
 };
 
-/// Where a grain line goes: of several parallel lines across the outline the longest stretch on the
-/// cloth that keeps off a box, shortened to leave room at its ends. Nothing where no line has room.
-/// @param angle  of the line, radians
-std::optional<Chord> grainLine(const std::vector<Points2>& loops, double angle,
-                               const Eigen::AlignedBox2d& off);
+/// Where a grain line goes: along the middle of the largest slender box in its direction that has
+/// room on the free cloth, up to 300 mm long; of equals nearest to the middle of the piece. So it
+/// keeps away from all lines by about a twentieth of its length. Nothing where no line has room.
+/// @param angle  of the line, radians  Cost: that of boxPole. Pure.
+std::optional<Chord> grainLine(const FreeCloth& cloth, double angle);
 
 /// The line as a pen draws it: from end to end with the two strokes of an arrow head at `to`, as
 /// one open path, mm.

@@ -8,6 +8,7 @@
 
 #include "core/geometry/segment.h"
 #include "core/pattern/drawn_outline.h"
+#include "core/pattern/piece_allowance.h"
 #include "core/quality/closed_line.h"
 
 namespace toile {
@@ -104,6 +105,12 @@ void halve(PatternPiece& piece) {
     piece.seams = halfSeams(piece.seams, outline, end);
     piece.segments = halfSegments(piece.segments, end, fold);
     piece.outline = Points2(piece.outline.topRows(half + 1));
+    std::erase_if(piece.notches, [end](const PieceNotch& notch) {
+        return notch.hole < 0 && notch.at > end + kNothing;
+    });
+    if (piece.cuttingLine.rows() > 0) {
+        piece.cuttingLine = cuttingLineOf(piece);
+    }
 }
 
 }  // namespace
@@ -140,6 +147,7 @@ CutAs cutAs(const DrawnMirror& mirror, bool byHalf) {
 }
 
 Pattern asCut(Pattern whole) {
+    int number = 0;
     for (PatternPiece& piece : whole.pieces) {
         const int other = piece.mirror.counterpart;
         piece.cutAs =
@@ -150,7 +158,10 @@ Pattern asCut(Pattern whole) {
             piece.outline.resize(0, 2);
             piece.seams.clear();
             piece.segments.clear();
+            piece.cuttingLine.resize(0, 2);
+            piece.notches.clear();
         }
+        piece.number = piece.outline.rows() > 0 ? ++number : 0;
     }
     return whole;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/geometry/segment.h"
+#include "core/pattern/piece_allowance.h"
 
 namespace toile {
 namespace {
@@ -59,6 +60,26 @@ std::vector<Points2> notchStrokes(const NotchSpot& spot, double allowance, Notch
         }
     }
     return strokes;
+}
+
+std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const PatternPiece& piece) {
+    std::vector<ClosedLine> loops;
+    loops.reserve(piece.holes.size() + 1);
+    loops.emplace_back(piece.outline);
+    for (const Points2& hole : piece.holes) {
+        loops.emplace_back(hole);
+    }
+    NotchSize size;
+    size.depth = pattern.notchDepth;
+    std::vector<std::vector<Points2>> marks;
+    marks.reserve(piece.notches.size());
+    for (const PieceNotch& notch : piece.notches) {
+        const ClosedLine& loop = loops[static_cast<std::size_t>(notch.hole + 1)];
+        const double allowance = notch.hole < 0 ? allowanceAt(piece, loop.length(), notch.at) : 0;
+        marks.push_back(notchStrokes(notchSpot(loop, notch.at), allowance, pattern.notchForm,
+                                     notch.count, size));
+    }
+    return marks;
 }
 
 }  // namespace toile

@@ -7,6 +7,7 @@
 
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/notch_settings.h"
+#include "core/pattern/pattern.h"
 #include "core/quality/closed_line.h"
 
 namespace toile {
@@ -40,5 +41,9 @@ struct NotchSize {
 /// Pure.
 std::vector<Points2> notchStrokes(const NotchSpot& spot, double allowance, NotchForm form,
                                   int count, const NotchSize& size = {});
+
+/// The strokes of each notch of a piece, in its own coordinates.
+/// @param pattern  that says form and depth  Cost: linear in the lines, and per notch. Pure.
+std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const PatternPiece& piece);
 
 }  // namespace toile

@@ -18,6 +18,21 @@ inline constexpr Word<NotchForm> kNotchFormWords[] = {{NotchForm::Slit, "slit"},
                                                       {NotchForm::T, "t"},
                                                       {NotchForm::Castle, "castle"}};
 
+/// Why a notch is where it is.
+enum class NotchReason {
+    SeamEnd,     ///< the seam ends where an outline runs on without a corner
+    SleeveHead,  ///< the same at the top of a sleeve
+    EaseStart,   ///< drawn ease starts or ends
+    Balance,     ///< parts of a seam: its middle, quarters or thirds
+    ByHand,
+};
+
+inline constexpr Word<NotchReason> kNotchReasonWords[] = {{NotchReason::SeamEnd, "seam end"},
+                                                          {NotchReason::SleeveHead, "sleeve head"},
+                                                          {NotchReason::EaseStart, "ease"},
+                                                          {NotchReason::Balance, "balance"},
+                                                          {NotchReason::ByHand, "by hand"}};
+
 /// A notch that a person has added or taken away: a place on either line of a seam, as a share of
 /// it, so that it stays wherever the seam is cut. One that is dragged is taken away and added.
 struct NotchSettings {
@@ -29,6 +44,9 @@ struct NotchSettings {
 
     bool operator==(const NotchSettings&) const = default;
 };
+
+/// Limits of the depth of notches, mm.
+inline constexpr double kMinNotchDepth = 1, kMaxNotchDepth = 30;
 
 /// Everything a person has decided about notches.
 struct NotchRules {

@@ -12,21 +12,6 @@
 
 namespace toile {
 
-/// Why a notch is where it is.
-enum class NotchReason {
-    SeamEnd,     ///< the seam ends where an outline runs on without a corner
-    SleeveHead,  ///< the same at the top of a sleeve
-    EaseStart,   ///< drawn ease starts or ends
-    Balance,     ///< parts of a seam: its middle, quarters or thirds
-    ByHand,
-};
-
-inline constexpr Word<NotchReason> kNotchReasonWords[] = {{NotchReason::SeamEnd, "seam end"},
-                                                          {NotchReason::SleeveHead, "sleeve head"},
-                                                          {NotchReason::EaseStart, "ease"},
-                                                          {NotchReason::Balance, "balance"},
-                                                          {NotchReason::ByHand, "by hand"}};
-
 /// A point of a seam that both its sides mark, to be laid on each other when sewing.
 struct Notch {
     int seam = -1;     ///< index into the graph

@@ -12,7 +12,9 @@
 #include "core/garment/garment.h"
 #include "core/pattern/drawn_outline.h"
 #include "core/pattern/half_pattern.h"
+#include "core/pattern/notches.h"
 #include "core/pattern/outline_reference.h"
+#include "core/pattern/piece_allowance.h"
 #include "core/pattern/segments.h"
 #include "core/quality/closed_line.h"
 #include "core/seam/seam_measure.h"
@@ -74,7 +76,8 @@ void addSeams(PatternPiece& made, const Piece& piece, const FlatPiece& flat,
 }
 
 void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOutline& outline,
-                 const SeamGraph& graph, const OutlineSegments& found) {
+                 const SeamGraph& graph, const OutlineSegments& found,
+                 const std::optional<AllowanceWidths>& widths) {
     const Piece& piece = *result.piece;
     const ClosedLine in3d(result.flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
     std::vector<double> targets{0};
@@ -93,14 +96,45 @@ void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOu
         added.place = segment.place;
         added.length =
             in3d.placeOn(target, segment.at.end) - in3d.placeOn(target, segment.at.start);
+        if (widths) {
+            added.allowance = segment.settings.allowance.value_or(usualAllowance(added, *widths));
+            added.corner = segment.settings.corner;
+        }
     }
     std::ranges::stable_sort(made.segments, {}, &PatternSegment::from);
 }
 
+/// Every notch on both sides of its seam, where it is shown.
+void addNotches(Pattern& pattern, const SeamGraph& graph,
+                const std::vector<std::vector<Notch>>& notches) {
+    for (const std::vector<Notch>& ofSeam : notches) {
+        for (const Notch& notch : ofSeam) {
+            const Seam& seam = graph.seams[notch.seam];
+            PieceNotch there{.seam = notch.seam + 1,
+                             .share = notch.share,
+                             .count = notch.count,
+                             .reason = notch.reason};
+            for (const bool isRight : {false, true}) {
+                const SeamSide& side = isRight ? seam.right : seam.left;
+                if (isRight ? notch.onRight : notch.onLeft) {
+                    there.hole = side.loop - 1;
+                    there.at = isRight ? notch.flat.right : notch.flat.left;
+                    pattern.pieces[side.piece].notches.push_back(there);
+                }
+            }
+        }
+    }
+    for (PatternPiece& piece : pattern.pieces) {
+        std::ranges::stable_sort(piece.notches, {}, [](const PieceNotch& notch) {
+            return std::pair(notch.hole, notch.at);
+        });
+    }
+}
+
 }  // namespace
 
-Pattern makePattern(const Garment& garment, const PieceResults& results,
-                    const LineSettings& lines) {
+Pattern makePattern(const Garment& garment, const PieceResults& results, const LineSettings& lines,
+                    std::shared_ptr<const Symmetry> symmetry) {
     Pattern pattern;
     pattern.name =
         garment.files.empty() ? std::string() : garment.files.front()->path.stem().string();
@@ -108,6 +142,7 @@ Pattern makePattern(const Garment& garment, const PieceResults& results,
     const auto segments = findSegments(garment, exactResults(garment, results), lines);
     const std::vector<DrawnMirror> mirrors = drawnMirrors(results);
     UniqueNames slugs;
+    int number = 0;
     for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
         PatternPiece& made = pattern.pieces[i];
         made.name = garment.pieces[i]->name;
@@ -117,6 +152,7 @@ Pattern makePattern(const Garment& garment, const PieceResults& results,
         }
         const Piece& piece = *results[i]->piece;
         const FlatPiece& flat = *results[i]->flat;
+        made.number = ++number;
         made.slug = slugs.free(slug(made.name), "-");
         made.holes = flatLoops(piece, flat);
         made.outline = std::move(made.holes.front());
@@ -125,8 +161,20 @@ Pattern makePattern(const Garment& garment, const PieceResults& results,
         made.mirror = mirrors[i];
         const MeasuredOutline outline(piece, flat);
         addSeams(made, piece, flat, outline, garment.seams, static_cast<int>(i));
-        addSegments(made, *results[i], outline, garment.seams, segments[i]);
+        addSegments(made, *results[i], outline, garment.seams, segments[i], lines.allowance);
+        if (lines.allowance) {
+            made.cuttingLine = cuttingLineOf(made);
+        }
     }
+    pattern.hasAllowance = lines.allowance.has_value();
+    pattern.hasNotches = lines.notches.has_value();
+    if (lines.notches) {
+        addNotches(pattern, garment.seams,
+                   findNotches(garment, results, segments, *lines.notches, symmetry.get()));
+        pattern.notchForm = lines.notches->form;
+        pattern.notchDepth = lines.notches->depth;
+    }
+    pattern.symmetry = std::move(symmetry);
     return pattern;
 }
 

@@ -18,6 +18,7 @@ struct Garment;
 struct FlatPiece;
 struct Piece;
 struct PieceResult;
+struct Symmetry;
 using PieceResults = std::vector<std::shared_ptr<const PieceResult>>;
 
 /// Where the warp runs where it is unset: up the piece's own y axis, radians.
@@ -65,9 +66,22 @@ struct PatternSegment {
     int seam = 0;           ///< SeamLine::number; 0: part of none
     bool isRight = false;   ///< of that seam's sides
     SeamKind kind = SeamKind::Free;
-    LineStretch place{};  ///< by which settings know it
-    double length = 0;    ///< that it is to have, mm: where lengths are kept, to - from
-    bool isFold = false;  ///< of a half pattern: the edge that lies on the fold, no seam line
+    LineStretch place{};   ///< by which settings know it
+    double length = 0;     ///< that it is to have, mm: where lengths are kept, to - from
+    bool isFold = false;   ///< of a half pattern: the edge that lies on the fold, no seam line
+    double allowance = 0;  ///< width beside it, mm
+    /// Of the allowances where it begins; none: mitred, or mirrored at the end of a hem.
+    std::optional<CornerRule> corner{};
+};
+
+/// A notch on a piece's seam line, or on the rim of a hole (findNotches).
+struct PieceNotch {
+    int seam = 0;      ///< SeamLine::number
+    double share = 0;  ///< of that seam's length, from its start
+    int hole = -1;     ///< whose rim it is on; -1: on the outline
+    double at = 0;     ///< length along that line in the plane from its first point, mm
+    int count = 1;     ///< 2: a double one
+    NotchReason reason = NotchReason::Balance;
 };
 
 /// What a piece mirrors in the pattern, as outlines are drawn (`Mirror`).
@@ -105,20 +119,36 @@ struct PatternPiece : Cutting {
     bool isFine = false;   ///< a fair line, which stands for a curve; else the polygon itself
     DrawnMirror mirror{};  ///< of the whole piece
     CutAs cutAs = CutAs::Whole;
+    /// Round the outline and its allowances, anti-clockwise; empty where allowances are not asked
+    /// for: the piece is cut along its outline then. Holes have none.
+    Points2 cuttingLine = Points2(0, 2);
+    std::vector<PieceNotch> notches{};  ///< by `hole`, then `at`
+    int number = 0;  ///< from 1, of those that are drawn, in the garment's order; 0: not drawn
 };
+
+/// The line that a piece is cut along.
+inline const Points2& edgeOf(const PatternPiece& piece) {
+    return piece.cuttingLine.rows() > 0 ? piece.cuttingLine : piece.outline;
+}
 
 struct Pattern {
     std::string name;                  ///< of the garment
     std::vector<PatternPiece> pieces;  ///< one per piece of the garment, in its order
+    bool hasAllowance = false, hasNotches = false;
+    NotchForm notchForm = NotchForm::Slit;
+    double notchDepth = 5;  ///< from the cutting line inwards, mm
+    /// In which pieces are drawn as images of each other; null: in none.
+    std::shared_ptr<const Symmetry> symmetry{};
 };
 
 /// Everything of a garment that is flat, in its own coordinates. Pieces whose names give the same
 /// slug get "-2", "-3" in order.
 /// @param results  one per piece; null where there is none
-/// @param lines    by which they were drawn: turn points that a person has said
-/// Cost: that of `findSegments`. Pure.
+/// @param lines     by which they were drawn, and what is added to them
+/// @param symmetry  by which they were mirrored; null: by none
+/// Cost: that of `findSegments`, `findNotches` and `cuttingLine`. Pure.
 Pattern makePattern(const Garment& garment, const PieceResults& results,
-                    const LineSettings& lines = {});
+                    const LineSettings& lines = {}, std::shared_ptr<const Symmetry> symmetry = {});
 
 /// The outline as it is drawn, then the rims of the holes; closed, first point not repeated.
 std::vector<Points2> flatLoops(const Piece& piece, const FlatPiece& flat);

@@ -3,14 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <set>
 #include <utility>
 
 #include "core/geometry/segment.h"
+#include "core/pattern/darts.h"
 #include "core/pattern/half_pattern.h"
+#include "core/pattern/notch_mark.h"
 
 namespace toile {
+
+namespace {
+
+std::string filled(std::string text, const std::string& place, const std::string& words) {
+    if (const std::size_t at = text.find(place); at != std::string::npos) {
+        text.replace(at, place.size(), words);
+    }
+    return text;
+}
+
+}  // namespace
 
 std::string cuttingNote(const Cutting& cutting, const DrawingWords& words, CutAs cutAs) {
     const bool isOnFold = cutAs == CutAs::OnFold;
@@ -18,188 +29,185 @@ std::string cuttingNote(const Cutting& cutting, const DrawingWords& words, CutAs
     if (cutting.quantity == 1 && !isOnFold) {
         return isPair ? words.cutPair : std::string();
     }
-    std::string note = isOnFold ? words.cutOnFold : isPair ? words.cutPairs : words.cut;
     const int count = cutting.quantity * (isOnFold && cutting.mirroredPair ? 2 : 1);
-    if (const std::size_t place = note.find("%1"); place != std::string::npos) {
-        note.replace(place, 2, std::to_string(count));
-    }
-    return note;
+    return filled(isOnFold ? words.cutOnFold
+                  : isPair ? words.cutPairs
+                           : words.cut,
+                  "%1", std::to_string(count));
 }
 
 std::vector<std::string> labelLines(const std::string& name, const Cutting& cutting, bool mirrored,
-                                    const DrawingWords& words, CutAs cutAs) {
+                                    const DrawingWords& words, CutAs cutAs,
+                                    const LabelFacts& facts) {
     std::vector<std::string> lines{name};
-    if (std::string note = cuttingNote(cutting, words, cutAs); !note.empty()) {
-        lines.push_back(std::move(note));
+    const auto add = [&lines](std::string line) {
+        if (!line.empty()) {
+            lines.push_back(std::move(line));
+        }
+    };
+    if (facts.number > 0 && facts.count > 0) {
+        add(filled(filled(words.pieceNumber, "%1", std::to_string(facts.number)), "%2",
+                   std::to_string(facts.count)));
     }
-    lines.push_back(words.noAllowance);
+    if (!facts.size.empty()) {
+        add(filled(words.size, "%1", facts.size));
+    }
+    add(facts.material);
+    add(cuttingNote(cutting, words, cutAs));
+    add(facts.hasAllowance ? words.allowance : words.noAllowance);
+    add(facts.date);
     if (mirrored) {
-        lines.push_back(words.mirrored);
+        add(words.mirrored);
     }
     return lines;
 }
 
-PieceMarks placeMarks(const PatternPiece& piece, const Placement& placement,
-                      const std::vector<std::string>& lines, double grain) {
-    std::vector<Points2> loops{turnedLine(piece.outline, placement)};
-    for (const Points2& hole : piece.holes) {
-        loops.push_back(turnedLine(hole, placement));
+LabelFacts factsOf(const Pattern& pattern, const PatternPiece& piece) {
+    if (!pattern.hasAllowance) {
+        return {};
     }
-    PieceMarks marks;
-    marks.label = placeLabel(loops, lines);
-    const Eigen::Vector2d size = textExtent(lines, marks.label.height);
-    const Eigen::Vector2d top = marks.label.position + Eigen::Vector2d(0, 0.5 * marks.label.height);
-    const Eigen::AlignedBox2d words(Eigen::Vector2d(top.x() - 0.5 * size.x(), top.y() - size.y()),
-                                    Eigen::Vector2d(top.x() + 0.5 * size.x(), top.y()));
-    const double direction = directionOnSheet(placement, grain);
-    marks.grain = grainLine(loops, direction, words);
-    if (!marks.grain) {
-        marks.grain = grainLine(loops, direction, {});  // no room beside the label: through it
+    return {.number = piece.number, .count = drawnCount(pattern), .hasAllowance = true};
+}
+
+std::vector<Points2> drawnOnCloth(const Pattern& pattern, const PatternPiece& piece) {
+    std::vector<Points2> lines;
+    for (const std::vector<Points2>& strokes : notchMarks(pattern, piece)) {
+        lines.insert(lines.end(), strokes.begin(), strokes.end());
     }
-    return marks;
+    for (const PieceDart& dart :
+         pattern.hasAllowance ? findDarts(piece) : std::vector<PieceDart>()) {
+        const DartMarks marks = dartMarks(dart);
+        for (const Points2& line : {marks.fold, marks.drill, marks.cross[0], marks.cross[1]}) {
+            if (line.rows() > 1) {
+                lines.push_back(line);
+            }
+        }
+    }
+    return lines;
+}
+
+int drawnCount(const Pattern& pattern) {
+    return static_cast<int>(std::ranges::count_if(
+        pattern.pieces, [](const PatternPiece& piece) { return piece.outline.rows() > 0; }));
 }
 
 namespace {
 
-constexpr double kTick = 5;             // mm; shorter on a short seam
-constexpr double kTickOfSeam = 0.2;     // of the seam's length, at most
-constexpr double kNameHeight = 2.5;     // mm, of a capital
-constexpr double kSmallestText = 0.8;   // mm: what cannot be read is not written
-constexpr double kNameOfSeam = 0.8;     // of the seam's length that a text may take
-constexpr double kOffCut = 1.2;         // capital heights between the outline and the text's middle
-constexpr double kSameTick = 0.1;       // mm
+constexpr double kAirOfLabel = 0.5;  // capital heights between label and grain line
+constexpr double kGoodLabel = 3;     // mm: no larger one is wanted in place of a number
+constexpr double kClearlyLarger = 1.2;
+constexpr double kGoodGrain = 180;      // mm: no longer one is wanted instead of it
+constexpr double kFoldText = 2.5;       // mm, of a capital
+constexpr double kOffFold = 1.2;        // capital heights between the bracket and the text's middle
 constexpr double kFoldOff = 8;          // mm: the bracket from the fold,
 constexpr double kFoldOffOfEdge = 0.1;  // at most so much of the fold's length
 constexpr double kFoldHead = 0.4;       // of that: an arrow head
 constexpr double kFoldFrom = 0.2;       // of the fold's length: where the arrows are
 
-double lengthOf(const Points2& line) {
-    double length = 0;
-    for (Eigen::Index i = 1; i < line.rows(); ++i) {
-        length += (line.row(i) - line.row(i - 1)).norm();
-    }
-    return length;
+double lengthOf(const std::optional<Chord>& line) {
+    return line ? (line->to - line->from).norm() : 0;
 }
 
-/// The point at an arc length.
-Eigen::Vector2d pointAt(const Points2& line, double arc) {
-    for (Eigen::Index i = 1; i < line.rows(); ++i) {
-        const double step = (line.row(i) - line.row(i - 1)).norm();
-        if (arc <= step && step > 0) {
-            return (line.row(i - 1) + arc / step * (line.row(i) - line.row(i - 1))).transpose();
-        }
-        arc -= step;
-    }
-    return line.bottomRows<1>().transpose();
+/// Where the words of a fold are, whichever.
+Points2 foldRoom(const FoldMark& mark) {
+    const Eigen::RowVector2d from = mark.path.row(3), to = mark.path.row(6);
+    const Eigen::Vector2d along = (to - from).transpose().normalized();
+    const Eigen::RowVector2d in =
+        (kOffFold + 0.75) * kFoldText * geometry::leftOf(along).transpose();
+    Points2 room(5, 2);
+    room << from, to, to + in, from + in, from;
+    return room;
 }
 
-/// The same line for a text, which is never upside down.
-double readable(double angle) {
-    const bool isUpsideDown =
-        angle > 0.5 * std::numbers::pi + 1e-9 || angle <= -0.5 * std::numbers::pi + 1e-9;
-    return !isUpsideDown ? angle : angle + (angle > 0 ? -std::numbers::pi : std::numbers::pi);
+double numberHeight(const SeamMark& mark) {
+    return mark.numberPlace ? mark.numberPlace->height : 0;
 }
 
-/// Marks the seams of one piece, one after the other.
-class SeamMarker {
-public:
-    explicit SeamMarker(const Placement& placement) : placement_(placement) {}
-
-    std::optional<SeamMark> mark(const SeamLine& seam) {
-        const Points2 line = turnedLine(seam.line, placement_);
-        const double length = lengthOf(line);
-        if (!(length > 0)) {
-            return std::nullopt;
-        }
-        SeamMark mark;
-        mark.number = seam.number;
-        mark.second = !numbers_.insert(seam.number).second;
-        const double tick = std::min(kTick, kTickOfSeam * length);
-        // Of a mirrored piece the line runs from its end.
-        const bool isAtFold[] = {seam.isAtFold[placement_.mirrored ? 1 : 0],
-                                 seam.isAtFold[placement_.mirrored ? 0 : 1]};
-        if (!isAtFold[0]) {
-            mark.ticks[0] = this->tick(pointAt(line, 0), pointAt(line, tick), tick);
-        }
-        if (!seam.closed && !isAtFold[1]) {
-            // Seen from the end backwards the cloth is on the right.
-            mark.ticks[1] = this->tick(pointAt(line, length), pointAt(line, length - tick), -tick);
-        }
-        addText(mark, line, length, seam.name);
-        return mark;
+/// The numbers of the seams, and the label where it is largest beside them. Where that is small the
+/// label comes first, unless a number had to become smaller for it than the label then is.
+/// @param lines  of the label
+void placeNumbersAndLabel(PieceMarks& marks, const PatternPiece& piece, const Placement& placement,
+                          const FreeCloth& cloth, const std::vector<std::string>& lines) {
+    std::vector<Points2> there = cloth.obstacles;
+    marks.seams = seamMarks(piece, placement, there);
+    for (const SeamMark& mark : marks.seams) {
+        addObstacles(mark, there);
     }
-
-private:
-    /// A tick at `from`, square to the way towards `towards`, `size` to its left.
-    std::optional<Chord> tick(const Eigen::Vector2d& from, const Eigen::Vector2d& towards,
-                              double size) {
-        const Eigen::Vector2d way = towards - from;
-        if (!(way.norm() > 0)) {
-            return std::nullopt;
-        }
-        const Chord tick{from, from + size * geometry::leftOf(way.normalized())};
-        for (const Chord& other : ticks_) {
-            if ((tick.from - other.from).norm() < kSameTick &&
-                (tick.to - other.to).norm() < kSameTick) {
-                return std::nullopt;  // the seam before ends here, straight on
-            }
-        }
-        ticks_.push_back(tick);
-        return tick;
+    marks.label = placeLabel(cloth.loops, lines, there);
+    if (marks.label.height >= kGoodLabel) {
+        return;
     }
-
-    static void addText(SeamMark& mark, const Points2& line, double length,
-                        const std::string& name) {
-        const std::string number = std::to_string(mark.number);
-        std::string words = number + "  " + name;
-        double height = kNameHeight;
-        if (textExtent({words}, height).x() > kNameOfSeam * length) {
-            words = number;
-            height = std::min(height, kNameOfSeam * length / textExtent({words}, 1).x());
-        }
-        if (height < kSmallestText) {
+    PieceMarks other;
+    there = cloth.obstacles;
+    for (SeamMark mark : marks.seams) {
+        mark.numberPlace = mark.namePlace = std::nullopt;
+        addObstacles(mark, there);
+    }
+    other.label = placeLabel(cloth.loops, lines, there);
+    if (!other.label.fits || other.label.height < kClearlyLarger * marks.label.height) {
+        return;
+    }
+    there = cloth.obstacles;
+    there.push_back(textBox(other.label, lines, 0, kAirOfLabel * other.label.height));
+    other.seams = seamMarks(piece, placement, there);
+    for (std::size_t i = 0; i < marks.seams.size(); ++i) {
+        if (numberHeight(other.seams[i]) <
+            std::min(numberHeight(marks.seams[i]), other.label.height)) {
             return;
         }
-        const double half = 0.5 * textExtent({words}, height).x();
-        const Eigen::Vector2d before = pointAt(line, std::max(0.0, 0.5 * length - half));
-        const Eigen::Vector2d after = pointAt(line, std::min(length, 0.5 * length + half));
-        Eigen::Vector2d along = after - before;
-        if (!(along.norm() > 0)) {
-            return;
-        }
-        along.normalize();
-        // Clear of an edge that bulges into the cloth under the text.
-        double bulge = 0;
-        for (Eigen::Index i = 0; i < line.rows(); ++i) {
-            const Eigen::Vector2d p = line.row(i).transpose() - before;
-            const double place = p.dot(along);
-            if (place > 0 && place < 2 * half) {
-                bulge = std::max(bulge, p.dot(geometry::leftOf(along)));
-            }
-        }
-        mark.place = {0.5 * (before + after) + (bulge + kOffCut * height) * geometry::leftOf(along),
-                      height};
-        mark.angle = readable(std::atan2(along.y(), along.x()));
-        mark.text = std::move(words);
     }
+    marks = std::move(other);
+}
 
-    const Placement& placement_;
-    std::set<int> numbers_;
-    std::vector<Chord> ticks_;
-};
+/// The grain line beside the label. Where that makes it short, it comes first and the label beside
+/// it, if that makes the smaller of both larger, by what each would have alone. Where neither
+/// leaves room for the other, the grain line runs through the label.
+void placeGrain(PieceMarks& marks, FreeCloth cloth, const std::vector<std::string>& lines,
+                double direction) {
+    for (const SeamMark& mark : marks.seams) {
+        addObstacles(mark, cloth.obstacles);
+    }
+    cloth.obstacles.push_back(textBox(marks.label, lines, 0, kAirOfLabel * marks.label.height));
+    marks.grain = grainLine(cloth, direction);
+    if (lengthOf(marks.grain) >= kGoodGrain) {
+        return;
+    }
+    cloth.obstacles.pop_back();
+    const std::optional<Chord> alone = grainLine(cloth, direction);
+    if (!alone) {
+        return;
+    }
+    cloth.obstacles.push_back(arrowPath(*alone));
+    const LabelPlace beside = placeLabel(cloth.loops, lines, cloth.obstacles);
+    if (beside.fits &&
+        beside.height / marks.label.height > lengthOf(marks.grain) / lengthOf(alone)) {
+        marks.label = beside;
+        marks.grain = alone;
+    } else if (!marks.grain) {
+        marks.grain = alone;
+    }
+}
 
 }  // namespace
 
-std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& placement) {
-    SeamMarker marker(placement);
-    std::vector<SeamMark> marks;
-    for (const SeamLine& seam : piece.seams) {
-        if (seam.kind != SeamKind::Free) {
-            if (auto mark = marker.mark(seam)) {
-                marks.push_back(std::move(*mark));
-            }
-        }
+PieceMarks placeMarks(const PatternPiece& piece, const Placement& placement,
+                      const std::vector<std::string>& lines, double grain,
+                      const std::vector<Points2>& obstacles) {
+    FreeCloth cloth{{turnedLine(piece.outline, placement)}};
+    for (const Points2& hole : piece.holes) {
+        cloth.loops.push_back(turnedLine(hole, placement));
     }
+    for (const Points2& line : obstacles) {
+        cloth.obstacles.push_back(turnedLine(line, placement));
+    }
+    if (piece.cutAs == CutAs::OnFold) {
+        const FoldMark fold = foldMark(piece, placement, "");
+        cloth.obstacles.push_back(fold.path);
+        cloth.obstacles.push_back(foldRoom(fold));
+    }
+    PieceMarks marks;
+    placeNumbersAndLabel(marks, piece, placement, cloth, lines);
+    placeGrain(marks, std::move(cloth), lines, directionOnSheet(placement, grain));
     return marks;
 }
 
@@ -230,9 +238,9 @@ FoldMark foldMark(const PatternPiece& piece, const Placement& placement, const s
     mark.path.row(row++) = at(1 - kFoldFrom, 0, 0);
     addArrow(1 - kFoldFrom);
     const double room = (1 - 2 * kFoldFrom) * length;
-    const double height = std::min(kNameHeight, room / textExtent({words}, 1).x());
-    mark.place = {at(0.5, 0, off + kOffCut * height).transpose(), height};
-    mark.angle = readable(std::atan2(along.y(), along.x()));
+    const double height = std::min(kFoldText, room / textExtent({words}, 1).x());
+    mark.place = {at(0.5, 0, off + kOffFold * height).transpose(), height};
+    mark.angle = readableAngle(std::atan2(along.y(), along.x()));
     return mark;
 }
 

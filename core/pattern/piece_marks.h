@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "core/pattern/label.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/placement.h"
+#include "core/pattern/seam_marks.h"
 
 namespace toile {
 
@@ -20,6 +20,17 @@ struct DrawingWords {
     std::string cut = "cut %1", cutPair = "cut 1 pair", cutPairs = "cut %1 pairs";
     std::string checkSquare = "check square 100 mm x 100 mm";
     std::string cutOnFold = "cut %1 on fold", placeOnFold = "place on fold";
+    std::string pieceNumber = "piece %1 of %2", size = "size %1";
+    std::string allowance = "seam allowance included";
+};
+
+/// What stands on a label beside the name and how often the piece is cut; what is empty or 0 is not
+/// written.
+struct LabelFacts {
+    int number = 0;  ///< PatternPiece::number
+    int count = 0;   ///< of the pieces that are drawn (`drawnCount`)
+    std::string size{}, material{}, date{};
+    bool hasAllowance = false;  ///< else the label says that the line is the seam line
 };
 
 /// What stands on a piece that is not cut once as it is: "cut 3", "cut 2 pairs" where each of them
@@ -28,39 +39,38 @@ struct DrawingWords {
 std::string cuttingNote(const Cutting& cutting, const DrawingWords& words = {},
                         CutAs cutAs = CutAs::Whole);
 
-/// The label of a piece, line by line: its name, how often it is cut, what kind of outline it is
-/// and, where it is mirrored, that the wrong side is up.
+/// The label of a piece, line by line: its name, number, size and material, how often it is cut,
+/// whether an allowance is included, the date and, where it is mirrored, that the wrong side is up.
 std::vector<std::string> labelLines(const std::string& name, const Cutting& cutting, bool mirrored,
-                                    const DrawingWords& words, CutAs cutAs = CutAs::Whole);
+                                    const DrawingWords& words, CutAs cutAs = CutAs::Whole,
+                                    const LabelFacts& facts = {});
+
+/// Of a pattern with allowances all that is known; else nothing, as on the label of an outline.
+LabelFacts factsOf(const Pattern& pattern, const PatternPiece& piece);
+
+/// How many pieces of a pattern have an outline: the "12" of "piece 3 of 12".
+int drawnCount(const Pattern& pattern);
 
 /// What is drawn on a piece as it lies, in files and on screen alike: in sheet directions, about
 /// the placement's offset.
 struct PieceMarks {
     LabelPlace label{};
     std::optional<Chord> grain{};  ///< none where no line has room
+    std::vector<SeamMark> seams{};
 };
 
-/// Places the label (`placeLabel`) and the grain line beside it, or through it where there is no
-/// room beside it.
-/// @param piece  that is flat  @param grain  direction of the warp, radians, on the piece
-/// Cost: that of `placeLabel` and `grainLine`. Pure.
+/// What is drawn on the cloth beside seam marks, label and grain line: notches and, where the
+/// pattern has allowances, the marks of darts.
+std::vector<Points2> drawnOnCloth(const Pattern& pattern, const PatternPiece& piece);
+
+/// Places the marks of the seams (`seamMarks`), then the label (`placeLabel`) and the grain line
+/// (`grainLine`) beside each other where these leave room.
+/// @param piece      that is flat  @param grain  direction of the warp, radians, on the piece
+/// @param obstacles  `drawnOnCloth`, on the piece; the mark of a fold is known
+/// Cost: that of the four. Pure.
 PieceMarks placeMarks(const PatternPiece& piece, const Placement& placement,
-                      const std::vector<std::string>& lines, double grain);
-
-/// What a sewer needs to find a seam's other side: a tick at both ends, from the outline into the
-/// cloth, and the seam's number and name at its middle, along the edge; the number alone where the
-/// name is longer than the edge, nothing where it could not be read. Both sides carry the same.
-struct SeamMark {
-    int number = 0;
-    bool second = false;                        ///< a piece sewn to itself has two with one number
-    std::array<std::optional<Chord>, 2> ticks;  ///< none where the seam before ends, straight on
-    std::string text;                           ///< empty: none
-    LabelPlace place{};                         ///< the text's middle
-    double angle = 0;                           ///< of the text, radians, never upside down
-};
-
-/// The marks of a piece's seams, by number; free edges have none. Linear. Pure.
-std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& placement);
+                      const std::vector<std::string>& lines, double grain,
+                      const std::vector<Points2>& obstacles = {});
 
 /// The sign of a half pattern: a bracket with two arrow heads on the edge that lies on the fold, as
 /// one open path, and words beside it. In sheet directions, about the placement's offset.

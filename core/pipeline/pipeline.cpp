@@ -25,18 +25,11 @@ std::string lowerCaseEnding(const std::filesystem::path& path) {
 /// Of the time that an export takes, about; the rest is writing.
 constexpr double kMakingShare = 0.8;
 
-std::optional<Symmetry> symmetryOf(const Garment& garment, const LineSettings& lines,
-                                   const Progress& progress) {
-    return lines.mirror != Mirror::None ? findSymmetry(garment, progress) : std::nullopt;
-}
-
 /// @param ending  one that `canExport`
 std::string bytesOf(const std::string& ending, const Garment& garment, const PieceResults& results,
-                    const LaidOutPattern& laid, const DrawingWords& words,
-                    const LineSettings& lines, const Progress& progress) {
+                    const LaidOutPattern& laid, const DrawingWords& words) {
     if (ending == ".json") {
-        const auto symmetry = symmetryOf(garment, lines, progress);
-        return writeReport(garment, results, laid.pattern, symmetry ? &*symmetry : nullptr);
+        return writeReport(garment, results, laid.pattern);
     }
     if (ending == ".obj") {
         return writeObj(garment, results, laid.whole);
@@ -47,9 +40,18 @@ std::string bytesOf(const std::string& ending, const Garment& garment, const Pie
 
 }  // namespace
 
+std::shared_ptr<const Symmetry> symmetryOf(const Garment& garment, const LineSettings& lines,
+                                           const Progress& progress) {
+    if (lines.mirror == Mirror::None) {
+        return nullptr;
+    }
+    auto found = findSymmetry(garment, progress);
+    return found ? std::make_shared<const Symmetry>(std::move(*found)) : nullptr;
+}
+
 LaidOutPattern inRows(const Garment& garment, const PieceResults& results,
                       const LineSettings& lines, bool byHalf) {
-    Pattern pattern = makePattern(garment, results, lines);
+    Pattern pattern = makePattern(garment, results, lines, symmetryOf(garment, lines));
     for (PatternPiece& piece : pattern.pieces) {
         piece.byHalf = byHalf;
     }
@@ -63,8 +65,7 @@ bool canExport(const std::filesystem::path& path) {
 
 Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
                         const PieceResults& results, const LaidOutPattern& laid,
-                        const Progress& progress, const DrawingWords& words,
-                        const LineSettings& lines) {
+                        const Progress& progress, const DrawingWords& words) {
     if (!canExport(path)) {
         return Error{ErrorCode::UnknownFormat, Subject::file(path.string()),
                      "ending \"" + lowerCaseEnding(path) + "\""};
@@ -72,8 +73,7 @@ Result<void> exportFile(const std::filesystem::path& path, const Garment& garmen
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
-    const std::string bytes =
-        bytesOf(lowerCaseEnding(path), garment, results, laid, words, lines, progress);
+    const std::string bytes = bytesOf(lowerCaseEnding(path), garment, results, laid, words);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
@@ -86,7 +86,7 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
     progress.start(1);
     Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
     const auto found = symmetryOf(garment, lines, progress);
-    const Symmetry* const symmetry = found ? &*found : nullptr;
+    const Symmetry* const symmetry = found.get();
     const std::vector<OutlineTargets> targets = outlineTargets(garment, lines, symmetry);
     std::vector<PieceTask> tasks;
     for (std::size_t p = 0; p < garment.pieces.size(); ++p) {

@@ -109,8 +109,14 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
 /// where there are threads to be had.
 inline constexpr double kCancelSeconds = 0.05;
 
+/// What pieces are mirrored in; null where they are not, or nothing mirrors anything.
+/// Cost: that of `findSymmetry`. Pure.
+std::shared_ptr<const Symmetry> symmetryOf(const Garment& garment, const LineSettings& lines,
+                                           const Progress& progress = {});
+
 /// The pattern of a garment in rows. @param results  one per piece; null where there is none
-/// @param lines  by which they were drawn  @param byHalf  `Cutting::byHalf` of all pieces
+/// @param lines  by which they were drawn; the symmetry is looked for where they are mirrored
+/// @param byHalf  `Cutting::byHalf` of all pieces
 LaidOutPattern inRows(const Garment& garment, const PieceResults& results,
                       const LineSettings& lines = {}, bool byHalf = false);
 
@@ -121,12 +127,10 @@ bool canExport(const std::filesystem::path& path);
 /// @param laid      the pattern of the garment
 /// @param progress  cancelled before the file is written, nothing is
 /// @param words     what drawings say
-/// @param lines     by which the results were drawn: a report says what is mirrored
 /// Errors: UnknownFormat, FileUnwritable, Cancelled.
 Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
                         const PieceResults& results, const LaidOutPattern& laid,
-                        const Progress& progress = {}, const DrawingWords& words = {},
-                        const LineSettings& lines = {});
+                        const Progress& progress = {}, const DrawingWords& words = {});
 
 /// Flattens and measures every piece by every method, one method after the other, pieces side by
 /// side. A piece that fails under one method leaves the others alone.

@@ -37,8 +37,9 @@ double areaOf(const Points2& outline) {
 
 class Placing {
 public:
-    Placing(std::vector<PieceSettings> settings, const PieceResults& results)
-        : settings_(std::move(settings)), results_(results) {}
+    Placing(std::vector<PieceSettings> settings, const PieceResults& results,
+            const Pattern* pattern)
+        : settings_(std::move(settings)), results_(results), pattern_(pattern) {}
 
     std::vector<PieceSettings> run(const std::vector<std::optional<FlatMotion>>& motions) {
         evictWhatIsOver();
@@ -52,7 +53,7 @@ public:
         }
         for (std::size_t i = 0; i < settings_.size(); ++i) {
             if (isFlat(i)) {
-                changed[i] = fit(i, motions[i], isPart[i] != 0);
+                changed[i] = fit(i, motions[i], isPart[i] != 0) || mayHaveGrown(i);
             }
         }
         makeRoom(cut, changed);
@@ -75,9 +76,18 @@ private:
     }
     bool isPlaced(std::size_t i) const { return isFlat(i) && settings_[i].placement; }
 
+    /// A wider allowance is another shape too; nobody knows how wide it was.
+    bool mayHaveGrown(std::size_t i) const {
+        return pattern_ && pattern_->hasAllowance && !settings_[i].placedByHand;
+    }
+
     Points2 outlineOf(std::size_t i) const {
-        return placedOutline(results_[i]->flat->Q, results_[i]->piece->boundary,
-                             settings_[i].placement.value_or(Placement{}));
+        const Placement placement = settings_[i].placement.value_or(Placement{});
+        if (pattern_ && pattern_->pieces[i].cuttingLine.rows() > 0) {
+            const Points2& line = pattern_->pieces[i].cuttingLine;
+            return (line * placement.linear().transpose()).rowwise() + placement.offset.transpose();
+        }
+        return placedOutline(results_[i]->flat->Q, results_[i]->piece->boundary, placement);
     }
 
     double gap() const {
@@ -276,6 +286,7 @@ private:
 
     std::vector<PieceSettings> settings_;
     const PieceResults& results_;
+    const Pattern* pattern_;
     std::vector<Points2> outlines_;  ///< where pieces lie; empty where they do not
 };
 
@@ -298,14 +309,15 @@ std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
 
 std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
                                           const PieceResults& results,
-                                          const std::vector<std::optional<FlatMotion>>& motions) {
-    return Placing(std::move(settings), results).run(motions);
+                                          const std::vector<std::optional<FlatMotion>>& motions,
+                                          const Pattern* pattern) {
+    return Placing(std::move(settings), results, pattern).run(motions);
 }
 
 LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
                       const std::vector<PieceSettings>& settings, const PieceLabels& labels,
-                      const LineSettings& lines) {
-    Pattern pattern = makePattern(garment, results, lines);
+                      const LineSettings& lines, std::shared_ptr<const Symmetry> symmetry) {
+    Pattern pattern = makePattern(garment, results, lines, std::move(symmetry));
     std::vector<std::optional<Placement>> placements;
     for (std::size_t i = 0; i < settings.size(); ++i) {
         PatternPiece& piece = pattern.pieces[i];

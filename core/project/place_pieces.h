@@ -31,21 +31,26 @@ std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
 /// do so too where they lie on nothing there, else they go to a free place nearby; what lies in a
 /// hole of the rest lies on the rest.
 /// Where a piece has another shape and lies on another one now, that one makes room, or the piece
-/// itself does, if its place is unset; where both were, both stay.
+/// itself does, if its place is unset; where both were, both stay. With allowances no two pieces
+/// lie on each other but those that a person has placed.
 /// Pieces without a place get one: to the right of all others; or, where no piece has one yet,
 /// all in rows.
 /// @param settings  one per result
 /// @param motions   of `flatMotions`
-/// Cost: linear in the outlines, some milliseconds more for each piece that has to move. Pure.
+/// @param pattern   made of the results: pieces are as large as they are cut; null: as their
+/// outlines Cost: linear in the outlines, some milliseconds more for each piece that has to move.
+/// Pure.
 std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
                                           const PieceResults& results,
-                                          const std::vector<std::optional<FlatMotion>>& motions);
+                                          const std::vector<std::optional<FlatMotion>>& motions,
+                                          const Pattern* pattern = nullptr);
 
 /// The pattern as a person has it: called, cut and laid out as has been said.
-/// @param settings  one per piece, or none  @param lines  by which the results were drawn
+/// @param settings  one per piece, or none  @param lines, symmetry  as of `makePattern`
 /// Cost: that of `makePattern`. Pure.
 LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
                       const std::vector<PieceSettings>& settings, const PieceLabels& labels,
-                      const LineSettings& lines = {});
+                      const LineSettings& lines = {},
+                      std::shared_ptr<const Symmetry> symmetry = {});
 
 }  // namespace toile

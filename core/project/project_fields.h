@@ -81,6 +81,8 @@ inline constexpr auto kSegment = [](auto& at, auto& said) {
     at.field("length", said.length, kMinSegmentLength, kMaxSegmentLength);
     at.field("tolerance", said.tolerance, kMinFairTolerance, kMaxFairTolerance);
     at.field("straight", said.straight);
+    at.field("allowance", said.allowance, 0, kMaxAllowance);
+    at.word("corner", said.corner, kCornerRuleWords);
 };
 
 inline constexpr auto kTurnPoint = [](auto& at, auto& said) {
@@ -101,6 +103,27 @@ inline constexpr auto kSeamEnd = [](auto& at, auto& said) {
     at.field("trued", said.trued);
 };
 
+inline constexpr auto kAllowance = [](auto& at, auto& widths) {
+    at.field("seam", widths.seam, 0, kMaxAllowance);
+    at.field("hem", widths.hem, 0, kMaxAllowance);
+};
+
+inline constexpr auto kNotch = [](auto& at, auto& said) {
+    at.need("line");
+    at.id("line", said.line);
+    at.field("at", said.at, -kMaxTurns, kMaxTurns);
+    at.field("reversed", said.reversed);
+    at.field("isThere", said.isThere);
+    at.field("count", said.count, 1, 2);
+};
+
+inline constexpr auto kNotches = [](auto& at, auto& rules) {
+    at.field("automatic", rules.automatic);
+    at.word("form", rules.form, kNotchFormWords);
+    at.field("depth", rules.depth, kMinNotchDepth, kMaxNotchDepth);
+    at.list("notches", rules.notches, kNotch);
+};
+
 inline constexpr auto kLines = [](auto& at, auto& lines) {
     at.object("fairing", lines.fairing, kFairing);
     at.field("trueBelow", lines.trueBelow, 0, kMaxKink);
@@ -108,6 +131,9 @@ inline constexpr auto kLines = [](auto& at, auto& lines) {
     at.list("segments", lines.segments, kSegment);
     at.list("turnPoints", lines.turnPoints, kTurnPoint);
     at.list("seamEnds", lines.seamEnds, kSeamEnd);
+    at.object("allowance", lines.allowance, kAllowance);
+    at.object("notches", lines.notches, kNotches);
+    at.word("grain", lines.grain, kGrainRuleWords);
 };
 
 inline constexpr auto kFlattening = [](auto& at, auto& options) {
@@ -190,6 +216,15 @@ inline constexpr auto kView = [](auto& at, auto& view) {
     if (at.kReads || view.exactOutline) {
         at.field("exactOutline", view.exactOutline);
     }
+    const auto layer = [&at](const char* name, auto& shown) {
+        if (at.kReads || !shown) {
+            at.field(name, shown);
+        }
+    };
+    layer("cuttingLine", view.cuttingLine);
+    layer("notches", view.notches);
+    layer("grain", view.grain);
+    layer("labels", view.labels);
 };
 
 /// Cuts, joins and ease as a seams file has them, and what has been said of seams.

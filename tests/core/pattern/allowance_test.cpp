@@ -39,13 +39,6 @@ void expectOn(const Points2& cut, const Polyline& line) {
     }
 }
 
-TEST(CuttingLine, WidthsFollowFromTheKind) {
-    EXPECT_EQ(defaultAllowance(SeamKind::Seam), 10);
-    EXPECT_EQ(defaultAllowance(SeamKind::Free), 30);
-    EXPECT_EQ(defaultAllowance(SeamKind::Fold), 0);
-    EXPECT_EQ(defaultAllowance(SeamKind::Dart), 0);
-}
-
 TEST(CuttingLine, OfARegularPolygonIsOneWithTheSameSides) {
     constexpr int kSides = 200;
     constexpr double kInner = 100, kWidth = 10;  // inner radius

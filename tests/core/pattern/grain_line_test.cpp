@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/grain_line.h"
 
+#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ bool isInside(const Points2& outline, const Eigen::Vector2d& point) {
 TEST(GrainLine, LiesInsideAlongItsDirection) {
     for (const PatternPiece& piece : test::sewingPattern().pieces) {
         for (const double angle : {0.0, 0.4, kPi / 2, 2.5}) {
-            const auto line = grainLine({piece.outline}, angle, {});
+            const auto line = grainLine({{piece.outline}}, angle);
             if (!line) {
                 continue;  // no room for one
             }
@@ -46,28 +47,48 @@ TEST(GrainLine, LiesInsideAlongItsDirection) {
 TEST(GrainLine, RunsThroughTheMiddleWhereNothingIsInItsWay) {
     for (const double angle : {0.0, 0.4, kPi / 2}) {
         // Lines beside the middle of a rectangle are as long as it at best.
-        const auto line = grainLine({test::rectangle(-70, 30, 200, 300)}, angle, {});
+        const auto line = grainLine({{test::rectangle(-70, 30, 200, 300)}}, angle);
         ASSERT_TRUE(line);
         EXPECT_LT((0.5 * (line->from + line->to) - Eigen::Vector2d(30, 180)).norm(), 1e-9) << angle;
     }
 }
 
+TEST(GrainLine, KeepsAwayFromTheOutlineAndIsNoLongerThanNeeded) {
+    // The longest line of all runs along the right edge; one as long as is drawn fits well inside.
+    Points2 outline(4, 2);
+    outline << 0, 0, 300, 0, 300, 1000, 0, 700;
+    const auto line = grainLine({{outline}}, kPi / 2);
+    ASSERT_TRUE(line);
+    EXPECT_NEAR((line->to - line->from).norm(), 300, 1e-9);
+    EXPECT_GT(line->from.x(), 100);
+    EXPECT_LT(line->from.x(), 200);
+    // A strip: along it as far as a tenth of the length leaves room, across it nearly all.
+    const auto along = grainLine({{test::rectangle(0, 0, 20, 600)}}, kPi / 2);
+    ASSERT_TRUE(along);
+    EXPECT_NEAR((along->to - along->from).norm(), 160, 1e-9);
+    const auto across = grainLine({{test::rectangle(0, 0, 20, 600)}}, 0);
+    ASSERT_TRUE(across);
+    EXPECT_NEAR((across->to - across->from).norm(), 16, 1e-9);
+}
+
 TEST(GrainLine, KeepsOffTheName) {
     const Points2 outline = test::rectangle(0, 0, 200, 300);
-    const Eigen::AlignedBox2d name(Eigen::Vector2d(60, 140), Eigen::Vector2d(140, 160));
-    const auto line = grainLine({outline}, kPi / 2, name);
+    Points2 name(5, 2);
+    name << 60, 140, 140, 140, 140, 160, 60, 160, 60, 140;
+    const auto line = grainLine({{outline}, {name}}, kPi / 2);
     ASSERT_TRUE(line);
     EXPECT_TRUE(line->from.x() < 60 || line->from.x() > 140);
     EXPECT_GT((line->to - line->from).norm(), 150);
-    EXPECT_FALSE(
-        grainLine({outline}, kPi / 2, {Eigen::Vector2d(-1, -1), Eigen::Vector2d(201, 301)}));
-    EXPECT_FALSE(grainLine({Points2(0, 2)}, 0, {}));
+    name << -1, -1, 201, -1, 201, 301, -1, 301, -1, -1;
+    EXPECT_FALSE(grainLine({{outline}, {name}}, kPi / 2));
+    EXPECT_FALSE(grainLine({{Points2(0, 2)}}, 0));
+    EXPECT_FALSE(grainLine({{outline}}, std::numeric_limits<double>::quiet_NaN()));
 }
 
 TEST(GrainLine, KeepsOffHoles) {
     const Points2 outline = test::rectangle(0, 0, 200, 300),
                   hole = test::rectangle(80, 100, 40, 90);
-    const auto line = grainLine({outline, hole}, kPi / 2, {});
+    const auto line = grainLine({{outline, hole}}, kPi / 2);
     ASSERT_TRUE(line);
     EXPECT_TRUE(line->from.x() < 80 || line->from.x() > 120);
     EXPECT_GT((line->to - line->from).norm(), 200);

@@ -87,7 +87,8 @@ TEST(Pattern, IsMadeOnceHoweverItsCopiesLie) {
     const auto seams = seamMarks(piece, here), moved = seamMarks(piece, there);
     ASSERT_EQ(seams.size(), moved.size());
     for (std::size_t i = 0; i < seams.size(); ++i) {
-        EXPECT_EQ(seams[i].place.position, moved[i].place.position);
+        ASSERT_TRUE(seams[i].numberPlace && moved[i].numberPlace);
+        EXPECT_EQ(seams[i].numberPlace->position, moved[i].numberPlace->position);
     }
 }
 
@@ -101,6 +102,10 @@ TEST(Pattern, SlugsAreUniqueAmongWhatIsFlat) {
     const Pattern without = makePattern(all.garment, all.results);
     EXPECT_EQ(without.pieces[0].outline.rows(), 0);
     EXPECT_TRUE(without.pieces[0].slug.empty());
+    EXPECT_EQ(without.pieces[0].number, 0);
+    EXPECT_EQ(without.pieces[1].number, 1);
+    EXPECT_EQ(drawnCount(without), drawnCount(all.pattern) - 1);
+    EXPECT_EQ(all.pattern.pieces.back().number, drawnCount(all.pattern));
     EXPECT_EQ(without.pieces[1].outline, all.pattern.pieces[1].outline);
 }
 

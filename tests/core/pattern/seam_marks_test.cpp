@@ -49,18 +49,31 @@ TEST(SeamMarks, TickTheEndsOfASeamIntoTheCloth) {
     EXPECT_EQ(drawing.paths[2].id, "piece-front--seam-12-tick-1");
 }
 
-TEST(SeamMarks, NameTheSeamAtItsMiddleInsideTheCloth) {
+TEST(SeamMarks, NumberAndNameTheSeamAtItsMiddleInsideTheCloth) {
     const Drawing drawing = marked(sewnRectangle());
-    ASSERT_EQ(drawing.texts.size(), 2U);
-    EXPECT_EQ(drawing.texts[0].lines, std::vector<std::string>{"1  front / back"});
-    EXPECT_EQ(drawing.texts[0].angle, 0);
-    EXPECT_NEAR(drawing.texts[0].position.x(), 1100, 1e-9);
-    EXPECT_GT(drawing.texts[0].position.y(), 1.25);
-    EXPECT_LT(drawing.texts[0].position.y(), 6);
+    ASSERT_EQ(drawing.texts.size(), 4U);
+    const DrawnText &number = drawing.texts[0], &name = drawing.texts[1];
+    EXPECT_EQ(number.id, "piece-front--seam-1-number");
+    EXPECT_EQ(number.lines, std::vector<std::string>{"1"});
+    EXPECT_EQ(number.height, 6);
+    EXPECT_EQ(name.id, "piece-front--seam-1-name");
+    EXPECT_EQ(name.lines, std::vector<std::string>{"front / back"});
+    EXPECT_EQ(name.height, 2.5);
+    for (const DrawnText* text : {&number, &name}) {
+        EXPECT_EQ(text->angle, 0);
+        EXPECT_GT(text->position.y(), 3);
+        EXPECT_LT(text->position.y(), 12);
+    }
+    EXPECT_EQ(number.position.y(), name.position.y());
+    // Together they are at the middle, the number first.
+    const double left = number.position.x() - 0.5 * textExtent(number.lines, 6).x();
+    const double right = name.position.x() + 0.5 * textExtent(name.lines, 2.5).x();
+    EXPECT_NEAR(0.5 * (left + right), 1100, 1e-9);
     // The middle of the other one is on the upper edge: below it, and not upside down.
-    EXPECT_NEAR(drawing.texts[1].position.x(), 1100, 1e-9);
-    EXPECT_LT(drawing.texts[1].position.y(), 100);
-    EXPECT_NEAR(drawing.texts[1].angle, 0, 1e-12);
+    EXPECT_EQ(drawing.texts[2].lines, std::vector<std::string>{"12"});
+    EXPECT_LT(drawing.texts[2].position.y(), 100);
+    EXPECT_NEAR(drawing.texts[2].angle, 0, 1e-12);
+    EXPECT_LT(drawing.texts[2].position.x(), drawing.texts[3].position.x());
 }
 
 TEST(SeamMarks, GiveTheNumberAloneWhereTheNameIsTooLong) {
@@ -68,8 +81,44 @@ TEST(SeamMarks, GiveTheNumberAloneWhereTheNameIsTooLong) {
     piece.seams[0].line *= 0.1;  // 20 mm
     const Drawing drawing = marked(piece);
     EXPECT_EQ(drawing.texts[0].lines, std::vector<std::string>{"1"});
-    piece.seams[0].line *= 0.01;  // 0.2 mm: nothing could be read
-    EXPECT_EQ(marked(piece).texts.size(), 1U);
+    EXPECT_EQ(drawing.texts[0].height, 6);
+    EXPECT_EQ(drawing.texts[1].lines, std::vector<std::string>{"12"});
+    piece.seams[0].line *= 0.12;  // 2.4 mm: not so large
+    EXPECT_EQ(marked(piece).texts[0].height, 2);
+    piece.seams[0].line *= 0.1;  // 0.2 mm: nothing could be read
+    EXPECT_EQ(marked(piece).texts[0].lines, std::vector<std::string>{"12"});
+}
+
+TEST(SeamMarks, LieAlongStraightStretchesRatherThanAcrossCorners) {
+    PatternPiece piece = sewnRectangle();
+    piece.seams.erase(piece.seams.begin());
+    piece.seams[0].line.resize(3, 2);
+    piece.seams[0].line << 200, 0, 200, 100, 100, 100;  // its middle is a corner
+    for (const SeamMark& mark : seamMarks(piece, {})) {
+        ASSERT_TRUE(mark.numberPlace);
+        EXPECT_EQ(mark.numberPlace->height, 6);
+        EXPECT_NEAR(std::abs(std::sin(2 * mark.angle)), 0, 1e-9);
+    }
+}
+
+TEST(SeamMarks, MakeRoomForEachOtherOnANarrowStrip) {
+    for (const double width : {30.0, 15.0, 6.0, 3.0}) {
+        PatternPiece piece{{}, "band", "band", test::rectangle(0, 0, 300, width)};
+        SeamLine lower{1, "band / front", Points2(2, 2), false};
+        lower.line << 0, 0, 300, 0;
+        SeamLine upper{2, "band / back", Points2(2, 2), false};
+        upper.line << 300, width, 0, width;
+        piece.seams = {lower, upper};
+        const std::vector<SeamMark> marks = seamMarks(piece, {});
+        ASSERT_EQ(marks.size(), 2U);
+        for (const SeamMark& mark : marks) {
+            ASSERT_TRUE(mark.numberPlace) << width;
+            const double height = mark.numberPlace->height;
+            EXPECT_EQ(height, width > 10 ? 6 : width > 5 ? 3 : 1.5) << width;
+            EXPECT_GT(mark.numberPlace->position.y() - 0.5 * height, 0);
+            EXPECT_LT(mark.numberPlace->position.y() + 0.5 * height, width);
+        }
+    }
 }
 
 TEST(SeamMarks, AreNoCutLinesAndTellTwoSidesOfOnePieceApart) {
@@ -93,6 +142,7 @@ TEST(SeamMarks, TextAlongAStandingEdgeIsTurned) {
     const Drawing drawing = marked(piece);
     EXPECT_NEAR(drawing.texts[0].angle, 0.5 * std::numbers::pi, 1e-12);
     EXPECT_LT(drawing.texts[0].position.x(), 1200);
+    EXPECT_LT(drawing.texts[0].position.y(), drawing.texts[1].position.y());
     EXPECT_NE(writeSvg(drawing).find("rotate(-90.0000 "), std::string::npos);
     EXPECT_NE(writeDxf(drawing).find("\r\n 50\r\n90.0000\r\n"), std::string::npos);
 }

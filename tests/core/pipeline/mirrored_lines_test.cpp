@@ -21,6 +21,13 @@
 namespace toile {
 namespace {
 
+/// A pattern that knows no more than that.
+Pattern patternIn(const Symmetry& symmetry) {
+    Pattern pattern;
+    pattern.symmetry = std::make_shared<const Symmetry>(symmetry);
+    return pattern;
+}
+
 Garment garmentNamed(const std::string& name) {
     return name == "tube" ? test::tube4(test::draped) : test::garmentOf(name);
 }
@@ -175,7 +182,7 @@ TEST(MirroredLinesReport, SaysWhatIsMirroredWhereThatWasAskedFor) {
     ASSERT_TRUE(symmetry);
     const PieceResults results = flattenedAs(garment, mirrored(false));
     EXPECT_FALSE(nlohmann::json::parse(writeReport(garment, results)).contains("symmetry"));
-    const auto report = nlohmann::json::parse(writeReport(garment, results, {}, &*symmetry));
+    const auto report = nlohmann::json::parse(writeReport(garment, results, patternIn(*symmetry)));
     const auto& said = report.at("symmetry");
     EXPECT_LT(said.at("deviation"), 1e-9);
     EXPECT_LT(said.at("largest_length_change"), 1e-9);
@@ -205,7 +212,7 @@ TEST(MirroredLinesReport, SaysWhatMirroringCostsInStrain) {
     const auto symmetry = findSymmetry(garment);
     ASSERT_TRUE(symmetry);
     const PieceResults results = flattenedAs(garment, mirrored(false));
-    const auto report = nlohmann::json::parse(writeReport(garment, results, {}, &*symmetry));
+    const auto report = nlohmann::json::parse(writeReport(garment, results, patternIn(*symmetry)));
     const auto& said = report.at("symmetry");
     const auto [mean, most] = strainOf(results);
     const auto [exactMean, exactMost] = strainOf(exactResults(results));

@@ -7,20 +7,23 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/segment.h"
+#include "core/pattern/notches.h"
+#include "core/pattern/seam_places.h"
 #include "core/pattern/segments.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/project_file.h"
+#include "core/seam/outline.h"
 #include "core/seam/seam_measure.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {
 namespace {
 
-/// A length that was typed, and where: the segment as a line in space, on which piece's side.
+/// What was typed of a segment, and where: the segment as a line in space, on which piece's side.
 struct TypedSegment {
     Points3 line;
     PieceId uncut;
-    double length = 0;
+    SegmentSettings said;
 };
 
 struct LineState {
@@ -29,6 +32,7 @@ struct LineState {
     FlattenOptions options{Method::Curvature};
     LineSettings lines;
     std::vector<TypedSegment> typed;
+    std::vector<Eigen::RowVector3d> notches;  ///< that were placed by hand
 };
 
 double distanceToLine(const Points3& line, const Eigen::RowVector3d& point) {
@@ -52,16 +56,21 @@ public:
     explicit LineEditor(unsigned seed) : random_(seed) {
         Progress progress;
         state_.loading.unit = LengthUnit::Millimetre;
+        state_.lines.notches = NotchRules{};
         state_.garment = *loadGarment({path_}, state_.loading, progress);
         for (int k = 0; k < 4; ++k) {
             type();
         }
+        notch();
+        notch();
     }
 
     void edit() {
-        switch (upTo(6)) {
+        switch (upTo(7)) {
             case 0:
                 return type();
+            case 5:
+                return notch();
             case 1:
                 return removeCut();
             case 2:
@@ -90,22 +99,25 @@ public:
             const Piece& piece = *state_.garment.pieces[p];
             for (const Segment& segment : all[p].segments) {
                 const Points3 line = spaceLine(segment.at, piece);
-                std::optional<double> expected;
+                const SegmentSettings* expected = nullptr;
                 for (std::size_t k = 0; k < state_.typed.size(); ++k) {
                     const TypedSegment& typed = state_.typed[k];
                     if (typed.uncut == piece.lineage.uncut.front() && liesOn(line, typed.line)) {
-                        expected = typed.length;
+                        expected = &typed.said;
                         ++found[k];
                     }
                 }
                 if (expected) {
-                    EXPECT_EQ(segment.settings.length, expected) << piece.name;
+                    SegmentSettings said = *expected;
+                    said.place = segment.place;
+                    EXPECT_EQ(segment.settings, said) << piece.name;
                 }
             }
         }
         for (std::size_t k = 0; k < found.size(); ++k) {
-            EXPECT_GT(found[k], 0) << "typed " << state_.typed[k].length;
+            EXPECT_GT(found[k], 0) << "typed " << *state_.typed[k].said.length;
         }
+        expectAllNotches(all);
     }
 
 private:
@@ -115,6 +127,64 @@ private:
         Progress progress;
         const PieceResults results = flattenGarment(state_.garment, state_.options, progress);
         return findSegments(state_.garment, results, state_.lines);
+    }
+
+    std::vector<std::vector<Notch>> foundNotches(const std::vector<OutlineSegments>& all) const {
+        Progress progress;
+        return findNotches(state_.garment, flattenGarment(state_.garment, state_.options, progress),
+                           all, *state_.lines.notches);
+    }
+
+    /// Where a notch is on the garment, on the left side of its seam.
+    Eigen::RowVector3d spotOf(const Notch& notch) const {
+        const SeamSide& side = state_.garment.seams.seams[notch.seam].left;
+        const Piece& piece = *state_.garment.pieces[side.piece];
+        const auto outlines = seam::buildOutlines(state_.garment.pieces);
+        const seam::Outline& outline = outlines.list[outlines.indexOf(side)];
+        const double arc = outline.wrap(notch.at.left);
+        const int k = outline.edgeAt(arc);
+        const double t = (arc - outline.arc[k]) / (outline.arc[k + 1] - outline.arc[k]);
+        const int next = outline.vertices[(k + 1) % outline.size()];
+        return (1 - t) * piece.mesh.V.row(outline.vertices[k]) + t * piece.mesh.V.row(next);
+    }
+
+    void expectAllNotches(const std::vector<OutlineSegments>& all) const {
+        std::vector<Eigen::RowVector3d> byHand;
+        for (const auto& ofSeam : foundNotches(all)) {
+            for (const Notch& notch : ofSeam) {
+                if (notch.reason == NotchReason::ByHand) {
+                    byHand.push_back(spotOf(notch));
+                }
+            }
+        }
+        for (const Eigen::RowVector3d& typed : state_.notches) {
+            EXPECT_TRUE(std::ranges::any_of(byHand, [&typed](const Eigen::RowVector3d& one) {
+                return (one - typed).norm() < 1e-6;
+            })) << typed;
+        }
+    }
+
+    /// A notch on a seam of the division, away from the others.
+    void notch() {
+        const int seam = upTo(state_.garment.seams.seams.size());
+        const Seam& of = state_.garment.seams.seams[seam];
+        const double share = 0.1 + 0.01 * upTo(80);
+        const auto said = of.matches.empty() || !of.cuts.empty()
+                              ? std::nullopt
+                              : notchSettingsAt(state_.garment, seam, share);
+        if (!said) {
+            return;
+        }
+        const Eigen::RowVector3d spot =
+            spotOf({.seam = seam, .share = share, .at = placeAtShare(of, share)});
+        if (std::ranges::any_of(state_.notches, [&spot](const Eigen::RowVector3d& other) {
+                return (other - spot).norm() < 2 * kNotchGap;
+            })) {
+            return;
+        }
+        past_.push_back(state_);
+        state_.lines.notches->notches.push_back(*said);
+        state_.notches.push_back(spot);
     }
 
     /// All of the segment is a part of the line.
@@ -127,6 +197,11 @@ private:
         return true;
     }
 
+    PieceId uncutOf(const SeamSide& side) const {
+        return side.piece < 0 ? PieceId{}
+                              : state_.garment.pieces[side.piece]->lineage.uncut.front();
+    }
+
     /// A length for a segment of a rim of the division, of which nothing has been said.
     void type() {
         const auto all = segments();
@@ -137,9 +212,10 @@ private:
                 const Points3 line = spaceLine(segment.at, piece);
                 const Seam* seam =
                     segment.seam >= 0 ? &state_.garment.seams.seams[segment.seam] : nullptr;
-                // A piece that is sewn to itself has two segments in one place.
+                // A piece that is sewn to itself, or was before it was cut, has two segments in one
+                // place.
                 const bool isCut =
-                    seam && (!seam->cuts.empty() || seam->left.piece == seam->right.piece);
+                    seam && (!seam->cuts.empty() || uncutOf(seam->left) == uncutOf(seam->right));
                 const bool isTyped =
                     std::ranges::any_of(state_.typed, [&](const TypedSegment& typed) {
                         return liesOn(line, typed.line) || liesOn(typed.line, line);
@@ -155,10 +231,15 @@ private:
         past_.push_back(state_);
         const auto& [p, segment] = free[static_cast<std::size_t>(upTo(free.size()))];
         const Piece& piece = *state_.garment.pieces[p];
-        const double length = segment->length() + 0.001 * ++count_;
-        state_.lines.segments.push_back({segment->place, length});
-        state_.typed.push_back(
-            {spaceLine(segment->at, piece), piece.lineage.uncut.front(), length});
+        ++count_;
+        const SegmentSettings said{.place = segment->place,
+                                   .length = segment->length() + 0.001 * count_,
+                                   .tolerance = 0.5 + 0.001 * count_,
+                                   .straight = upTo(2) == 0,
+                                   .allowance = 5 + 0.001 * count_,
+                                   .corner = static_cast<CornerRule>(upTo(7))};
+        state_.lines.segments.push_back(said);
+        state_.typed.push_back({spaceLine(segment->at, piece), piece.lineage.uncut.front(), said});
     }
 
     void recut(LoadOptions loading) {

@@ -419,5 +419,26 @@ TEST(PlacePieces, APieceThatCouldNotBeFlattenedKeepsWhatIsKnownOfIt) {
     EXPECT_EQ(placedSettings(settings, {failed}, {std::nullopt}), settings);
 }
 
+TEST(PlacePieces, PiecesWithAllowancesAreAsLargeAsTheyAreCut) {
+    const Garment garment =
+        panels({test::planeGrid(4, 4, 50), test::planeGrid(6, 4, 50), test::planeGrid(4, 4, 50)});
+    const PieceResults results = flat(garment);
+    const Pattern pattern = makePattern(garment, results, {.allowance = AllowanceWidths{45, 45}});
+    std::vector<PieceSettings> lying(3);
+    lying[0].placement = Placement{{7, 5}, 0.3, true};
+    for (std::vector<PieceSettings> settings : {std::vector<PieceSettings>(3), lying}) {
+        settings = placedSettings(settings, results, flatMotions({}, results), &pattern);
+        std::vector<Box> boxes;
+        for (std::size_t i = 0; i < 3; ++i) {
+            boxes.push_back(
+                outlineBox(pattern.pieces[i].cuttingLine, settings[i].placement.value()));
+            EXPECT_GT(boxes[i].sizes().minCoeff(), 280);
+            for (std::size_t k = 0; k < i; ++k) {
+                EXPECT_GT(boxes[i].exteriorDistance(boxes[k]), 10) << i << k;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace toile

@@ -79,7 +79,8 @@ public:
         for (int k = upTo(5); k > 0; --k) {
             project.labels[{random_() | 1U}] = {flag() ? text() : "", flag() ? upTo(100) : -1};
         }
-        project.view = {flag() ? "strain" : "", flag(), flag()};
+        project.view = {
+            flag() ? "strain" : "", flag(), flag(), flag(), flag(), flag(), flag(), flag()};
         return project;
     }
 
@@ -120,11 +121,33 @@ private:
         lines.trueBelow = flag() ? kProposedTrueing : 0;
         lines.mirror = static_cast<Mirror>(upTo(2));
         for (int k = upTo(3); k > 0; --k) {
-            lines.segments.push_back({stretch(), flag() ? std::optional(1000.0 / 7) : std::nullopt,
-                                      flag() ? std::optional(tolerance()) : std::nullopt, flag()});
+            lines.segments.push_back(
+                {stretch(), flag() ? std::optional(1000.0 / 7) : std::nullopt,
+                 flag() ? std::optional(tolerance()) : std::nullopt, flag(),
+                 flag() ? std::optional(100.0 / 7) : std::nullopt,
+                 flag() ? std::optional(static_cast<CornerRule>(upTo(6))) : std::nullopt});
             lines.turnPoints.push_back({{random_() | 1U}, number(2), flag(), flag()});
             lines.seamEnds.push_back(
                 {{stretch(), flag() ? stretch() : LineStretch{}}, flag(), flag()});
+        }
+        if (flag()) {
+            lines.allowance = AllowanceWidths{100.0 / 3, flag() ? 0 : kMaxAllowance};
+        }
+        if (flag()) {
+            lines.grain = static_cast<GrainRule>(upTo(2));
+        }
+        if (flag()) {
+            NotchRules& rules = lines.notches.emplace();
+            rules.automatic = flag();
+            rules.form = static_cast<NotchForm>(upTo(3));
+            rules.depth = kMinNotchDepth + 1.0 / 3;
+            for (int k = upTo(3); k > 0; --k) {
+                rules.notches.push_back({{random_() | 1U},
+                                         number(2),
+                                         flag(),
+                                         flag(),
+                                         flag() ? std::optional(1 + upTo(1)) : std::nullopt});
+            }
         }
         return lines;
     }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/piece_allowance.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/pattern/capped_outline.h"
+#include "core/pattern/darts.h"
+
+namespace toile {
+namespace {
+
+bool isHem(const PatternSegment& segment) {
+    return segment.seam > 0 && segment.kind == SeamKind::Free;
+}
+
+}  // namespace
+
+double usualAllowance(const PatternSegment& segment, const AllowanceWidths& widths) {
+    switch (segment.kind) {
+        case SeamKind::Fold:
+        case SeamKind::Dart:
+            return 0;
+        case SeamKind::Free:  // what is too short to be a free edge is beside a seam
+            return isHem(segment) ? widths.hem : widths.seam;
+        case SeamKind::Seam:
+            break;
+    }
+    return widths.seam;
+}
+
+CornerRule cornerOf(const PatternPiece& piece, std::size_t k) {
+    const PatternSegment& segment = piece.segments[k];
+    const std::size_t count = piece.segments.size();
+    std::size_t before = (k + count - 1) % count;
+    while (before != k && piece.segments[before].kind == SeamKind::Dart) {
+        before = (before + count - 1) % count;  // the line runs on over the closed dart
+    }
+    const bool afterHem = isHem(piece.segments[before]);
+    if (segment.corner || afterHem == isHem(segment)) {
+        return segment.corner.value_or(CornerRule::Mitre);
+    }
+    return afterHem ? CornerRule::MirrorFirst : CornerRule::MirrorSecond;
+}
+
+AllowanceBase allowanceBase(const PatternPiece& piece) {
+    CappedOutline capped = cappedOutline(piece, findDarts(piece));
+    AllowanceBase base{std::move(capped.line), {}};
+    base.stretches.reserve(capped.stretches.size());
+    for (const CappedStretch& stretch : capped.stretches) {
+        const auto k = static_cast<std::size_t>(stretch.segment);
+        base.stretches.push_back(
+            stretch.segment < 0
+                ? AllowanceStretch{stretch.first, 0, CornerRule::Mitre}
+                : AllowanceStretch{stretch.first, piece.segments[k].allowance, cornerOf(piece, k)});
+    }
+    return base;
+}
+
+Points2 cuttingLineOf(const PatternPiece& piece) {
+    AllowanceBase base = allowanceBase(piece);
+    const bool isNone = std::ranges::all_of(
+        base.stretches, [](const AllowanceStretch& stretch) { return stretch.width == 0; });
+    return isNone ? std::move(base.line) : cuttingLine(base.line, base.stretches);
+}
+
+double allowanceAt(const PatternPiece& piece, double length, double at) {
+    for (const PatternSegment& segment : piece.segments) {
+        // What passes the outline's first point is met a turn later.
+        for (const double place : {at, at + length}) {
+            if (place >= segment.from && place < segment.to) {
+                return segment.allowance;
+            }
+        }
+    }
+    return 0;
+}
+
+}  // namespace toile

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/seam_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "core/geometry/segment.h"
+#include "core/geometry/triangle_tree.h"
+
+namespace toile {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kTick = 5;          // mm; shorter on a short seam
+constexpr double kTickOfSeam = 0.2;  // of the seam's length, at most
+constexpr double kSameTick = 0.1;    // mm
+/// Heights of numbers, mm, tried in turn.
+constexpr std::array kNumberHeights{kLargestNumber, 5.0, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.2, 1.0,
+                                    kSmallestNumber};
+/// Of the seam's length: where the middle of a text may be.
+constexpr std::array kPlacesAlong{0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9};
+constexpr double kTextOfSeam = 0.8;     // of the seam's length that a text may take
+constexpr double kStraightText = 0.95;  // of the line under a text: its chord; less is a corner
+constexpr double kOffEdge = 0.999;      // of the way from a text to its edge: all but the edge
+constexpr double kNameOff = 2;          // mm between number and name
+constexpr double kRounding = 0x1p-22;
+// In heights of a capital:
+constexpr double kEdgeToText = 0.5;
+constexpr double kAirAround = 0.25;  // kept free on each side
+
+/// A seam as it lies, by arc lengths.
+class OpenLine {
+public:
+    explicit OpenLine(Points2 points) : points_(std::move(points)), arc_(points_.rows(), 0) {
+        for (Eigen::Index i = 1; i < points_.rows(); ++i) {
+            arc_[i] = arc_[i - 1] + (points_.row(i) - points_.row(i - 1)).norm();
+        }
+    }
+
+    double length() const { return arc_.empty() ? 0 : arc_.back(); }
+
+    Vector2d pointAt(double at) const {
+        const std::size_t next = after(at);
+        const double step = arc_[next] - arc_[next - 1];
+        const double t = step > 0 ? std::clamp((at - arc_[next - 1]) / step, 0.0, 1.0) : 0.0;
+        return ((1 - t) * points_.row(next - 1) + t * points_.row(next)).transpose();
+    }
+
+    /// By how much the line between two places rises to the left of the way from point to point.
+    double bulge(double from, double to, const Vector2d& origin, const Vector2d& left) const {
+        double most = 0;
+        for (std::size_t i = after(from); i < arc_.size() && arc_[i] < to; ++i) {
+            most = std::max(most, (points_.row(i).transpose() - origin).dot(left));
+        }
+        return most;
+    }
+
+private:
+    /// The first point beyond a place, of those that end an edge.
+    std::size_t after(double at) const {
+        const auto next = std::upper_bound(arc_.begin() + 1, arc_.end() - 1, at);
+        return static_cast<std::size_t>(next - arc_.begin());
+    }
+
+    Points2 points_;
+    std::vector<double> arc_;
+};
+
+/// A box along an edge.
+struct TurnedBox {
+    Vector2d middle, along, half;
+
+    Vector2d within(const Vector2d& point) const {
+        const Vector2d way = point - middle;
+        return {way.dot(along), way.dot(geometry::leftOf(along))};
+    }
+    bool meets(const Vector2d& a, const Vector2d& b) const {
+        const Vector2d from = within(a);
+        const auto share = geometry::shareInBox<Vector2d>(from, within(b) - from, -half, half);
+        return share.first <= share.last;
+    }
+    std::array<Vector2d, 4> corners() const {
+        const Vector2d x = half.x() * along, y = half.y() * geometry::leftOf(along);
+        return {middle - x - y, middle + x - y, middle + x + y, middle - x + y};
+    }
+    bool meets(const TurnedBox& other) const {
+        const auto rim = other.corners();
+        for (std::size_t i = 0; i < rim.size(); ++i) {
+            if (meets(rim[i], rim[(i + 1) % rim.size()])) {
+                return true;
+            }
+        }
+        return (other.within(middle).cwiseAbs().array() <= other.half.array()).all();
+    }
+};
+
+/// Lines that texts keep off, found by the place.
+class LinesThere {
+public:
+    /// Once all lines have been added.
+    void finish() {
+        std::vector<std::uint32_t> triangles;  // without area: segments
+        triangles.reserve(3 * ends_.size());
+        for (const auto& [a, b] : ends_) {
+            triangles.insert(triangles.end(), {a, b, b});
+        }
+        tree_ = {coordinates_.data(), 2, triangles};
+    }
+
+    /// What lies within it is taken too.
+    void addObstacle(const Points2& line) {
+        add(line, false);
+        if (line.rows() > 3 && line.row(0) == line.row(line.rows() - 1)) {
+            taken_.push_back(line);
+        }
+    }
+
+    void add(const Points2& line, bool isClosed) {
+        const auto first = static_cast<std::uint32_t>(points_.size());
+        for (Eigen::Index i = 0; i < line.rows(); ++i) {
+            const Vector2d& point = points_.emplace_back(line.row(i).transpose());
+            coordinates_.push_back(static_cast<float>(point.x()));
+            coordinates_.push_back(static_cast<float>(point.y()));
+            if (i > 0) {
+                ends_.emplace_back(first + i - 1, first + i);
+            }
+        }
+        if (isClosed && line.rows() > 0) {
+            ends_.emplace_back(first + line.rows() - 1, first);
+        }
+    }
+
+    bool meet(const TurnedBox& box) const {
+        Vector2d low = box.middle, high = box.middle;
+        for (const Vector2d& corner : box.corners()) {
+            low = low.cwiseMin(corner);
+            high = high.cwiseMax(corner);
+        }
+        // The tree's boxes are rounded.
+        const Eigen::Vector2f from = (low - kRounding * low.cwiseAbs()).cast<float>();
+        const Eigen::Vector2f to = (high + kRounding * high.cwiseAbs()).cast<float>();
+        bool isMet = false;
+        const auto distanceTo = [&](const Tree::Box& there) {
+            const bool isNear = !isMet && there.low[0] <= to.x() && there.high[0] >= from.x() &&
+                                there.low[1] <= to.y() && there.high[1] >= from.y();
+            return isNear ? 0.0 : Tree::kMissed;
+        };
+        tree_.search(distanceTo, [&](std::uint32_t edge) {
+            const auto& [a, b] = ends_[edge];
+            isMet = isMet || box.meets(points_[a], points_[b]);
+        });
+        return isMet || std::ranges::any_of(taken_, [&box](const Points2& line) {
+                   return goesRound(line, box.middle);
+               });
+    }
+
+private:
+    using Tree = geometry::TriangleTree<2>;
+
+    static bool goesRound(const Points2& line, const Vector2d& point) {
+        bool isInside = false;
+        for (Eigen::Index i = 1; i < line.rows(); ++i) {
+            const Vector2d a = line.row(i - 1).transpose() - point;
+            const Vector2d b = line.row(i).transpose() - point;
+            if ((a.y() > 0) != (b.y() > 0)) {
+                isInside = isInside != ((geometry::cross(a, b) > 0) == (b.y() > a.y()));
+            }
+        }
+        return isInside;
+    }
+
+    std::vector<Points2> taken_;
+
+    std::vector<Vector2d> points_;
+    std::vector<float> coordinates_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;
+    Tree tree_;
+};
+
+/// Of all seams of a piece.
+class SeamTicks {
+public:
+    /// A tick at `from`, square to the way towards `towards`, `size` to its left.
+    std::optional<Chord> tick(const Vector2d& from, const Vector2d& towards, double size) {
+        const Vector2d way = towards - from;
+        if (!(way.norm() > 0)) {
+            return std::nullopt;
+        }
+        const Chord tick{from, from + size * geometry::leftOf(way.normalized())};
+        for (const Chord& other : ticks_) {
+            if ((tick.from - other.from).norm() < kSameTick &&
+                (tick.to - other.to).norm() < kSameTick) {
+                return std::nullopt;  // the seam before ends here, straight on
+            }
+        }
+        ticks_.push_back(tick);
+        return tick;
+    }
+
+private:
+    std::vector<Chord> ticks_;
+};
+
+Points2 tickLine(const Chord& chord) {
+    Points2 line(2, 2);
+    line << chord.from.transpose(), chord.to.transpose();
+    return line;
+}
+
+/// Writes number and name along the edges, seam by seam.
+class SeamTexts {
+public:
+    explicit SeamTexts(const LinesThere& lines) : lines_(lines) {}
+
+    void write(SeamMark& mark, const OpenLine& line, const std::string& name) {
+        const double number = textExtent({std::to_string(mark.number)}, 1).x();
+        const double withName = kNameOff + textExtent({name}, kSeamNameHeight).x();
+        for (const double height : kNumberHeights) {
+            for (const bool isNamed : {true, false}) {
+                const double width = number * height + (isNamed ? withName : 0);
+                if ((isNamed && (name.empty() || height < kSeamNameHeight)) ||
+                    width > kTextOfSeam * line.length()) {
+                    continue;
+                }
+                for (const double share : kPlacesAlong) {
+                    if (const auto row = freeRow(line, share * line.length(), width, height)) {
+                        place(mark, *row, number * height, width, height, isNamed ? name : "");
+                        return;
+                    }
+                }
+            }
+        }
+    }
+
+private:
+    /// The row of texts about a place of the line, and nothing else in its box.
+    std::optional<TurnedBox> freeRow(const OpenLine& line, double at, double width,
+                                     double height) const {
+        const double from = at - 0.5 * width, to = at + 0.5 * width;
+        if (from < 0 || to > line.length()) {
+            return std::nullopt;
+        }
+        const Vector2d before = line.pointAt(from), after = line.pointAt(to);
+        const Vector2d way = after - before;
+        if (!(way.norm() > kStraightText * width)) {
+            return std::nullopt;
+        }
+        const Vector2d left = geometry::leftOf(way.normalized());
+        // Clear of an edge that bulges into the cloth under the text.
+        const double off = line.bulge(from, to, before, left) + (kEdgeToText + 0.5) * height;
+        const double air = kAirAround * height;
+        const TurnedBox row{0.5 * (before + after) + off * left, way.normalized(),
+                            Vector2d(0.5 * width + air, 0.5 * height + air)};
+        // No other line lies between the edge and the text.
+        const Vector2d stalk = row.middle - line.pointAt(at);
+        const TurnedBox between{row.middle - 0.5 * kOffEdge * stalk, stalk.normalized(),
+                                Vector2d(0.5 * kOffEdge * stalk.norm(), 0)};
+        const bool isFree = !lines_.meet(row) && !lines_.meet(between) &&
+                            std::ranges::none_of(
+                                rows_, [&row](const TurnedBox& other) { return row.meets(other); });
+        return isFree ? std::optional(row) : std::nullopt;
+    }
+
+    void place(SeamMark& mark, const TurnedBox& row, double number, double width, double height,
+               const std::string& name) {
+        rows_.push_back(row);
+        mark.angle = readableAngle(std::atan2(row.along.y(), row.along.x()));
+        const Vector2d onwards(std::cos(mark.angle), std::sin(mark.angle));
+        mark.numberPlace = {row.middle + 0.5 * (number - width) * onwards, height};
+        if (!name.empty()) {
+            const double half = 0.5 * textExtent({name}, kSeamNameHeight).x();
+            mark.namePlace = {row.middle + (0.5 * width - half) * onwards, kSeamNameHeight};
+            mark.name = name;
+        }
+    }
+
+    const LinesThere& lines_;
+    std::vector<TurnedBox> rows_;
+};
+
+}  // namespace
+
+std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& placement,
+                                const std::vector<Points2>& obstacles) {
+    std::vector<SeamMark> marks;
+    std::vector<OpenLine> lines;
+    std::vector<const SeamLine*> seams;
+    std::set<int> numbers;
+    SeamTicks ticks;
+    LinesThere there;
+    there.add(turnedLine(piece.outline, placement), true);
+    for (const Points2& hole : piece.holes) {
+        there.add(turnedLine(hole, placement), true);
+    }
+    for (const Points2& obstacle : obstacles) {
+        there.addObstacle(obstacle);
+    }
+    for (const SeamLine& seam : piece.seams) {
+        if (seam.kind == SeamKind::Free || seam.line.rows() < 2) {
+            continue;
+        }
+        OpenLine line(turnedLine(seam.line, placement));
+        const double length = line.length();
+        if (!(length > 0)) {
+            continue;
+        }
+        SeamMark& mark = marks.emplace_back();
+        mark.number = seam.number;
+        mark.second = !numbers.insert(seam.number).second;
+        const double tick = std::min(kTick, kTickOfSeam * length);
+        // Of a mirrored piece the line runs from its end.
+        const bool isAtFold[] = {seam.isAtFold[placement.mirrored ? 1 : 0],
+                                 seam.isAtFold[placement.mirrored ? 0 : 1]};
+        if (!isAtFold[0]) {
+            mark.ticks[0] = ticks.tick(line.pointAt(0), line.pointAt(tick), tick);
+        }
+        if (!seam.closed && !isAtFold[1]) {
+            // Seen from the end backwards the cloth is on the right.
+            mark.ticks[1] = ticks.tick(line.pointAt(length), line.pointAt(length - tick), -tick);
+        }
+        for (const auto& made : mark.ticks) {
+            if (made) {
+                there.add(tickLine(*made), false);
+            }
+        }
+        lines.push_back(std::move(line));
+        seams.push_back(&seam);
+    }
+    there.finish();
+    SeamTexts texts(there);
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        texts.write(marks[i], lines[i], seams[i]->name);
+    }
+    return marks;
+}
+
+void addObstacles(const SeamMark& mark, std::vector<Points2>& obstacles) {
+    for (const auto& tick : mark.ticks) {
+        if (tick) {
+            obstacles.push_back(tickLine(*tick));
+        }
+    }
+    if (mark.numberPlace) {
+        const std::string number = std::to_string(mark.number);
+        const double air = kAirAround * mark.numberPlace->height;
+        obstacles.push_back(textBox(*mark.numberPlace, {number}, mark.angle, air));
+    }
+    if (mark.namePlace) {
+        const double air = kAirAround * mark.namePlace->height;
+        obstacles.push_back(textBox(*mark.namePlace, {mark.name}, mark.angle, air));
+    }
+}
+
+double readableAngle(double angle) {
+    const bool isUpsideDown =
+        angle > 0.5 * std::numbers::pi + 1e-9 || angle <= -0.5 * std::numbers::pi + 1e-9;
+    return !isUpsideDown ? angle : angle + (angle > 0 ? -std::numbers::pi : std::numbers::pi);
+}
+
+}  // namespace toile
