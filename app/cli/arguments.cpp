@@ -30,6 +30,7 @@ struct Typed {
 constexpr Word<ViewsShown> kViewWords[] = {
     {ViewsShown::Garment, "garment"}, {ViewsShown::Pattern, "pattern"}, {ViewsShown::Both, "both"}};
 
+constexpr Word<bool> kNotchesWords[] = {{true, "auto"}, {false, "none"}};
 constexpr Word<bool> kSwitchWords[] = {{true, "on"}, {false, "off"}};
 
 constexpr Word<Panel> kPanelWords[] = {
@@ -179,6 +180,31 @@ void addLineOptions(CLI::App& command, StatedOptions& stated) {
         ->default_str("none");
 }
 
+/// What is added to the outlines.
+void addPatternOptions(CLI::App& command, StatedOptions& stated) {
+    const AllowanceWidths usual;
+    const auto addWidth = [&command](const char* option, std::optional<double>& width,
+                                     double otherwise, const std::string& help) {
+        command
+            .add_option_function<double>(
+                option, [&width](double typed) { width = typed; }, help)
+            ->type_name("MM")
+            ->check(CLI::Range(0.0, kMaxAllowance))
+            ->default_str(shortest(otherwise));
+    };
+    addWidth("--allowance", stated.allowance, usual.seam,
+             "Cut pieces this far outside their seam lines, and further along hems");
+    addWidth("--hem", stated.hem, usual.hem, "The same along free edges");
+    addChoice(command, "--notches", stated.notches, kNotchesWords,
+              "auto: mark the places at which the two sides of a seam are laid on each other")
+        ->default_str("none");
+    command.add_flag(
+        "--pattern", stated.pattern,
+        "A pattern to cut and sew: --fair --true --mirror auto --allowance 10 --hem 30 "
+        "--notches auto --grain vertical, but for what a project or another option "
+        "says");
+}
+
 void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App& flatten = addCommand(app, arguments, Arguments::Command::Flatten, "flatten",
                                    "Flatten every piece of a garment");
@@ -190,7 +216,8 @@ void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
         ->allow_extra_args(false);  // so that inputs may follow
     addMethodOptions(flatten, arguments.stated);
     addLineOptions(flatten, arguments.stated);
-    addChoice(flatten, "--grain", arguments.grain, kGrainRuleWords,
+    addPatternOptions(flatten, arguments.stated);
+    addChoice(flatten, "--grain", arguments.stated.grain, kGrainRuleWords,
               "How the grain runs where a project does not say: as the garment hangs, as in the "
               "reference panels, or as the garment hangs and turned by 45 or 90 degrees where that "
               "strains the cloth much less [unset: no grain line is drawn]");
@@ -422,7 +449,23 @@ LineSettings StatedOptions::over(LineSettings lines) const {
     }
     lines.trueBelow = trueSeams ? kProposedTrueing : lines.trueBelow;
     const bool asksForMirror = byHalf && lines.mirror == Mirror::None;
-    lines.mirror = mirror.value_or(asksForMirror ? Mirror::Mean : lines.mirror);
+    lines.mirror = asksForMirror ? Mirror::Mean : lines.mirror;
+    if (pattern) {
+        lines = withPattern(std::move(lines));
+    }
+    lines.mirror = mirror.value_or(lines.mirror);
+    lines.grain = grain ? grain : lines.grain;
+    if (allowance || hem) {
+        const AllowanceWidths before = lines.allowance.value_or(AllowanceWidths{});
+        lines.allowance = {allowance.value_or(before.seam), hem.value_or(before.hem)};
+    }
+    if (notches) {
+        lines.notches =
+            *notches ? lines.notches.value_or(NotchRules{}) : std::optional<NotchRules>();
+        if (lines.notches) {
+            lines.notches->automatic = true;
+        }
+    }
     return lines;
 }
 

@@ -9,7 +9,6 @@
 #include "app/cli/picture_arguments.h"
 #include "app/document/view_state.h"
 #include "core/garment/fabric.h"
-#include "core/pattern/piece_grain.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/project.h"
 
@@ -26,7 +25,11 @@ struct StatedOptions {
     std::optional<Fairing> fairing{};
     bool trueSeams = false;
     std::optional<Mirror> mirror{};
-    bool byHalf = false;  ///< every piece, in files; asks for mirrored pieces
+    bool byHalf = false;                       ///< every piece, in files; asks for mirrored pieces
+    std::optional<double> allowance{}, hem{};  ///< AllowanceWidths; mm
+    std::optional<bool> notches{};             ///< placed by themselves, or none
+    std::optional<GrainRule> grain{};
+    bool pattern = false;  ///< `withPattern`
 
     /// These options where something was typed, the given ones else.
     FlattenOptions over(FlattenOptions options) const;
@@ -60,7 +63,6 @@ struct Arguments {
     StatedOptions stated{};            ///< how pieces are flattened, as far as it was typed
     FlattenOptions options;            ///< the same, with what holds where nothing was typed
     LineSettings lines{};              ///< likewise, how outlines are drawn
-    std::optional<GrainRule> grain;    ///< flatten: of pieces whose grain nobody has stated
     std::vector<Method> methods;       ///< compare: each once, in the order typed
     std::filesystem::path screenshot;  ///< window: save a picture of itself and end
     std::optional<Overlay> overlay;    ///< window, render: what is painted on the cloth

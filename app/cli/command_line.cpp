@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/cli/arguments.h"
+#include "core/pattern/piece_grain.h"
 #include "core/project/place_pieces.h"
 #include "core/project/project_file.h"
 
@@ -131,13 +132,15 @@ LaidOutPattern laidOutAsStated(const Arguments& arguments, const Garment& garmen
     if (!arguments.project) {
         return inRows(garment, results, arguments.lines, arguments.stated.byHalf);
     }
+    const auto symmetry = symmetryOf(garment, arguments.lines);
+    const Pattern pattern = makePattern(garment, results, arguments.lines, symmetry);
     std::vector<PieceSettings> settings =
         placedSettings(settingsFor(*arguments.project, garment), results,
-                       std::vector<std::optional<FlatMotion>>(results.size()));
+                       std::vector<std::optional<FlatMotion>>(results.size()), &pattern);
     for (PieceSettings& piece : settings) {
         piece.byHalf = piece.byHalf || arguments.stated.byHalf;
     }
-    return layOut(garment, results, settings, arguments.project->labels, arguments.lines);
+    return layOut(garment, results, settings, arguments.project->labels, arguments.lines, symmetry);
 }
 
 }  // namespace
@@ -145,11 +148,9 @@ LaidOutPattern laidOutAsStated(const Arguments& arguments, const Garment& garmen
 LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
                        const PieceResults& results) {
     LaidOutPattern laid = laidOutAsStated(arguments, garment, results);
-    if (arguments.grain) {
-        const auto symmetry = arguments.lines.mirror != Mirror::None ? findSymmetry(garment)
-                                                                     : std::optional<Symmetry>();
+    if (arguments.lines.grain) {
         const auto grains =
-            findGrains(garment, results, symmetry ? &*symmetry : nullptr, *arguments.grain,
+            findGrains(garment, results, laid.pattern.symmetry.get(), *arguments.lines.grain,
                        arguments.fabric.value_or(fabricPresets().front()));
         for (std::size_t p = 0; p < grains.size(); ++p) {
             std::optional<double>& grain = laid.pattern.pieces[p].grain;

@@ -137,7 +137,7 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     }
     const LaidOutPattern laid = laidOut(arguments, *garment, results);
     for (const auto& output : arguments.outputs) {
-        const auto written = exportFile(output, *garment, results, laid, {}, {}, arguments.lines);
+        const auto written = exportFile(output, *garment, results, laid);
         if (written) {
             out << "wrote " << output.string() << '\n';
         } else {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <numbers>
-#include <optional>
 #include <ostream>
 
 #include "app/cli/arguments.h"
@@ -11,7 +10,6 @@
 #include "core/base/text.h"
 #include "core/export/seam_walk_writer.h"
 #include "core/pattern/walk.h"
-#include "core/symmetry/symmetry.h"
 
 namespace toile::app {
 namespace {
@@ -85,10 +83,9 @@ int runWalk(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         exact.push_back(result->exact ? result->exact : result);
     }
     const std::vector<OutlineSegments> segments = findSegments(*garment, exact, lines);
-    const std::optional<Symmetry> symmetry =
-        lines.mirror == Mirror::None ? std::nullopt : findSymmetry(*garment);
     const Notches notches =
-        findNotches(*garment, results, segments, {}, symmetry ? &*symmetry : nullptr);
+        findNotches(*garment, results, segments, lines.notches.value_or(NotchRules{}),
+                    symmetryOf(*garment, lines).get());
     const std::vector<SeamWalk> walks = walkSeams(*garment, results, segments, notches);
     if (arguments.json) {
         out << writeWalk(*garment, notches, walks);

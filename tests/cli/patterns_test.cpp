@@ -44,6 +44,33 @@ TEST(PatternsPage, TheKinksOfTheBodiceAreThoseOfTheProgram) {
     test::expectFiguresInDocs("patterns.md", "kinks", table);
 }
 
+TEST(PatternsPage, TheWalkOfTheShirtIsThatOfTheProgram) {
+    const auto run =
+        test::run(TOILE_PROGRAM, {"walk", test::dataFile("samples/tshirt.obj").string(), "--fair",
+                                  "--true", "--mirror", "auto", "--json"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    std::string table =
+        "| Seam | Left mm | Right mm | Notches | Largest error mm |\n"
+        "|---|--:|--:|--:|--:|\n";
+    const Json walked = Json::parse(run.out);
+    for (const Json& seam : walked["seams"]) {
+        double left = 0, right = 0, error = 0;
+        int notches = 0;
+        for (const Json& station : seam["stations"]) {
+            left += station["length_2d_left"].get<double>();
+            right += station["length_2d_right"].get<double>();
+            error = std::max(error, std::abs(station["error_mm"].get<double>()));
+            notches += station["notch"].is_null() ? 0 : 1;
+        }
+        char row[256];
+        std::snprintf(row, sizeof row, "| %s | %.2f | %.2f | %d | %s |\n",
+                      seam["name"].get<std::string>().c_str(), left, right, notches,
+                      error <= 1e-6 ? "0.000001 or less" : "more");
+        table += row;
+    }
+    test::expectFiguresInDocs("patterns.md", "walk", table);
+}
+
 TEST(FairOption, StandsAloneOrWithItsNumbers) {
     const std::string bodice = test::dataFile("samples/bodice.obj").string();
     const auto farthest = [&](const std::vector<std::string>& options) -> double {
@@ -137,6 +164,60 @@ TEST(HalfOption, DrawsOnceWhatMirrors) {
     EXPECT_EQ(pairs, 2);
     EXPECT_EQ(left, 1);
     EXPECT_FALSE(reportOf(tshirt, {})["pieces"][0].contains("by_half"));
+}
+
+TEST(PatternOption, IsAllOfItWithTheDefaults) {
+    const std::string tshirt = test::dataFile("samples/tshirt.obj").string();
+    const Json all = reportOf(tshirt, {"--pattern"});
+    const Json typed =
+        reportOf(tshirt, {"--fair", "--true", "--mirror", "auto", "--allowance", "10", "--hem",
+                          "30", "--notches", "auto", "--grain", "vertical"});
+    const auto withoutTimes = [](Json report) {
+        for (Json& piece : report["pieces"]) {
+            piece.erase("seconds");
+        }
+        report.erase("files");
+        return report;
+    };
+    EXPECT_EQ(withoutTimes(all), withoutTimes(typed));
+    int notches = 0;
+    for (const Json& piece : all["pieces"]) {
+        EXPECT_TRUE(piece.contains("line") && piece.contains("grain")) << piece["name"];
+        EXPECT_GT(piece["cutting_line_length"], piece["perimeter_2d"]) << piece["name"];
+        notches += static_cast<int>(piece["notches"].size());
+    }
+    EXPECT_GT(notches, 10);
+}
+
+TEST(PatternOption, GivesWayToWhatElseIsTyped) {
+    const std::string tshirt = test::dataFile("samples/tshirt.obj").string();
+    const Json report = reportOf(tshirt, {"--pattern", "--hem", "0", "--notches", "none",
+                                          "--mirror", "none", "--grain", "least-strain"});
+    EXPECT_FALSE(report.contains("symmetry"));
+    for (const Json& piece : report["pieces"]) {
+        EXPECT_FALSE(piece.contains("notches"));
+        for (const Json& segment : piece["segments"]) {
+            EXPECT_TRUE(segment["allowance"] == 0 || segment["allowance"] == 10);
+        }
+    }
+}
+
+TEST(AllowanceOption, AloneAddsNothingElse) {
+    const std::string tshirt = test::dataFile("samples/tshirt.obj").string();
+    const Json bare = reportOf(tshirt, {}), report = reportOf(tshirt, {"--hem", "25"});
+    for (std::size_t p = 0; p < report["pieces"].size(); ++p) {
+        const Json& piece = report["pieces"][p];
+        EXPECT_EQ(piece["area_2d"], bare["pieces"][p]["area_2d"]);
+        EXPECT_FALSE(piece.contains("notches") || piece.contains("line"));
+        for (const Json& segment : piece["segments"]) {
+            EXPECT_TRUE(segment["allowance"] == 25 || segment["allowance"] == 10);
+        }
+    }
+    EXPECT_FALSE(bare["pieces"][0].contains("segments"));
+    for (const char* wrong : {"-1", "501", "wide"}) {
+        EXPECT_EQ(test::run(TOILE_PROGRAM, {"flatten", tshirt, "--allowance", wrong}).status, 2);
+    }
+    EXPECT_EQ(test::run(TOILE_PROGRAM, {"flatten", tshirt, "--notches", "some"}).status, 2);
 }
 
 TEST(MirrorOption, SaysWhatMirrorsWhatAndWhatThatCosts) {
