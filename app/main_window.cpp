@@ -104,6 +104,8 @@ void MainWindow::followChoices(const Choices& before) {
     }
     views().setNavigation(now.navigation);
     updateHint();
+    workspace_.setNewLines(now.newGarment == NewGarment::Pattern ? withPattern({})
+                                                                 : LineSettings{});
     setMarkColours(now.selectionColour, now.seamColour);
     views().repaintViews();
     if (now.autoFlattenTriangles != before.autoFlattenTriangles) {

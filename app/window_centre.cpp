@@ -26,7 +26,7 @@ constexpr std::pair<ActionId, ToolId> kTools[] = {
     {ActionId::ToolSelect, ToolId::Select}, {ActionId::ToolCut, ToolId::Cut},
     {ActionId::ToolLoop, ToolId::Loop},     {ActionId::ToolDart, ToolId::Dart},
     {ActionId::ToolJoin, ToolId::Join},     {ActionId::ToolMeasure, ToolId::Measure},
-    {ActionId::ToolGrain, ToolId::Grain},
+    {ActionId::ToolGrain, ToolId::Grain},   {ActionId::ToolNotch, ToolId::Notch},
 };
 
 constexpr std::pair<ActionId, ViewKey> kLooks[] = {

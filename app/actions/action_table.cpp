@@ -47,6 +47,16 @@ bool hasExactOutline(Workspace& on) {
     return scene && !scene->patternLines.exact.empty();
 }
 
+bool hasCuttingLine(Workspace& on) {
+    const auto& scene = on.document().scene();
+    return scene && !scene->patternLines.cutting.empty();
+}
+
+bool hasNotches(Workspace& on) {
+    const auto& scene = on.document().scene();
+    return scene && !scene->patternLines.notches.empty();
+}
+
 bool drawsMirrored(Workspace& on) {
     return isOpen(on) && on.document().state().lines.mirror != Mirror::None;
 }
@@ -294,9 +304,19 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::ExactOutline, "exactOutline", TR("Exact o&utline"), "Shift+X",
          TR("Draw the outline as it was solved, dashed, where a fair line is drawn in its place"),
          switches(&ViewState::exactOutline, hasExactOutline)},
-        {ActionId::ShowSeams, "showSeams", TR("Show &seams"), "Shift+S",
+        {ActionId::ShowSeams, "showSeams", TR("&Seam lines"), "Shift+S",
          TR("Draw the seam lines, both sides of a seam in one colour"),
          switches(&ViewState::seams)},
+        {ActionId::CuttingLine, "cuttingLine", TR("&Cutting line"), "",
+         TR("Draw the line that pieces with a seam allowance are cut along"),
+         switches(&ViewState::cuttingLine, hasCuttingLine)},
+        {ActionId::Notches, "notches", TR("&Notches"), "",
+         TR("Draw the notches of the pattern, where it has some"),
+         switches(&ViewState::notches, hasNotches)},
+        {ActionId::GrainArrows, "grainArrows", TR("&Grain"), "",
+         TR("Draw the grain of each piece in the pattern view"), switches(&ViewState::grain)},
+        {ActionId::Labels, "labels", TR("&Labels"), "",
+         TR("Write the names of the pieces in the pattern view"), switches(&ViewState::labels)},
         {ActionId::Xray, "xray", TR("&X-ray"), "X",
          TR("See through the cloth of the garment to what lies behind it"),
          switches(&ViewState::xray)},
@@ -468,6 +488,9 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::ToolGrain, "toolGrain", TR("&Grain"), "G",
          TR("Turn the grain of a piece by its arrow in the pattern view"), whenOpen(Group::Tool),
          "tool-grain", TR("Grain")},
+        {ActionId::ToolNotch, "toolNotch", TR("&Notch"), "N",
+         TR("Add notches to seams, on both sides at once, move them and take them away"),
+         whenOpen(Group::Tool), "tool-notch", TR("Notch")},
         {ActionId::TurnLeft, "turnLeft", TR("Turn &left"), "[",
          TR("Turn the selected pieces anti-clockwise by a right angle"), turns(kRightAngle)},
         {ActionId::TurnRight, "turnRight", TR("Turn &right"), "]",

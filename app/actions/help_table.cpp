@@ -31,7 +31,8 @@ const std::vector<Gesture>& gestures() {
                           kSelect = TR("With the Select tool"), kCut = TR("With the Cut tool"),
                           kLoop = TR("With the Closed loop tool"), kDart = TR("With the Dart tool"),
                           kJoin = TR("With the Join tool"), kMeasure = TR("With the Measure tool"),
-                          kGrain = TR("With the Grain tool"), kLists = TR("In the lists");
+                          kGrain = TR("With the Grain tool"), kNotch = TR("With the Notch tool"),
+                          kLists = TR("In the lists");
     static const std::vector<Gesture> table = {
         {kGarment, TR("Drag"), TR("Turn the garment, where the tool does not take the drag")},
         {kGarment, TR("Shift+drag"), TR("Move the garment")},
@@ -94,6 +95,11 @@ const std::vector<Gesture>& gestures() {
          TR("Snap where snapping is off, and the other way round")},
         {kGrain, TR("Click"), TR("Select the piece")},
         {kGrain, TR("Esc"), TR("Take the drag back; without one: back to selecting")},
+        {kNotch, TR("Click a seam"), TR("Add a notch there, on both sides of the seam")},
+        {kNotch, TR("Drag a notch"), TR("Move it along its seam, on both sides")},
+        {kNotch, TR("Click a notch"), TR("Select it")},
+        {kNotch, TR("Ctrl+click a notch, Del"), TR("Take the notch away")},
+        {kNotch, TR("Esc"), TR("Take the drag back; without one: back to selecting")},
         {kLists, TR("Click"), TR("Select the piece or the seam in both views")},
         {kLists, TR("Double click"), TR("Frame the piece or the seam in both views")},
         {kLists, TR("Right click on the headings"), TR("Choose the columns of the list of pieces")},

@@ -99,6 +99,7 @@ void Workspace::startOpening() {
         arrived([this, again, made] {
             DocumentState next;
             next.options = document_.options();
+            next.lines = newLines_;
             if (again || !document_.garment()) {
                 next.fabric = document_.fabric();
             }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/actions/opening.h"
@@ -50,6 +51,8 @@ public:
     /// other than those before begin anew: the unit, the up axis, cuts and ease that were stated
     /// were said about another garment.
     void open(Paths files);
+    /// How the lines of garments that are opened from now on are drawn; a project says so itself.
+    void setNewLines(LineSettings lines) { newLines_ = std::move(lines); }
     /// Runs a job that reads what is to be opened and, when it is done, calls one of the two that
     /// follow. Whatever ran before is cancelled; changes of the reading wait until it is open.
     void openBy(std::unique_ptr<Job> reading);
@@ -168,6 +171,7 @@ private:
     std::function<void()> afterWriting_;
     Recompute recompute_{document_, jobs_};
     Opening opening_;
+    LineSettings newLines_{};
     /// For what is being opened, where that is not known before it is there.
     std::vector<LoadingChange> forOpening_;
     std::vector<Trial> onTrial_;  ///< until it has turned out that they can be

@@ -17,6 +17,8 @@ namespace toile::app {
 
 namespace {
 
+const Points2 kNoOutline(0, 2);
+
 std::vector<Eigen::AlignedBox2d> boxesOf(const Document& document, const std::vector<int>& pieces) {
     std::vector<Eigen::AlignedBox2d> boxes;
     boxes.reserve(pieces.size());
@@ -86,9 +88,13 @@ std::vector<int> selectedOrAllFlat(const Document& document) {
 }
 
 const Points2& flatOutline(const Document& document, int piece) {
-    static const Points2 kNone(0, 2);
     const PatternPiece* flat = document.patternPiece(piece);
-    return flat ? flat->outline : kNone;
+    return flat ? flat->outline : kNoOutline;
+}
+
+const Points2& cutOutline(const Document& document, int piece) {
+    const PatternPiece* flat = document.patternPiece(piece);
+    return flat ? edgeOf(*flat) : kNoOutline;
 }
 
 Placement placementOf(const Document& document, int piece) {
@@ -107,7 +113,7 @@ CutAs cutAsOf(const Document& document, int piece) {
 }
 
 Eigen::AlignedBox2d boxOnSheet(const Document& document, int piece) {
-    return outlineBox(flatOutline(document, piece), placementOf(document, piece));
+    return outlineBox(cutOutline(document, piece), placementOf(document, piece));
 }
 
 Eigen::AlignedBox2d boxOnSheet(const Document& document, const std::vector<int>& pieces) {

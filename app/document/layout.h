@@ -28,12 +28,14 @@ std::vector<int> allFlat(const Document& document);
 /// The former; the latter where none is selected.
 std::vector<int> selectedOrAllFlat(const Document& document);
 
-/// Net outline in the piece's own coordinates; empty where it is not flat.
+/// Seam line, and the line that it is cut along, in the piece's own coordinates; empty where it is
+/// not flat.
 const Points2& flatOutline(const Document& document, int piece);
+const Points2& cutOutline(const Document& document, int piece);
 Placement placementOf(const Document& document, int piece);
 /// How files draw the piece; the sheet always shows all of it.
 CutAs cutAsOf(const Document& document, int piece);
-/// Around the piece as it lies; empty where it is not flat.
+/// Around the piece as it is cut, as it lies; empty where it is not flat.
 Eigen::AlignedBox2d boxOnSheet(const Document& document, int piece);
 Eigen::AlignedBox2d boxOnSheet(const Document& document, const std::vector<int>& pieces);
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/seam/seam_measure.h"
+#include "core/symmetry/symmetry.h"
 
 namespace toile::app {
 
@@ -155,6 +156,41 @@ std::optional<SegmentAt> partnerOf(const Garment& garment, const LineFacts& fact
     middle += perimeter * std::ceil((low - middle) / perimeter);  // counted as the seam does
     const double place = placeAcross(seam, middle, segment.isRight);
     return mostOf(facts, there.piece, place - kSamePlace, place + kSamePlace);
+}
+
+std::optional<SegmentAt> mirrorOf(const Garment& garment, const LineFacts& facts,
+                                  const Symmetry& symmetry, const SegmentAt& one) {
+    const Segment& segment = facts.at(one);
+    const auto p = static_cast<std::size_t>(one.piece);
+    if (segment.seam < 0 || p >= symmetry.segments.size()) {
+        return std::nullopt;
+    }
+    const MirrorSegments& all = symmetry.segments;
+    const auto found = std::ranges::find_if(all[p], [&segment](const MirrorSegment& side) {
+        return side.seam == segment.seam && side.isRight == segment.isRight;
+    });
+    const int other = symmetry.pieces.counterpart[p];
+    if (found == all[p].end() || other < 0) {
+        return std::nullopt;
+    }
+    const int pair = symmetry.pairs[p][static_cast<std::size_t>(found - all[p].begin())];
+    if (pair < 0) {
+        return std::nullopt;
+    }
+    const MirrorSegment& image =
+        all[static_cast<std::size_t>(other)][static_cast<std::size_t>(pair)];
+    if (image.seam < 0 || image.seam >= static_cast<int>(garment.seams.seams.size())) {
+        return std::nullopt;
+    }
+    const SeamSide &here = sideOf(garment, *found), &there = sideOf(garment, image);
+    const double perimeter = perimeterOf(facts.segments[p]);
+    const double middle = (segment.at.start + segment.at.end) / 2;
+    double past = middle - std::min(here.start, here.end);
+    past -= perimeter * std::floor(past / perimeter);
+    // Outlines that mirror each other run in opposite senses.
+    const double share = 1 - std::clamp(past / here.length(), 0.0, 1.0);
+    const double place = std::min(there.start, there.end) + share * there.length();
+    return mostOf(facts, other, place - kSamePlace, place + kSamePlace);
 }
 
 const TurnPoint* turnPointOf(const Piece& piece, const OutlineSegments& segments, int at) {

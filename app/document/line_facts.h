@@ -8,6 +8,10 @@
 #include "core/pattern/segments.h"
 #include "core/pattern/trueing.h"
 
+namespace toile {
+struct Symmetry;
+}  // namespace toile
+
 namespace toile::app {
 
 /// One of the segments of a garment.
@@ -51,6 +55,11 @@ std::optional<SegmentAt> segmentOfSeam(const LineFacts& facts, const Seam& seam)
 /// The segment that is sewn to the middle of one; none where that is free.
 std::optional<SegmentAt> partnerOf(const Garment& garment, const LineFacts& facts,
                                    const SegmentAt& one);
+
+/// The segment that has most of the place where the middle of one is mirrored; none where it has no
+/// counterpart. @param symmetry  of the garment
+std::optional<SegmentAt> mirrorOf(const Garment& garment, const LineFacts& facts,
+                                  const Symmetry& symmetry, const SegmentAt& one);
 
 /// The turn point at a vertex of a piece's outline; null where there is none.
 /// @param at  index into Piece::boundary

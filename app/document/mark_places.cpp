@@ -16,19 +16,19 @@ const PieceMarks& MarkPlaces::of(const Document& document, int piece, const Draw
         return kNone;
     }
     const auto at = static_cast<std::size_t>(piece);
+    const std::shared_ptr<const Pattern>& pattern = document.derived().pattern;
     const PieceSettings& settings = document.settings()[at];
     const Placement placement = placementOf(document, piece);
     std::vector<std::string> lines =
         labelLines(nameOf(document.state().labels, *document.garment()->pieces[at]), settings,
-                   placement.mirrored, words);
+                   placement.mirrored, words, CutAs::Whole, factsOf(*pattern, *flat));
     const double grain = grainOf(settings);
-    const auto& result = document.results()[at];
     entries_.resize(static_cast<std::size_t>(document.pieceCount()));
     Entry& entry = entries_[at];
-    if (entry.result.lock() != result || entry.turn != placement.turn || entry.grain != grain ||
+    if (entry.pattern.lock() != pattern || entry.turn != placement.turn || entry.grain != grain ||
         entry.mirrored != placement.mirrored || entry.lines != lines) {
-        entry.marks = placeMarks(*flat, placement, lines, grain);
-        entry.result = result;
+        entry.marks = placeMarks(*flat, placement, lines, grain, drawnOnCloth(*pattern, *flat));
+        entry.pattern = pattern;
         entry.turn = placement.turn;
         entry.grain = grain;
         entry.mirrored = placement.mirrored;

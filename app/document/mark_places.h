@@ -7,16 +7,12 @@
 #include "core/pattern/piece_marks.h"
 #include "core/project/piece_settings.h"
 
-namespace toile {
-struct PieceResult;
-}  // namespace toile
-
 namespace toile::app {
 
 class Document;
 
 /// Where the labels and grain lines of the document's pieces go, as a file has them (`placeMarks`).
-/// Keeps what it has found for as long as shape, turn, grain and words are the same: to look for
+/// Keeps what it has found for as long as pattern, turn, grain and words are the same: to look for
 /// room costs some hundred passes over the outline.
 class MarkPlaces {
 public:
@@ -26,7 +22,7 @@ public:
 
 private:
     struct Entry {
-        std::weak_ptr<const PieceResult> result;
+        std::weak_ptr<const Pattern> pattern;
         double turn = 0, grain = 0;
         bool mirrored = false;
         std::vector<std::string> lines;

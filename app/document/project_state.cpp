@@ -20,8 +20,14 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
     }
     project.pieces = projectPieces(garment, std::move(settings), derived.results);
     project.labels = state.labels;
-    project.view = {std::string(wordOf(kOverlayWords, view.overlay)), view.wireframe,
-                    view.referencePanels, view.exactOutline};
+    project.view = {std::string(wordOf(kOverlayWords, view.overlay)),
+                    view.wireframe,
+                    view.referencePanels,
+                    view.exactOutline,
+                    view.cuttingLine,
+                    view.notches,
+                    view.grain,
+                    view.labels};
     return project;
 }
 
@@ -30,6 +36,10 @@ ViewState viewOf(const ProjectView& saved, ViewState view) {
     view.wireframe = saved.wireframe;
     view.referencePanels = saved.referencePanels;
     view.exactOutline = saved.exactOutline;
+    view.cuttingLine = saved.cuttingLine;
+    view.notches = saved.notches;
+    view.grain = saved.grain;
+    view.labels = saved.labels;
     return view;
 }
 

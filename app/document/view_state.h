@@ -81,6 +81,10 @@ struct ViewState {
     bool valuesPerTriangle = false;  ///< a measured overlay is not smoothed over the vertices
     bool worstSpots = true;          ///< the worst places of a measured overlay carry a number
     bool seams = true;               ///< seam lines, each pair in its colour
+    bool cuttingLine = true;         ///< round the allowances, in the pattern
+    bool notches = true;             ///< in the pattern
+    bool grain = true;               ///< arrows of the grain, in the pattern
+    bool labels = true;              ///< names of the pieces, in the pattern
     bool xray = false;               ///< the garment's cloth lets what is behind it be seen
     bool shaded = true;              ///< light falls on the garment
     bool pieceColours = true;        ///< else all cloth is of one plain colour

@@ -6,6 +6,7 @@
 
 #include "app/document/disposal.h"
 #include "app/render/scene_builder.h"
+#include "core/pattern/piece_grain.h"
 #include "core/pattern/target_lengths.h"
 #include "core/pipeline/garment_flattener.h"
 
@@ -96,6 +97,10 @@ void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& fla
                                    made.derived.results, state.lines));
     made.derived.lines = state.lines;
     made.derived.symmetry = flattener.symmetryOf(*made.derived.garment, state.lines);
+    if (state.lines.grain) {
+        made.grains = findGrains(*made.derived.garment, made.derived.results,
+                                 made.derived.symmetry.get(), *state.lines.grain, state.fabric);
+    }
 }
 
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress) {
@@ -108,8 +113,9 @@ void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress) {
 
 void draw(Derived& derived, Progress& progress) {
     derived.pattern = std::make_shared<const Pattern>(
-        makePattern(*derived.garment, derived.results, derived.lines.value_or(LineSettings{})));
-    derived.scene = buildScene(*derived.garment, derived.results, progress);
+        makePattern(*derived.garment, derived.results, derived.lines.value_or(LineSettings{}),
+                    derived.symmetry));
+    derived.scene = buildScene(*derived.garment, derived.results, progress, derived.pattern.get());
     derived.bytes = bytesOf(*derived.scene);
     for (const auto& result : derived.results) {
         if (result && result->flat) {
@@ -132,8 +138,12 @@ SettingsById settingsAfter(const Derivation& made, SettingsById settings,
     for (const auto& piece : garment.pieces) {
         placed.push_back(settings[piece->id]);
     }
-    placed = placedSettings(std::move(placed), made.derived.results, made.motions);
+    placed = placedSettings(std::move(placed), made.derived.results, made.motions,
+                            made.derived.pattern.get());
     for (std::size_t i = 0; i < placed.size(); ++i) {
+        if (i < made.grains.size() && !placed[i].grain) {
+            placed[i].grain = made.grains[i];
+        }
         settings[garment.pieces[i]->id] = std::move(placed[i]);
     }
     return settings;

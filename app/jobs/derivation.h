@@ -24,6 +24,7 @@ struct Derivation {
     bool hasOtherGarment = false;
     std::vector<CarriedFrom> carried{};                ///< of another garment
     std::vector<std::optional<FlatMotion>> motions{};  ///< of other results
+    std::vector<std::optional<double>> grains{};       ///< by LineSettings::grain; else empty
 };
 
 /// The garment of the state, without a scene; flat is what was so before. Errors: of `makeGarment`.
@@ -43,7 +44,7 @@ void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress);
 void draw(Derived& derived, Progress& progress);
 
 /// What has been said of the pieces, after that: pieces stay where they are on the sheet, and those
-/// without a place get one. Idempotent.
+/// without a place, or without a grain where there is a rule for it, get one. Idempotent.
 /// @param settings  as said, now  @param before  the same of the pieces before, in their order
 SettingsById settingsAfter(const Derivation& made, SettingsById settings,
                            const std::vector<PieceSettings>& before);

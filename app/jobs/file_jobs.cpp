@@ -123,8 +123,9 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
         const PieceResults& results = made.derived.results;
         const LineSettings lines = made.derived.lines.value_or(LineSettings{});
         const auto written =
-            exportFile(path, garment, results, layOut(garment, results, ofPieces, labels, lines),
-                       progress, words, lines);
+            exportFile(path, garment, results,
+                       layOut(garment, results, ofPieces, labels, lines, made.derived.symmetry),
+                       progress, words);
         return written ? Result(path) : written.error();
     };
     return makeJob(QCoreApplication::translate("ExportJob", "Writing %1").arg(name),

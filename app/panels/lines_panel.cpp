@@ -14,6 +14,7 @@
 
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
+#include "app/panels/allowance_form.h"
 #include "app/panels/seam_ends_list.h"
 #include "app/panels/segment_form.h"
 #include "app/settings/length_display.h"
@@ -55,12 +56,14 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
       smoothing_(new LengthEdit(this)),
       trueBelow_(new AngleEdit(this)),
       straying_(new QLabel(this)),
+      allowance_(new AllowanceForm(document, *fieldGuard_, this)),
       ends_(new SeamEndsList(this)),
       segment_(new SegmentForm(document, *fieldGuard_, this)) {
     auto* columns = new QHBoxLayout(this);
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(0);
     columns->addWidget(makeColumn(makeSettings(), this), 2);
+    columns->addWidget(makeColumn(allowance_, this), 2);
     columns->addWidget(ends_, 3);
     columns->addWidget(makeColumn(segment_, this), 3);
     connect(fair_, &QCheckBox::clicked, this, &LinesPanel::setFair);
@@ -82,6 +85,7 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
         document_.setMark({});
         document_.setSeam(seam);
     });
+    connect(allowance_, &AllowanceForm::wanted, &document_, &Document::setLines);
     connect(segment_, &SegmentForm::wanted, &document_, &Document::setLines);
     connect(&document_, &Document::changed, this, &LinesPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &LinesPanel::refresh);
@@ -197,6 +201,7 @@ void LinesPanel::showSettings() {
          std::initializer_list<QWidget*>{fair_, true_, tolerance_, smoothing_, trueBelow_}) {
         field->setEnabled(open);
     }
+    allowance_->refresh();
     fair_->setChecked(lines.fairing.has_value());
     true_->setChecked(lines.trueBelow > 0);
     if (lines.fairing) {  // else they say what would be

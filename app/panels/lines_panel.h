@@ -11,6 +11,7 @@ class QLabel;
 
 namespace toile::app {
 
+class AllowanceForm;
 class AngleEdit;
 class Document;
 class FieldGuard;
@@ -18,8 +19,9 @@ class LengthEdit;
 class SeamEndsList;
 class SegmentForm;
 
-/// How the lines of the pattern are drawn: fair or exact, true at the ends of seams, and what is
-/// said of the selected segment. Works out segments and kinks only while it is seen.
+/// How the lines of the pattern are drawn: fair or exact, true at the ends of seams, with seam
+/// allowances and notches, and what is said of the selected segment. Works out segments and kinks
+/// only while it is seen.
 class LinesPanel : public QWidget {
     Q_OBJECT
 
@@ -52,6 +54,7 @@ private:
     LengthEdit *tolerance_, *smoothing_;
     AngleEdit* trueBelow_;
     QLabel* straying_;
+    AllowanceForm* allowance_;
     SeamEndsList* ends_;
     SegmentForm* segment_;
     LineFacts facts_;

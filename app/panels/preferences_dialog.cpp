@@ -148,6 +148,12 @@ void PreferencesDialog::makeWork(QFormLayout& form) {
         makeCombo("navigationChoice", {tr("Toile"), tr("Blender"), tr("CLO"), tr("Rhino")});
     navigation_->setToolTip(tr("Whose way of turning, moving and zooming the garment you know"));
     form.addRow(tr("&Mouse as in:"), navigation_);
+    newGarment_ =
+        makeCombo("newGarmentChoice", {tr("Exact outlines"), tr("A pattern to cut and sew")});
+    newGarment_->setToolTip(
+        tr("A pattern to cut and sew has fair lines, true seam ends, mirrored pieces drawn equal, "
+           "seam allowances and notches. Garments that are open stay as they are"));
+    form.addRow(tr("&New garments start with:"), newGarment_);
     autosave_ = makeNumber("autosaveMinutes", Choices::kMaxAutosaveMinutes, 1);
     autosave_->setSpecialValueText(tr("Never"));
     autosave_->setSuffix(tr(" min"));
@@ -167,6 +173,7 @@ void PreferencesDialog::showChoices() {
     theme_->setCurrentIndex(static_cast<int>(choices.theme));
     language_->setCurrentIndex(static_cast<int>(choices.language));
     navigation_->setCurrentIndex(static_cast<int>(choices.navigation));
+    newGarment_->setCurrentIndex(static_cast<int>(choices.newGarment));
     selection_->setColour(choices.selectionColour);
     seam_->setColour(choices.seamColour);
     autosave_->setValue(choices.autosaveMinutes);
@@ -195,6 +202,7 @@ void PreferencesDialog::takeChoices() {
     choices.theme = static_cast<Theme>(theme_->currentIndex());
     choices.language = static_cast<Language>(language_->currentIndex());
     choices.navigation = static_cast<Navigation>(navigation_->currentIndex());
+    choices.newGarment = static_cast<NewGarment>(newGarment_->currentIndex());
     choices.selectionColour = selection_->colour();
     choices.seamColour = seam_->colour();
     choices.autosaveMinutes = autosave_->value();

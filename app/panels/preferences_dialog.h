@@ -40,7 +40,8 @@ private:
 
     Preferences& preferences_;
     Choices before_;
-    QComboBox *unit_ = nullptr, *theme_ = nullptr, *language_ = nullptr, *navigation_ = nullptr;
+    QComboBox *unit_ = nullptr, *theme_ = nullptr, *language_ = nullptr, *navigation_ = nullptr,
+              *newGarment_ = nullptr;
     ColourButton *selection_ = nullptr, *seam_ = nullptr;
     QSpinBox *autosave_ = nullptr, *heavy_ = nullptr;
     QLabel* restart_ = nullptr;

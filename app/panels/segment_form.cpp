@@ -14,6 +14,7 @@
 
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
+#include "app/panels/allowance_rows.h"
 #include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
 #include "core/seam/seam_measure.h"
@@ -26,14 +27,6 @@ namespace {
 constexpr double kShortest = 0.2, kLongest = 5;
 constexpr int kWidest = 160;          // logical pixels, of a field
 constexpr double kSameLength = 1e-5;  // mm: what the field's digits leave out is less
-
-void showLength(LengthEdit& field, double value, bool isStated) {
-    const QSignalBlocker quiet(field);
-    field.setValue(value);
-    QFont font = field.parentWidget()->font();
-    font.setBold(isStated);
-    field.setFont(font);
-}
 
 QToolButton* makeButton(const char* name, const QString& text, const QString& tip,
                         QWidget* parent) {
@@ -74,8 +67,10 @@ SegmentForm::SegmentForm(Document& document, FieldGuard& guard, QWidget* parent)
                            this)),
       removePoint_(makeButton("removeTurnPoint", tr("Remove turn point"),
                               tr("Let the line run on smoothly at the selected vertex"), this)),
-      straight_(new QCheckBox(tr("Straight"), this)) {
+      straight_(new QCheckBox(tr("Straight"), this)),
+      allowance_(new AllowanceRows(document, guard, this)) {
     makeRows(guard);
+    connect(allowance_, &AllowanceRows::wanted, this, &SegmentForm::wanted);
     connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double length) {
         const bool isWorn = std::abs(length - shown_.length()) < kSameLength;
         setLength(isWorn ? std::nullopt : std::optional(length));
@@ -142,8 +137,9 @@ void SegmentForm::makeRows(FieldGuard& guard) {
         grid->addWidget(field, row, 1);
         grid->addWidget(button, row++, 2);
     }
-    grid->addWidget(straight_, row, 0);
-    grid->addWidget(kinks_, row++, 1, 1, 3);
+    row = allowance_->addTo(*grid, row);
+    grid->addWidget(straight_, 2, 3);
+    grid->addWidget(kinks_, row++, 0, 1, 4);
     auto* points = new QHBoxLayout;
     points->setSpacing(4);
     points->addWidget(addPoint_);
@@ -171,6 +167,7 @@ void SegmentForm::clear() {
     at_.reset();
     partner_.reset();
     vertex_.reset();
+    allowance_->clear();
     title_->setText(tr("Segment"));
     lengths_->setText(tr("Select a seam, or a stretch of outline by a double click."));
     kinks_->clear();
@@ -219,6 +216,11 @@ void SegmentForm::show(const LineFacts& facts) {
     showLengths(facts, shown_);
     showLength(*tolerance_, said.tolerance.value_or(usual.tolerance), said.tolerance.has_value());
     straight_->setChecked(said.straight);
+    const auto& around = facts.segments[static_cast<std::size_t>(at->piece)].segments;
+    const auto index = static_cast<std::size_t>(at->segment);
+    allowance_->show(
+        facts, *at,
+        nameOf(*document_.garment(), around[(index + around.size() - 1) % around.size()]));
     asWorn_->setEnabled(said.length.has_value());
     asOthers_->setEnabled(said.tolerance.has_value());
     showKinks(facts, *at);

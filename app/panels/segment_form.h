@@ -13,6 +13,7 @@ class QToolButton;
 
 namespace toile::app {
 
+class AllowanceRows;
 class Document;
 class FieldGuard;
 class LengthEdit;
@@ -25,7 +26,8 @@ class SegmentForm : public QWidget {
 public:
     SegmentForm(Document& document, FieldGuard& guard, QWidget* parent = nullptr);
 
-    /// Shows what is selected now. @param facts  of the document's garment as it is shown
+    /// Shows what is selected now.
+    /// @param facts  of the document's garment as it is shown; stay until the next call
     void show(const LineFacts& facts);
     /// Shows that there is nothing.
     void clear();
@@ -54,6 +56,7 @@ private:
     LengthEdit *length_, *tolerance_;
     QToolButton *asWorn_, *asOthers_, *addPoint_, *removePoint_;
     QCheckBox* straight_;
+    AllowanceRows* allowance_;
     int gesture_ = -1;
     std::optional<SegmentAt> at_;
     Segment shown_{};                            ///< as it was last shown

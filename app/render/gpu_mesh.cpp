@@ -126,16 +126,15 @@ void GpuLines::upload(const std::vector<LineVertex>& vertices, const LineRuns& r
         seam_.push_back(rangeSince(first));
     }
     seams_ = rangeSince(0);
-    const std::size_t referenceFirst = indices.size() / 2;
-    for (const VertexRun& run : runs.reference) {
-        add(run);
-    }
-    reference_ = rangeSince(referenceFirst);
-    const std::size_t exactFirst = indices.size() / 2;
-    for (const VertexRun& run : runs.exact) {
-        add(run);
-    }
-    exact_ = rangeSince(exactFirst);
+    const auto addAll = [&](const std::vector<VertexRun>& lines) -> Range {
+        const std::size_t first = indices.size() / 2;
+        std::ranges::for_each(lines, add);
+        return rangeSince(first);
+    };
+    reference_ = addAll(runs.reference);
+    exact_ = addAll(runs.exact);
+    cutting_ = addAll(runs.cutting);
+    notches_ = addAll(runs.notches);
     boundaryAt_ = runs.boundaryAt;
     for (const VertexRun& run : runs.outlines) {
         const std::size_t first = indices.size() / 2;

@@ -3,6 +3,8 @@
 
 #include "app/render/render_style.h"
 #include "app/render/scene_builder.h"
+#include "core/pattern/notch_mark.h"
+#include "core/pattern/pattern.h"
 #include "core/quality/piece_quality.h"
 #include "core/seam/seam_measure.h"
 
@@ -140,6 +142,26 @@ void addExactOutlines(const Garment& garment, const PieceResults& results, Scene
             scene.patternLines.exact.push_back(
                 addLine(scene, Points3(),
                         closedLine<Points2>(result->exact->flat->Q, piece.boundary), {i, kNoTint}));
+        }
+    }
+}
+
+void addCuttingLines(const Pattern& pattern, Scene& scene) {
+    for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
+        const PatternPiece& piece = pattern.pieces[i];
+        const LineKind kind{static_cast<int>(i), kNoTint};
+        if (const Points2& line = piece.cuttingLine; line.rows() > 0) {
+            Points2 closed(line.rows() + 1, 2);
+            closed << line, line.row(0);
+            scene.patternLines.cutting.push_back(addLine(scene, Points3(), closed, kind));
+            for (Eigen::Index k = 0; k < line.rows(); ++k) {
+                scene.pieces[i].edgeBox.extend(Eigen::Vector2d(line.row(k).transpose()));
+            }
+        }
+        for (const std::vector<Points2>& strokes : notchMarks(pattern, piece)) {
+            for (const Points2& stroke : strokes) {
+                scene.patternLines.notches.push_back(addLine(scene, Points3(), stroke, kind));
+            }
         }
     }
 }

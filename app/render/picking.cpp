@@ -74,8 +74,13 @@ std::optional<Eigen::Vector3d> weightsAt(const Eigen::Vector2d& p, const Eigen::
                                : std::nullopt;
 }
 
+/// A place on a segment, as a share of it, and how far off it is.
+struct Beside {
+    double share = 0, distance = 0;
+};
+
 /// How far beside a ray a segment passes, per mm of depth; infinite where it is out of reach.
-double besides(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+Beside besides(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                double farthest) {
     const Eigen::Vector3d edge = b - a, from = a - ray.origin;
     // The place of the segment nearest to the ray's line: both seen along the ray are points of a
@@ -85,8 +90,8 @@ double besides(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& 
     const double t = geometry::nearestShare<Eigen::Vector3d>(Eigen::Vector3d::Zero(), fromAcross,
                                                              fromAcross + edgeAcross);
     const double depth = (from + t * edge).dot(ray.direction);
-    return depth > 0 && depth <= farthest ? (fromAcross + t * edgeAcross).norm() / depth
-                                          : std::numeric_limits<double>::infinity();
+    return {t, depth > 0 && depth <= farthest ? (fromAcross + t * edgeAcross).norm() / depth
+                                              : std::numeric_limits<double>::infinity()};
 }
 
 /// False where no point of the box can be within the cone around the ray.
@@ -95,6 +100,23 @@ bool mayMeet(const Ray& ray, double slope, const Eigen::AlignedBox3d& box) {
     const double radius = 0.5 * box.diagonal().norm(), depth = middle.dot(ray.direction);
     return (middle - depth * ray.direction).norm() <=
            radius + slope * std::max(0.0, depth + radius);
+}
+
+double wornLength(const Scene& scene, std::uint32_t first, std::uint32_t last) {
+    double length = 0;
+    for (std::uint32_t i = first + 1; i <= last; ++i) {
+        length += (wornPoint(scene.lineVertices[i]) - wornPoint(scene.lineVertices[i - 1])).norm();
+    }
+    return length;
+}
+
+/// Says of a hit how far along its side it is. @param share  of the segment
+void measureAlong(const Scene& scene, const VertexRun& run, double share, SeamHit& hit) {
+    const std::uint32_t from = run.first + static_cast<std::uint32_t>(hit.segment);
+    const double whole = wornLength(scene, run.first, run.first + run.count - 1);
+    const double before = wornLength(scene, run.first, from);
+    const double within = share * wornLength(scene, from, from + 1);
+    hit.along = whole > 0 ? std::clamp((before + within) / whole, 0.0, 1.0) : 0.0;
 }
 
 /// A point of a face, by its corners' points.
@@ -191,6 +213,7 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
                                        const Eigen::Vector2d& at, double radius,
                                        const SeamFilter& counts) {
     std::optional<SeamHit> nearest;
+    double share = 0;
     const auto& lines = scene.patternLines;
     for (std::size_t s = 0; s < lines.seams.size(); ++s) {
         if (counts && !counts(static_cast<int>(s))) {
@@ -207,14 +230,20 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
                 continue;
             }
             for (std::uint32_t i = run.first + 1; i < run.first + run.count; ++i) {
-                const double distance = geometry::distanceToSegment(
-                    local, flatPoint(scene.lineVertices[i - 1]), flatPoint(scene.lineVertices[i]));
+                const Eigen::Vector2d a = flatPoint(scene.lineVertices[i - 1]),
+                                      b = flatPoint(scene.lineVertices[i]);
+                const double distance = geometry::distanceToSegment(local, a, b);
                 if (distance <= radius && (!nearest || distance < nearest->distance)) {
                     nearest = {static_cast<int>(s), side, static_cast<int>(i - run.first) - 1,
                                distance};
+                    share = geometry::nearestShare<Eigen::Vector2d>(local, a, b);
                 }
             }
         }
+    }
+    if (nearest) {
+        const auto& sides = lines.seams[static_cast<std::size_t>(nearest->seam)];
+        measureAlong(scene, sides[static_cast<std::size_t>(nearest->side)], share, *nearest);
     }
     return nearest;
 }
@@ -222,6 +251,7 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
 std::optional<SeamHit> pickGarmentSeam(const Scene& scene, const Ray& ray, double slope,
                                        double farthest, const SeamFilter& counts) {
     std::optional<SeamHit> nearest;
+    double share = 0;
     const auto& lines = scene.garmentLines;
     for (std::size_t s = 0; s < lines.seams.size(); ++s) {
         if ((counts && !counts(static_cast<int>(s))) || scene.seams[s].box.isEmpty() ||
@@ -231,16 +261,46 @@ std::optional<SeamHit> pickGarmentSeam(const Scene& scene, const Ray& ray, doubl
         for (int side = 0; side < 2; ++side) {
             const VertexRun run = lines.seams[s][static_cast<std::size_t>(side)];
             for (std::uint32_t i = run.first + 1; i < run.first + run.count; ++i) {
-                const double distance = besides(ray, wornPoint(scene.lineVertices[i - 1]),
-                                                wornPoint(scene.lineVertices[i]), farthest);
-                if (distance <= slope && (!nearest || distance < nearest->distance)) {
+                const Beside there = besides(ray, wornPoint(scene.lineVertices[i - 1]),
+                                             wornPoint(scene.lineVertices[i]), farthest);
+                if (there.distance <= slope && (!nearest || there.distance < nearest->distance)) {
                     nearest = {static_cast<int>(s), side, static_cast<int>(i - run.first) - 1,
-                               distance};
+                               there.distance};
+                    share = there.share;
                 }
             }
         }
     }
+    if (nearest) {
+        const auto& sides = lines.seams[static_cast<std::size_t>(nearest->seam)];
+        measureAlong(scene, sides[static_cast<std::size_t>(nearest->side)], share, *nearest);
+    }
     return nearest;
+}
+
+LineVertex pointAlong(const Scene& scene, const VertexRun& line, double along) {
+    const std::uint32_t last = line.first + line.count - 1;
+    double left = std::clamp(along, 0.0, 1.0) * wornLength(scene, line.first, last);
+    std::uint32_t i = line.first;
+    while (i + 1 < last && wornLength(scene, i, i + 1) < left) {
+        left -= wornLength(scene, i, i + 1);
+        ++i;
+    }
+    LineVertex point = scene.lineVertices[i];
+    if (i == last) {
+        return point;
+    }
+    const LineVertex& next = scene.lineVertices[i + 1];
+    const double length = wornLength(scene, i, i + 1);
+    const auto t = static_cast<float>(length > 0 ? std::min(1.0, left / length) : 0.0);
+    const auto goOn = [t](float from, float to) -> float { return from + t * (to - from); };
+    for (std::size_t k = 0; k < 3; ++k) {
+        point.position[k] = goOn(point.position[k], next.position[k]);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        point.flat[k] = goOn(point.flat[k], next.flat[k]);
+    }
+    return point;
 }
 
 }  // namespace toile::app

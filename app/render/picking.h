@@ -42,6 +42,7 @@ struct SeamHit {
     int side = 0;         ///< 0 left, 1 right
     int segment = 0;      ///< of the side's polyline, counted along the seam
     double distance = 0;  ///< in the pattern mm; in the garment as a part of the depth
+    double along = 0;     ///< how far along the side, as a part of its length on the garment
 };
 
 /// Which seams count; an empty one lets all in.
@@ -58,5 +59,9 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
 /// @param farthest  seams deeper than this along the ray are hidden, mm
 std::optional<SeamHit> pickGarmentSeam(const Scene& scene, const Ray& ray, double slope,
                                        double farthest, const SeamFilter& counts = {});
+
+/// The point of a line at a part of its length on the garment, from 0 to 1.
+/// Precondition: it has points.  Cost: linear in them. Pure.
+LineVertex pointAlong(const Scene& scene, const VertexRun& line, double along);
 
 }  // namespace toile::app

@@ -40,6 +40,7 @@ RenderStyle usualStyle(const QPalette& palette) {
             .freeEdge = tone({128, 136, 148}, {150, 156, 166}),
             .reference = tone({0, 92, 230}, {92, 214, 255}),
             .exactOutline = tone({70, 78, 90}, {214, 219, 226}),
+            .cuttingLine = tone({12, 14, 18}, {246, 248, 250}),
             .text = tone({40, 45, 53}, {226, 229, 234}),
             .faintText = tone({104, 112, 123}, {158, 164, 174}),
             .labelFill = tone({255, 255, 255, 200}, {24, 26, 30, 200})};

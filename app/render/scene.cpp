@@ -16,7 +16,7 @@ std::size_t bytesOf(const MeshIndices& mesh) {
 
 std::size_t bytesOf(const LineRuns& lines) {
     return bytesOf(lines.seams) + bytesOf(lines.reference) + bytesOf(lines.exact) +
-           bytesOf(lines.outlines);
+           bytesOf(lines.outlines) + bytesOf(lines.cutting) + bytesOf(lines.notches);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ Eigen::AlignedBox2d sheetBox(const Scene& scene, const SheetPlaces& places) {
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         if (scene.pieces[i].flat) {
             box.extend(
-                placedBox(scene.pieces[i].flatBox, placeOf(places, static_cast<int>(i)).placement));
+                placedBox(scene.pieces[i].edgeBox, placeOf(places, static_cast<int>(i)).placement));
         }
     }
     return box;

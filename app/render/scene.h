@@ -86,6 +86,8 @@ struct LineRuns {
     std::vector<std::array<VertexRun, 2>> seams;
     std::vector<VertexRun> reference;  ///< loops of the reference panels; in the pattern only
     std::vector<VertexRun> exact;      ///< outlines as they were solved, where others are drawn
+    std::vector<VertexRun> cutting;    ///< round pieces and their allowances; in the pattern only
+    std::vector<VertexRun> notches;    ///< strokes; in the pattern only
     /// Per piece its outline, the first vertex once more at the end; empty of a piece that is no
     /// disk, and in the pattern of one that is not flat.
     std::vector<VertexRun> outlines;
@@ -120,6 +122,7 @@ struct PieceScene {
     bool flat = false;
     Eigen::AlignedBox3d box;      ///< 3D, relative to Scene::origin
     Eigen::AlignedBox2d flatBox;  ///< in the piece's own coordinates; empty where not flat
+    Eigen::AlignedBox2d edgeBox;  ///< the same, with its allowances
     Eigen::Vector2d label = Eigen::Vector2d::Zero();  ///< a point well inside, likewise
     TriangleRun garmentRun, patternRun;
     geometry::TriangleTree<3> garmentTree;  ///< of garmentRun, counted from its first

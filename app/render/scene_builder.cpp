@@ -103,6 +103,7 @@ private:
                 const Eigen::Vector2d point = flat->Q.row(i).transpose();
                 Eigen::Map<Eigen::Vector2f>(vertex.flat) = point.cast<float>();
                 entry.flatBox.extend(point);
+                entry.edgeBox.extend(point);
             }
             copyValues(values, i, vertex.values, vertex.metric);
             vertex.piece = index_;
@@ -182,7 +183,7 @@ const FlatPiece* flatPieceOf(const Garment& garment, const PieceResults& results
 }
 
 std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResults& results,
-                                        Progress& progress) {
+                                        Progress& progress, const Pattern* pattern) {
     auto scene = sharedForDisposal(std::make_unique<Scene>());
     for (const auto& piece : garment.pieces) {
         scene->box.extend(boundsOf(piece->mesh.V));
@@ -207,6 +208,9 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
     addOutlines(garment, results, *scene);
     addReferenceLines(garment, results, *scene);
     addExactOutlines(garment, results, *scene);
+    if (pattern) {
+        addCuttingLines(*pattern, *scene);
+    }
 
     scene->glyphs = makeStrainGlyphs(*scene);
     for (const auto& [overlay, finest] :

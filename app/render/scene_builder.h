@@ -6,17 +6,22 @@
 #include "app/render/scene.h"
 #include "core/pipeline/pipeline.h"
 
+namespace toile {
+struct Pattern;
+}  // namespace toile
+
 namespace toile::app {
 
 /// Makes the buffers of both views. Pure; meant for a worker thread.
 /// @param results  one per piece, or empty before the first flattening. Pieces without a flat
 ///                 result of their own are in 3D only
+/// @param pattern  made of them: cutting lines and notches; null: neither is drawn
 /// @param progress  started here and advanced piece by piece
 /// Values of faces and edges are averaged at the vertices, weighted by area and length: at the
 /// density of garment meshes this reads as a smooth map instead of noise.
 /// After a cancel the scene is incomplete. Cost: linear.
 std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResults& results,
-                                        Progress& progress);
+                                        Progress& progress, const Pattern* pattern = nullptr);
 
 /// The flat piece in the results, where it is of that very piece; else null.
 const FlatPiece* flatPieceOf(const Garment& garment, const PieceResults& results, int piece);
@@ -35,5 +40,8 @@ void addReferenceLines(const Garment& garment, const PieceResults& results, Scen
 
 /// The outlines as they were solved, of the pieces whose outline is drawn otherwise.
 void addExactOutlines(const Garment& garment, const PieceResults& results, Scene& scene);
+
+/// The lines that pieces with allowances are cut along, the boxes around them, and the notches.
+void addCuttingLines(const Pattern& pattern, Scene& scene);
 
 }  // namespace toile::app

@@ -30,6 +30,7 @@ constexpr float kPlainSeamWidth = 2.6F;  ///< free edges half of it
 constexpr float kHoveredShare = 0.7F;  ///< what the pointer is on is highlighted by narrower lines
 constexpr float kHoveredPieceWidth = 2.4F;
 constexpr float kDashPixels = 11.0F, kExactDashPixels = 6.0F, kExactWidth = 1.25F;
+constexpr float kCuttingWidth = 1.8F, kNotchWidth = 1.6F;
 /// How much of a seam shows through the cloth that hides it.
 constexpr int kHiddenSeamAlpha = 75;
 /// Between glyphs, at least; at most half as many again.
@@ -259,6 +260,7 @@ void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
         program.setUniformValue("depthShift", 2 * depthShift);
         paintChosenOutlines(frame, kSelectedWidth, kHoveredPieceWidth);
     }
+    paintCuttingLines(frame);
     if (frame.view.referencePanels) {
         paintReferenceLines(frame);
     }
@@ -324,6 +326,17 @@ void SceneRenderer::paintExactOutlines(const Frame& frame) {
     setLine(frame.style.exactOutline, kExactWidth, false, frame);
     overLines_.drawExact();
     lines_->setUniformValue("dashLength", 0.0F);
+}
+
+void SceneRenderer::paintCuttingLines(const Frame& frame) {
+    if (frame.view.cuttingLine) {
+        setLine(frame.style.cuttingLine, kCuttingWidth, false, frame);
+        overLines_.drawCutting();
+    }
+    if (frame.view.notches) {
+        setLine(frame.style.cuttingLine, kNotchWidth, false, frame);
+        overLines_.drawNotches();
+    }
 }
 
 void SceneRenderer::drawFeature(const Feature& feature) {

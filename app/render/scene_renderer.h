@@ -120,6 +120,8 @@ private:
     void paintSeams(const Frame& frame);
     void paintReferenceLines(const Frame& frame);
     void paintExactOutlines(const Frame& frame);
+    /// Cutting lines and notches, as far as they are to be seen.
+    void paintCuttingLines(const Frame& frame);
     void paintHighlight(const Frame& frame, float depthShift, const Feature& feature, bool hovered);
     void drawFeature(const Feature& feature);
     void setLine(const QColor& colour, float width, bool selectedOnly, const Frame& frame);

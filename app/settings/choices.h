@@ -15,6 +15,12 @@ enum class Theme { System, Light, Dark };
 /// Of all text: as the desktop has it (English where there is no such translation), or the same.
 enum class Language { System, English, German };
 
+/// What a garment that is opened is at first.
+enum class NewGarment {
+    Exact,    ///< its exact outlines
+    Pattern,  ///< a pattern to cut and sew (`withPattern`)
+};
+
 /// What a person chooses in the preferences dialog. A value, so that a dialog can put back what was
 /// chosen before.
 struct Choices {
@@ -23,6 +29,7 @@ struct Choices {
     Theme theme = Theme::System;
     Language language = Language::System;  ///< holds from the next start
     Navigation navigation = Navigation::Toile;
+    NewGarment newGarment = NewGarment::Pattern;
     QColor selectionColour{};  ///< in the views; invalid: what goes with the theme
     QColor seamColour{};       ///< as above
     int autosaveMinutes = 1;   ///< between copies kept for after a crash; 0: none are kept

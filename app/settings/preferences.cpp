@@ -33,6 +33,8 @@ constexpr Word<Navigation> kNavigations[] = {{Navigation::Toile, "toile"},
                                              {Navigation::Blender, "blender"},
                                              {Navigation::Clo, "clo"},
                                              {Navigation::Rhino, "rhino"}};
+constexpr Word<NewGarment> kNewGarments[] = {{NewGarment::Exact, "exact"},
+                                             {NewGarment::Pattern, "pattern"}};
 
 /// Numbers from 0 on.
 struct UpTo {
@@ -48,6 +50,7 @@ void forEachChoice(Some& choices, const Visit& visit) {
     visit("theme", choices.theme, kThemes);
     visit("language", choices.language, kLanguages);
     visit("navigation", choices.navigation, kNavigations);
+    visit("newGarment", choices.newGarment, kNewGarments);
     visit("selectionColour", choices.selectionColour, AnyColour{});
     visit("seamColour", choices.seamColour, AnyColour{});
     visit("autosaveMinutes", choices.autosaveMinutes, UpTo{Choices::kMaxAutosaveMinutes});

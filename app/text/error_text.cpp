@@ -79,7 +79,10 @@ DrawingWords drawingWords() {
         .cutPairs = told(QCoreApplication::translate("toile", "cut %1 pairs")),
         .checkSquare = told(QCoreApplication::translate("toile", "check square 100 mm x 100 mm")),
         .cutOnFold = told(QCoreApplication::translate("toile", "cut %1 on fold")),
-        .placeOnFold = told(QCoreApplication::translate("toile", "place on fold"))};
+        .placeOnFold = told(QCoreApplication::translate("toile", "place on fold")),
+        .pieceNumber = told(QCoreApplication::translate("toile", "piece %1 of %2")),
+        .size = told(QCoreApplication::translate("toile", "size %1")),
+        .allowance = told(QCoreApplication::translate("toile", "seam allowance included"))};
 }
 
 QString faultText(const std::exception_ptr& fault) {

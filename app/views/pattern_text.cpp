@@ -95,7 +95,11 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     const int ruler = document.view().rulers ? kRulerBreadth : 0;
     const QPointF corner(ruler, ruler);
     const QString title = PatternWords::tr("Pattern");
-    const QString note = PatternWords::tr("right side of the fabric up, seam lines");
+    const bool isCut = document.scene() && document.view().cuttingLine &&
+                       !document.scene()->patternLines.cutting.empty();
+    const QString note =
+        isCut ? PatternWords::tr("right side of the fabric up, cutting and seam lines")
+              : PatternWords::tr("right side of the fabric up, seam lines");
     if (!document.scene() || sheetBox(*document.scene(), text.places).isEmpty()) {
         paintCaption(painter, style, corner, title, note, false);
         painter.setPen(style.faintText);
@@ -109,8 +113,12 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     const std::vector<QRectF> taken{caption, scaleBarBox(painter.font(), text.view, scale, ruler)};
     std::vector<QRectF> words = paintFolds(painter, style, onScreen, document);
     words.insert(words.end(), taken.begin(), taken.end());
-    paintGrainArrows(painter, style, onScreen, document, text.strongGrain);
-    paintNames(painter, style, text, std::move(words));
+    if (document.view().grain || text.strongGrain) {
+        paintGrainArrows(painter, style, onScreen, document, text.strongGrain);
+    }
+    if (document.view().labels) {
+        paintNames(painter, style, text, std::move(words));
+    }
     paintSpotCallouts(painter, style, {QRectF(text.view.adjusted(ruler, ruler, 0, 0)), taken},
                       document, text.spots, [&text](const WorstSpot& spot) {
                           return placeOfSpot(spot, text.camera, text.places);

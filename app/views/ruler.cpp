@@ -189,7 +189,7 @@ void framePattern(Camera2D& camera, const Scene& scene, const SheetPlaces& place
                   const std::set<int>& pieces, bool rulers) {
     Eigen::AlignedBox2d box;
     for (const int piece : pieces) {
-        box.extend(placedBox(scene.pieces[static_cast<std::size_t>(piece)].flatBox,
+        box.extend(placedBox(scene.pieces[static_cast<std::size_t>(piece)].edgeBox,
                              placeOf(places, piece).placement));
     }
     camera.frame(box, patternMargins(rulers));

@@ -135,6 +135,15 @@ std::vector<QPolygonF> SceneView::seamOnScreen(int seam) const {
     return drawn;
 }
 
+std::optional<QPointF> SceneView::onSeam(int seam, int side, double along) const {
+    const auto index = static_cast<std::size_t>(seam);
+    if (!scene() || index >= lines().seams.size()) {
+        return std::nullopt;
+    }
+    const VertexRun& run = lines().seams[index][static_cast<std::size_t>(side)];
+    return run.count == 0 ? std::nullopt : pointOnScreen(pointAlong(*scene(), run, along));
+}
+
 void SceneView::setWorstSpots(FlaggedSpots spots) {
     spots_ = std::move(spots);
     update();

@@ -32,6 +32,7 @@ public:
     ~SceneView() override;
 
     std::vector<QPolygonF> seamOnScreen(int seam) const override;
+    std::optional<QPointF> onSeam(int seam, int side, double along) const override;
     void frameSelection() override;
     /// Shows both sides of the selected seam; does nothing where none is selected.
     void frameSeam();

@@ -49,6 +49,9 @@ public:
                                             const Eigen::Vector3d& barycentric) const = 0;
     /// Both sides of a seam of the scene, as far as they are drawn.
     virtual std::vector<QPolygonF> seamOnScreen(int seam) const = 0;
+    /// Where a place on one side of a seam is on the screen, `along` as in a SeamHit; nothing where
+    /// it is not drawn.
+    virtual std::optional<QPointF> onSeam(int seam, int side, double along) const = 0;
     /// The point of the sheet under a pixel, mm. In the pattern view only.
     virtual Eigen::Vector2d onSheet(const QPointF& at) const = 0;
     /// Of the sheet; in the garment view at the depth of its middle.
@@ -85,9 +88,9 @@ private:
 };
 
 /// Which tool is meant.
-enum class ToolId { Select, Cut, Loop, Dart, Join, Measure, Grain };
+enum class ToolId { Select, Cut, Loop, Dart, Join, Measure, Grain, Notch };
 
-inline constexpr int kToolCount = 7;
+inline constexpr int kToolCount = 8;
 
 /// The pointer in a view.
 struct Pointer {

@@ -3,6 +3,7 @@
 
 #include <QKeyEvent>
 #include <QLocale>
+#include <QSignalBlocker>
 #include <cmath>
 
 #include "app/settings/length_display.h"
@@ -84,6 +85,14 @@ QString LengthEdit::textFromValue(double millimetres) const {
 
 std::optional<double> LengthEdit::parsed(const QString& text) const {
     return parseLength(text.toStdString(), LengthDisplay::instance().format());
+}
+
+void showLength(LengthEdit& field, double millimetres, bool isStated) {
+    const QSignalBlocker quiet(field);
+    field.setValue(millimetres);
+    QFont font = field.parentWidget()->font();
+    font.setBold(isStated);
+    field.setFont(font);
 }
 
 PercentEdit::PercentEdit(QWidget* parent) : NumberEdit(parent) {

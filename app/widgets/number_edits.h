@@ -53,6 +53,9 @@ private:
     void updateUnit();
 };
 
+/// Shows a length without saying that it was typed; bold where a person has stated it.
+void showLength(LengthEdit& field, double millimetres, bool isStated);
+
 /// A percentage with a sign: "+2.5 %", "−1 %". Its value is in percent. Typed with either decimal
 /// mark, with or without the sign of percent.
 class PercentEdit : public NumberEdit {

@@ -340,6 +340,10 @@
         <source>right side of the fabric up, seam lines</source>
         <translation>rechte Stoffseite oben, Nahtlinien</translation>
     </message>
+    <message>
+        <source>right side of the fabric up, cutting and seam lines</source>
+        <translation>rechte Stoffseite oben, Schnitt- und Nahtlinien</translation>
+    </message>
 </context>
 <context>
     <name>PlatformChoice</name>
@@ -1074,6 +1078,18 @@
     <message>
         <source>place on fold</source>
         <translation>an den Stoffbruch legen</translation>
+    </message>
+    <message>
+        <source>piece %1 of %2</source>
+        <translation>Teil %1 von %2</translation>
+    </message>
+    <message>
+        <source>size %1</source>
+        <translation>Größe %1</translation>
+    </message>
+    <message>
+        <source>seam allowance included</source>
+        <translation>Nahtzugabe enthalten</translation>
     </message>
     <message>
         <source>the project needs it, it is not there</source>
@@ -1961,10 +1977,6 @@
     <message>
         <source>Draw the reference panels, the designer&apos;s own, over the flat pieces, where the file has them</source>
         <translation>Die Referenzteile, die des Entwerfers, über die flachen legen, wo die Datei sie enthält</translation>
-    </message>
-    <message>
-        <source>Show &amp;seams</source>
-        <translation>&amp;Nähte zeigen</translation>
     </message>
     <message>
         <source>Draw the seam lines, both sides of a seam in one colour</source>
@@ -3533,6 +3545,268 @@
         <source>As a whole: %1</source>
         <translation>Ganz: %1</translation>
     </message>
+    <message>
+        <source>&amp;Cutting line</source>
+        <translation>S&amp;chnittlinie</translation>
+    </message>
+    <message>
+        <source>Draw the line that pieces with a seam allowance are cut along</source>
+        <translation>Die Linie zeichnen, an der Schnittteile mit Nahtzugabe zugeschnitten werden</translation>
+    </message>
+    <message>
+        <source>&amp;Notches</source>
+        <translation>&amp;Knipse</translation>
+    </message>
+    <message>
+        <source>Draw the notches of the pattern, where it has some</source>
+        <translation>Die Knipse des Schnittmusters zeichnen, wo es welche hat</translation>
+    </message>
+    <message>
+        <source>Draw the grain of each piece in the pattern view</source>
+        <translation>Den Fadenlauf jedes Schnittteils in der Schnittansicht zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Beschriftung</translation>
+    </message>
+    <message>
+        <source>Write the names of the pieces in the pattern view</source>
+        <translation>Die Namen der Schnittteile in die Schnittansicht schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Notch</source>
+        <translation>&amp;Knips</translation>
+    </message>
+    <message>
+        <source>Add notches to seams, on both sides at once, move them and take them away</source>
+        <translation>Knipse an Nähten setzen, auf beiden Seiten zugleich, sie verschieben und entfernen</translation>
+    </message>
+    <message>
+        <source>Notch</source>
+        <translation>Knips</translation>
+    </message>
+    <message>
+        <source>With the Notch tool</source>
+        <translation>Mit dem Werkzeug Knips</translation>
+    </message>
+    <message>
+        <source>Add a notch there, on both sides of the seam</source>
+        <translation>Dort einen Knips setzen, auf beiden Seiten der Naht</translation>
+    </message>
+    <message>
+        <source>Drag a notch</source>
+        <translation>Einen Knips ziehen</translation>
+    </message>
+    <message>
+        <source>Move it along its seam, on both sides</source>
+        <translation>Ihn entlang seiner Naht verschieben, auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Click a notch</source>
+        <translation>Einen Knips anklicken</translation>
+    </message>
+    <message>
+        <source>Select it</source>
+        <translation>Ihn auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+click a notch, Del</source>
+        <translation>Strg+Klick auf einen Knips, Entf</translation>
+    </message>
+    <message>
+        <source>Take the notch away</source>
+        <translation>Den Knips entfernen</translation>
+    </message>
+    <message>
+        <source>La&amp;yers</source>
+        <translation>&amp;Ebenen</translation>
+    </message>
+    <message>
+        <source>&amp;Seam lines</source>
+        <translation>&amp;Nahtlinien</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::AllowanceForm</name>
+    <message>
+        <source>Seam &amp;allowance</source>
+        <translation>N&amp;ahtzugabe</translation>
+    </message>
+    <message>
+        <source>&amp;Notches</source>
+        <translation>&amp;Knipse</translation>
+    </message>
+    <message>
+        <source>Width of seam allowances</source>
+        <translation>Breite der Nahtzugaben</translation>
+    </message>
+    <message>
+        <source>Width of hems</source>
+        <translation>Breite der Saumzugaben</translation>
+    </message>
+    <message>
+        <source>Leave cloth beyond the seam lines, and cut along the line round it</source>
+        <translation>Außerhalb der Nahtlinien Stoff zugeben und an der Linie darum zuschneiden</translation>
+    </message>
+    <message>
+        <source>Allowance along edges that are sewn to others</source>
+        <translation>Zugabe entlang von Kanten, die an andere genäht werden</translation>
+    </message>
+    <message>
+        <source>Allowance along edges that are sewn to nothing</source>
+        <translation>Zugabe entlang von Kanten, an die nichts genäht wird</translation>
+    </message>
+    <message>
+        <source>Mark places of the seams that come to lie on each other when they are sewn</source>
+        <translation>Stellen der Nähte markieren, die beim Nähen aufeinandertreffen</translation>
+    </message>
+    <message>
+        <source>What a notch is cut or drawn as</source>
+        <translation>Als was ein Knips geschnitten oder gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Slit</source>
+        <translation>Einschnitt</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Castle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>From the cutting line inwards; at most half the allowance where there is one</source>
+        <translation>Von der Schnittlinie nach innen; höchstens die halbe Zugabe, wo es eine gibt</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>Hems</source>
+        <translation>Säume</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Allowance of seams</source>
+        <translation>Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>Allowance of hems</source>
+        <translation>Saumzugabe</translation>
+    </message>
+    <message>
+        <source>Form of notches</source>
+        <translation>Form der Knipse</translation>
+    </message>
+    <message>
+        <source>Depth of notches</source>
+        <translation>Tiefe der Knipse</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>No seam allowance</source>
+        <translation>Keine Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Knipse</translation>
+    </message>
+    <message>
+        <source>No notches</source>
+        <translation>Keine Knipse</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::AllowanceRows</name>
+    <message>
+        <source>By itself</source>
+        <translation>Von selbst</translation>
+    </message>
+    <message>
+        <source>Mitred</source>
+        <translation>Auf Gehrung</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Stumpf</translation>
+    </message>
+    <message>
+        <source>Right angle to the one before</source>
+        <translation>Im rechten Winkel zum vorigen</translation>
+    </message>
+    <message>
+        <source>Right angle to this one</source>
+        <translation>Im rechten Winkel zu diesem</translation>
+    </message>
+    <message>
+        <source>Mirrored, the one before</source>
+        <translation>Gespiegelt, der vorige</translation>
+    </message>
+    <message>
+        <source>Mirrored, this one</source>
+        <translation>Gespiegelt, dieser</translation>
+    </message>
+    <message>
+        <source>Stepped</source>
+        <translation>Abgestuft</translation>
+    </message>
+    <message>
+        <source>How much cloth is left beyond the line. Bold: typed by you, else that of its kind, seam or hem</source>
+        <translation>Wie viel Stoff außerhalb der Linie bleibt. Fett: von Ihnen eingegeben, sonst wie für Nähte oder Säume</translation>
+    </message>
+    <message>
+        <source>As its kind</source>
+        <translation>Wie üblich</translation>
+    </message>
+    <message>
+        <source>Take the typed width back: as for all seams, or all hems</source>
+        <translation>Die eingegebene Breite zurücknehmen: wie für alle Nähte oder alle Säume</translation>
+    </message>
+    <message>
+        <source>Allo&amp;wance</source>
+        <translation>&amp;Zugabe</translation>
+    </message>
+    <message>
+        <source>Corner at its &amp;start</source>
+        <translation>Ecke am An&amp;fang</translation>
+    </message>
+    <message>
+        <source>Allowance of a segment</source>
+        <translation>Zugabe eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>Corner of an allowance</source>
+        <translation>Ecke einer Zugabe</translation>
+    </message>
+    <message>
+        <source>On both sides</source>
+        <translation>Auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>The width holds for what is sewn to the segment too</source>
+        <translation>Die Breite gilt auch für das, was an den Abschnitt genäht wird</translation>
+    </message>
+    <message>
+        <source>How the allowances meet where the segment begins, anti-clockwise round the piece. The one before is %1</source>
+        <translation>Wie die Zugaben dort zusammentreffen, wo der Abschnitt beginnt, gegen den Uhrzeigersinn um das Schnittteil. Der vorige ist %1</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::Banner</name>
@@ -4349,6 +4623,29 @@
     </message>
 </context>
 <context>
+    <name>toile::app::NotchTool</name>
+    <message>
+        <source>Drag: move the notch along its seam · Esc: take it back</source>
+        <translation>Ziehen: den Knips entlang seiner Naht verschieben · Esc: zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Click a seam: add a notch · Drag a notch: move it · Ctrl+click or Del: take it away · Esc: back to selecting</source>
+        <translation>Naht anklicken: Knips setzen · Knips ziehen: verschieben · Strg+Klick oder Entf: entfernen · Esc: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Notch moved</source>
+        <translation>Knips verschoben</translation>
+    </message>
+    <message>
+        <source>Notch</source>
+        <translation>Knips</translation>
+    </message>
+    <message>
+        <source>Removal of a notch</source>
+        <translation>Entfernen eines Knipses</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::PathTool</name>
     <message>
         <source>another piece: a cut stays on one</source>
@@ -4839,6 +5136,22 @@
     <message>
         <source>&amp;Flatten after edits up to:</source>
         <translation>Nach Änderungen ab&amp;wickeln bis:</translation>
+    </message>
+    <message>
+        <source>Exact outlines</source>
+        <translation>Genauen Umrissen</translation>
+    </message>
+    <message>
+        <source>A pattern to cut and sew</source>
+        <translation>Einem Schnittmuster zum Zuschneiden und Nähen</translation>
+    </message>
+    <message>
+        <source>A pattern to cut and sew has fair lines, true seam ends, mirrored pieces drawn equal, seam allowances and notches. Garments that are open stay as they are</source>
+        <translation>Ein Schnittmuster zum Zuschneiden und Nähen hat ausgeglichene Linien und Nahtenden, gleich gezeichnete gespiegelte Schnittteile, Nahtzugaben und Knipse. Offene Kleidungsstücke bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>&amp;New garments start with:</source>
+        <translation>&amp;Neue Kleidungsstücke beginnen mit:</translation>
     </message>
 </context>
 <context>

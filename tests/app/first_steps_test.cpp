@@ -26,7 +26,7 @@ private slots:
         const QString docs = TOILE_SOURCE_DIR "/docs/";
         const auto steps = test::readGuide(docs + "first-steps.md");
         QVERIFY(steps.size() > 20);
-        fixture_.open();
+        fixture_.open({1400, 900}, test::NewGarment::Pattern);
         test::GuideWalker walker(fixture_, TOILE_SOURCE_DIR);
         for (const test::GuideStep& step : steps) {
             if (step.kind == test::GuideStep::Kind::Do) {

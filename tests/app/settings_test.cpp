@@ -78,6 +78,7 @@ private slots:
                               .theme = Theme::Dark,
                               .language = Language::German,
                               .navigation = Navigation::Clo,
+                              .newGarment = NewGarment::Exact,
                               .selectionColour = QColor(1, 2, 3),
                               .seamColour = QColor(4, 5, 6),
                               .autosaveMinutes = 0,
@@ -92,7 +93,7 @@ private slots:
         {
             QSettings settings(file, QSettings::IniFormat);
             for (const char* name :
-                 {"lengthUnit", "inchDenominator", "theme", "language", "navigation",
+                 {"lengthUnit", "inchDenominator", "theme", "language", "navigation", "newGarment",
                   "selectionColour", "seamColour", "autosaveMinutes", "autoFlattenTriangles"}) {
                 settings.setValue(QString("choices/%1").arg(name), "-7 furlongs");
             }
@@ -136,6 +137,8 @@ private slots:
         QCOMPARE(preferences.choices().theme, Theme::Dark);
         QTest::keyClick(&in<QSpinBox>(dialog, "autosaveMinutes"), Qt::Key_Down);
         QCOMPARE(preferences.choices().autosaveMinutes, 8);
+        QTest::keyClick(&in<QComboBox>(dialog, "newGarmentChoice"), Qt::Key_Home);
+        QCOMPARE(preferences.choices().newGarment, NewGarment::Exact);
         QVERIFY(!in<QWidget>(dialog, "restartNote").isVisible());
         QTest::keyClick(&in<QComboBox>(dialog, "languageChoice"), Qt::Key_End);
         QCOMPARE(preferences.choices().language, Language::German);

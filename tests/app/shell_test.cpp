@@ -279,7 +279,7 @@ private slots:
             {ToolId::Select, ActionId::ToolSelect}, {ToolId::Cut, ActionId::ToolCut},
             {ToolId::Loop, ActionId::ToolLoop},     {ToolId::Dart, ActionId::ToolDart},
             {ToolId::Join, ActionId::ToolJoin},     {ToolId::Measure, ActionId::ToolMeasure},
-            {ToolId::Grain, ActionId::ToolGrain}};
+            {ToolId::Grain, ActionId::ToolGrain},   {ToolId::Notch, ActionId::ToolNotch}};
         static_assert(std::size(kTools) == kToolCount);
         for (const auto& [id, action] : kTools) {
             const QString title = "With the " + window().actions().title(action) + " tool";
@@ -300,7 +300,7 @@ private slots:
 
     void escapeLeavesEveryToolForSelecting() {
         for (const ToolId id : {ToolId::Cut, ToolId::Loop, ToolId::Dart, ToolId::Join,
-                                ToolId::Measure, ToolId::Grain}) {
+                                ToolId::Measure, ToolId::Grain, ToolId::Notch}) {
             ToolBox& tools = window().tools();
             tools.choose(id);
             for (const ViewKind view : {ViewKind::Garment, ViewKind::Pattern}) {

@@ -87,7 +87,7 @@ void BoxGesture::drag(ToolView& view, const Pointer& pointer) {
     Document::Selection selection = adds_ ? before_ : Document::Selection{};
     for (const int piece : allFlat(document_)) {
         if (box.intersects(boxOnSheet(document_, piece)) &&
-            touches(box, onSheet(document_, piece, flatOutline(document_, piece)))) {
+            touches(box, onSheet(document_, piece, cutOutline(document_, piece)))) {
             selection.insert(piece);
         }
     }

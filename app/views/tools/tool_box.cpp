@@ -8,6 +8,7 @@
 #include "app/views/tools/grain_tool.h"
 #include "app/views/tools/join_tool.h"
 #include "app/views/tools/measure_tool.h"
+#include "app/views/tools/notch_tool.h"
 #include "app/views/tools/select_tool.h"
 
 namespace toile::app {
@@ -20,6 +21,7 @@ ToolBox::ToolBox(Workspace& workspace, QObject* parent) : ToolChoice(parent) {
     add(std::make_unique<JoinTool>(workspace));
     add(std::make_unique<MeasureTool>(workspace.document(), finder_));
     add(std::make_unique<GrainTool>(workspace.document()));
+    add(std::make_unique<NotchTool>(workspace.document()));
     current_ = tools_.at(ToolId::Select).get();
     connect(&workspace.document(), &Document::changed, this, [this](DocumentChanges what) {
         if (what.testFlag(DocumentChange::Garment)) {

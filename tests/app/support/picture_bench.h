@@ -20,6 +20,7 @@
 #include "app/views/ruler.h"
 #include "app/views/view_picture.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/moment.h"
 
 namespace toile::test {
 

@@ -27,8 +27,12 @@ public:
 
     QString path(const QString& name) const { return folder_.filePath(name); }
 
-    void open(QSize size = {1400, 900}) {
+    /// @param start  most tests are about what has not been drawn over
+    void open(QSize size = {1400, 900}, NewGarment start = NewGarment::Exact) {
         preferences_ = std::make_unique<Preferences>(QString());
+        Choices choices = preferences_->choices();
+        choices.newGarment = start;
+        preferences_->setChoices(choices);
         window_ = std::make_unique<MainWindow>(*preferences_);
         // A question nobody answers would stop the test.
         window_->garmentActions().fileDialogs().askToSave = [](QWidget*, const QString&) {
