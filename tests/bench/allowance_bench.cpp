@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long the cutting line of an outline takes: `allowance/line/POINTS`.
+// How long the cutting line of an outline takes: `allowance/line/POINTS`; and all that makes
+// outlines a pattern (segments, allowances, notches, labels, grain lines) and its drawing:
+// `allowance/pattern/PIECES`, with the milliseconds that a piece takes.
 #include <cmath>
 #include <numbers>
 #include <string>
 
+#include "core/base/stopwatch.h"
+#include "core/export/drawing.h"
 #include "core/pattern/allowance.h"
+#include "core/pipeline/pipeline.h"
+#include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"
 
 namespace toile::bench {
@@ -42,6 +48,30 @@ void measureCuttingLine(benchmark::State& state, int pointsOfASide) {
     }
 }
 
+void measurePattern(benchmark::State& state, const std::string& name) {
+    const auto file = name.find('/') != std::string::npos ? fileOf(name) : sharedFile(name);
+    Progress progress;
+    const auto garment = loadGarment({file}, {}, progress);
+    if (!garment) {
+        state.SkipWithError("its file is not there");
+        return;
+    }
+    const LineSettings lines = withPattern({});
+    const PieceResults results = flattenGarment(*garment, {Method::Curvature}, progress, 0, lines);
+    const auto symmetry = symmetryOf(*garment, lines);
+    const Stopwatch watch;
+    for (auto _ : state) {
+        Pattern pattern = makePattern(*garment, results, lines, symmetry);
+        for (PatternPiece& piece : pattern.pieces) {
+            piece.grain = kGrainUpwards;
+        }
+        const LaidOutPattern laid = laidOut(std::move(pattern));
+        benchmark::DoNotOptimize(draw(laid.pattern, laid.marker));
+    }
+    const double pieces = static_cast<double>(garment->pieces.size() * state.iterations());
+    state.counters["ms_a_piece"] = 1000 * watch.seconds() / pieces;
+}
+
 }  // namespace
 
 void registerAllowances(const Scope& scope) {
@@ -50,6 +80,12 @@ void registerAllowances(const Scope& scope) {
             ("allowance/line/" + std::to_string(points)).c_str(),
             [points](benchmark::State& state) { measureCuttingLine(state, points / 4); });
         measured(added, scope.quick ? 3 : 5);
+    }
+    for (const std::string name : {"panel/45000", "dress"}) {
+        auto* added = benchmark::RegisterBenchmark(
+            ("allowance/pattern/" + name).c_str(),
+            [name](benchmark::State& state) { measurePattern(state, name); });
+        measured(added, 3);
     }
 }
 
