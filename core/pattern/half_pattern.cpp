@@ -105,6 +105,11 @@ void halve(PatternPiece& piece) {
     piece.seams = halfSeams(piece.seams, outline, end);
     piece.segments = halfSegments(piece.segments, end, fold);
     piece.outline = Points2(piece.outline.topRows(half + 1));
+    for (PieceNotch& notch : piece.notches) {
+        if (notch.hole < 0 && notch.at > 2 * end - kNothing) {
+            notch.at = 0;  // where the fold starts, but for rounding
+        }
+    }
     std::erase_if(piece.notches, [end](const PieceNotch& notch) {
         return notch.hole < 0 && notch.at > end + kNothing;
     });

@@ -17,6 +17,7 @@
 #include "core/quality/outline_crossings.h"
 #include "core/seam/find_seams.h"
 #include "tests/core/pattern/allowance_shapes.h"
+#include "tests/core/seam/seam_shapes.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
@@ -205,6 +206,29 @@ void expectMarksOnTheCuttingLine(const Pattern& pattern) {
         }
     }
     EXPECT_GT(marks, 0);
+}
+
+// By rounding a notch in the middle of a seam may be a turn further along.
+TEST(PieceNotches, WhereTheFoldStartsStayOnTheHalf) {
+    LineSettings lines = withAllowance();
+    lines.mirror = Mirror::Mean;
+    Pattern pattern = cutPattern(test::tube4(test::draped), lines).pattern;
+    for (PatternPiece& piece : pattern.pieces) {
+        const double length = ClosedLine(piece.outline).length();
+        piece.byHalf = true;
+        piece.notches = {{.seam = 1, .at = 1}, {.seam = 1, .at = length - 1}};
+        piece.notches.push_back({.seam = 1, .at = length - 1e-10});
+    }
+    int halves = 0;
+    for (const PatternPiece& half : asCut(pattern).pieces) {
+        if (half.cutAs == CutAs::OnFold) {
+            ++halves;
+            ASSERT_EQ(half.notches.size(), 2U);
+            EXPECT_EQ(half.notches[0].at, 1);
+            EXPECT_EQ(half.notches[1].at, 0);
+        }
+    }
+    EXPECT_EQ(halves, 2);
 }
 
 class PatternOfGarment : public testing::TestWithParam<const char*> {};
