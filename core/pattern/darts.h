@@ -18,9 +18,6 @@ namespace toile {
 /// the second leg back to the mouth; what lies between the legs is no part of the piece yet, and
 /// stays in the cloth as the dart that is folded and sewn.
 
-/// The leg over which a closed dart is laid.
-enum class DartLay { First, Second };
-
 /// The drill point is so far before the tip, mm; a third of the leg where that is less.
 inline constexpr double kDrillBeforeTip = 12;
 

@@ -7,6 +7,7 @@
 
 #include "core/base/words.h"
 #include "core/garment/seam.h"
+#include "core/pattern/added_settings.h"
 #include "core/pattern/corner_allowance.h"
 #include "core/pattern/notch_settings.h"
 
@@ -76,10 +77,14 @@ struct SegmentSettings {
     std::optional<double> allowance{};
     /// How allowances meet where it begins; none: mitred, or mirrored at the end of a hem.
     std::optional<CornerRule> corner{};
+    /// A free edge is drawn out parallel by so much, mm: a button stand, a turn-up.
+    std::optional<double> extension{};
 
     bool operator==(const SegmentSettings&) const = default;
 
-    bool saysNothing() const { return !length && !tolerance && !straight && !allowance && !corner; }
+    bool saysNothing() const {
+        return !length && !tolerance && !straight && !allowance && !corner && !extension;
+    }
 };
 
 /// A turn point that a person has added or taken away: a place on a line, as a share of it.
@@ -116,6 +121,10 @@ struct LineSettings {
     std::optional<AllowanceWidths> allowance{};  ///< none: no piece has any
     std::optional<NotchRules> notches{};         ///< none: there are none
     std::optional<GrainRule> grain{};  ///< of pieces whose grain nobody has stated; none: unset
+    std::vector<DartSettings> darts{};
+    std::vector<Facing> facings{};
+    std::vector<InternalLine> internalLines{};
+    LabelTexts label{};
 
     bool operator==(const LineSettings&) const = default;
 };

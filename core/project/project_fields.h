@@ -83,6 +83,7 @@ inline constexpr auto kSegment = [](auto& at, auto& said) {
     at.field("straight", said.straight);
     at.field("allowance", said.allowance, 0, kMaxAllowance);
     at.word("corner", said.corner, kCornerRuleWords);
+    at.field("extension", said.extension, kMinStrip, kMaxStrip);
 };
 
 inline constexpr auto kTurnPoint = [](auto& at, auto& said) {
@@ -124,6 +125,36 @@ inline constexpr auto kNotches = [](auto& at, auto& rules) {
     at.list("notches", rules.notches, kNotch);
 };
 
+inline constexpr auto kDart = [](auto& at, auto& said) {
+    at.need("left");
+    at.object("left", said.seam.left, kStretch);
+    at.object("right", said.seam.right, kStretch);
+    at.field("intake", said.intake, kMinIntake, kMaxIntake);
+    at.word("lay", said.lay, kDartLayWords);
+};
+
+inline constexpr auto kFacing = [](auto& at, auto& facing) {
+    at.need("edges");
+    at.text("name", facing.name);
+    at.list("edges", facing.edges, kStretch);
+    at.field("width", facing.width, kMinStrip, kMaxStrip);
+};
+
+inline constexpr auto kInternalLine = [](auto& at, auto& line) {
+    at.need("points");
+    at.text("name", line.name);
+    at.list("points", line.points, [](auto& in, auto& point) {
+        in.need("at");
+        in.point("at", point);
+    });
+    at.field("closed", line.closed);
+};
+
+inline constexpr auto kLabelTexts = [](auto& at, auto& label) {
+    at.text("size", label.size);
+    at.text("date", label.date);
+};
+
 inline constexpr auto kLines = [](auto& at, auto& lines) {
     at.object("fairing", lines.fairing, kFairing);
     at.field("trueBelow", lines.trueBelow, 0, kMaxKink);
@@ -134,6 +165,17 @@ inline constexpr auto kLines = [](auto& at, auto& lines) {
     at.object("allowance", lines.allowance, kAllowance);
     at.object("notches", lines.notches, kNotches);
     at.word("grain", lines.grain, kGrainRuleWords);
+    const auto list = [&at](const char* name, auto& things, const auto& describe) {
+        if (at.kReads || !things.empty()) {
+            at.list(name, things, describe);
+        }
+    };
+    list("darts", lines.darts, kDart);
+    list("facings", lines.facings, kFacing);
+    list("internalLines", lines.internalLines, kInternalLine);
+    if (at.kReads || !(lines.label == LabelTexts{})) {
+        at.object("label", lines.label, kLabelTexts);
+    }
 };
 
 inline constexpr auto kFlattening = [](auto& at, auto& options) {
