@@ -130,6 +130,10 @@ void addPiece(Drawing& drawing, const Pattern& pattern, const PatternPiece& piec
     }
     drawing.texts.push_back(
         {id + "name", LayerKind::Text, label.position, label.height, std::move(lines)});
+    for (std::size_t k = 0; pattern.hasAllowance && k < piece.extensions.size(); ++k) {
+        drawing.paths.push_back({id + "-extension-" + std::to_string(k + 1), LayerKind::Internal,
+                                 placed(piece.extensions[k]), false});
+    }
     for (std::size_t k = 0; k < piece.holes.size(); ++k) {
         drawing.paths.push_back(
             {id + "-hole-" + std::to_string(k + 1), LayerKind::Cut, placed(piece.holes[k])});

@@ -55,8 +55,8 @@ bool hasLayer(const Drawing& drawing, LayerKind kind);
 /// square to the right of the pieces, with a margin of 10 mm around all; labels of pieces narrower
 /// than their names stay on the page. Width and height are whole millimetres.
 /// Ids: `piece-<slug>-cut`, `piece-<slug>--sew`, `piece-<slug>--notch-<k>` (further strokes of it
-/// `-2` and so on), `piece-<slug>--dart-<k>-fold`, `-drill`, `-tip-1` and `-tip-2`,
-/// `piece-<slug>--hole-<k>`, `piece-<slug>-name`, `piece-<slug>--grain`,
+/// `-2` and so on), `piece-<slug>--extension-<k>`, `piece-<slug>--dart-<k>-fold`, `-drill`,
+/// `-tip-1` and `-tip-2`, `piece-<slug>--hole-<k>`, `piece-<slug>-name`, `piece-<slug>--grain`,
 /// `piece-<slug>--seam-<number>-tick-<k>`, `...-number` and `...-name` ("b" after the number of a
 /// seam's second side on the same piece), `piece-<slug>--fold`, `piece-<slug>--fold-text`,
 /// `check-square`, `check-square-text`.

@@ -114,7 +114,7 @@ void halve(PatternPiece& piece) {
         return notch.hole < 0 && notch.at > end + kNothing;
     });
     if (piece.cuttingLine.rows() > 0) {
-        piece.cuttingLine = cuttingLineOf(piece);
+        addCuttingLine(piece);
     }
 }
 
@@ -164,9 +164,17 @@ Pattern asCut(Pattern whole) {
             piece.seams.clear();
             piece.segments.clear();
             piece.cuttingLine.resize(0, 2);
+            piece.extensions.clear();
             piece.notches.clear();
         }
         piece.number = piece.outline.rows() > 0 ? ++number : 0;
+    }
+    for (FacingPiece& facing : std::exchange(whole.facings, {})) {
+        Cutting& cutting = facing.strip;
+        cutting = whole.pieces[facing.piece];
+        cutting.byHalf = false;
+        facing.strip.number = facing.strip.outline.rows() > 0 ? ++number : 0;
+        whole.pieces.push_back(std::move(facing.strip));
     }
     return whole;
 }

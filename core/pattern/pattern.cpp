@@ -11,6 +11,8 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/pattern/drawn_outline.h"
+#include "core/pattern/extension.h"
+#include "core/pattern/facings.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/notches.h"
 #include "core/pattern/outline_reference.h"
@@ -76,8 +78,7 @@ void addSeams(PatternPiece& made, const Piece& piece, const FlatPiece& flat,
 }
 
 void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOutline& outline,
-                 const SeamGraph& graph, const OutlineSegments& found,
-                 const std::optional<AllowanceWidths>& widths) {
+                 const SeamGraph& graph, const OutlineSegments& found, const LineSettings& lines) {
     const Piece& piece = *result.piece;
     const ClosedLine in3d(result.flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
     std::vector<double> targets{0};
@@ -96,10 +97,14 @@ void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOu
         added.place = segment.place;
         added.length =
             in3d.placeOn(target, segment.at.end) - in3d.placeOn(target, segment.at.start);
-        if (widths) {
-            added.allowance = segment.settings.allowance.value_or(usualAllowance(added, *widths));
-            added.corner = segment.settings.corner;
+        added.isFaced = std::ranges::any_of(
+            lines.facings, [&added](const Facing& facing) { return isFaced(added, facing); });
+        if (lines.allowance) {
+            added.allowance =
+                segment.settings.allowance.value_or(usualAllowance(added, *lines.allowance));
         }
+        added.corner = segment.settings.corner;
+        added.extension = segment.settings.extension.value_or(0);
     }
     std::ranges::stable_sort(made.segments, {}, &PatternSegment::from);
 }
@@ -161,9 +166,11 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
         made.mirror = mirrors[i];
         const MeasuredOutline outline(piece, flat);
         addSeams(made, piece, flat, outline, garment.seams, static_cast<int>(i));
-        addSegments(made, *results[i], outline, garment.seams, segments[i], lines.allowance);
-        if (lines.allowance) {
-            made.cuttingLine = cuttingLineOf(made);
+        addSegments(made, *results[i], outline, garment.seams, segments[i], lines);
+        const bool isExtended = std::ranges::any_of(
+            made.segments, [](const auto& segment) { return extensionOf(segment) > 0; });
+        if (lines.allowance || isExtended) {
+            addCuttingLine(made);
         }
     }
     pattern.hasAllowance = lines.allowance.has_value();
@@ -173,6 +180,10 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
                    findNotches(garment, results, segments, *lines.notches, symmetry.get()));
         pattern.notchForm = lines.notches->form;
         pattern.notchDepth = lines.notches->depth;
+    }
+    pattern.facings = facingsOf(pattern, lines.facings);
+    for (FacingPiece& facing : pattern.facings) {
+        facing.strip.slug = slugs.free(slug(facing.strip.name), "-");
     }
     pattern.symmetry = std::move(symmetry);
     return pattern;

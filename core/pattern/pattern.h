@@ -68,8 +68,10 @@ struct PatternSegment {
     SeamKind kind = SeamKind::Free;
     LineStretch place{};   ///< by which settings know it
     double length = 0;     ///< that it is to have, mm: where lengths are kept, to - from
+    bool isFaced = false;  ///< a facing is sewn to it (`facingsOf`)
     bool isFold = false;   ///< of a half pattern: the edge that lies on the fold, no seam line
     double allowance = 0;  ///< width beside it, mm
+    double extension = 0;  ///< by which it is drawn out where it is a free edge, mm
     /// Of the allowances where it begins; none: mitred, or mirrored at the end of a hem.
     std::optional<CornerRule> corner{};
 };
@@ -119,9 +121,11 @@ struct PatternPiece : Cutting {
     bool isFine = false;   ///< a fair line, which stands for a curve; else the polygon itself
     DrawnMirror mirror{};  ///< of the whole piece
     CutAs cutAs = CutAs::Whole;
-    /// Round the outline and its allowances, anti-clockwise; empty where allowances are not asked
-    /// for: the piece is cut along its outline then. Holes have none.
+    /// Round the outline, its extensions and their allowances, anti-clockwise; empty where there is
+    /// none of these: the piece is cut along its outline then. Holes have none.
     Points2 cuttingLine = Points2(0, 2);
+    std::vector<Points2>
+        extensions{};  ///< edges drawn out (`extensionEdges`), within the cutting line
     std::vector<PieceNotch> notches{};  ///< by `hole`, then `at`
     int number = 0;  ///< from 1, of those that are drawn, in the garment's order; 0: not drawn
 };
@@ -131,9 +135,18 @@ inline const Points2& edgeOf(const PatternPiece& piece) {
     return piece.cuttingLine.rows() > 0 ? piece.cuttingLine : piece.outline;
 }
 
+/// A facing, in the coordinates of the piece that it is a copy of.
+struct FacingPiece {
+    int piece = -1;   ///< index into Pattern::pieces
+    int facing = -1;  ///< index into LineSettings::facings
+    PatternPiece strip{};
+};
+
 struct Pattern {
     std::string name;                  ///< of the garment
     std::vector<PatternPiece> pieces;  ///< one per piece of the garment, in its order
+    /// Strips of pieces that are cut a second time (`facingsOf`), by piece.
+    std::vector<FacingPiece> facings{};
     bool hasAllowance = false, hasNotches = false;
     NotchForm notchForm = NotchForm::Slit;
     double notchDepth = 5;  ///< from the cutting line inwards, mm

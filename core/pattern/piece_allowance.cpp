@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/pattern/capped_outline.h"
 #include "core/pattern/darts.h"
+#include "core/pattern/extension.h"
 
 namespace toile {
 namespace {
 
 bool isHem(const PatternSegment& segment) {
-    return segment.seam > 0 && segment.kind == SeamKind::Free;
+    return segment.seam > 0 && segment.kind == SeamKind::Free && !segment.isFaced;
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ double usualAllowance(const PatternSegment& segment, const AllowanceWidths& widt
         case SeamKind::Fold:
         case SeamKind::Dart:
             return 0;
-        case SeamKind::Free:  // what is too short to be a free edge is beside a seam
+        case SeamKind::Free:  // what is too short to be a free edge, or faced, is a seam
             return isHem(segment) ? widths.hem : widths.seam;
         case SeamKind::Seam:
             break;
@@ -43,11 +43,10 @@ CornerRule cornerOf(const PatternPiece& piece, std::size_t k) {
     return afterHem ? CornerRule::MirrorFirst : CornerRule::MirrorSecond;
 }
 
-AllowanceBase allowanceBase(const PatternPiece& piece) {
-    CappedOutline capped = cappedOutline(piece, findDarts(piece));
-    AllowanceBase base{std::move(capped.line), {}};
-    base.stretches.reserve(capped.stretches.size());
-    for (const CappedStretch& stretch : capped.stretches) {
+AllowanceBase allowanceBase(const PatternPiece& piece, CappedOutline outline) {
+    AllowanceBase base{std::move(outline.line), {}};
+    base.stretches.reserve(outline.stretches.size());
+    for (const CappedStretch& stretch : outline.stretches) {
         const auto k = static_cast<std::size_t>(stretch.segment);
         base.stretches.push_back(
             stretch.segment < 0
@@ -57,11 +56,13 @@ AllowanceBase allowanceBase(const PatternPiece& piece) {
     return base;
 }
 
-Points2 cuttingLineOf(const PatternPiece& piece) {
-    AllowanceBase base = allowanceBase(piece);
+void addCuttingLine(PatternPiece& piece) {
+    CappedOutline outline = extendedOutline(piece, cappedOutline(piece, findDarts(piece)));
+    piece.extensions = extensionEdges(piece, outline);
+    AllowanceBase base = allowanceBase(piece, std::move(outline));
     const bool isNone = std::ranges::all_of(
         base.stretches, [](const AllowanceStretch& stretch) { return stretch.width == 0; });
-    return isNone ? std::move(base.line) : cuttingLine(base.line, base.stretches);
+    piece.cuttingLine = isNone ? std::move(base.line) : cuttingLine(base.line, base.stretches);
 }
 
 double allowanceAt(const PatternPiece& piece, double length, double at) {

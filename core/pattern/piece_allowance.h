@@ -4,13 +4,15 @@
 #include <vector>
 
 #include "core/pattern/allowance.h"
+#include "core/pattern/capped_outline.h"
 #include "core/pattern/line_settings.h"
 #include "core/pattern/pattern.h"
 
 namespace toile {
 
 /// The width of the allowance beside a segment where nobody has said otherwise, mm: that of seams,
-/// that of hems along free edges, none at folds of the cloth and between the legs of a dart.
+/// that of hems along free edges but faced ones, none at folds of the cloth and between the legs of
+/// a dart.
 double usualAllowance(const PatternSegment& segment, const AllowanceWidths& widths);
 
 /// How allowances meet where segment k begins, stated or usual: where a hem ends beside another
@@ -23,13 +25,14 @@ struct AllowanceBase {
     std::vector<AllowanceStretch> stretches;
 };
 
-/// The outline by its segments, with darts closed by their caps (`cappedOutline`), each with the
-/// allowance that runs on over it.  Cost: that of `findDarts`. Pure.
-AllowanceBase allowanceBase(const PatternPiece& piece);
+/// A line by its stretches, each with the allowance of its segment.  Cost: linear. Pure.
+AllowanceBase allowanceBase(const PatternPiece& piece, CappedOutline outline);
 
-/// The line round the outline, the caps of its darts and the allowances of its segments
-/// (`cuttingLine`); the outline where it has neither.  Cost: that of `cuttingLine`. Pure.
-Points2 cuttingLineOf(const PatternPiece& piece);
+/// Gives a piece the line round its outline, the caps of its darts (`cappedOutline`), its
+/// extensions
+/// (`extendedOutline`) and the allowances of its segments (`cuttingLine`); that of the outline
+/// where it has none of these.  Cost: that of `cuttingLine`. Pure.
+void addCuttingLine(PatternPiece& piece);
 
 /// The width of the allowance at a place of the outline, which is so long.
 /// Cost: linear in the segments. Pure.
