@@ -203,6 +203,10 @@ void addPatternOptions(CLI::App& command, StatedOptions& stated) {
         "A pattern to cut and sew: --fair --true --mirror auto --allowance 10 --hem 30 "
         "--notches auto --grain vertical, but for what a project or another option "
         "says");
+    addChoice(command, "--grain", stated.grain, kGrainRuleWords,
+              "How the grain runs where a project does not say: as the garment hangs, as in the "
+              "reference panels, or as the garment hangs and turned by 45 or 90 degrees where that "
+              "strains the cloth much less [unset: no grain line is drawn]");
 }
 
 void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
@@ -217,10 +221,6 @@ void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     addMethodOptions(flatten, arguments.stated);
     addLineOptions(flatten, arguments.stated);
     addPatternOptions(flatten, arguments.stated);
-    addChoice(flatten, "--grain", arguments.stated.grain, kGrainRuleWords,
-              "How the grain runs where a project does not say: as the garment hangs, as in the "
-              "reference panels, or as the garment hangs and turned by 45 or 90 degrees where that "
-              "strains the cloth much less [unset: no grain line is drawn]");
     flatten.add_flag("--half", arguments.stated.byHalf,
                      "Draw only half of what is symmetric, to be cut on the fold, and one of two "
                      "that mirror each other, to be cut as a pair; asks for --mirror auto");
@@ -281,6 +281,7 @@ void addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
     render.add_flag("--dark", picture.dark, "On a dark ground");
     addMethodOptions(render, arguments.stated);
     addLineOptions(render, arguments.stated);
+    addPatternOptions(render, arguments.stated);
     addReading(render, arguments);
 }
 
@@ -296,6 +297,7 @@ void addCheck(CLI::App& app, Arguments& arguments) {
                   " where neither this nor a project says so");
     addMethodOptions(check, arguments.stated);
     addLineOptions(check, arguments.stated);
+    addPatternOptions(check, arguments.stated);
     addReading(check, arguments);
     check.add_flag("--json", arguments.json, "Print as JSON");
 }
@@ -309,6 +311,7 @@ void addWalk(CLI::App& app, Arguments& arguments) {
         "millimetre from the ease that is meant, or a piece failed.");
     addMethodOptions(walk, arguments.stated);
     addLineOptions(walk, arguments.stated);
+    addPatternOptions(walk, arguments.stated);
     addReading(walk, arguments);
     walk.add_flag("--json", arguments.json, "Print as JSON");
 }

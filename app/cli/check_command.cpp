@@ -61,6 +61,8 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     plan.options = arguments.options;
     plan.lines = arguments.lines;
     plan.results = flattenGarment(*plan.garment, plan.options, progress, 0, arguments.lines);
+    plan.pattern = std::make_shared<const Pattern>(makePattern(
+        *plan.garment, plan.results, plan.lines, symmetryOf(*plan.garment, plan.lines)));
     plan.fabric = arguments.fabric.value_or(plan.fabric);
     plan.settings = settingsOf(arguments, *plan.garment, plan.results);
     const Readiness readiness = readyToCut(plan, progress);

@@ -156,6 +156,10 @@ LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
             std::optional<double>& grain = laid.pattern.pieces[p].grain;
             grain = grain ? grain : grains[p];
         }
+        for (std::size_t k = 0; k < laid.pattern.facings.size(); ++k) {
+            const auto piece = static_cast<std::size_t>(laid.pattern.facings[k].piece);
+            laid.pattern.pieces[grains.size() + k].grain = laid.pattern.pieces[piece].grain;
+        }
     }
     return laid;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/document/line_edits.h"
+#include "app/document/strip_edits.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/piece_allowance.h"
 
@@ -69,6 +70,7 @@ double allowanceOf(const Garment& garment, const Segment& segment, const LineSet
     if (segment.seam >= 0) {
         kind.kind = garment.seams.seams[static_cast<std::size_t>(segment.seam)].kind;
     }
+    kind.isFaced = facingOf(lines, segment).has_value();
     return segment.settings.allowance.value_or(
         usualAllowance(kind, lines.allowance.value_or(AllowanceWidths{})));
 }

@@ -64,8 +64,8 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
     columns->setSpacing(0);
     columns->addWidget(makeColumn(makeSettings(), this), 2);
     columns->addWidget(makeColumn(allowance_, this), 2);
-    columns->addWidget(ends_, 3);
-    columns->addWidget(makeColumn(segment_, this), 3);
+    columns->addWidget(ends_, 2);
+    columns->addWidget(makeColumn(segment_, this), 4);
     connect(fair_, &QCheckBox::clicked, this, &LinesPanel::setFair);
     connect(true_, &QCheckBox::clicked, this, &LinesPanel::setTrueing);
     connect(tolerance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {

@@ -15,6 +15,8 @@
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
 #include "app/panels/allowance_rows.h"
+#include "app/panels/sewn_rows.h"
+#include "app/panels/strip_rows.h"
 #include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
 #include "core/seam/seam_measure.h"
@@ -68,9 +70,12 @@ SegmentForm::SegmentForm(Document& document, FieldGuard& guard, QWidget* parent)
       removePoint_(makeButton("removeTurnPoint", tr("Remove turn point"),
                               tr("Let the line run on smoothly at the selected vertex"), this)),
       straight_(new QCheckBox(tr("Straight"), this)),
-      allowance_(new AllowanceRows(document, guard, this)) {
+      allowance_(new AllowanceRows(document, guard, this)),
+      strips_(new StripRows(document, guard, this)),
+      sewn_(new SewnRows(document, guard, this)) {
     makeRows(guard);
     connect(allowance_, &AllowanceRows::wanted, this, &SegmentForm::wanted);
+    connect(strips_, &StripRows::wanted, this, &SegmentForm::wanted);
     connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double length) {
         const bool isWorn = std::abs(length - shown_.length()) < kSameLength;
         setLength(isWorn ? std::nullopt : std::optional(length));
@@ -120,10 +125,17 @@ void SegmentForm::makeRows(FieldGuard& guard) {
         guard.install(*field);
         field->installEventFilter(this);
     }
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(10, 6, 10, 6);
-    grid->setHorizontalSpacing(8);
-    grid->setVerticalSpacing(4);
+    auto* columns = new QHBoxLayout(this);
+    columns->setContentsMargins(10, 6, 10, 6);
+    columns->setSpacing(20);
+    auto* grid = new QGridLayout;
+    auto* added = new QGridLayout;  // what is added to the segment, beside what it is
+    for (QGridLayout* column : {grid, added}) {
+        columns->addLayout(column);
+        column->setHorizontalSpacing(8);
+        column->setVerticalSpacing(4);
+    }
+    columns->addStretch(1);
     grid->addWidget(title_, 0, 0, 1, 4);
     grid->addWidget(lengths_, 1, 0, 1, 4);
     const std::tuple<QString, LengthEdit*, QToolButton*> rows[] = {
@@ -138,6 +150,10 @@ void SegmentForm::makeRows(FieldGuard& guard) {
         grid->addWidget(button, row++, 2);
     }
     row = allowance_->addTo(*grid, row);
+    added->setRowMinimumHeight(0, title_->sizeHint().height());
+    added->setRowMinimumHeight(1, lengths_->sizeHint().height());
+    const int last = sewn_->addTo(*added, strips_->addTo(*added, 2));
+    added->setRowStretch(last, 1);
     grid->addWidget(straight_, 2, 3);
     grid->addWidget(kinks_, row++, 0, 1, 4);
     auto* points = new QHBoxLayout;
@@ -168,6 +184,8 @@ void SegmentForm::clear() {
     partner_.reset();
     vertex_.reset();
     allowance_->clear();
+    strips_->clear();
+    sewn_->clear();
     title_->setText(tr("Segment"));
     lengths_->setText(tr("Select a seam, or a stretch of outline by a double click."));
     kinks_->clear();
@@ -221,6 +239,8 @@ void SegmentForm::show(const LineFacts& facts) {
     allowance_->show(
         facts, *at,
         nameOf(*document_.garment(), around[(index + around.size() - 1) % around.size()]));
+    strips_->show(facts, *at);
+    sewn_->show(shown_);
     asWorn_->setEnabled(said.length.has_value());
     asOthers_->setEnabled(said.tolerance.has_value());
     showKinks(facts, *at);

@@ -17,6 +17,8 @@ class AllowanceRows;
 class Document;
 class FieldGuard;
 class LengthEdit;
+class SewnRows;
+class StripRows;
 
 /// The segment of an outline that is selected: how long it is, how it is drawn, what it meets at
 /// its ends, and the turn point at a selected vertex. Says what is to be said of it.
@@ -57,6 +59,8 @@ private:
     QToolButton *asWorn_, *asOthers_, *addPoint_, *removePoint_;
     QCheckBox* straight_;
     AllowanceRows* allowance_;
+    StripRows* strips_;
+    SewnRows* sewn_;
     int gesture_ = -1;
     std::optional<SegmentAt> at_;
     Segment shown_{};                            ///< as it was last shown

@@ -32,6 +32,7 @@ enum class FindingKind {
     StrainBias,        ///< at 45 degrees to it
     SeamKink,          ///< lines that run on into each other over a seam make a corner there
     NotSymmetric,      ///< a piece is to be cut by half, and is not drawn as a mirror image
+    NoFacing,          ///< a facing has no room along its edge
     PiecesOverlap,     ///< two pieces lie on each other on the sheet
     UnlikelySize,      ///< no garment is as small or as large
     UnitInDoubt,       ///< the file's unit was guessed, and another is as likely

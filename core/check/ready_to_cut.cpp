@@ -42,6 +42,7 @@ public:
             checkSeams();
             checkSeamEnds();
             checkHalves();
+            checkFacings();
             checkSheet();
         }
         Readiness readiness = found_.inOrder();
@@ -221,6 +222,35 @@ private:
         }
     }
 
+    void checkFacings() {
+        if (!isOfGarment(plan_.pattern.get())) {
+            return;
+        }
+        for (const FacingPiece& facing : plan_.pattern->facings) {
+            if (facing.strip.outline.rows() == 0) {
+                Finding finding;
+                finding.kind = FindingKind::NoFacing;
+                finding.severity = Severity::Doubt;
+                finding.subject =
+                    subjectOf(*garment_.pieces[static_cast<std::size_t>(facing.piece)]);
+                finding.pieces = {facing.piece};
+                found_.add(std::move(finding));
+            }
+        }
+    }
+
+    bool isOfGarment(const Pattern* pattern) const {
+        return pattern && pattern->pieces.size() == garment_.pieces.size();
+    }
+
+    /// What is cut of a piece, in its own coordinates: with allowances where they are known.
+    Points2 cutOutline(std::size_t piece, const PieceResult& result) const {
+        const bool isKnown =
+            isOfGarment(plan_.pattern.get()) && plan_.pattern->pieces[piece].outline.rows() > 0;
+        return isKnown ? edgeOf(plan_.pattern->pieces[piece])
+                       : Points2(result.flat->Q(result.piece->boundary, Eigen::all));
+    }
+
     void checkSheet() {
         std::vector<Points2> outlines(garment_.pieces.size());
         for (std::size_t i = 0; i < outlines.size(); ++i) {
@@ -229,7 +259,8 @@ private:
             if (!result || !result->flat || !placement) {
                 continue;  // what has no place gets one beside the others
             }
-            outlines[i] = placedOutline(result->flat->Q, result->piece->boundary, *placement);
+            outlines[i] = turnedLine(cutOutline(i, *result), *placement).rowwise() +
+                          placement->offset.transpose();
         }
         for (const auto& [one, other] : overlappingOutlines(outlines)) {
             Finding finding;

@@ -23,8 +23,9 @@ struct CutPlan {
     FlattenOptions options{};                  ///< as the pieces are to be flattened
     LineSettings lines{};                      ///< and as their outlines are to be drawn
     Fabric fabric = fabricPresets().front();
-    std::vector<PieceSettings> settings{};  ///< one per piece, without anchors; or left out
-    PieceLabels labels{};                   ///< what findings call the pieces; or left out
+    std::shared_ptr<const Pattern> pattern{};  ///< of all that; or null
+    std::vector<PieceSettings> settings{};     ///< one per piece, without anchors; or left out
+    PieceLabels labels{};                      ///< what findings call the pieces; or left out
     bool guessesKept = false;  ///< unit and up axis, where guessed, are right: a person said so
 
     bool operator==(const CutPlan&) const = default;

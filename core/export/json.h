@@ -36,6 +36,8 @@ Json seamsJson(const Garment& garment, const PieceResults& results);
 Json lineJson(const PieceResult& result);
 /// Adds what has been added to the outline: allowances and notches, where there are any.
 void addPatternJson(Json& json, const Pattern& pattern, const PatternPiece& piece);
+/// What is cut a second time. @param pattern  as it is cut (`asCut`)
+Json facingsJson(const Pattern& pattern);
 /// Kinks at the ends of seams, exact and as drawn. @param results  one per piece
 Json seamEndsJson(const Garment& garment, const PieceResults& results);
 /// The plane, what mirrors what, and what common lengths and mirrored lines change.

@@ -18,12 +18,16 @@ Json notchJson(const Pattern& pattern, const PieceNotch& notch) {
 }
 
 Json segmentJson(const PatternSegment& segment, CornerRule corner) {
-    return {{"seam", segment.seam > 0 ? Json(segment.seam) : Json(nullptr)},
-            {"from", number(segment.from)},
-            {"to", number(segment.to)},
-            {"fold", segment.isFold},
-            {"allowance", number(segment.allowance)},
-            {"corner", text(wordOf(kCornerRuleWords, corner))}};
+    Json json{{"seam", segment.seam > 0 ? Json(segment.seam) : Json(nullptr)},
+              {"from", number(segment.from)},
+              {"to", number(segment.to)},
+              {"fold", segment.isFold},
+              {"allowance", number(segment.allowance)},
+              {"corner", text(wordOf(kCornerRuleWords, corner))}};
+    if (segment.extension > 0) {
+        json["extension"] = number(segment.extension);
+    }
+    return json;
 }
 
 Json dartJson(const PieceDart& dart) {
@@ -34,7 +38,31 @@ Json dartJson(const PieceDart& dart) {
             {"laid_over", text(dart.lay == DartLay::First ? "first" : "second")}};
 }
 
+/// A strip as it is cut; only its name where it has no room.
+Json facingJson(const PatternPiece& piece, const PatternPiece& strip) {
+    Json json{{"name", strip.name}, {"piece", piece.name}, {"drawn", strip.outline.rows() > 0}};
+    if (strip.outline.rows() > 0) {
+        json["perimeter_2d"] = number(ClosedLine(strip.outline).length());
+        json["quantity"] = strip.quantity;
+        json["mirrored_pair"] = strip.mirroredPair;
+        if (strip.cuttingLine.rows() > 0) {
+            json["cutting_line_length"] = number(ClosedLine(strip.cuttingLine).length());
+        }
+    }
+    return json;
+}
+
 }  // namespace
+
+Json facingsJson(const Pattern& pattern) {
+    Json facings = Json::array();
+    const std::size_t first = pattern.pieces.size() - pattern.facings.size();
+    for (std::size_t k = 0; k < pattern.facings.size(); ++k) {
+        const PatternPiece& piece = pattern.pieces[pattern.facings[k].piece];
+        facings.push_back(facingJson(piece, pattern.pieces[first + k]));
+    }
+    return facings;
+}
 
 void addPatternJson(Json& json, const Pattern& pattern, const PatternPiece& piece) {
     if (pattern.hasAllowance && piece.cuttingLine.rows() > 0) {

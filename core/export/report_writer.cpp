@@ -154,6 +154,9 @@ std::string writeReport(const Garment& garment, const PieceResults& results,
     if (std::ranges::any_of(results, [](const auto& result) { return result->exact != nullptr; })) {
         report["seam_ends"] = seamEndsJson(garment, results);
     }
+    if (!pattern.facings.empty()) {
+        report["facings"] = facingsJson(pattern);
+    }
     if (pattern.symmetry) {
         report["symmetry"] = symmetryJson(garment, results, *pattern.symmetry);
     }

@@ -49,7 +49,7 @@ std::vector<Run> runsOf(const PatternPiece& piece, const Facing& facing) {
     const std::size_t n = piece.segments.size();
     std::vector<bool> faced;
     for (const PatternSegment& segment : piece.segments) {
-        faced.push_back(isFaced(segment, facing));
+        faced.push_back(isFaced(segment.place, facing));
     }
     std::vector<Run> runs;
     for (std::size_t k = 0; k < n; ++k) {
@@ -251,9 +251,9 @@ private:
 
 }  // namespace
 
-bool isFaced(const PatternSegment& segment, const Facing& facing) {
+bool isFaced(const LineStretch& place, const Facing& facing) {
     return std::ranges::any_of(facing.edges, [&](const LineStretch& edge) {
-        return covered(segment.place, edge) > kMostlyFaced;
+        return covered(place, edge) > kMostlyFaced;
     });
 }
 

@@ -8,8 +8,8 @@
 
 namespace toile {
 
-/// True where most of a segment is part of a facing.
-bool isFaced(const PatternSegment& segment, const Facing& facing);
+/// True where most of a segment's place is part of a facing.
+bool isFaced(const LineStretch& place, const Facing& facing);
 
 /// Copies of strips along the outlines of pieces, to be cut as pieces of their own: all of a piece
 /// that is within the width of a run of neighbouring segments, which the strip repeats point by

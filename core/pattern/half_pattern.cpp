@@ -169,12 +169,12 @@ Pattern asCut(Pattern whole) {
         }
         piece.number = piece.outline.rows() > 0 ? ++number : 0;
     }
-    for (FacingPiece& facing : std::exchange(whole.facings, {})) {
+    for (FacingPiece& facing : whole.facings) {
         Cutting& cutting = facing.strip;
         cutting = whole.pieces[facing.piece];
         cutting.byHalf = false;
         facing.strip.number = facing.strip.outline.rows() > 0 ? ++number : 0;
-        whole.pieces.push_back(std::move(facing.strip));
+        whole.pieces.push_back(std::exchange(facing.strip, {}));
     }
     return whole;
 }

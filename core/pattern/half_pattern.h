@@ -25,7 +25,7 @@ CutAs cutAs(const DrawnMirror& mirror, bool byHalf);
 /// leading piece, as often as that is cut, while the other has no outline any more. A pair has both
 /// sides already: `mirroredPair` adds nothing to it. A piece on the fold is its own image:
 /// `mirroredPair` doubles how often it is cut. Numbers are those of what is drawn.
-/// Facings become pieces after the others, as often as those that they are strips of.
+/// The strips of facings become pieces after the others, in order, as often as what they are of.
 /// @param whole  of `makePattern`, with the `Cutting` of each piece  Cost: linear. Pure.
 Pattern asCut(Pattern whole);
 

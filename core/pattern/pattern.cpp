@@ -98,7 +98,7 @@ void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOu
         added.length =
             in3d.placeOn(target, segment.at.end) - in3d.placeOn(target, segment.at.start);
         added.isFaced = std::ranges::any_of(
-            lines.facings, [&added](const Facing& facing) { return isFaced(added, facing); });
+            lines.facings, [&added](const Facing& facing) { return isFaced(added.place, facing); });
         if (lines.allowance) {
             added.allowance =
                 segment.settings.allowance.value_or(usualAllowance(added, *lines.allowance));

@@ -252,9 +252,10 @@ void Monkey::drag() {
 }
 
 void Monkey::drawWithTool() {
-    constexpr ToolId kTools[] = {ToolId::Cut,     ToolId::Loop,  ToolId::Dart,  ToolId::Join,
+    constexpr ToolId kTools[] = {ToolId::Cut,     ToolId::Loop,  ToolId::Dart,
+                                 ToolId::Join,    ToolId::Notch, ToolId::InternalLine,
                                  ToolId::Measure, ToolId::Grain, ToolId::Select};
-    window_.tools().choose(kTools[random_.whole(0, 6)]);
+    window_.tools().choose(kTools[random_.whole(0, static_cast<int>(std::size(kTools)) - 1)]);
     SceneView& view = someView();
     // Clicks near the middle are likely to be on the cloth.
     for (int clicks = random_.whole(2, 4); clicks > 0; --clicks) {

@@ -183,21 +183,41 @@ void Monkey::decideOnLines() {
     if (document.seamCount() > 0 && random_.chance(0.7)) {
         document.setSeam(random_.whole(0, document.seamCount() - 1));
     }
-    constexpr const char* kBoxes[] = {"fairLines", "trueSeamEnds", "segmentStraight"};
-    const int choice = random_.whole(0, 3);
-    if (choice < 3) {
-        auto* box = window_.findChild<QAbstractButton*>(kBoxes[choice]);
-        if (box && box->isVisible() && box->isEnabled()) {
-            note(QString("lines: ") + kBoxes[choice]);
-            box->click();
+    constexpr const char* kButtons[] = {
+        "fairLines",       "trueSeamEnds",       "segmentStraight",
+        "seamAllowance",   "hasNotches",         "segmentBothSides",
+        "segmentNotchAdd", "segmentNotchRemove", "segmentAllowanceAsKind"};
+    constexpr const char* kFields[] = {"segmentAllowance", "segmentExtension", "segmentFacing",
+                                       "segmentEase",      "allowanceSeams",   "dartIntake"};
+    const int choice = random_.whole(0, 9);
+    if (choice < 4) {
+        const char* name = kButtons[random_.whole(0, static_cast<int>(std::size(kButtons)) - 1)];
+        auto* button = window_.findChild<QAbstractButton*>(name);
+        if (button && button->isVisible() && button->isEnabled()) {
+            note(QString("lines: ") + name);
+            button->click();
         }
-        return;
-    }
-    auto* length = window_.findChild<QDoubleSpinBox*>("segmentLength");
-    if (length && length->isVisible() && length->isEnabled()) {
-        note("lines: a segment's length");
-        length->setFocus();
-        length->setValue(length->value() * random_.between(0.98, 1.02));
+    } else if (choice < 6) {
+        auto* length = window_.findChild<QDoubleSpinBox*>("segmentLength");
+        if (length && length->isVisible() && length->isEnabled()) {
+            note("lines: a segment's length");
+            length->setFocus();
+            length->setValue(length->value() * random_.between(0.98, 1.02));
+        }
+    } else if (choice < 9) {
+        const char* name = kFields[random_.whole(0, static_cast<int>(std::size(kFields)) - 1)];
+        auto* field = window_.findChild<QDoubleSpinBox*>(name);
+        if (field && field->isVisible() && field->isEnabled()) {
+            note(QString("lines: ") + name);
+            field->setFocus();
+            field->setValue(random_.chance(0.3) ? 0 : random_.between(0, 30));
+        }
+    } else {
+        auto* corner = window_.findChild<QComboBox*>("segmentCorner");
+        if (corner && corner->isVisible() && corner->isEnabled()) {
+            note("lines: a corner");
+            QTest::keyClick(corner, random_.chance(0.5) ? Qt::Key_Down : Qt::Key_Up);
+        }
     }
 }
 

@@ -286,6 +286,33 @@ TEST(ReadyToCut, UnlikelySizesAreDoubts) {
     }
 }
 
+/// What is cut of the pieces of a plan, in their own coordinates.
+std::shared_ptr<Pattern> patternOf(const CutPlan& plan) {
+    return std::make_shared<Pattern>(makePattern(*plan.garment, plan.results));
+}
+
+TEST(ReadyToCut, AllowancesOnEachOtherAreADoubt) {
+    CutPlan plan = readyPlan();
+    EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
+    const auto pattern = patternOf(plan);
+    plan.pattern = pattern;
+    EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
+    // As far as from one piece to the other, and further.
+    Points2& line = pattern->pieces[0].cuttingLine = pattern->pieces[0].outline;
+    line = (line.rowwise() - line.colwise().mean()) * 10;
+    EXPECT_EQ(onlyFinding(plan, FindingKind::PiecesOverlap).pieces, (std::vector{0, 1}));
+}
+
+TEST(ReadyToCut, FacingsWithoutRoomAreADoubt) {
+    CutPlan plan = readyPlan();
+    const auto pattern = patternOf(plan);
+    pattern->facings.push_back({.piece = 1, .facing = 0, .strip = {}});
+    plan.pattern = pattern;
+    const Finding finding = onlyFinding(plan, FindingKind::NoFacing);
+    EXPECT_EQ(finding.severity, Severity::Doubt);
+    EXPECT_EQ(finding.subject.name, "back");
+}
+
 TEST(ReadyToCut, PiecesOnEachOtherAreADoubt) {
     CutPlan plan = readyPlan();
     plan.settings[1].placement->offset.x() = 60;

@@ -118,7 +118,7 @@ TEST(Extension, IsOfFreeEdgesOnly) {
 
 /// Whatever the outline: simple, and never inside it.
 TEST(Extension, OfRandomOutlinesIsRoundThem) {
-    for (unsigned seed = 0; seed < 40; ++seed) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
         test::AllowanceCase shape = test::randomAllowances(seed);
         PatternPiece piece;
         piece.outline = shape.seamLine;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/segment.h"
+#include "core/pattern/facings.h"
 #include "core/pattern/notches.h"
 #include "core/pattern/seam_places.h"
 #include "core/pattern/segments.h"
@@ -24,6 +25,7 @@ struct TypedSegment {
     Points3 line;
     PieceId uncut;
     SegmentSettings said;
+    double facing = 0;  ///< width of its facing
 };
 
 struct LineState {
@@ -99,18 +101,19 @@ public:
             const Piece& piece = *state_.garment.pieces[p];
             for (const Segment& segment : all[p].segments) {
                 const Points3 line = spaceLine(segment.at, piece);
-                const SegmentSettings* expected = nullptr;
+                const TypedSegment* expected = nullptr;
                 for (std::size_t k = 0; k < state_.typed.size(); ++k) {
                     const TypedSegment& typed = state_.typed[k];
                     if (typed.uncut == piece.lineage.uncut.front() && liesOn(line, typed.line)) {
-                        expected = &typed.said;
+                        expected = &typed;
                         ++found[k];
                     }
                 }
                 if (expected) {
-                    SegmentSettings said = *expected;
+                    SegmentSettings said = expected->said;
                     said.place = segment.place;
                     EXPECT_EQ(segment.settings, said) << piece.name;
+                    EXPECT_EQ(facingWidthAt(segment.place), expected->facing) << piece.name;
                 }
             }
         }
@@ -122,6 +125,13 @@ public:
 
 private:
     int upTo(std::size_t count) { return static_cast<int>(random_() % count); }
+
+    double facingWidthAt(const LineStretch& place) const {
+        const auto found =
+            std::ranges::find_if(state_.lines.facings,
+                                 [&place](const Facing& facing) { return isFaced(place, facing); });
+        return found == state_.lines.facings.end() ? 0 : found->width;
+    }
 
     std::vector<OutlineSegments> segments() const {
         Progress progress;
@@ -237,9 +247,12 @@ private:
                                    .tolerance = 0.5 + 0.001 * count_,
                                    .straight = upTo(2) == 0,
                                    .allowance = 5 + 0.001 * count_,
-                                   .corner = static_cast<CornerRule>(upTo(7))};
+                                   .corner = static_cast<CornerRule>(upTo(7)),
+                                   .extension = 2 + 0.001 * count_};
         state_.lines.segments.push_back(said);
-        state_.typed.push_back({spaceLine(segment->at, piece), piece.lineage.uncut.front(), said});
+        state_.lines.facings.push_back({"facing", {segment->place}, 20 + 0.001 * count_});
+        state_.typed.push_back({spaceLine(segment->at, piece), piece.lineage.uncut.front(), said,
+                                state_.lines.facings.back().width});
     }
 
     void recut(LoadOptions loading) {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/strip_edits.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/document/line_edits.h"
+#include "core/pattern/facings.h"
+
+namespace toile::app {
+
+namespace {
+
+/// The facing that a place is part of; null where it is part of none.
+Facing* facingAt(LineSettings& lines, const LineStretch& place) {
+    const auto found = std::ranges::find_if(
+        lines.facings, [&place](const Facing& facing) { return isFaced(place, facing); });
+    return found == lines.facings.end() ? nullptr : &*found;
+}
+
+/// That of a segment before or after.
+Facing* facingBeside(LineSettings& lines, const LineFacts& facts, const SegmentAt& at) {
+    const auto& around = facts.segments[static_cast<std::size_t>(at.piece)].segments;
+    const std::size_t count = around.size(), k = static_cast<std::size_t>(at.segment);
+    Facing* before = facingAt(lines, around[(k + count - 1) % count].place);
+    return before ? before : facingAt(lines, around[(k + 1) % count].place);
+}
+
+void takeOut(LineSettings& lines, const LineStretch& place) {
+    for (Facing& facing : lines.facings) {
+        std::erase_if(facing.edges, [&place](const LineStretch& edge) {
+            return isFaced(place, Facing{{}, {edge}});
+        });
+    }
+    std::erase_if(lines.facings, [](const Facing& facing) { return facing.edges.empty(); });
+}
+
+}  // namespace
+
+LineSettings withExtension(LineSettings lines, const LineFacts& facts,
+                           const std::vector<SegmentAt>& segments, std::optional<double> width) {
+    for (const SegmentAt& at : segments) {
+        SegmentSettings said = facts.at(at).settings;
+        if (said.place.line) {
+            said.extension = width;
+            lines = withSegment(std::move(lines), said);
+        }
+    }
+    return lines;
+}
+
+std::optional<double> facingOf(const LineSettings& lines, const Segment& segment) {
+    const auto found = std::ranges::find_if(
+        lines.facings, [&segment](const Facing& facing) { return isFaced(segment.place, facing); });
+    return found == lines.facings.end() ? std::nullopt : std::optional(found->width);
+}
+
+LineSettings withFacing(LineSettings lines, const LineFacts& facts,
+                        const std::vector<SegmentAt>& segments, std::optional<double> width,
+                        const std::vector<std::string>& names) {
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+        const LineStretch& place = facts.at(segments[k]).place;
+        if (!place.line) {
+            continue;
+        }
+        if (!width) {
+            takeOut(lines, place);
+        } else if (Facing* own = facingAt(lines, place)) {
+            own->width = *width;
+        } else if (Facing* beside = facingBeside(lines, facts, segments[k])) {
+            beside->edges.push_back(place);
+            beside->width = *width;
+        } else {
+            lines.facings.push_back({names[k], {place}, *width});
+        }
+    }
+    return lines;
+}
+
+}  // namespace toile::app
