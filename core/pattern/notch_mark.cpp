@@ -10,9 +10,6 @@
 namespace toile {
 namespace {
 
-/// The line's direction is that of a chord so far to either side, mm.
-constexpr double kHalfChord = 1;
-
 /// A place beside a notch: along the seam line, and inwards from the cutting line, mm.
 struct BesideNotch {
     double along = 0, inwards = 0;

@@ -18,9 +18,12 @@ struct NotchSpot {
     Eigen::Vector2d outward{0, 0};  ///< unit, square to the line, away from the cloth
 };
 
-/// The spot at a place on a drawn outline or rim, which has the cloth on its left. Its line is the
-/// chord over a millimetre to either side.
-/// @param line  measured as `place` is  Precondition: longer than 2 mm.  Cost: logarithmic. Pure.
+/// The direction of a drawn line at a place is that of the chord so far to either side, mm.
+inline constexpr double kHalfChord = 1;
+
+/// The spot at a place on a drawn outline or rim, which has the cloth on its left.
+/// @param line  measured as `place` is  Precondition: longer than two half chords.  Cost:
+/// logarithmic. Pure.
 NotchSpot notchSpot(const ClosedLine& line, double place);
 
 /// Measures of a notch as drawn, mm.

@@ -91,14 +91,4 @@ const DrawnLoop& DrawnLoops::of(const SeamSide& side) {
     return known->second;
 }
 
-double DrawnLoops::lengthOf(const SeamSide& side, double from, double to) {
-    const DrawnLoop& loop = of(side);
-    return std::abs(loop.flatAt(to) - loop.flatAt(from));
-}
-
-double DrawnLoops::targetOf(const SeamSide& side, double from, double to) {
-    const DrawnLoop& loop = of(side);
-    return std::abs(loop.targetAt(to) - loop.targetAt(from));
-}
-
 }  // namespace toile

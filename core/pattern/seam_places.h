@@ -29,6 +29,8 @@ struct DrawnLoop {
     double targetAt(double arc) const { return byArc.placeOn(target, arc); }
     /// What it is.
     double flatAt(double arc) const { return byTarget.placeOn(flat, targetAt(arc)); }
+    /// The place in the plane.
+    Eigen::RowVector2d pointAt(double arc) const { return flat.pointAt(flatAt(arc)); }
 };
 
 /// The drawn loops of a garment, each made when it is first asked for; not thread-safe.
@@ -40,10 +42,6 @@ public:
     bool isFlat(const SeamSide& side) const;
     /// Precondition: `isFlat`.  Cost: linear in the loop, once.
     const DrawnLoop& of(const SeamSide& side);
-    /// Length in the plane between two places on a side, whichever comes first, mm.
-    double lengthOf(const SeamSide& side, double from, double to);
-    /// What it is to be.
-    double targetOf(const SeamSide& side, double from, double to);
 
 private:
     const PieceResults& results_;

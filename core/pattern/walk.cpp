@@ -6,17 +6,23 @@
 #include <map>
 #include <utility>
 
-#include "core/pattern/seam_places.h"
 #include "core/pattern/trueing.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {
 namespace {
 
+WalkStation stationAt(const SeamMatch& at, int notch = -1) {
+    WalkStation station;
+    station.at = at;
+    station.notch = notch;
+    return station;
+}
+
 /// The ends of a seam and its notches. A notch at an end is that end.
 std::vector<WalkStation> stationsOf(const Seam& seam, const std::vector<Notch>& notches) {
-    std::vector<WalkStation> stations{{.at = seam.matches.front()}};
-    WalkStation end{.at = seam.matches.back()};
+    std::vector<WalkStation> stations{stationAt(seam.matches.front())};
+    WalkStation end = stationAt(seam.matches.back());
     for (std::size_t k = 0; k < notches.size(); ++k) {
         const int notch = static_cast<int>(k);
         if (notches[k].share <= 0) {
@@ -24,31 +30,45 @@ std::vector<WalkStation> stationsOf(const Seam& seam, const std::vector<Notch>& 
         } else if (notches[k].share >= 1) {
             end.notch = notch;
         } else {
-            stations.push_back({.at = notches[k].at, .notch = notch});
+            stations.push_back(stationAt(notches[k].at, notch));
         }
     }
     stations.push_back(end);
     return stations;
 }
 
-/// Ease is where the outlines are to have it; what the seam's ease has beyond that is spread.
-void measure(std::vector<WalkStation>& stations, const Seam& seam, DrawnLoops& loops) {
-    double spread = 0;
-    for (std::size_t k = 1; k < stations.size(); ++k) {
-        const SeamMatch &from = stations[k - 1].at, &to = stations[k].at;
-        stations[k].left = loops.lengthOf(seam.left, from.left, to.left);
-        stations[k].right = loops.lengthOf(seam.right, from.right, to.right);
-        stations[k].ease = loops.targetOf(seam.left, from.left, to.left) -
-                           loops.targetOf(seam.right, from.right, to.right);
-        spread += easeOf(seam) * stations[k].right - stations[k].ease;
-    }
-    for (std::size_t k = 1; k < stations.size(); ++k) {
-        stations[k].ease +=
-            spread * (shareOf(seam, stations[k].at) - shareOf(seam, stations[k - 1].at));
+void measure(std::vector<WalkStation>& stations, const Seam& seam, const DrawnLoop& left,
+             const DrawnLoop& right) {
+    WalkedLengths before;
+    for (WalkStation& station : stations) {
+        const WalkedLengths here = walkedTo(seam, left, right, station.at);
+        station.left = here.left - before.left;
+        station.right = here.right - before.right;
+        station.ease = here.ease - before.ease;
+        before = here;
     }
 }
 
+/// Without what is spread.
+WalkedLengths lengthsTo(const Seam& seam, const DrawnLoop& left, const DrawnLoop& right,
+                        const SeamMatch& place) {
+    const SeamMatch& start = seam.matches.front();
+    return {std::abs(left.flatAt(place.left) - left.flatAt(start.left)),
+            std::abs(right.flatAt(place.right) - right.flatAt(start.right)),
+            std::abs(left.targetAt(place.left) - left.targetAt(start.left)) -
+                std::abs(right.targetAt(place.right) - right.targetAt(start.right))};
+}
+
 }  // namespace
+
+WalkedLengths walkedTo(const Seam& seam, const DrawnLoop& left, const DrawnLoop& right,
+                       const SeamMatch& place) {
+    WalkedLengths walked = lengthsTo(seam, left, right, place);
+    const WalkedLengths whole = lengthsTo(seam, left, right, seam.matches.back());
+    walked.ease += (easeOf(seam) * whole.right - whole.ease) *
+                   (shareOf(seam, place) - shareOf(seam, seam.matches.front()));
+    return walked;
+}
 
 double SeamWalk::largestError() const {
     double largest = 0;
@@ -77,7 +97,7 @@ std::vector<SeamWalk> walkSeams(const Garment& garment, const PieceResults& resu
         }
         SeamWalk walk{static_cast<int>(s)};
         walk.stations = stationsOf(seam, notches[s]);
-        measure(walk.stations, seam, loops);
+        measure(walk.stations, seam, loops.of(seam.left), loops.of(seam.right));
         for (const bool atEnd : {false, true}) {
             if (const auto known = kinks.find({walk.seam, atEnd}); known != kinks.end()) {
                 (atEnd ? walk.stations.back() : walk.stations.front()).kink = known->second;

@@ -7,21 +7,34 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/pattern/notches.h"
+#include "core/pattern/seam_places.h"
 #include "core/pattern/segments.h"
 
 namespace toile {
 
-/// A place at which the two sides of a seam are laid on each other: its start, a notch or its end;
-/// and the way there from the station before. Lengths in the pattern, mm.
-struct WalkStation {
-    SeamMatch at{};                ///< arc lengths in 3D on either outline
-    int notch = -1;                ///< of those of the seam; -1: an end without one
-    double left = 0, right = 0;    ///< from the station before; 0 at the start
-    double ease = 0;               ///< by how much the left one is meant to be longer
-    std::optional<double> kink{};  ///< at an end, as drawn, where it has one (`findSeamEnds`)
+/// How far a seam has been walked: lengths in the pattern, mm.
+struct WalkedLengths {
+    double left = 0, right = 0;
+    double ease = 0;  ///< by how much the left one is meant to be longer
 
     /// What nobody wants.
     double error() const { return left - right - ease; }
+};
+
+/// From the start of a seam to a place on it. Its ease (`easeOf`) lies where the outlines are to
+/// have it (`PieceResult::targets`; else as in 3D), and what they do not have is spread evenly
+/// along the seam.
+/// @param left, right  the loops of its two sides, as drawn  Precondition: the seam has matches.
+/// Cost: logarithmic. Pure.
+WalkedLengths walkedTo(const Seam& seam, const DrawnLoop& left, const DrawnLoop& right,
+                       const SeamMatch& place);
+
+/// A place at which the two sides of a seam are laid on each other: its start, a notch or its end;
+/// and the way there from the station before, 0 at the start.
+struct WalkStation : WalkedLengths {
+    SeamMatch at{};                ///< arc lengths in 3D on either outline
+    int notch = -1;                ///< of those of the seam; -1: an end without one
+    std::optional<double> kink{};  ///< at an end, as drawn, where it has one (`findSeamEnds`)
 };
 
 struct SeamWalk {
@@ -35,9 +48,7 @@ struct SeamWalk {
 inline constexpr double kWalkTolerance = 1e-6;
 
 /// Walks along every sewn seam whose sides are both flat, as a pattern maker does, from notch to
-/// notch. A seam's ease (`easeOf`) lies where the outlines are to have it (`PieceResult::targets`;
-/// else as in 3D), and what they do not have is spread evenly along the seam; so the errors of its
-/// stations add up to SeamMeasure::errorMm.
+/// notch (`walkedTo`); the errors of a seam's stations add up to SeamMeasure::errorMm.
 /// @param segments  of the exact outlines  @param notches  per seam (`findNotches`)
 /// @return by seam  Cost: linear in the outlines, and stations. Pure.
 std::vector<SeamWalk> walkSeams(const Garment& garment, const PieceResults& results,

@@ -8,72 +8,19 @@
 #include <gtest/gtest.h>
 
 #include "core/pattern/walk.h"
-#include "core/pipeline/pipeline.h"
-#include "core/seam/find_seams.h"
 #include "core/seam/seam_measure.h"
 #include "core/seam/seam_settings.h"
+#include "tests/core/pattern/notched_garments.h"
 #include "tests/core/seam/seam_shapes.h"
-#include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {
 namespace {
 
-/// A garment with all that notches follow from.
-struct Notched {
-    Garment garment;
-    PieceResults results;
-    std::vector<OutlineSegments> segments;
-    std::optional<Symmetry> symmetry{};
-
-    std::vector<std::vector<Notch>> found(const NotchRules& rules = {}) const {
-        return findNotches(garment, results, segments, rules, symmetry ? &*symmetry : nullptr);
-    }
-    int indexOf(const std::string& name) const {
-        const auto& seams = garment.seams.seams;
-        const auto found = std::ranges::find(seams, name, &Seam::name);
-        EXPECT_NE(found, seams.end()) << name;
-        return static_cast<int>(found - seams.begin());
-    }
-};
-
-Notched notched(Garment garment, const LineSettings& lines = {},
-                Method method = Method::Curvature) {
-    Notched made{std::move(garment), {}, {}};
-    Progress progress;
-    made.results = flattenGarment(made.garment, {method}, progress, 0, lines);
-    PieceResults exact;
-    for (const auto& result : made.results) {
-        exact.push_back(result->exact ? result->exact : result);
-    }
-    made.segments = findSegments(made.garment, exact, lines);
-    if (lines.mirror != Mirror::None) {
-        made.symmetry = findSymmetry(made.garment);
-    }
-    return made;
-}
-
-Garment garmentFrom(const std::string& file) {
-    Progress progress;
-    return *loadGarment(
-        {test::dataFile(file)},
-        {.unit =
-             file.starts_with("samples/") ? std::optional(LengthUnit::Millimetre) : std::nullopt},
-        progress);
-}
-
-/// Flat rectangles in the plane z = 0: their flat outlines are they themselves.
-Garment plane(const std::vector<MeshArrays>& meshes) {
-    Garment garment;
-    for (std::size_t k = 0; k < meshes.size(); ++k) {
-        auto piece = std::make_shared<Piece>(
-            *test::asPiece(meshes[k], std::string(1, static_cast<char>('a' + k))));
-        test::identify(*piece, k + 1);
-        garment.pieces.push_back(piece);
-    }
-    garment.seams = findSeams(garment.pieces);
-    return garment;
-}
+using test::garmentFrom;
+using test::notched;
+using test::Notched;
+using test::plane;
 
 std::vector<double> sharesOf(const std::vector<Notch>& notches) {
     std::vector<double> shares;
