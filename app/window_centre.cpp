@@ -58,7 +58,7 @@ WindowCentre::WindowCentre(Workspace& workspace, const ActionRegistry& actions, 
       pages_(new QStackedWidget(this)),
       views_(new ViewArea(workspace.document(), tools, pages_)) {
     connect(&workspace_, &Workspace::refused, banner_, &Banner::showSentence);
-    for (JobRunner* jobs : {&workspace_.jobs(), &workspace_.writing()}) {
+    for (JobRunner* jobs : workspace_.runners()) {
         connect(jobs, &JobRunner::failed, banner_, [this](const QString&, const QString& sentence) {
             banner_->showSentence(sentence);
         });

@@ -38,9 +38,8 @@ WindowStatus::WindowStatus(QStatusBar& bar, Workspace& workspace, const ActionRe
     summary_->setObjectName("garmentSummary");
     summary_->setContentsMargins(8, 0, 8, 0);
     bar_.addPermanentWidget(summary_);
-    bar_.addPermanentWidget(
-        new WorkDisplay({&workspace.jobs(), &workspace.writing()}, actions[ActionId::Cancel]));
-    for (JobRunner* jobs : {&workspace.jobs(), &workspace.writing()}) {
+    bar_.addPermanentWidget(new WorkDisplay(workspace.runners(), actions[ActionId::Cancel]));
+    for (JobRunner* jobs : workspace.runners()) {
         connect(jobs, &JobRunner::cancelled, this, [this](const QString& title, bool replaced) {
             if (!replaced) {
                 say(tr("%1: cancelled").arg(title));

@@ -29,8 +29,8 @@ bool isOpen(Workspace& on) {
     return on.document().garment() != nullptr;
 }
 
-bool isBusy(Workspace& on) {
-    return on.jobs().isBusy() || on.writing().isBusy();
+bool canRedo(Workspace& on) {
+    return on.document().history().canRedo();
 }
 
 bool showsFigures(Workspace& on) {
@@ -105,11 +105,6 @@ ActionWork asks(void (GarmentActions::*request)(), When when = nullptr) {
 
 ActionWork asks(void (Workspace::*request)(), When when) {
     return {[request](GarmentActions& on, bool) { (on.workspace().*request)(); }, std::move(when)};
-}
-
-ActionWork steps(void (QUndoStack::*step)(), bool (QUndoStack::*canStep)() const) {
-    return {[step](GarmentActions& on, bool) { (on.workspace().document().history().*step)(); },
-            [canStep](Workspace& on) { return (on.document().history().*canStep)(); }};
 }
 
 /// @param filter  to be translated, of the dialog
@@ -247,9 +242,15 @@ std::vector<ActionSpec> makeActions() {
          whenOpen()},
         {ActionId::Quit, "quit", TR("&Quit"), "Ctrl+Q", TR("Close the window")},
         {ActionId::Undo, "undo", TR("&Undo"), "Ctrl+Z", TR("Take the last step back"),
-         steps(&QUndoStack::undo, &QUndoStack::canUndo), "undo", TR("Undo")},
-        {ActionId::Redo, "redo", TR("&Redo"), "Ctrl+Shift+Z", TR("Do again what was taken back"),
-         steps(&QUndoStack::redo, &QUndoStack::canRedo), "redo", TR("Redo")},
+         asks(&Workspace::undo, &Workspace::canUndo), "undo", TR("Undo")},
+        {ActionId::Redo,
+         "redo",
+         TR("&Redo"),
+         "Ctrl+Shift+Z",
+         TR("Do again what was taken back"),
+         {[](GarmentActions& on, bool) { on.workspace().document().history().redo(); }, canRedo},
+         "redo",
+         TR("Redo")},
         {ActionId::SelectAll, "selectAll", TR("Select &all"), "Ctrl+A", TR("Select every piece"),
          asks(&GarmentActions::selectAll, isOpen)},
         {ActionId::SelectNone, "selectNone", TR("Select &none"), "Ctrl+Shift+A",
@@ -417,7 +418,7 @@ std::vector<ActionSpec> makeActions() {
           &Workspace::autoFlatten,
           Group::Toggle}},
         {ActionId::Cancel, "cancel", TR("&Cancel"), "Esc", TR("Stop what is running"),
-         asks(&Workspace::cancel, isBusy), "cancel"},
+         asks(&Workspace::cancel, &Workspace::isBusy), "cancel"},
         {ActionId::Reload, "reload", TR("&Reload"), "F5",
          TR("Read the garment's files again as they are now"), asks(&Workspace::reload, isOpen)},
         {ActionId::UnitAuto, "unitAuto", TR("&Automatic"), "",

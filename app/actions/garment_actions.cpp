@@ -42,7 +42,7 @@ GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
 void GarmentActions::connectState() {
     const auto askWhich = [this] { actions_.followEnabled(workspace_); };
     connect(&workspace_.document(), &Document::changed, this, &GarmentActions::onChanged);
-    for (const JobRunner* jobs : {&workspace_.jobs(), &workspace_.writing()}) {
+    for (const JobRunner* jobs : workspace_.runners()) {
         connect(jobs, &JobRunner::started, this, askWhich);
         connect(jobs, &JobRunner::idle, this, askWhich);
     }
@@ -68,7 +68,7 @@ void GarmentActions::updateHistory() {
     const QUndoStack& history = workspace_.document().history();
     QAction& undo = actions_[ActionId::Undo];
     QAction& redo = actions_[ActionId::Redo];
-    undo.setEnabled(history.canUndo());
+    undo.setEnabled(workspace_.canUndo());
     redo.setEnabled(history.canRedo());
     undo.setText(history.canUndo() ? tr("&Undo: %1").arg(history.undoText()) : tr("&Undo"));
     redo.setText(history.canRedo() ? tr("&Redo: %1").arg(history.redoText()) : tr("&Redo"));

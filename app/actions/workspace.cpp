@@ -48,11 +48,28 @@ Workspace::~Workspace() {
 }
 
 void Workspace::shutdown() {
+    mirroring_.shutdown();
     jobs_.shutdown();
     writing_.finish();
 }
 
+bool Workspace::canUndo() const {
+    return mirroring_.isBusy() || document_.history().canUndo();
+}
+
+void Workspace::undo() {
+    if (mirroring_.isBusy()) {
+        mirroring_.cancel();
+    } else {
+        document_.history().undo();
+    }
+}
+
 void Workspace::cancel() {
+    if (mirroring_.isBusy()) {
+        mirroring_.cancel();
+        return;
+    }
     if (!jobs_.isBusy()) {
         writing_.cancel();
         return;
@@ -151,6 +168,9 @@ void Workspace::follow() {
 
 void Workspace::onChanged(DocumentChanges what) {
     recompute_.note(what);
+    if (what.testFlag(DocumentChange::Opened)) {
+        mirroring_.cancel();  // cuts of what was open before
+    }
     if (document_.isCurrent()) {
         onTrial_.clear();
     }

@@ -35,8 +35,17 @@ public:
     JobRunner& jobs() { return jobs_; }
     /// Those that write files of it, as it was when they were begun: no edit touches them.
     JobRunner& writing() { return writing_; }
-    /// The person wants what is running stopped: what changes the document, else what is written.
+    /// Those that find what mirrors the cuts that a person has drawn, one after the other.
+    JobRunner& mirroring() { return mirroring_; }
+    /// All of them.
+    std::vector<JobRunner*> runners() { return {&mirroring_, &jobs_, &writing_}; }
+    bool isBusy() const { return mirroring_.isBusy() || jobs_.isBusy() || writing_.isBusy(); }
+    /// The person wants what is running stopped: cuts that are not made yet, else what changes the
+    /// document, else what is written.
     void cancel();
+    /// Takes the last step back; where cuts are not made yet, these.
+    void undo();
+    bool canUndo() const;
     /// Calls it once what is being written is written, and not where that fails; at once where
     /// nothing is. A later call takes the place of an earlier one.
     void whenWritten(std::function<void()> then);
@@ -88,6 +97,8 @@ public:
     /// impossible, or to open nothing, is `refused` and leaves no step. Where edits are mirrored
     /// its mirror image is made in the same step: both, or neither where one of them cannot be.
     /// What has no mirror image, or none that is known, is made alone, and that is `noted`.
+    /// On a large garment the image is found on another thread, and the cut made when it is there:
+    /// in the order in which cuts were asked for, whatever is edited meanwhile.
     /// @param cut  its points in mm, as the pieces are
     void addCut(UserCut cut);
     /// Joins the cloth on both sides of a seam: a cut of the user's is taken back, two pieces that
@@ -136,6 +147,18 @@ private:
         std::string image{};  ///< the mirror image that was made of it; or empty
     };
 
+    /// A cut, and the garment that it was drawn on.
+    struct DrawnCut {
+        UserCut cut;
+        std::shared_ptr<const Garment> garment;
+        SeamsFile seams{};  ///< that say the unit of the file
+        PieceResults results{};
+        std::shared_ptr<const Symmetry> symmetry{};  ///< null: none is known
+        bool isMirrored = false;
+
+        std::optional<UserCut> image() const;
+    };
+
     /// A change of how files are read, divided and cut.
     struct LoadingChange {
         QString text;
@@ -157,8 +180,7 @@ private:
     void setLoadingField(const QString& text, Value LoadOptions::*field, const Value& value);
     std::optional<Error> objectionTo(const Garment& garment, DocumentState& rest);
     void sayRefused(const Error& why);
-    /// None where edits are not mirrored, or where there is none.
-    std::optional<UserCut> mirrorImageOf(const UserCut& cut);
+    void makeCut(const DrawnCut& drawn, std::optional<UserCut> image);
     std::function<void(SeamsFile&)> removalOf(std::vector<CutId> cuts) const;
 
     template <class Value>
@@ -167,7 +189,7 @@ private:
     void onStopped(bool failed);
 
     Document document_;
-    JobRunner jobs_, writing_;
+    JobRunner mirroring_, jobs_, writing_;
     std::function<void()> afterWriting_;
     Recompute recompute_{document_, jobs_};
     Opening opening_;

@@ -5,6 +5,7 @@
 
 #include "app/actions/workspace.h"
 #include "app/document/mirrored_edits.h"
+#include "app/jobs/job.h"
 #include "app/text/error_text.h"
 #include "core/base/file.h"
 #include "core/pattern/mirrored_edit.h"
@@ -42,6 +43,16 @@ CutWords wordsOf(UserCut::Kind kind) {
             break;
     }
     return {Workspace::tr("Cut"), "cut"};
+}
+
+/// Whether a mirror image is found at once: within some milliseconds.
+bool isSmall(const Garment& garment) {
+    constexpr Eigen::Index kTriangles = 20'000;
+    Eigen::Index count = 0;
+    for (const auto& piece : garment.pieces) {
+        count += piece->mesh.F.rows();
+    }
+    return count <= kTriangles;
 }
 
 }  // namespace
@@ -119,20 +130,48 @@ Result<void> Workspace::writeSeams(const std::filesystem::path& path) const {
     return writeFile(path, writeSeamsFile(seams));
 }
 
+std::optional<UserCut> Workspace::DrawnCut::image() const {
+    return symmetry ? mirroredCut(*garment, results, *symmetry, cut) : std::nullopt;
+}
+
 void Workspace::addCut(UserCut cut) {
     if (!document_.garment() || opening_.isActive()) {
         return;  // it was drawn on what is about to go
     }
-    const CutWords words = wordsOf(cut.kind);
-    std::optional<UserCut> image = mirrorImageOf(cut);
+    DrawnCut drawn{std::move(cut), document_.garment(), loading().seams};
+    drawn.isMirrored = mirrorsEdits(document_);
+    if (editSymmetry(document_)) {
+        drawn.results = document_.results();
+        drawn.symmetry = document_.derived().symmetry;
+    }
+    if (!mirroring_.isBusy() && (!drawn.symmetry || isSmall(*drawn.garment))) {
+        makeCut(drawn, drawn.image());
+        return;
+    }
+    mirroring_.start(makeJob(
+        tr("Mirror image of a cut"),
+        [drawn](Progress&) -> Result<std::optional<UserCut>> { return drawn.image(); },
+        [this, drawn](std::optional<UserCut> image) { makeCut(drawn, std::move(image)); }));
+}
+
+void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
+    if (opening_.isActive()) {
+        return;
+    }
+    const CutWords words = wordsOf(drawn.cut.kind);
+    if (drawn.isMirrored && !image) {
+        emit noted(drawn.symmetry ? tr("Cut once: it has no mirror image of its own.")
+                                  : tr("Cut on one side alone: no mirror plane is known."));
+    }
     std::vector<UserCut> named = loading().seams.cuts;
     const auto finish = [&](UserCut& made) {
         made.name = freeName(named, words.stem, true);
         for (Eigen::Vector3d& point : made.points) {
-            point = inFileSpace(point, loading().seams, *document_.garment());
+            point = inFileSpace(point, drawn.seams, *drawn.garment);
         }
         named.push_back(made);
     };
+    UserCut cut = drawn.cut;
     finish(cut);
     if (!image) {
         onTrial_.push_back({cut.name});
@@ -146,21 +185,6 @@ void Workspace::addCut(UserCut cut) {
                 [cut = std::move(cut), image = std::move(*image)](SeamsFile& seams) {
                     addMirroredCuts(seams.cuts, cut, image);
                 });
-}
-
-std::optional<UserCut> Workspace::mirrorImageOf(const UserCut& cut) {
-    if (!mirrorsEdits(document_)) {
-        return std::nullopt;
-    }
-    const Symmetry* symmetry = editSymmetry(document_);
-    std::optional<UserCut> image =
-        symmetry ? mirroredCut(*document_.garment(), document_.results(), *symmetry, cut)
-                 : std::nullopt;
-    if (!image) {
-        emit noted(symmetry ? tr("Cut once: it has no mirror image of its own.")
-                            : tr("Cut on one side alone: no mirror plane is known."));
-    }
-    return image;
 }
 
 std::function<void(SeamsFile&)> Workspace::removalOf(std::vector<CutId> cuts) const {

@@ -134,7 +134,7 @@ class ResponsivenessTest : public QObject {
         QApplication::processEvents();
     }
 
-    bool isWorking() { return fixture_.workspace().jobs().isBusy(); }
+    bool isWorking() { return fixture_.workspace().isBusy(); }
 
     /// Until no job runs; and then some, for what follows on other threads.
     void fidgetUntilDone(int atLeast) {
@@ -237,6 +237,7 @@ private slots:
             fixture_.workspace().addCut(cut);
         });
         fidgetUntilDone(20);
+        QVERIFY(!document().loading().seams.cuts.empty());
         demand("A cut");
 
         asEvent([this] {

@@ -20,6 +20,7 @@
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
+#include "tests/app/support/workspace_fixture.h"
 
 using namespace toile;
 using namespace toile::app;
@@ -271,6 +272,55 @@ private slots:
         document().setView(&ViewState::mirrorsEdits, false);
         workspace().addCut(someDart(somePiece(false)));
         QCOMPARE(cuts().size(), std::size_t(1));
+    }
+
+    void cutsThatWaitForTheirImagesAreMadeInOrder() {
+        chooseMean();
+        test::Hold held;
+        workspace().mirroring().start(held.job());
+        workspace().addCut(someDart(somePiece(false)));
+        workspace().addCut(someDart(somePiece(true)));
+        QVERIFY(cuts().empty());
+        QVERIFY(fixture_.action(ActionId::Cancel).isEnabled());
+        workspace().setEase(0, 0.02);
+        held.release();
+        QVERIFY(fixture_.waitUntilIdle());
+        QVERIFY(isFlatAgain());
+        QCOMPARE(steps(), 4);
+        QCOMPARE(cuts().size(), std::size_t(4));
+        QVERIFY(cuts()[1].mirrors == cuts()[0].id && cuts()[3].mirrors == cuts()[2].id);
+        QCOMPARE(cuts()[3].name, std::string("dart 4"));
+        QVERIFY(document().garment()->seams.seams[0].ease || document().garment()->cuts.size() > 3);
+        undo();
+        QCOMPARE(cuts().size(), std::size_t(2));
+        fixture_.action(ActionId::Redo).trigger();
+        QCOMPARE(cuts().size(), std::size_t(4));
+    }
+
+    void aStepBackTakesBackACutThatWaits() {
+        chooseMean();
+        test::Hold held;
+        workspace().mirroring().start(held.job());
+        workspace().addCut(someDart(somePiece(false)));
+        undo();
+        held.release();
+        QVERIFY(fixture_.waitUntilIdle());
+        QVERIFY(cuts().empty());
+        QCOMPARE(steps(), 1);  // the one before is not taken back
+        undo();
+        QCOMPARE(steps(), 0);
+    }
+
+    void aCutThatWaitsIsNotMadeInAnotherGarment() {
+        chooseMean();
+        test::Hold held;
+        workspace().mirroring().start(held.job());
+        workspace().addCut(someDart(somePiece(false)));
+        QVERIFY(fixture_.openAndWait(TOILE_SOURCE_DIR "/resources/samples/cap.obj"));
+        held.release();
+        QVERIFY(fixture_.waitUntilIdle());
+        QVERIFY(cuts().empty());
+        QCOMPARE(steps(), 0);
     }
 
     void theGrainTurnsOnBothSides() {

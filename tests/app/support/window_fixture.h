@@ -68,17 +68,15 @@ public:
     bool waitForResults() {
         return QTest::qWaitFor(
             [this] {
-                return !workspace().jobs().isBusy() && !document().results().empty() &&
-                       window_->views().isUpToDate();
+                return !workspace().mirroring().isBusy() && !workspace().jobs().isBusy() &&
+                       !document().results().empty() && window_->views().isUpToDate();
             },
             kPatience);
     }
 
     /// True once no job runs.
     bool waitUntilIdle() {
-        return QTest::qWaitFor(
-            [this] { return !workspace().jobs().isBusy() && !workspace().writing().isBusy(); },
-            kPatience);
+        return QTest::qWaitFor([this] { return !workspace().isBusy(); }, kPatience);
     }
 
     QImage garmentPicture() { return garmentView().grabFramebuffer(); }
