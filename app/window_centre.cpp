@@ -15,6 +15,7 @@
 #include "app/views/morph_bar.h"
 #include "app/views/tools/tool_box.h"
 #include "app/views/view_area.h"
+#include "app/views/walk_bar.h"
 #include "app/widgets/banner.h"
 #include "app/widgets/garment_card.h"
 
@@ -144,6 +145,7 @@ void WindowCentre::connectLooks(const ActionRegistry& actions) {
     connect(view, &GarmentView::orthographicChanged, &actions[ActionId::Orthographic],
             &QAction::setChecked);
     actions.on(ActionId::PlayMorph, views_->morphBar(), &MorphBar::play);
+    actions.on(ActionId::WalkSeam, views_->walkBar(), &WalkBar::begin);
 }
 
 void WindowCentre::ask() {

@@ -53,7 +53,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
       views_(views),
       checker_(document_),
       pieces_(new PiecesPanel(document_)),
-      seams_(new SeamsPanel(document_)),
+      seams_(new SeamsPanel(document_, actions)),
       problems_(new ProblemsPanel(checker_)),
       history_(new QUndoView(&document_.history())),
       lines_(new LinesPanel(document_)),

@@ -79,6 +79,16 @@ bool isSewnSeam(Workspace& on) {
     return seam && seam->kind != SeamKind::Free;
 }
 
+bool isFlatSeam(Workspace& on) {
+    const auto isFlat = [&on](int piece) {
+        const PieceResults& results = on.document().results();
+        const auto at = static_cast<std::size_t>(piece);
+        return at < results.size() && results[at] && results[at]->flat;
+    };
+    const Seam* seam = isSewnSeam(on) ? selectedSeam(on) : nullptr;
+    return seam && isFlat(seam->left.piece) && isFlat(seam->right.piece);
+}
+
 bool isEasedSeam(Workspace& on) {
     const Seam* seam = selectedSeam(on);
     return seam && seam->ease;
@@ -345,6 +355,13 @@ std::vector<ActionSpec> makeActions() {
          whenOpen(Group::Toggle)},
         {ActionId::PlayMorph, "playMorph", TR("Play from garment to pa&ttern"), "Shift+M",
          TR("Watch the garment flatten, or the pattern close to the garment again"), whenOpen()},
+        {ActionId::WalkSeam,
+         "walkSeam",
+         TR("Walk the s&eam"),
+         "Shift+R",
+         TR("Roll one piece along the selected seam of the other, and see whether both sides and "
+            "their notches meet"),
+         {.enabledWhen = isFlatSeam}},
         {ActionId::MethodIsometric, "methodIsometric", methodText(Method::Isometric), "",
          TR("Seam lines keep their exact length; the cloth between them stretches as little as "
             "that "

@@ -58,6 +58,7 @@ enum class ActionId {
     LookBottom,
     Orthographic,
     PlayMorph,
+    WalkSeam,
     MethodIsometric,
     MethodCurvature,
     MethodWang2005,

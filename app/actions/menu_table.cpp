@@ -64,7 +64,7 @@ std::vector<MenuSpec> makeTable() {
          {Submenu{"overlayMenu"}, ValuesPerTriangle, WorstSpots, kLine,
           Submenu{"layersMenu"}, Wireframe, Xray, Shaded, PieceColours, kLine,
           Rulers, Grid, kLine,
-          Frame, Submenu{"lookMenu"}, PlayMorph, kLine,
+          Frame, Submenu{"lookMenu"}, PlayMorph, WalkSeam, kLine,
           GoToPieces, GoToSeams, GoToProblems, GoToHistory, GoToLines, GoToSymmetry,
           Submenu{"listsMenu"}, ResetLayout}},
         {"overlayMenu", TR("&Overlay"),

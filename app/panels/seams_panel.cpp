@@ -9,9 +9,11 @@
 #include <QScopedValueRollback>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QTreeView>
 #include <algorithm>
 
+#include "app/actions/action_registry.h"
 #include "app/document/document.h"
 #include "app/panels/cuts_panel.h"
 #include "app/panels/seams_model.h"
@@ -78,7 +80,7 @@ private:
     bool showsFree_ = false;
 };
 
-SeamsPanel::SeamsPanel(Document& document, QWidget* parent)
+SeamsPanel::SeamsPanel(Document& document, const ActionRegistry& actions, QWidget* parent)
     : QWidget(parent),
       document_(document),
       model_(new SeamsModel(document, this)),
@@ -98,7 +100,7 @@ SeamsPanel::SeamsPanel(Document& document, QWidget* parent)
 
     auto* ledger = new QVBoxLayout;
     ledger->setSpacing(0);
-    ledger->addWidget(makeHead());
+    ledger->addWidget(makeHead(actions));
     ledger->addWidget(pages_, 1);
     auto* cuts = new CutsPanel(document, this);
     cuts->setMinimumWidth(300);
@@ -122,7 +124,7 @@ SeamsPanel::SeamsPanel(Document& document, QWidget* parent)
     updateHead();
 }
 
-QWidget* SeamsPanel::makeHead() {
+QWidget* SeamsPanel::makeHead(const ActionRegistry& actions) {
     auto* head = new QWidget(this);
     auto* row = new QHBoxLayout(head);
     row->setContentsMargins(8, 3, 8, 3);
@@ -133,7 +135,13 @@ QWidget* SeamsPanel::makeHead() {
     free_->setObjectName("showFreeEdges");
     free_->setToolTip(tr("Also list hems, openings and other edges that are sewn to nothing"));
     connect(free_, &QCheckBox::toggled, this, &SeamsPanel::showFreeEdges);
+    auto* walk = new QToolButton(head);
+    walk->setObjectName("walkSeam");
+    walk->setDefaultAction(&actions[ActionId::WalkSeam]);
+    walk->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    walk->setAutoRaise(true);
     row->addWidget(summary_, 1);
+    row->addWidget(walk);
     row->addWidget(free_);
     return head;
 }

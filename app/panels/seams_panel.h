@@ -16,6 +16,7 @@ class QTreeView;
 
 namespace toile::app {
 
+class ActionRegistry;
 class Document;
 class SeamsModel;
 
@@ -25,7 +26,8 @@ class SeamsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit SeamsPanel(Document& document, QWidget* parent = nullptr);
+    /// Both must outlive it.
+    SeamsPanel(Document& document, const ActionRegistry& actions, QWidget* parent = nullptr);
 
     QTreeView& table() { return *table_; }
     /// Opens the editor for the selected seam's ease; does nothing where no seam is selected.
@@ -41,7 +43,7 @@ signals:
     void joinRemovalWanted(const std::string& name);
 
 private:
-    QWidget* makeHead();
+    QWidget* makeHead(const ActionRegistry& actions);
     void makeTable();
     void onChanged(DocumentChanges what);
     void showFreeEdges(bool shown);

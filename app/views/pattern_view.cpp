@@ -3,16 +3,25 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "app/document/document.h"
 #include "app/render/pattern_renderer.h"
 #include "app/render/picking.h"
 #include "app/settings/length_display.h"
 #include "app/views/pattern_text.h"
+#include "app/views/rolled_piece.h"
 #include "app/views/ruler.h"
 #include "app/views/tool.h"
 
 namespace toile::app {
+
+namespace {
+
+/// Room for the bar at the foot, logical pixels.
+constexpr double kWalkBar = 50;
+
+}  // namespace
 
 PatternView::PatternView(Document& document, ToolChoice& tools, QWidget* parent)
     : SceneView(document, tools, std::make_unique<PatternRenderer>(), parent) {
@@ -40,6 +49,19 @@ void PatternView::frameSpot(const WorstSpot& spot, double radius) {
     const Eigen::Vector2d at = placeOf(places(), spot.piece).placement.applied(spot.flat);
     const Eigen::Vector2d air = Eigen::Vector2d::Constant(radius);
     camera_.frame({at - air, at + air}, patternMargins(document_.view().rulers));
+}
+
+void PatternView::setRolled(std::shared_ptr<const RolledPiece> rolled) {
+    rolled_ = std::move(rolled);
+    update();
+}
+
+void PatternView::frameRolled() {
+    Camera2D::Margins margins = patternMargins(document_.view().rulers);
+    margins.bottom += kWalkBar;
+    setCameraViewport(width(), height());
+    camera_.frame(rolled_->wayOnSheet(places()), margins);
+    stopFollowing();
 }
 
 void PatternView::drag(Drag, const QPointF& delta) {
@@ -96,6 +118,9 @@ std::optional<SpotPlace> PatternView::placeNow(const WorstSpot& spot) const {
 void PatternView::paintText(QPainter& painter, const RenderStyle& style) {
     const bool grain = tools().current().id() == ToolId::Grain;
     paintPatternText(painter, style, {document_, places(), camera_, rect(), spots(), grain});
+    if (rolled_) {
+        rolled_->paint(painter, style, camera_, places());
+    }
 }
 
 }  // namespace toile::app

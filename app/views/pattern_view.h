@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include "app/render/camera.h"
 #include "app/views/scene_view.h"
 
 namespace toile::app {
+
+class RolledPiece;
 
 /// The flat pieces at true proportions as they lie on the sheet, with rulers along two edges, grain
 /// arrows and names: a drag that no tool takes moves the sheet, the wheel zooms to the cursor.
@@ -25,6 +29,11 @@ public:
     double pixelsPerMillimetre() const override { return camera_.pixelsPerMillimetre(); }
 
     const Camera2D& camera() const { return camera_; }
+    /// Paints a piece that is walked along a seam; null: none.
+    void setRolled(std::shared_ptr<const RolledPiece> rolled);
+    const RolledPiece* rolled() const { return rolled_.get(); }
+    /// Shows all of its way. Precondition: there is one.
+    void frameRolled();
 
 protected:
     const LineRuns& lines() const override { return scene()->patternLines; }
@@ -44,6 +53,7 @@ private:
     QPointF placed(int piece, const Eigen::Vector2d& point) const;
 
     Camera2D camera_;
+    std::shared_ptr<const RolledPiece> rolled_;
 };
 
 }  // namespace toile::app

@@ -15,6 +15,7 @@
 #include "app/render/scene_renderer.h"
 #include "app/settings/length_display.h"
 #include "app/views/callouts.h"
+#include "app/views/rolled_piece.h"
 #include "app/views/sewn_run.h"
 #include "app/views/tool.h"
 #include "app/views/view_text.h"
@@ -149,6 +150,18 @@ void SceneView::setWorstSpots(FlaggedSpots spots) {
     update();
 }
 
+void SceneView::setSeamDot(std::optional<SeamDot> dot) {
+    if (dot || dot_) {
+        dot_ = dot;
+        update();
+    }
+}
+
+void SceneView::stopFollowing() {
+    followsAll_ = false;
+    cameraMoved();
+}
+
 const Scene* SceneView::scene() const {
     return document_.scene().get();
 }
@@ -173,10 +186,9 @@ void SceneView::frameSelection() {
         frameSeam();
         return;
     }
-    followsAll_ = false;
     setCameraViewport(width(), height());
     framePieces(document_.selection());
-    cameraMoved();
+    stopFollowing();
 }
 
 void SceneView::frameSeam() {
@@ -186,8 +198,7 @@ void SceneView::frameSeam() {
     }
     setCameraViewport(width(), height());
     if (frameLines(scene()->seams[static_cast<std::size_t>(*seam)])) {
-        followsAll_ = false;
-        cameraMoved();
+        stopFollowing();
     }
 }
 
@@ -200,8 +211,7 @@ void SceneView::showSpot(const WorstSpot& spot) {
     setCameraViewport(width(), height());
     frameSpot(spot, std::max(kMinRadius, kRadiusShare * size));
     shown_ = spot;
-    followsAll_ = false;
-    cameraMoved();
+    stopFollowing();
 }
 
 bool SceneView::isUpToDate() const {
@@ -236,6 +246,9 @@ void SceneView::paintGL() {
             paintSpotRing(painter, style, place->at);
         }
         paintVertexDots(painter, style, *this, document_);
+        if (const auto at = dot_ ? onSeam(dot_->seam, 0, dot_->along) : std::nullopt) {
+            paintSeamDot(painter, style, *at);
+        }
         tools_.current().paint(*this, painter, style);
     }
     painted_ = document_.scene();

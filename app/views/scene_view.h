@@ -22,6 +22,12 @@ class Document;
 class SceneRenderer;
 class ToolChoice;
 
+/// A place on a seam: how far along its left side, as in a SeamHit.
+struct SeamDot {
+    int seam = -1;
+    double along = 0;
+};
+
 /// A view of the document's scene: hands the pointer to the chosen tool, moves by drag and wheel,
 /// and does the bookkeeping of a GL widget. Derived views say what a drag does and how to paint.
 /// Holds a camera and nothing of the garment.
@@ -50,6 +56,8 @@ public:
     SceneRenderer& renderer() { return *renderer_; }
     /// To be marked, as far as they are of what is shown.
     void setWorstSpots(FlaggedSpots spots);
+    /// Marks a place on the left side of a seam.
+    void setSeamDot(std::optional<SeamDot> dot);
     /// Which drags move the camera.
     void setNavigation(Navigation navigation) { navigation_ = navigation; }
 
@@ -106,6 +114,8 @@ protected:
     void cameraMoved();
     /// True until the camera is moved by hand.
     bool followsAll() const { return followsAll_; }
+    /// To be called where the camera has been set to show something.
+    void stopFollowing();
     /// Where the scene's pieces lie on the sheet.
     const SheetPlaces& places() const;
     const FlaggedSpots& spots() const { return spots_; }
@@ -131,6 +141,7 @@ private:
     std::unique_ptr<SceneRenderer> renderer_;
     FlaggedSpots spots_;
     std::optional<WorstSpot> shown_;
+    std::optional<SeamDot> dot_;
     std::shared_ptr<const Scene> painted_;
     QString problem_;
     QPointF pressed_, last_;

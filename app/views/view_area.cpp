@@ -15,6 +15,7 @@
 #include "app/views/morph_bar.h"
 #include "app/views/overlay_watcher.h"
 #include "app/views/pattern_view.h"
+#include "app/views/walk_bar.h"
 
 namespace toile::app {
 
@@ -63,6 +64,7 @@ void ViewArea::makeViews() {
         connect(view, &SceneView::pointed, this, &ViewArea::showValueAt);
     }
     morphBar_ = new MorphBar(document_, *garmentView_);
+    walkBar_ = new WalkBar(document_, *patternView_, *garmentView_);
     splitter_->setChildrenCollapsible(false);
     splitter_->setHandleWidth(5);
     splitter_->setStretchFactor(0, 1);

@@ -22,6 +22,7 @@ class OverlayWatcher;
 class PatternView;
 class SceneView;
 class ToolChoice;
+class WalkBar;
 
 /// Both views side by side over the overlay's legend; a sentence in their place where this
 /// computer cannot draw them.
@@ -39,6 +40,8 @@ public:
     void takeKeyboard(ViewKind view);
     /// The slider from the garment to the pattern; null where there is no OpenGL 3.3.
     MorphBar* morphBar() const { return morphBar_; }
+    /// The walk along the selected seam; null where there is no OpenGL 3.3.
+    WalkBar* walkBar() const { return walkBar_; }
     void setNavigation(Navigation navigation);
 
     void frameSelection();
@@ -73,6 +76,7 @@ private:
     PatternView* patternView_ = nullptr;
     std::vector<SceneView*> views_;  ///< both, or none
     MorphBar* morphBar_ = nullptr;
+    WalkBar* walkBar_ = nullptr;
     std::optional<SurfaceHit> pointed_;
 };
 

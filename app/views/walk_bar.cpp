@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/walk_bar.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/document/document.h"
+#include "app/settings/length_display.h"
+#include "app/text/figures.h"
+#include "app/views/garment_view.h"
+#include "app/views/pattern_view.h"
+#include "app/views/rolled_piece.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr int kWalkMilliseconds = 6000;
+constexpr int kWalkWidth = 460;
+
+constexpr DocumentChanges kWalkChanges = DocumentChange::Opened | DocumentChange::Garment |
+                                         DocumentChange::Results | DocumentChange::Seams |
+                                         DocumentChange::Settings | DocumentChange::SeamSelection;
+
+bool isEscape(const QEvent& event) {
+    return (event.type() == QEvent::KeyPress || event.type() == QEvent::ShortcutOverride) &&
+           static_cast<const QKeyEvent&>(event).key() == Qt::Key_Escape;
+}
+
+}  // namespace
+
+WalkBar::WalkBar(Document& document, PatternView& pattern, GarmentView& garment)
+    : PlayBar(pattern, "walk", kWalkMilliseconds, {.width = kWalkWidth}),
+      document_(document),
+      pattern_(pattern),
+      garment_(garment),
+      reading_(makeLabel({})) {
+    slider().setAccessibleName(tr("Along the seam"));
+    slider().setToolTip(tr("Rolls one piece along the seam of the other"));
+    button().setToolTip(tr("Play the walk along the seam and back"));
+    reading_->setObjectName("walkReading");
+    reading_->setAlignment(Qt::AlignCenter);
+    auto* close = new QToolButton(this);
+    close->setObjectName("walkClose");
+    close->setAutoRaise(true);
+    close->setText(QString(QChar(0x00d7)));
+    close->setAccessibleName(tr("Close"));
+    close->setToolTip(tr("End the walk (Esc)"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->addWidget(&button());
+    row->addWidget(&slider(), 1);
+    row->addWidget(close);
+    auto* lines = new QVBoxLayout(this);
+    lines->setContentsMargins(4, 2, 4, 5);
+    lines->setSpacing(0);
+    lines->addLayout(row);
+    lines->addWidget(reading_);
+
+    connect(this, &PlayBar::moved, this, &WalkBar::roll);
+    connect(close, &QToolButton::clicked, this, &WalkBar::end);
+    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
+        if (rolled_ && (what & kWalkChanges)) {
+            follow();
+        }
+    });
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
+        if (rolled_) {
+            showNow();
+        }
+    });
+    setVisible(false);
+}
+
+WalkBar::~WalkBar() = default;
+
+void WalkBar::begin() {
+    rewind();
+    rolled_ = nullptr;
+    follow();
+    if (rolled_) {
+        pattern_.frameRolled();
+        setVisible(true);
+        place();
+        raise();
+        slider().setFocus();
+    }
+}
+
+void WalkBar::end() {
+    const bool hadFocus = isAncestorOf(focusWidget());
+    stop();
+    rolled_ = nullptr;
+    showNow();
+    setVisible(false);
+    if (hadFocus) {
+        pattern_.setFocus();
+    }
+}
+
+void WalkBar::follow() {
+    const int before = rolled_ ? rolled_->seam() : -1;
+    auto rolled = document_.seam() ? RolledPiece::of(document_, *document_.seam()) : std::nullopt;
+    if (!rolled) {
+        end();
+        return;
+    }
+    rolled_ = std::make_shared<RolledPiece>(std::move(*rolled));
+    if (before >= 0 && before != rolled_->seam()) {
+        rewind();
+    }
+    roll(share());
+}
+
+void WalkBar::roll(double share) {
+    if (!rolled_) {
+        return;
+    }
+    // A notch is stopped at, though its share may lie between two steps.
+    const double half = 0.5 * step();
+    const auto notch = std::ranges::find_if(rolled_->notches(),
+                                            [&](double at) { return std::abs(at - share) < half; });
+    rolled_->rollTo(notch != rolled_->notches().end() ? *notch : share);
+    showNow();
+}
+
+void WalkBar::showNow() {
+    pattern_.setRolled(rolled_);
+    garment_.setSeamDot(rolled_ ? std::optional(SeamDot{rolled_->seam(), rolled_->along()})
+                                : std::nullopt);
+    reading_->setText(rolled_ ? reading() : QString());
+}
+
+QString WalkBar::reading() const {
+    const WalkedLengths& walked = rolled_->now().walked;
+    const QString rolling = QString::fromStdString(rolled_->rolling().name);
+    QStringList parts{
+        rolled_->isItself()
+            ? tr("%1 on itself").arg(rolling)
+            : tr("%1 on %2").arg(rolling, QString::fromStdString(rolled_->lying().name)),
+        tr("%1 of %2").arg(lengthNumber(walked.left), lengthWithUnit(rolled_->whole().left))};
+    if (const auto& notches = rolled_->notches(); !notches.empty()) {
+        const auto passed =
+            std::ranges::count_if(notches, [&](double at) { return at <= rolled_->share(); });
+        parts << tr("notch %1 of %2").arg(passed).arg(notches.size());
+    }
+    parts << tr("difference %1 %2 (ease %3)")
+                 .arg(signedFineLength(walked.left - walked.right), lengthUnit(),
+                      signedFineLength(walked.ease));
+    return parts.join(" · ");
+}
+
+bool WalkBar::eventFilter(QObject* watched, QEvent* event) {
+    // Before the tool, which would take the seam out of the selection.
+    if (watched == &pattern_ && rolled_ && isEscape(*event)) {
+        event->accept();
+        if (event->type() == QEvent::KeyPress) {
+            end();
+        }
+        return true;
+    }
+    return PlayBar::eventFilter(watched, event);
+}
+
+bool WalkBar::event(QEvent* event) {
+    if (isEscape(*event)) {  // of what is in the bar
+        event->accept();
+        if (event->type() == QEvent::KeyPress) {
+            end();
+        }
+        return true;
+    }
+    return PlayBar::event(event);
+}
+
+}  // namespace toile::app
