@@ -109,7 +109,9 @@ constexpr Words kWords[] = {
      TR("Cut from the rim to the outline if a patch is to be sewn in"), true},
     {LineNotDrawn, "line-not-drawn",
      TR("the outline could not be drawn as a fair line, and is exact"),
-     TR("Allow it to stray less, take straight lines back, or refine the mesh along it"), true},
+     TR("Allow it to stray less, take straight lines and typed intakes back, or refine the mesh "
+        "along it"),
+     true},
     {ClosedSurface, "closed-surface", TR("the piece is closed and has no outline"),
      TR("Cut it open along a seam, or let Toile do it (--auto-cut)")},
     {SeveralLoops, "several-loops", TR("the piece has several boundary loops"),

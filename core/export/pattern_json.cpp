@@ -33,6 +33,7 @@ Json segmentJson(const PatternSegment& segment, CornerRule corner) {
 Json dartJson(const PieceDart& dart) {
     return {{"seam", dart.seam},
             {"intake", number(dart.intake)},
+            {"intake_typed", dart.isTyped},
             {"angle", number(dart.angle)},
             {"leg", number(dart.leg)},
             {"laid_over", text(dart.lay == DartLay::First ? "first" : "second")}};

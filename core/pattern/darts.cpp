@@ -84,8 +84,7 @@ DartLay usualLay(const PieceDart& dart, double grain, const Vector2d& middle) {
 }
 
 /// The darts but for their caps.
-std::vector<PieceDart> openDarts(const PatternPiece& piece, const ClosedLine& outline,
-                                 const std::map<SeamId, DartLay>& lays) {
+std::vector<PieceDart> openDarts(const PatternPiece& piece, const ClosedLine& outline) {
     const Vector2d middle = middleOf(piece);
     std::vector<PieceDart> darts;
     const auto add = [&](const SeamLine& first, const SeamLine& second) {
@@ -110,8 +109,11 @@ std::vector<PieceDart> openDarts(const PatternPiece& piece, const ClosedLine& ou
         const Points2 legs = outline.part(dart.from, dart.to);
         const Eigen::Index firstRows = outline.part(dart.from, dart.from + ofFirst).rows();
         dart.angle = openingAngle(legs, dart.tip, firstRows - 1);
-        const auto said = lays.find(first.seam);
-        dart.lay = said != lays.end() ? said->second : usualLay(dart, grainOf(piece), middle);
+        const auto said = piece.saidOfDarts.find(first.seam);
+        const bool isSaid = said != piece.saidOfDarts.end();
+        dart.isTyped = isSaid && said->second.intake.has_value();
+        dart.lay =
+            isSaid && said->second.lay ? *said->second.lay : usualLay(dart, grainOf(piece), middle);
     };
     for (const SeamLine& first : piece.seams) {
         for (const SeamLine& second : piece.seams) {
@@ -124,12 +126,12 @@ std::vector<PieceDart> openDarts(const PatternPiece& piece, const ClosedLine& ou
 
 }  // namespace
 
-std::vector<PieceDart> findDarts(const PatternPiece& piece, const std::map<SeamId, DartLay>& lays) {
+std::vector<PieceDart> findDarts(const PatternPiece& piece) {
     if (piece.outline.rows() < 3 || !piece.outline.allFinite()) {
         return {};
     }
     const ClosedLine outline(piece.outline);
-    std::vector<PieceDart> darts = openDarts(piece, outline, lays);
+    std::vector<PieceDart> darts = openDarts(piece, outline);
     addDartCaps(piece, outline, darts);
     for (PieceDart& dart : darts) {
         const Vector2d fold = dart.fold.to - dart.fold.from;

@@ -2,12 +2,10 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "core/base/id.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/grain_line.h"
 #include "core/pattern/pattern.h"
@@ -30,6 +28,7 @@ struct PieceDart {
     Eigen::Vector2d tip{0, 0};
     Chord mouth{{0, 0}, {0, 0}};  ///< where the first leg begins, where the second ends
     double intake = 0;            ///< between them, mm
+    bool isTyped = false;         ///< a person has said how large the intake is to be
     /// At the tip between the chords of both legs, radians; below 0 where the legs cross.
     double angle = 0;
     double leg = 0;  ///< length of the first leg along the line, mm; of the second too, as sewn
@@ -66,10 +65,9 @@ struct PieceDart {
 /// downwards. Up is along the grain. The core does not know the centre: it takes the middle of the
 /// piece's area, of a half pattern that of the whole piece. A dart that points at it is laid over
 /// its first leg.
-/// @param lays  what a person has said instead
+/// `PatternPiece::saidOfDarts` may say otherwise.
 /// Cost: outline times caps. Pure.
-std::vector<PieceDart> findDarts(const PatternPiece& piece,
-                                 const std::map<SeamId, DartLay>& lays = {});
+std::vector<PieceDart> findDarts(const PatternPiece& piece);
 
 inline constexpr double kDartMouth = 10;   ///< mm
 inline constexpr double kLongestFold = 3;  ///< times the distance of tip and mouth

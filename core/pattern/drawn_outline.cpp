@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/pattern/mirrored_lines.h"
+#include "core/pattern/reshaped_outline.h"
 #include "core/pattern/segments.h"
 #include "core/pattern/trueing.h"
 #include "core/quality/closed_line.h"
@@ -85,6 +86,39 @@ void makeChangesEqual(const std::vector<MirroredPoint>& points,
     }
 }
 
+/// Of a piece that is symmetric in itself, darts that mirror each other both open by what is said
+/// of the first.
+std::vector<TypedDart> withImages(std::vector<TypedDart> darts, const MirrorPlaces& places) {
+    const double turn = places.rising.back() - places.rising.front();
+    std::vector<TypedDart> all;
+    const auto holds = [&](const TypedDart& dart) -> bool {
+        return std::ranges::any_of(all, [&](const TypedDart& one) {
+            return std::abs(std::remainder(one.tip - dart.tip, turn)) < kSameTurnPoint;
+        });
+    };
+    for (const TypedDart& dart : darts) {
+        TypedDart image = dart;
+        const double from = places(dart.to);
+        const double before = turn * std::floor(from / turn);
+        image.from = from - before;
+        image.tip = places(dart.tip) - before;
+        image.to = places(dart.from) - before;
+        for (const TypedDart& one : {dart, image}) {
+            if (!holds(one)) {
+                all.push_back(one);
+            }
+        }
+    }
+    std::ranges::sort(all, {}, &TypedDart::from);
+    return all;
+}
+
+Result<FlatLine> reshapedLine(const OutlineReference& reference, const OutlinePlan& plan,
+                              const Progress& progress) {
+    const auto reshaped = reshapedOutline(reference, plan, progress);
+    return reshaped ? Result<FlatLine>(lineOf(*reshaped)) : reshaped.error();
+}
+
 /// How far a line strays from the outline that it is drawn near.
 double strayOf(const FlatLine& line, const OutlineReference& outline) {
     const ClosedLine exact(outline.points, outline.arc);
@@ -115,17 +149,23 @@ std::vector<std::shared_ptr<const OutlinePlan>> planOutlines(const Garment& garm
         changes = truedTurns(segments, findSeamEnds(garment, segments, settings));
         makeChangesEqual(points, changes);
     }
+    const std::vector<std::vector<TypedDart>> darts = typedDarts(garment, settings);
     std::vector<std::shared_ptr<const OutlinePlan>> plans(count);
     for (std::size_t p = 0; p < count; ++p) {
         const bool isMirrored = mirrors[p].lead >= 0;
-        if (!exact[p] || !exact[p]->flat || !(settings.fairing || isMirrored)) {
+        const std::size_t from = isMirrored ? static_cast<std::size_t>(mirrors[p].lead) : p;
+        if (!exact[p] || !exact[p]->flat ||
+            !(settings.fairing || isMirrored || !darts[from].empty())) {
             continue;
         }
-        const std::size_t from = isMirrored ? static_cast<std::size_t>(mirrors[p].lead) : p;
         OutlinePlan plan =
             settings.fairing ? planOutline(segments[from], settings, changes[from]) : OutlinePlan{};
+        plan.darts = darts[from];
         if (isMirrored) {
             plan.mirrored = std::move(mirrors[p].outline);
+        }
+        if (plan.mirrored && plan.mirrored->isSymmetric) {
+            plan.darts = withImages(std::move(plan.darts), plan.mirrored->places);
         }
         plans[p] = std::make_shared<const OutlinePlan>(std::move(plan));
     }
@@ -135,13 +175,14 @@ std::vector<std::shared_ptr<const OutlinePlan>> planOutlines(const Garment& garm
 Result<FlatLine> drawnOutline(const Piece& piece, const FlatPiece& exact, const OutlinePlan& plan,
                               const Progress& progress) {
     const OutlineReference solved = referenceOf(piece, exact);
-    if (!plan.mirrored) {
+    const bool isFair = !plan.stretches.empty();
+    if (isFair && !plan.mirrored) {
         return fairOutline(solved, plan, progress);
     }
-    const OutlineReference& reference = plan.mirrored->reference;
-    const bool isFair = !plan.stretches.empty();
-    auto line = isFair ? fairOutline(reference, plan, progress) : lineOf(reference);
-    if (line) {
+    const OutlineReference& reference = plan.mirrored ? plan.mirrored->reference : solved;
+    auto line =
+        isFair ? fairOutline(reference, plan, progress) : reshapedLine(reference, plan, progress);
+    if (line && plan.mirrored) {
         line = mirroredFor(*plan.mirrored, std::move(*line));
     }
     if (!line) {

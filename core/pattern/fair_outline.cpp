@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <map>
 #include <utility>
 
-#include "core/flatten/boundary/boundary_problem.h"
+#include <Eigen/Geometry>
+
 #include "core/geometry/segment.h"
 #include "core/geometry/segment_pairs.h"
+#include "core/pattern/exact_outline.h"
 #include "core/pattern/fair_line.h"
+#include "core/pattern/grain_line.h"
+#include "core/pattern/reshaped_outline.h"
 #include "core/quality/closed_line.h"
 
 namespace toile {
@@ -30,152 +34,48 @@ constexpr double kBandPart = 0.25;
 /// The least tolerance, mm: below it the line is the exact one for all that one can see.
 constexpr double kLeastTolerance = 0.02;
 
-/// The exact outline, with two measures along it: where it is in 3D, and its length in the plane.
-class ExactOutline {
-public:
-    explicit ExactOutline(const OutlineReference& reference)
-        : byArc_(reference.points, reference.arc),
-          flat_(reference.points),
-          turnIn3d_(reference.turn) {}
-
-    const ClosedLine& flat() const { return flat_; }
-    const ClosedLine& byArc() const { return byArc_; }
-
-    /// The length in the plane up to a place in 3D, over any number of turns; and back.
-    double flatAt(double arc) const { return byArc_.placeOn(flat_, arc); }
-    double arcAt(double flat) const { return flat_.placeOn(byArc_, flat); }
-    /// What it turns by at a vertex: of the full turns that cannot be told apart, as in 3D.
-    double turnAt(int k) const {
-        return turnIn3d_[k] + std::remainder(flat_.turnAt(k) - turnIn3d_[k], 2 * std::numbers::pi);
-    }
-
-private:
-    ClosedLine byArc_, flat_;
-    std::vector<double> turnIn3d_;
-};
-
-/// The outline with some stretches straight: the boundary problem with each of them as one edge,
-/// whose ends take half of what it turned by; laid over the outline as it was.
-class StraightenedOutline {
-public:
-    StraightenedOutline(const ExactOutline& exact, const OutlinePlan& plan) : exact_(exact) {
-        const ClosedLine& flat = exact.flat();
-        std::vector<std::pair<double, double>> runs;  // in the plane
-        for (const OutlinePlan::Stretch& stretch : plan.stretches) {
-            if (stretch.straight) {
-                runs.emplace_back(exact.flatAt(stretch.from), exact.flatAt(stretch.to));
-            }
-        }
-        for (int k = 0; k < flat.count(); ++k) {
-            const double at = flat.arc()[k];
-            if (std::ranges::none_of(runs, [&](const auto& run) { return isIn(at, run); })) {
-                places_.push_back(at);
-            }
-        }
-        for (const auto& [from, to] : runs) {
-            places_.push_back(flat.wrap(from));
-            places_.push_back(flat.wrap(to));
-        }
-        std::ranges::sort(places_);
-        const auto same = [](double a, double b) { return b - a < kSamePlace; };
-        places_.erase(std::unique(places_.begin(), places_.end(), same), places_.end());
-        for (int k = 0; k < flat.count(); ++k) {
-            turned_.push_back(turned_.back() + exact.turnAt(k));
-        }
-    }
-
-    Result<void> solve(const Progress& progress) {
-        const auto n = static_cast<Eigen::Index>(places_.size());
-        BoundaryProblem problem{Eigen::VectorXd(n), Eigen::VectorXd(n)};
-        Eigen::VectorXd turn(n);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            problem.lengths[i] = place(i + 1) - place(i);
-            turn[i] = turnAt(place(i)) + 0.5 * (turnBetween(place(i - 1), place(i)) +
-                                                turnBetween(place(i), place(i + 1)));
-        }
-        problem.angles = std::numbers::pi - turn.array();  // what is over is spread by the solver
-        auto solved = solveBoundary(problem, BoundarySolver::Newton, progress);
-        if (!solved) {
-            return solved.error();
-        }
-        Points2 before(n, 2);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            before.row(i) = exact_.flat().pointAt(places_[i]);
-        }
-        points_ = laidOver(solved->points, before);
-        return {};
-    }
-
-    /// The place that a length along the outline in the plane has now.
-    Eigen::RowVector2d pointAt(double flat) const {
-        const double at = exact_.flat().wrap(flat);
-        auto next = std::ranges::upper_bound(places_, at);
-        const auto n = static_cast<Eigen::Index>(places_.size());
-        const Eigen::Index i = (next - places_.begin() + n - 1) % n;
-        const double from = at < places_[i] ? places_[i] - exact_.flat().length() : places_[i];
-        const double length = place(i + 1) - place(i);
-        const double t = length > 0 ? (at - from) / length : 0;
-        return (1 - t) * points_.row(i) + t * points_.row((i + 1) % n);
-    }
-
-private:
-    static constexpr double kSamePlace = 1e-6;  ///< mm
-
-    bool isIn(double at, const std::pair<double, double>& run) const {
-        const double past = exact_.flat().wrap(at - run.first);
-        return past > kSamePlace && past < run.second - run.first - kSamePlace;
-    }
-
-    double place(Eigen::Index i) const {
-        const auto n = static_cast<Eigen::Index>(places_.size());
-        const Eigen::Index k = (i % n + n) % n;
-        const Eigen::Index turns = (i - k) / n;
-        return places_[k] + static_cast<double>(turns) * exact_.flat().length();
-    }
-
-    /// What all vertices before a place turn by, over any number of turns.
-    double turnedBefore(double at) const {
-        const ClosedLine& flat = exact_.flat();
-        const double turns = std::floor(at / flat.length());
-        const auto next =
-            std::lower_bound(flat.arc().begin(), flat.arc().end() - 1, at - turns * flat.length());
-        return turns * turned_.back() + turned_[next - flat.arc().begin()];
-    }
-
-    double turnAt(double at) const {
-        return turnedBefore(at + kSamePlace) - turnedBefore(at - kSamePlace);
-    }
-    double turnBetween(double from, double to) const {
-        return turnedBefore(to - kSamePlace) - turnedBefore(from + kSamePlace);
-    }
-
-    const ExactOutline& exact_;
-    std::vector<double> places_;     ///< in the plane, of what is left of the vertices
-    std::vector<double> turned_{0};  ///< of all vertices before each, and of all
-    Points2 points_;
-};
-
-/// Divides an outline into the steps of its line.
+/// Divides an outline into the steps of its line; one step leads across the mouth of a dart that
+/// keeps its shape.
 class Steps {
 public:
-    Steps(const ExactOutline& exact, const OutlinePlan& plan) {
-        const double perimeter = exact.flat().length();
+    /// A point of the line: a node, or on the legs of a dart.
+    struct LinePoint {
+        double flat = 0;
+        int node = -1, dart = -1;
+    };
+
+    Steps(const ExactOutline& shaped, const OutlinePlan& plan) {
+        const double perimeter = shaped.flat().length();
         const double longest = std::clamp(kStep, perimeter / kMaxSteps, perimeter / kMinSteps);
+        mouths_.assign(plan.darts.size(), -1);
         for (const OutlinePlan::Stretch& stretch : plan.stretches) {
-            const double from = exact.flatAt(stretch.from), to = exact.flatAt(stretch.to);
+            const double from = shaped.flatAt(stretch.from), to = shaped.flatAt(stretch.to);
             const auto count =
                 std::max(1, static_cast<int>(std::ceil((to - from) / longest - 1e-9)));
+            const double tolerance = std::min(stretch.tolerance, kPerimeterPart * perimeter);
+            const double middle = 0.5 * (stretch.from + stretch.to);
+            const int dart = dartAt(plan, shaped.byArc().length(), middle);
+            const bool isMouth =
+                dart >= 0 && shaped.byArc().apart(stretch.from, plan.darts[dart].from) < kAtMouth;
+            if (dart < 0 || isMouth) {
+                starts_.emplace_back(stretch.from, count_);
+            }
+            if (isMouth) {
+                mouths_[dart] = count_;
+                addNode(from, plan.darts[dart].intake, tolerance);
+            }
             const int first = count_;
             for (int k = 0; k < count; ++k) {
-                flat_.push_back(from + (to - from) * k / count);
-                steps_.push_back((to - from) / count);
-                tolerance_.push_back(std::min(stretch.tolerance, kPerimeterPart * perimeter));
+                const double flat = from + (to - from) * k / count;
+                if (dart < 0) {
+                    addNode(flat, (to - from) / count, tolerance);
+                } else if (k > 0 || !isMouth) {
+                    line_.push_back({flat, -1, dart});
+                }
             }
-            count_ += count;
-            if (stretch.straight) {
+            if (stretch.straight && dart < 0) {
                 straight_.push_back({first, count_});
             }
-            starts_.emplace_back(stretch.from, first);
         }
     }
 
@@ -184,18 +84,89 @@ public:
     const std::vector<double>& steps() const { return steps_; }
     const std::vector<double>& tolerance() const { return tolerance_; }
     const std::vector<FairProblem::Run>& straight() const { return straight_; }
+    const std::vector<LinePoint>& line() const { return line_; }
+    /// The node at which the first leg of a dart begins.
+    int mouth(int dart) const { return mouths_[dart]; }
     /// The node at which a stretch begins.
-    int nodeAt(double place) const {
+    int nodeAt(double place, const ClosedLine& byArc) const {
         const auto nearest = std::ranges::min_element(
-            starts_, {}, [place](const auto& start) { return std::abs(start.first - place); });
+            starts_, {}, [&](const auto& start) { return byArc.apart(start.first, place); });
         return nearest->second;
     }
 
 private:
+    static constexpr double kAtMouth = 1e-3;  ///< mm
+
+    static int dartAt(const OutlinePlan& plan, double perimeter, double at) {
+        const auto found = std::ranges::find_if(plan.darts, [&](const OutlinePlan::Dart& dart) {
+            return isWithin(dart, perimeter, at);
+        });
+        return found == plan.darts.end() ? -1 : static_cast<int>(found - plan.darts.begin());
+    }
+    void addNode(double flat, double step, double tolerance) {
+        line_.push_back({flat, count_++, -1});
+        flat_.push_back(flat);
+        steps_.push_back(step);
+        tolerance_.push_back(tolerance);
+    }
+
     int count_ = 0;
     std::vector<double> flat_, steps_, tolerance_;
     std::vector<FairProblem::Run> straight_;
     std::vector<std::pair<double, int>> starts_;
+    std::vector<LinePoint> line_;
+    std::vector<int> mouths_;
+};
+
+/// The corners of the plan but for those on darts that keep their shape, and the ends of their
+/// mouths, where the line turns onto the step across.
+std::vector<FairProblem::Corner> cornersOf(const OutlinePlan& plan, const ExactOutline& shaped,
+                                           const Steps& steps) {
+    std::map<int, double> turns;
+    for (const OutlinePlan::Corner& corner : plan.corners) {
+        const bool isOnDart = std::ranges::any_of(plan.darts, [&](const OutlinePlan::Dart& dart) {
+            return isWithin(dart, shaped.byArc().length(), corner.at);
+        });
+        if (!isOnDart) {
+            turns[steps.nodeAt(corner.at, shaped.byArc())] = corner.turn;
+        }
+    }
+    const ClosedLine& flat = shaped.flat();
+    const auto turnThere = [&](double at) {  // where nothing is said
+        const double step = 0.5 * kStep;
+        return geometry::turnBetween(flat.pointAt(at) - flat.pointAt(at - step),
+                                     flat.pointAt(at + step) - flat.pointAt(at));
+    };
+    for (const OutlinePlan::Dart& dart : plan.darts) {
+        const double from = shaped.flatAt(dart.from), to = shaped.flatAt(dart.to);
+        const Eigen::RowVector2d tip = flat.pointAt(shaped.flatAt(dart.tip));
+        const Eigen::RowVector2d first = tip - flat.pointAt(from), second = flat.pointAt(to) - tip;
+        const Eigen::RowVector2d mouth = flat.pointAt(to) - flat.pointAt(from);
+        turns.try_emplace(steps.nodeAt(dart.from, shaped.byArc()), turnThere(from)).first->second -=
+            geometry::turnBetween(mouth, first);
+        turns.try_emplace(steps.nodeAt(dart.to, shaped.byArc()), turnThere(to)).first->second -=
+            geometry::turnBetween(second, mouth);
+    }
+    std::vector<FairProblem::Corner> corners;
+    for (const auto& [node, turn] : turns) {
+        corners.push_back({node, turn});
+    }
+    return corners;
+}
+
+/// Where a place on the legs of a dart comes to lie with the ends of its mouth.
+class MovedDart {
+public:
+    MovedDart(const Chord& from, const Chord& to) : from_(from.from), to_(to.from) {
+        turn_ = Eigen::Rotation2Dd(geometry::turnBetween(from.to - from.from, to.to - to.from));
+    }
+    Eigen::RowVector2d operator()(const Eigen::RowVector2d& point) const {
+        return (to_ + turn_ * (point.transpose() - from_)).transpose();
+    }
+
+private:
+    Eigen::Vector2d from_, to_;
+    Eigen::Rotation2Dd turn_{0};
 };
 
 /// Where two stretches are the sides of a narrow band, neither strays by more than a part of its
@@ -255,19 +226,16 @@ OutlinePlan planOutline(const OutlineSegments& segments, const LineSettings& set
 
 Result<FlatLine> fairOutline(const OutlineReference& reference, const OutlinePlan& plan,
                              const Progress& progress) {
-    const ExactOutline outline(reference);
-    const Steps steps(outline, plan);
-    StraightenedOutline straightened(outline, plan);
-    if (!steps.straight().empty()) {
-        if (const auto solved = straightened.solve(progress); !solved) {
-            return solved.error();
-        }
+    const auto reshaped = reshapedOutline(reference, plan, progress);
+    if (!reshaped) {
+        return reshaped.error();
     }
+    const ExactOutline outline(reference), shaped(*reshaped);
+    const Steps steps(shaped, plan);
     FairProblem problem;
     problem.reference.resize(steps.count(), 2);
     for (int k = 0; k < steps.count(); ++k) {
-        problem.reference.row(k) = steps.straight().empty() ? outline.flat().pointAt(steps.flat(k))
-                                                            : straightened.pointAt(steps.flat(k));
+        problem.reference.row(k) = shaped.flat().pointAt(steps.flat(k));
     }
     problem.steps = Eigen::Map<const Eigen::VectorXd>(steps.steps().data(), steps.count());
     problem.tolerance = Eigen::Map<const Eigen::VectorXd>(steps.tolerance().data(), steps.count());
@@ -275,21 +243,29 @@ Result<FlatLine> fairOutline(const OutlineReference& reference, const OutlinePla
     const double meanStep = problem.steps.sum() / static_cast<double>(problem.steps.size());
     problem.smoothing = std::min(plan.smoothing, kMaxSmoothedSteps * meanStep);
     problem.straight = steps.straight();
-    for (const OutlinePlan::Corner& corner : plan.corners) {
-        problem.corners.push_back({steps.nodeAt(corner.at), corner.turn});
-    }
+    problem.corners = cornersOf(plan, shaped, steps);
     const auto fair = fairLine(problem, progress);
     if (!fair) {
         return fair.error();
     }
+    std::vector<MovedDart> darts;
+    for (std::size_t d = 0; d < plan.darts.size(); ++d) {
+        const int from = steps.mouth(static_cast<int>(d)), to = (from + 1) % steps.count();
+        darts.emplace_back(Chord{problem.reference.row(from), problem.reference.row(to)},
+                           Chord{fair->points.row(from), fair->points.row(to)});
+    }
     FlatLine line;
-    line.points = fair->points;
+    line.points.resize(static_cast<Eigen::Index>(steps.line().size()), 2);
     line.iterations = fair->iterations;
     line.converged = fair->converged;
-    for (int k = 0; k < steps.count(); ++k) {
-        line.arc.push_back(outline.arcAt(steps.flat(k)));
-        line.farthest = std::max(
-            line.farthest, (line.points.row(k) - outline.flat().pointAt(steps.flat(k))).norm());
+    for (std::size_t k = 0; k < steps.line().size(); ++k) {
+        const auto& [flat, node, dart] = steps.line()[k];
+        const Eigen::RowVector2d point = node >= 0 ? Eigen::RowVector2d(fair->points.row(node))
+                                                   : darts[dart](shaped.flat().pointAt(flat));
+        line.points.row(static_cast<Eigen::Index>(k)) = point;
+        line.arc.push_back(shaped.arcAt(flat));
+        line.farthest =
+            std::max(line.farthest, (point - outline.byArc().pointAt(line.arc.back())).norm());
     }
     line.arc.push_back(line.arc.front() + outline.byArc().length());
     return line;

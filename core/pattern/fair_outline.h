@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/garment/piece.h"
+#include "core/pattern/dart_places.h"
 #include "core/pattern/mirrored_lines.h"
 #include "core/pattern/outline_reference.h"
 #include "core/pattern/segments.h"
@@ -31,11 +32,16 @@ struct OutlinePlan {
         bool operator==(const Corner&) const = default;
     };
 
+    /// Its legs become straight lines, and its mouth as wide as the intake.
+    using Dart = TypedDart;
+
     /// One per segment, in order; they cover the outline. None: the line is not to be made fair.
     std::vector<Stretch> stretches;
     std::vector<Corner> corners;  ///< ascending
     double smoothing = 0;         ///< mm
-    /// Of a piece that is to be a mirror image: then stretches and corners are the leading one's.
+    std::vector<Dart> darts{};    ///< by `from`; those that a person has typed
+    /// Of a piece that is to be a mirror image: then stretches, corners and darts are the leading
+    /// one's.
     std::optional<MirroredOutline> mirrored{};
 
     bool operator==(const OutlinePlan&) const = default;
@@ -47,10 +53,10 @@ OutlinePlan planOutline(const OutlineSegments& segments, const LineSettings& set
 
 /// The fair line of an outline: near the exact one, of the same length between any two vertices,
 /// curved as evenly as that allows (fair_line.h). What is to be straight is made straight before,
-/// by the boundary problem with the run as one edge, whatever the tolerance. Where the piece is a
-/// narrow band the tolerance is a quarter of its width.
+/// and darts that are typed are opened (`reshapedOutline`), whatever the tolerance. Where the piece
+/// is a narrow band the tolerance is a quarter of its width.
 /// @param reference  the exact outline
-/// Errors: those of `solveBoundary`, where lines are to be straight; Cancelled.
+/// Errors: those of `reshapedOutline`; Cancelled.
 /// Cost: n log n in vertices and steps, some milliseconds a metre. Pure.
 Result<FlatLine> fairOutline(const OutlineReference& reference, const OutlinePlan& plan,
                              const Progress& progress);

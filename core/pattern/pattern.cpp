@@ -10,6 +10,7 @@
 #include "core/base/unique_names.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
+#include "core/pattern/dart_places.h"
 #include "core/pattern/drawn_outline.h"
 #include "core/pattern/extension.h"
 #include "core/pattern/facings.h"
@@ -146,6 +147,7 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
     pattern.pieces.resize(garment.pieces.size());
     const auto segments = findSegments(garment, exactResults(garment, results), lines);
     const std::vector<DrawnMirror> mirrors = drawnMirrors(results);
+    const std::map<int, DartSettings> darts = saidOfDarts(garment.seams, lines);
     UniqueNames slugs;
     int number = 0;
     for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
@@ -167,6 +169,11 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
         const MeasuredOutline outline(piece, flat);
         addSeams(made, piece, flat, outline, garment.seams, static_cast<int>(i));
         addSegments(made, *results[i], outline, garment.seams, segments[i], lines);
+        for (const SeamLine& seam : made.seams) {
+            if (const auto said = darts.find(seam.number - 1); said != darts.end()) {
+                made.saidOfDarts.emplace(seam.seam, said->second);
+            }
+        }
         const bool isExtended = std::ranges::any_of(
             made.segments, [](const auto& segment) { return extensionOf(segment) > 0; });
         if (lines.allowance || isExtended) {

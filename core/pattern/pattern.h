@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -124,9 +125,9 @@ struct PatternPiece : Cutting {
     /// Round the outline, its extensions and their allowances, anti-clockwise; empty where there is
     /// none of these: the piece is cut along its outline then. Holes have none.
     Points2 cuttingLine = Points2(0, 2);
-    std::vector<Points2>
-        extensions{};  ///< edges drawn out (`extensionEdges`), within the cutting line
+    std::vector<Points2> extensions{};  ///< edges drawn out (`extensionEdges`), inside that
     std::vector<PieceNotch> notches{};  ///< by `hole`, then `at`
+    std::map<SeamId, DartSettings> saidOfDarts{};  ///< what a person has said of its darts
     int number = 0;  ///< from 1, of those that are drawn, in the garment's order; 0: not drawn
 };
 

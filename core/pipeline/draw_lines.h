@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "core/base/progress.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
@@ -12,7 +14,9 @@ namespace toile {
 
 /// True where lines are drawn otherwise than they are solved.
 inline bool draws(const LineSettings& settings) {
-    return settings.fairing || settings.mirror != Mirror::None;
+    const auto isTyped = [](const DartSettings& said) { return said.intake.has_value(); };
+    return settings.fairing || settings.mirror != Mirror::None ||
+           std::ranges::any_of(settings.darts, isTyped);
 }
 
 /// Of the time, about, until all is flat that is then drawn.

@@ -38,8 +38,11 @@ Vector2d reflectedIn(const Chord& line, const Vector2d& point) {
     return line.from + 2 * along.dot(rest) * along - rest;
 }
 
-PieceDart onlyDart(const PatternPiece& piece, const std::map<SeamId, DartLay>& lays = {}) {
-    const std::vector<PieceDart> darts = findDarts(piece, lays);
+PieceDart onlyDart(PatternPiece piece, const std::map<SeamId, DartLay>& lays = {}) {
+    for (const auto& [seam, lay] : lays) {
+        piece.saidOfDarts[seam].lay = lay;
+    }
+    const std::vector<PieceDart> darts = findDarts(piece);
     EXPECT_EQ(darts.size(), 1U);
     return darts.empty() ? PieceDart{} : darts.front();
 }

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/dart_division.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/segment.h"
+#include "core/pattern/dart_places.h"
+#include "core/pattern/outline_reference.h"
+#include "core/quality/closed_line.h"
+
+namespace toile {
+namespace {
+
+constexpr double kCutAtTip = 0.01;  // mm: a cut begins there
+constexpr double kOffSurface = 20;  // mm: so far a stated point may be beside the cloth
+constexpr double kAhead = 1e-6;     // mm: edges at the tip itself are not met
+
+/// Where a ray first meets a closed line.
+struct RayHit {
+    double way = 0;  ///< mm; 0: nowhere
+    int edge = -1;
+    double share = 0;
+};
+
+RayHit firstHit(const Eigen::RowVector2d& from, const Eigen::RowVector2d& along,
+                const Points2& line) {
+    RayHit first;
+    for (Eigen::Index k = 0; k < line.rows(); ++k) {
+        const Eigen::RowVector2d a = line.row(k);
+        const Eigen::RowVector2d edge = line.row((k + 1) % line.rows()) - a;
+        const double across = geometry::cross(along, edge);
+        if (across == 0) {
+            continue;
+        }
+        const double way = geometry::cross(a - from, edge) / across;
+        const double share = geometry::cross(a - from, along) / across;
+        if (way > kAhead && share >= 0 && share <= 1 && (first.edge < 0 || way < first.way)) {
+            first = {way, static_cast<int>(k), share};
+        }
+    }
+    return first;
+}
+
+int nearestOnOutline(const Piece& piece, const Eigen::Vector3d& point) {
+    const auto distance = [&](int vertex) {
+        return (piece.mesh.V.row(vertex).transpose() - point).squaredNorm();
+    };
+    return *std::ranges::min_element(piece.boundary, {}, distance);
+}
+
+/// Whether a path begins at the end of another cut, which is a vertex of the outlines then.
+bool beginsAtEndOf(const UserCut& path, const UserCut& other, const Piece& piece) {
+    const Eigen::Vector3d& start = path.points.front();
+    const int tip = nearestOnOutline(piece, start);
+    const auto isThere = [&](const Eigen::Vector3d& end) {
+        return (end - start).norm() < kOffSurface && nearestOnOutline(piece, end) == tip;
+    };
+    return other.kind != UserCut::Kind::Loop && !other.points.empty() &&
+           (piece.mesh.V.row(tip).transpose() - start).norm() < kCutAtTip &&
+           (isThere(other.points.front()) || isThere(other.points.back()));
+}
+
+}  // namespace
+
+std::optional<UserCut> cutBeyondDart(const Garment& garment, const PieceResults& results,
+                                     int seam) {
+    const auto dart = dartPlace(garment, seam);
+    const auto p = static_cast<std::size_t>(dart ? dart->piece : 0);
+    if (!dart || p >= results.size() || !results[p] || !results[p]->flat ||
+        results[p]->piece != garment.pieces[p]) {
+        return std::nullopt;
+    }
+    const Piece& piece = *garment.pieces[p];
+    const ClosedLine outline(results[p]->flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
+    const Eigen::RowVector2d tip = outline.pointAt(dart->tip);
+    const Eigen::RowVector2d mouth =
+        0.5 * (outline.pointAt(dart->from) + outline.pointAt(dart->to));
+    const Eigen::RowVector2d along = (tip - mouth).normalized();
+    const RayHit hit = firstHit(tip, along, outline.points());
+    if (hit.edge < 0) {
+        return std::nullopt;
+    }
+    for (const auto& hole : piece.holes) {
+        const RayHit rim = firstHit(tip, along, results[p]->flat->Q(hole, Eigen::all));
+        if (rim.edge >= 0 && rim.way < hit.way) {
+            return std::nullopt;
+        }
+    }
+    const auto placeOf = [&](int edge, double share) -> Eigen::Vector3d {
+        const auto k = static_cast<std::size_t>(edge);
+        return (1 - share) * piece.mesh.V.row(piece.boundary[k]) +
+               share * piece.mesh.V.row(piece.boundary[(k + 1) % piece.boundary.size()]);
+    };
+    const int atTip = outline.edgeAt(dart->tip + kAhead / 2);
+    const double past = outline.wrap(dart->tip) - outline.arc()[static_cast<std::size_t>(atTip)];
+    const double length = outline.arc()[static_cast<std::size_t>(atTip) + 1] -
+                          outline.arc()[static_cast<std::size_t>(atTip)];
+    UserCut cut;
+    cut.points = {placeOf(atTip, std::clamp(past / length, 0.0, 1.0)),
+                  placeOf(hit.edge, hit.share)};
+    return cut;
+}
+
+std::optional<CutId> cutBeyondTip(const Garment& garment, const std::vector<UserCut>& cuts,
+                                  int index) {
+    const Seam& seam = garment.seams.seams[static_cast<std::size_t>(index)];
+    if (seam.cuts.empty() || seam.left.piece < 0) {
+        return std::nullopt;
+    }
+    const Piece& piece = *garment.pieces[static_cast<std::size_t>(seam.left.piece)];
+    const auto isOf = [&seam](const UserCut& cut) {
+        return std::ranges::find(seam.cuts, cut.id) != seam.cuts.end();
+    };
+    for (const UserCut& cut : cuts) {
+        if (cut.kind != UserCut::Kind::Path || cut.points.empty()) {
+            continue;
+        }
+        for (const UserCut& other : cuts) {
+            if (&other != &cut && (isOf(cut) || isOf(other)) && beginsAtEndOf(cut, other, piece)) {
+                return cut.id;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace toile

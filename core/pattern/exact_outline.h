@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/pattern/outline_reference.h"
+#include "core/quality/closed_line.h"
+
+namespace toile {
+
+/// An outline with two measures along it: where it is in 3D, and its length in the plane.
+class ExactOutline {
+public:
+    explicit ExactOutline(const OutlineReference& reference)
+        : byArc_(reference.points, reference.arc),
+          flat_(reference.points),
+          turnIn3d_(reference.turn) {}
+
+    const ClosedLine& flat() const { return flat_; }
+    const ClosedLine& byArc() const { return byArc_; }
+
+    /// The length in the plane up to a place in 3D, over any number of turns; and back.
+    double flatAt(double arc) const { return byArc_.placeOn(flat_, arc); }
+    double arcAt(double flat) const { return flat_.placeOn(byArc_, flat); }
+    /// What it turns by at a vertex: of the full turns that cannot be told apart, as in 3D.
+    double turnAt(int k) const {
+        return turnIn3d_[k] + std::remainder(flat_.turnAt(k) - turnIn3d_[k], 2 * std::numbers::pi);
+    }
+
+private:
+    ClosedLine byArc_, flat_;
+    std::vector<double> turnIn3d_;
+};
+
+}  // namespace toile
