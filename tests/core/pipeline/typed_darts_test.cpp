@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "core/cut/seams_file.h"
+#include "core/export/writers.h"
 #include "core/pattern/dart_places.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/half_pattern.h"
@@ -131,6 +133,23 @@ TEST(TypedDarts, OutOfReachLeaveTheirPieceExactWithANote) {
             std::ranges::count(drawn[p]->flat->notes, ErrorCode::LineNotDrawn, &Error::code) == 1;
         EXPECT_EQ(isNoted, static_cast<int>(p) == place->piece);
     }
+}
+
+TEST(TypedDarts, AreNamedInTheReport) {
+    const Garment garment = dartedShirt();
+    const LineSettings lines = typed(garment, withPattern({}), 15);
+    const PieceResults results = drawnWith(garment, lines);
+    const auto report =
+        nlohmann::json::parse(writeReport(garment, results, makePattern(garment, results, lines)));
+    int found = 0;
+    for (const auto& piece : report["pieces"]) {
+        for (const auto& dart : piece.value("darts", nlohmann::json::array())) {
+            EXPECT_NEAR(dart["intake"].get<double>(), 15, 1e-6);
+            EXPECT_TRUE(dart["intake_typed"].get<bool>());
+            ++found;
+        }
+    }
+    EXPECT_EQ(found, 2);
 }
 
 TEST(TypedDarts, AreLaidAsSaid) {
