@@ -13,7 +13,7 @@ namespace {
 constexpr double kOneTip = 0.01;  // mm: from where one side ends to where the other begins
 constexpr double kInDart = 1e-6;  // mm
 
-double wrapped(double at, double perimeter) {
+double inFirstTurn(double at, double perimeter) {
     return at - perimeter * std::floor(at / perimeter);
 }
 
@@ -36,7 +36,7 @@ std::optional<DartPlace> dartPlace(const Garment& garment, int seam) {
             !(perimeter - first.length() - second.length() > kOneTip)) {
             return std::nullopt;
         }
-        const double from = wrapped(tip - first.length(), perimeter);
+        const double from = inFirstTurn(tip - first.length(), perimeter);
         return DartPlace{dart.left.piece, from, from + first.length(),
                          from + first.length() + second.length()};
     };
@@ -93,7 +93,7 @@ std::vector<std::vector<TypedDart>> typedDarts(const Garment& garment,
 }
 
 bool isWithin(const DartPlace& dart, double perimeter, double at) {
-    const double past = wrapped(at - dart.from, perimeter);
+    const double past = inFirstTurn(at - dart.from, perimeter);
     return past > kInDart && past < dart.to - dart.from - kInDart;
 }
 

@@ -41,7 +41,7 @@ std::vector<int> dartsIn(const Garment& garment) {
     return darts;
 }
 
-LineSettings typed(const Garment& garment, LineSettings lines, double intake) {
+LineSettings withTypedDarts(const Garment& garment, LineSettings lines, double intake) {
     for (const int dart : dartsIn(garment)) {
         lines.darts.push_back({garment.seams.seams[static_cast<std::size_t>(dart)].place, intake});
     }
@@ -94,7 +94,7 @@ TEST(TypedDarts, HaveTheirIntakeHoweverLinesAreDrawn) {
     for (const LineSettings& lines : waysToDraw()) {
         for (const double intake : {1.0, 12.0, 35.0}) {
             SCOPED_TRACE(intake);
-            expectTyped(garment, typed(garment, lines, intake), intake);
+            expectTyped(garment, withTypedDarts(garment, lines, intake), intake);
         }
     }
 }
@@ -104,7 +104,7 @@ TEST(TypedDarts, OfMirrorImagesMirrorEachOtherAlsoWhereOneIsSaid) {
     const auto symmetry = findSymmetry(garment);
     ASSERT_TRUE(symmetry);
     for (LineSettings lines : {waysToDraw()[2], waysToDraw()[3]}) {
-        lines = typed(garment, lines, 20);
+        lines = withTypedDarts(garment, lines, 20);
         const PieceResults both = drawnWith(garment, lines);
         test::expectMirrorImages(garment, *symmetry, both);
         const auto first = dartPlace(garment, dartsIn(garment)[0]);
@@ -137,7 +137,7 @@ TEST(TypedDarts, OutOfReachLeaveTheirPieceExactWithANote) {
 
 TEST(TypedDarts, AreNamedInTheReport) {
     const Garment garment = dartedShirt();
-    const LineSettings lines = typed(garment, withPattern({}), 15);
+    const LineSettings lines = withTypedDarts(garment, withPattern({}), 15);
     const PieceResults results = drawnWith(garment, lines);
     const auto report =
         nlohmann::json::parse(writeReport(garment, results, makePattern(garment, results, lines)));
