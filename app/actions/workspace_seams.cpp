@@ -8,8 +8,8 @@
 #include "app/jobs/job.h"
 #include "app/text/error_text.h"
 #include "core/base/file.h"
+#include "core/garment/file_space.h"
 #include "core/pattern/mirrored_edit.h"
-#include "core/pipeline/file_space.h"
 #include "core/seam/seam_origin.h"
 #include "core/seam/seam_settings.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "core/garment/file_space.h"
 #include "core/garment/piece.h"
-#include "core/pipeline/file_space.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/reuse_pieces.h"
 #include "core/quality/measures.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/pipeline/file_space.h"
+#include "core/garment/file_space.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/seam/seam_origin.h"

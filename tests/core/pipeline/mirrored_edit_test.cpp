@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/garment/file_space.h"
 #include "core/pattern/fair_outline.h"
-#include "core/pipeline/file_space.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/pipeline/mirror_images.h"
 #include "tests/core/support/shared_data.h"

@@ -18,6 +18,12 @@ Eigen::Vector3d inPieceSpace(const Eigen::Vector3d& point, const SeamsFile& seam
 Eigen::Vector3d inFileSpace(const Eigen::Vector3d& point, const SeamsFile& seams,
                             const Garment& garment);
 
+/// The points with their axes and unit changed likewise, in the unit of the first file.
+std::vector<Eigen::Vector3d> inPieceSpace(std::vector<Eigen::Vector3d> points,
+                                          const Garment& garment);
+std::vector<Eigen::Vector3d> inFileSpace(std::vector<Eigen::Vector3d> points,
+                                         const Garment& garment);
+
 /// The cuts and joins with their points as the pieces are.
 std::vector<UserCut> cutsInPieceSpace(const SeamsFile& seams, const Garment& garment);
 std::vector<UserJoin> joinsInPieceSpace(const SeamsFile& seams, const Garment& garment);

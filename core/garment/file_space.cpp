@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pipeline/file_space.h"
+#include "core/garment/file_space.h"
 
 namespace toile {
 namespace {
@@ -37,6 +37,22 @@ Eigen::Vector3d inFileSpace(const Eigen::Vector3d& point, const SeamsFile& seams
     }
     const SourceFile& file = *garment.files.front();
     return asInFile(file.up, point).transpose() / millimetresIn(seams, file);
+}
+
+std::vector<Eigen::Vector3d> inPieceSpace(std::vector<Eigen::Vector3d> points,
+                                          const Garment& garment) {
+    for (Eigen::Vector3d& point : points) {
+        point = inPieceSpace(point, {}, garment);
+    }
+    return points;
+}
+
+std::vector<Eigen::Vector3d> inFileSpace(std::vector<Eigen::Vector3d> points,
+                                         const Garment& garment) {
+    for (Eigen::Vector3d& point : points) {
+        point = inFileSpace(point, {}, garment);
+    }
+    return points;
 }
 
 std::vector<UserCut> cutsInPieceSpace(const SeamsFile& seams, const Garment& garment) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pipeline/file_space.h"
+#include "core/garment/file_space.h"
 
 #include <gtest/gtest.h>
 
