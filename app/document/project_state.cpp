@@ -26,6 +26,7 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
                     view.exactOutline,
                     view.cuttingLine,
                     view.notches,
+                    view.internalLines,
                     view.grain,
                     view.labels};
     return project;
@@ -38,6 +39,7 @@ ViewState viewOf(const ProjectView& saved, ViewState view) {
     view.exactOutline = saved.exactOutline;
     view.cuttingLine = saved.cuttingLine;
     view.notches = saved.notches;
+    view.internalLines = saved.internalLines;
     view.grain = saved.grain;
     view.labels = saved.labels;
     return view;

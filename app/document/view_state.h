@@ -83,6 +83,7 @@ struct ViewState {
     bool seams = true;               ///< seam lines, each pair in its colour
     bool cuttingLine = true;         ///< round the allowances, in the pattern
     bool notches = true;             ///< in the pattern
+    bool internalLines = true;       ///< in the pattern with the marks of darts
     bool grain = true;               ///< arrows of the grain, in the pattern
     bool labels = true;              ///< names of the pieces, in the pattern
     bool xray = false;               ///< the garment's cloth lets what is behind it be seen

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/pattern/darts.h"
+#include "core/pattern/internal_lines.h"
 #include "core/pattern/notch_mark.h"
 
 namespace toile {
@@ -108,6 +109,25 @@ void addDarts(Drawing& drawing, const PatternPiece& piece, const Placement& plac
     }
 }
 
+/// Lines and drill points, numbered apart.
+void addInternals(Drawing& drawing, const PatternPiece& piece, const Placement& placement) {
+    int lines = 0, points = 0;
+    for (const PieceInternal& internal : piece.internals) {
+        const std::vector<Points2> drawn = drawnLines(internal);
+        const bool isPoint = isDrillPoint(internal);
+        const std::string id = "piece-" + piece.slug + (isPoint ? "--point-" : "--line-");
+        for (std::size_t k = 0; k < drawn.size(); ++k) {
+            const bool isClosed = k == 0 && (isPoint || internal.closed);
+            const Points2& line = internal.closed ? internal.points : drawn[k];
+            const int number = k > 0 ? points : isPoint ? ++points : ++lines;
+            drawing.paths.push_back(
+                {id + std::to_string(number) + (k > 0 ? "-" + std::to_string(k + 1) : ""),
+                 LayerKind::Internal,
+                 turnedLine(line, placement).rowwise() + placement.offset.transpose(), isClosed});
+        }
+    }
+}
+
 void addPiece(Drawing& drawing, const Pattern& pattern, const PatternPiece& piece,
               const Placement& placement, const DrawingWords& words) {
     const std::string id = "piece-" + piece.slug + "-";
@@ -140,6 +160,7 @@ void addPiece(Drawing& drawing, const Pattern& pattern, const PatternPiece& piec
     }
     addSeams(drawing, piece, placement, seams);
     addNotches(drawing, pattern, piece, placement);
+    addInternals(drawing, piece, placement);
     if (pattern.hasAllowance) {
         addDarts(drawing, piece, placement);
     }

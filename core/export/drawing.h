@@ -49,14 +49,16 @@ struct Drawing {
 bool hasLayer(const Drawing& drawing, LayerKind kind);
 
 /// Draws what every copy is cut along (of a half pattern with the edge that lies on the fold,
-/// marked as such by `foldMark`), its seam line where that is another, its holes, its notches, the
-/// marks of its darts where it has allowances, its label (`labelLines`), its grain line where the
-/// grain is stated (`placeMarks`), the ticks, numbers and names of its seams, and a 100 mm check
-/// square to the right of the pieces, with a margin of 10 mm around all; labels of pieces narrower
-/// than their names stay on the page. Width and height are whole millimetres.
-/// Ids: `piece-<slug>-cut`, `piece-<slug>--sew`, `piece-<slug>--notch-<k>` (further strokes of it
+/// marked as such by `foldMark`), its seam line where that is another, its holes, its notches, its
+/// extensions, internal lines and drill points, the marks of its darts where it has allowances, its
+/// label (`labelLines`), its grain line where the grain is stated (`placeMarks`), the ticks,
+/// numbers and names of its seams, and a 100 mm check square to the right of the pieces, with a
+/// margin of 10 mm around all; labels of pieces narrower than their names stay on the page. Width
+/// and height are whole millimetres. Ids: `piece-<slug>-cut`, `piece-<slug>--sew`,
+/// `piece-<slug>--notch-<k>` (further strokes of it
 /// `-2` and so on), `piece-<slug>--extension-<k>`, `piece-<slug>--dart-<k>-fold`, `-drill`,
-/// `-tip-1` and `-tip-2`, `piece-<slug>--hole-<k>`, `piece-<slug>-name`, `piece-<slug>--grain`,
+/// `-tip-1` and `-tip-2`, `piece-<slug>--line-<k>`, `piece-<slug>--point-<k>` (its cross `-2` and
+/// `-3`), `piece-<slug>--hole-<k>`, `piece-<slug>-name`, `piece-<slug>--grain`,
 /// `piece-<slug>--seam-<number>-tick-<k>`, `...-number` and `...-name` ("b" after the number of a
 /// seam's second side on the same piece), `piece-<slug>--fold`, `piece-<slug>--fold-text`,
 /// `check-square`, `check-square-text`.

@@ -53,6 +53,17 @@ Json facingJson(const PatternPiece& piece, const PatternPiece& strip) {
     return json;
 }
 
+Json internalJson(const PieceInternal& internal) {
+    Json points = Json::array();
+    for (const auto& point : internal.points.rowwise()) {
+        points.push_back({number(point.x()), number(point.y())});
+    }
+    return {{"name", text(internal.name)},
+            {"closed", internal.closed},
+            {"length", number(internal.length)},
+            {"points", std::move(points)}};
+}
+
 }  // namespace
 
 Json facingsJson(const Pattern& pattern) {
@@ -79,6 +90,11 @@ void addPatternJson(Json& json, const Pattern& pattern, const PatternPiece& piec
         json["darts"] = Json::array();
         for (const PieceDart& dart : darts) {
             json["darts"].push_back(dartJson(dart));
+        }
+    }
+    for (const PieceInternal& internal : piece.internals) {
+        if (internal.points.rows() > 0) {
+            json["internal_lines"].push_back(internalJson(internal));
         }
     }
     if (pattern.hasNotches) {

@@ -20,11 +20,10 @@ namespace {
 using Eigen::Vector2d;
 using geometry::cross;
 
-constexpr double kSameTip = 0.01;     // mm: from where one side ends to where the other begins
-constexpr double kAtMiddle = 1e-3;    // mm: a dart that passes the middle nearer points at it
-constexpr double kDrillRadius = 1.5;  // mm
-constexpr int kDrillPoints = 24;      // of its circle
-constexpr double kTipCross = 5;       // mm: length of a stroke
+constexpr double kSameTip = 0.01;   // mm: from where one side ends to where the other begins
+constexpr double kAtMiddle = 1e-3;  // mm: a dart that passes the middle nearer points at it
+constexpr int kDrillPoints = 24;    // of its circle
+constexpr double kTipCross = 5;     // mm: length of a stroke
 constexpr double kDrillOfLeg = 1.0 / 3, kDrillOfFold = 0.5;
 
 /// The angle at the tip, counted along the legs, so that one above 180 degrees is no crossing.
@@ -142,17 +141,22 @@ std::vector<PieceDart> findDarts(const PatternPiece& piece) {
     return darts;
 }
 
+Points2 drillCircle(const Vector2d& centre) {
+    Points2 circle(kDrillPoints, 2);
+    for (int k = 0; k < kDrillPoints; ++k) {
+        const double at = 2 * std::numbers::pi * k / kDrillPoints;
+        circle.row(k) = centre + kDrillRadius * Vector2d(std::cos(at), std::sin(at));
+    }
+    return circle;
+}
+
 DartMarks dartMarks(const PieceDart& dart) {
     DartMarks marks;
     Vector2d way = dart.fold.to - dart.fold.from;
     if (dart.cap.rows() > 0) {
         marks.fold.resize(2, 2);
         marks.fold << dart.fold.from.transpose(), dart.fold.to.transpose();
-        marks.drill.resize(kDrillPoints, 2);
-        for (int k = 0; k < kDrillPoints; ++k) {
-            const double at = 2 * std::numbers::pi * k / kDrillPoints;
-            marks.drill.row(k) = dart.drill + kDrillRadius * Vector2d(std::cos(at), std::sin(at));
-        }
+        marks.drill = drillCircle(dart.drill);
     } else {
         way = 0.5 * (dart.mouth.from + dart.mouth.to) - dart.tip;
     }

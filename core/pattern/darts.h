@@ -72,10 +72,15 @@ std::vector<PieceDart> findDarts(const PatternPiece& piece);
 inline constexpr double kDartMouth = 10;   ///< mm
 inline constexpr double kLongestFold = 3;  ///< times the distance of tip and mouth
 
+inline constexpr double kDrillRadius = 1.5;  ///< mm
+
+/// The circle that is drawn for a drill point: closed, 24 points.
+Points2 drillCircle(const Eigen::Vector2d& centre);
+
 /// What is drawn of a dart besides its legs.
 struct DartMarks {
     Points2 fold;                  ///< open, to be dashed; empty where there is no cap
-    Points2 drill;                 ///< a closed circle of 1.5 mm, 24 points; empty likewise
+    Points2 drill;                 ///< `drillCircle`; empty likewise
     std::array<Points2, 2> cross;  ///< at the tip: two strokes of 5 mm, along the fold and square
 };
 

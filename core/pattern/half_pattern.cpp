@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include "core/geometry/segment.h"
 #include "core/pattern/drawn_outline.h"
+#include "core/pattern/internal_lines.h"
 #include "core/pattern/piece_allowance.h"
 #include "core/quality/closed_line.h"
 
@@ -113,6 +115,11 @@ void halve(PatternPiece& piece) {
     std::erase_if(piece.notches, [end](const PieceNotch& notch) {
         return notch.hole < 0 && notch.at > end + kNothing;
     });
+    std::vector<PieceInternal> internals;
+    for (const PieceInternal& internal : piece.internals) {
+        std::ranges::move(leftPart(internal, foldOf(piece)), std::back_inserter(internals));
+    }
+    piece.internals = std::move(internals);
     if (piece.cuttingLine.rows() > 0) {
         addCuttingLine(piece);
     }
@@ -166,6 +173,7 @@ Pattern asCut(Pattern whole) {
             piece.cuttingLine.resize(0, 2);
             piece.extensions.clear();
             piece.notches.clear();
+            piece.internals.clear();
         }
         piece.number = piece.outline.rows() > 0 ? ++number : 0;
     }

@@ -10,11 +10,13 @@
 #include "core/base/unique_names.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
+#include "core/geometry/segment.h"
 #include "core/pattern/dart_places.h"
 #include "core/pattern/drawn_outline.h"
 #include "core/pattern/extension.h"
 #include "core/pattern/facings.h"
 #include "core/pattern/half_pattern.h"
+#include "core/pattern/internal_lines.h"
 #include "core/pattern/notches.h"
 #include "core/pattern/outline_reference.h"
 #include "core/pattern/piece_allowance.h"
@@ -137,6 +139,42 @@ void addNotches(Pattern& pattern, const SeamGraph& graph,
     }
 }
 
+/// As they lie flat; what is straight has no points between.
+void addInternals(Pattern& pattern, const Garment& garment, const PieceResults& results,
+                  const std::vector<InternalLine>& lines) {
+    constexpr double kStraight = 1e-5;  // mm
+    for (InternalRun& run : findInternalRuns(garment, results, lines)) {
+        const auto i = static_cast<std::size_t>(run.piece);
+        PieceInternal added{.line = run.line,
+                            .name = lines[static_cast<std::size_t>(run.line)].name,
+                            .closed = run.closed,
+                            .way = std::move(run.way)};
+        if (i < results.size() && results[i] && results[i]->flat &&
+            results[i]->piece == garment.pieces[i]) {
+            std::vector<Eigen::RowVector2d> points;
+            for (const SurfacePoint& point : added.way) {
+                const Eigen::RowVector2d next =
+                    flatPositionOf(results[i]->flat->Q, results[i]->piece->mesh.F, point);
+                added.length += points.empty() ? 0 : (next - points.back()).norm();
+                const std::size_t n = points.size();
+                if (n > 1 &&
+                    geometry::distanceToSegment(points[n - 1], points[n - 2], next) < kStraight) {
+                    points.pop_back();
+                }
+                points.push_back(next);
+            }
+            if (added.closed) {
+                points.pop_back();
+            }
+            added.points.resize(static_cast<Eigen::Index>(points.size()), 2);
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                added.points.row(static_cast<Eigen::Index>(k)) = points[k];
+            }
+        }
+        pattern.pieces[i].internals.push_back(std::move(added));
+    }
+}
+
 }  // namespace
 
 Pattern makePattern(const Garment& garment, const PieceResults& results, const LineSettings& lines,
@@ -192,6 +230,7 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
     for (FacingPiece& facing : pattern.facings) {
         facing.strip.slug = slugs.free(slug(facing.strip.name), "-");
     }
+    addInternals(pattern, garment, results, lines.internalLines);
     pattern.symmetry = std::move(symmetry);
     return pattern;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/id.h"
+#include "core/cut/surface_point.h"
 #include "core/garment/seam.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/line_settings.h"
@@ -87,6 +88,18 @@ struct PieceNotch {
     NotchReason reason = NotchReason::Balance;
 };
 
+/// What of an internal line lies on a piece, or a drill point (findInternalRuns).
+struct PieceInternal {
+    int line = -1;  ///< index into LineSettings::internalLines
+    std::string name{};
+    /// In flat coordinates, one of a drill point, the first not repeated; empty: not flat.
+    Points2 points = Points2(0, 2);
+    bool closed = false;
+    double length = 0;  ///< along them, mm
+    /// On the mesh of the piece, with all that lies between; a closed one repeats its first point.
+    std::vector<SurfacePoint> way{};
+};
+
 /// What a piece mirrors in the pattern, as outlines are drawn (`Mirror`).
 struct DrawnMirror {
     /// It is its own image: row k of the outline mirrors row #n - k, modulo #n, and the mirror line
@@ -125,8 +138,9 @@ struct PatternPiece : Cutting {
     /// Round the outline, its extensions and their allowances, anti-clockwise; empty where there is
     /// none of these: the piece is cut along its outline then. Holes have none.
     Points2 cuttingLine = Points2(0, 2);
-    std::vector<Points2> extensions{};  ///< edges drawn out (`extensionEdges`), inside that
-    std::vector<PieceNotch> notches{};  ///< by `hole`, then `at`
+    std::vector<Points2> extensions{};       ///< edges drawn out (`extensionEdges`), inside that
+    std::vector<PieceNotch> notches{};       ///< by `hole`, then `at`
+    std::vector<PieceInternal> internals{};  ///< by `line`
     std::map<SeamId, DartSettings> saidOfDarts{};  ///< what a person has said of its darts
     int number = 0;  ///< from 1, of those that are drawn, in the garment's order; 0: not drawn
 };
@@ -160,7 +174,7 @@ struct Pattern {
 /// @param results  one per piece; null where there is none
 /// @param lines     by which they were drawn, and what is added to them
 /// @param symmetry  by which they were mirrored; null: by none
-/// Cost: that of `findSegments`, `findNotches` and `cuttingLine`. Pure.
+/// Cost: that of `findSegments`, `findNotches`, `findInternalRuns` and `cuttingLine`. Pure.
 Pattern makePattern(const Garment& garment, const PieceResults& results,
                     const LineSettings& lines = {}, std::shared_ptr<const Symmetry> symmetry = {});
 

@@ -8,6 +8,7 @@
 #include "core/geometry/segment.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/half_pattern.h"
+#include "core/pattern/internal_lines.h"
 #include "core/pattern/notch_mark.h"
 
 namespace toile {
@@ -73,6 +74,10 @@ std::vector<Points2> drawnOnCloth(const Pattern& pattern, const PatternPiece& pi
     std::vector<Points2> lines;
     for (const std::vector<Points2>& strokes : notchMarks(pattern, piece)) {
         lines.insert(lines.end(), strokes.begin(), strokes.end());
+    }
+    for (const PieceInternal& internal : piece.internals) {
+        const std::vector<Points2> drawn = drawnLines(internal);
+        lines.insert(lines.end(), drawn.begin(), drawn.end());
     }
     for (const PieceDart& dart :
          pattern.hasAllowance ? findDarts(piece) : std::vector<PieceDart>()) {

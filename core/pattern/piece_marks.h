@@ -59,8 +59,8 @@ struct PieceMarks {
     std::vector<SeamMark> seams{};
 };
 
-/// What is drawn on the cloth beside seam marks, label and grain line: notches and, where the
-/// pattern has allowances, the marks of darts.
+/// What is drawn on the cloth beside seam marks, label and grain line: notches, internal lines
+/// and, where the pattern has allowances, the marks of darts.
 std::vector<Points2> drawnOnCloth(const Pattern& pattern, const PatternPiece& piece);
 
 /// Places the marks of the seams (`seamMarks`), then the label (`placeLabel`) and the grain line

@@ -38,7 +38,7 @@ struct ProjectView {
     bool wireframe = false;
     bool referencePanels = false;
     bool exactOutline = false;
-    bool cuttingLine = true, notches = true, grain = true, labels = true;
+    bool cuttingLine = true, notches = true, internalLines = true, grain = true, labels = true;
 
     bool operator==(const ProjectView&) const = default;
 };

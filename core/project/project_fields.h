@@ -265,6 +265,7 @@ inline constexpr auto kView = [](auto& at, auto& view) {
     };
     layer("cuttingLine", view.cuttingLine);
     layer("notches", view.notches);
+    layer("internalLines", view.internalLines);
     layer("grain", view.grain);
     layer("labels", view.labels);
 };

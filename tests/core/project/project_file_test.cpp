@@ -80,7 +80,7 @@ public:
             project.labels[{random_() | 1U}] = {flag() ? text() : "", flag() ? upTo(100) : -1};
         }
         project.view = {
-            flag() ? "strain" : "", flag(), flag(), flag(), flag(), flag(), flag(), flag()};
+            flag() ? "strain" : "", flag(), flag(), flag(), flag(), flag(), flag(), flag(), flag()};
         return project;
     }
 
@@ -147,6 +147,14 @@ private:
                                          flag(),
                                          flag(),
                                          flag() ? std::optional(1 + upTo(1)) : std::nullopt});
+            }
+        }
+        for (int k = upTo(2); k > 0; --k) {
+            InternalLine& line = lines.internalLines.emplace_back();
+            line.name = text();
+            line.closed = flag();
+            for (int n = upTo(3); n >= 0; --n) {
+                line.points.emplace_back(number(1e6), -100.0 / 3, number(1));
             }
         }
         return lines;

@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pattern/internal_lines.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "core/cut/surface_paths.h"
+#include "core/garment/file_space.h"
+#include "core/geometry/buckets.h"
+#include "core/geometry/segment.h"
+#include "core/pattern/darts.h"
+#include "core/pattern/face_spans.h"
+
+namespace toile {
+namespace {
+
+/// mm: surfaces nearer to each other are told apart by the line's other points.
+constexpr double kOneSurface = 1;
+/// Weights below this are rounding: the point lies on the edge.
+constexpr double kNoWeight = 1e-9;
+/// Of the bounding box's diagonal: points this near to a plane lie in it.
+constexpr double kInPlane = 1e-9;
+
+/// A triangle of a piece of the garment.
+struct PieceFace {
+    int piece = -1, face = -1;
+};
+
+struct PlaceOnPiece {
+    int piece = -1;
+    SurfacePoint at;
+};
+
+/// What keeps the parts of one face of the file together; 0 of what is no part of it.
+int sourceKey(const Piece& piece, int face) {
+    const auto f = static_cast<std::size_t>(face);
+    return f < piece.sourceFace.size() ? std::max(piece.sourceFace[f], -1) + 1 : 0;
+}
+
+/// A piece before it was cut, and the triangles that it became. What is not asked for is not made.
+class WholePiece {
+public:
+    /// @param parts  indices of the pieces that it became
+    WholePiece(std::shared_ptr<const Piece> whole, const Garment& garment, std::vector<int> parts)
+        : whole_(std::move(whole)),
+          garment_(garment),
+          parts_(std::move(parts)),
+          isCut_(parts_.size() != 1 || garment.pieces[parts_.front()] != whole_) {
+        const Points3& V = whole_->mesh.V;
+        box_ = {V.colwise().minCoeff().transpose(), V.colwise().maxCoeff().transpose()};
+    }
+
+    const MeshArrays& mesh() const { return whole_->mesh; }
+    const Eigen::AlignedBox3d& box() const { return box_; }
+    double inPlane() const { return kInPlane * box_.diagonal().norm(); }
+
+    SurfacePoint nearest(const Eigen::Vector3d& point) {
+        if (!nearest_) {
+            nearest_.emplace(whole_->mesh);
+        }
+        SurfacePoint found = nearest_->find(point);
+        for (double& weight : found.barycentric) {
+            weight = weight < kNoWeight ? 0 : weight;
+        }
+        found.barycentric /= found.barycentric.sum();
+        return found;
+    }
+
+    /// Neighbours, for paths.
+    const SurfaceLinks& links() {
+        if (!links_) {
+            links_.emplace(whole_->mesh, whole_->table);
+        }
+        return *links_;
+    }
+
+    /// Triangles that a triangle has become, or that others of the same face have.
+    std::vector<PieceFace> partsOf(int face) {
+        if (!isCut_) {
+            return {{parts_.front(), face}};
+        }
+        if (partFaces_.keyCount() == 0) {
+            findParts();
+        }
+        const int key = sourceKey(*whole_, face);
+        const auto faces =
+            key < partFaces_.keyCount() ? partFaces_[key] : decltype(partFaces_[0]){};
+        return {faces.begin(), faces.end()};
+    }
+
+    /// Where a point is on the pieces: on both sides of a cut.
+    std::vector<PlaceOnPiece> placesOf(const SurfacePoint& point) {
+        const Eigen::Vector3d position = positionOf(mesh(), point);
+        std::vector<PlaceOnPiece> places;
+        for (const int around : links().facesOf(links().carrierOf(point))) {
+            for (const PieceFace& part : partsOf(around)) {
+                const MeshArrays& there = garment_.pieces[part.piece]->mesh;
+                const auto weights = weightsIn(there, part.face, position, inPlane());
+                if (weights && weights->minCoeff() > -kSameWeight) {
+                    const Eigen::Vector3d inside = weights->cwiseMax(0.0);
+                    places.push_back({part.piece, {part.face, inside / inside.sum()}});
+                }
+            }
+        }
+        return places;
+    }
+
+private:
+    void findParts() {
+        int keys = 1;
+        const auto forEach = [&](auto&& use) {
+            for (const int p : parts_) {
+                for (int f = 0; f < garment_.pieces[p]->mesh.F.rows(); ++f) {
+                    use(sourceKey(*garment_.pieces[p], f), PieceFace{p, f});
+                }
+            }
+        };
+        forEach([&keys](int key, const PieceFace&) { keys = std::max(keys, key + 1); });
+        partFaces_ = geometry::Buckets<PieceFace>(keys, forEach);
+    }
+
+    std::shared_ptr<const Piece> whole_;
+    const Garment& garment_;
+    std::vector<int> parts_;
+    bool isCut_;
+    Eigen::AlignedBox3d box_;
+    std::optional<SurfaceLinks> links_;
+    std::optional<NearestSurface> nearest_;
+    geometry::Buckets<PieceFace> partFaces_;  ///< by `sourceKey`
+};
+
+struct Home {
+    WholePiece* whole = nullptr;
+    SurfacePoint at;
+};
+
+/// The pieces of the garment, by what they were before cuts.
+std::vector<std::unique_ptr<WholePiece>> wholePieces(const Garment& garment) {
+    std::map<PieceId, int> indexOf;
+    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+        indexOf.emplace(garment.pieces[p]->id, static_cast<int>(p));
+    }
+    std::vector<std::shared_ptr<const Piece>> wholeOf(garment.pieces);
+    for (const CutRecord& record : garment.cutRecords) {
+        for (const auto& part : record.pieces) {
+            if (const auto found = indexOf.find(part->id); found != indexOf.end()) {
+                wholeOf[static_cast<std::size_t>(found->second)] = record.whole;
+            }
+        }
+    }
+    std::vector<std::unique_ptr<WholePiece>> wholes;
+    std::vector<bool> isDone(wholeOf.size());
+    for (std::size_t p = 0; p < wholeOf.size(); ++p) {
+        std::vector<int> parts;
+        for (std::size_t k = p; k < wholeOf.size(); ++k) {
+            if (!isDone[k] && wholeOf[k] == wholeOf[p]) {
+                isDone[k] = true;
+                parts.push_back(static_cast<int>(k));
+            }
+        }
+        const MeshArrays& mesh = wholeOf[p]->mesh;
+        if (!parts.empty() && mesh.F.rows() > 0 && mesh.V.allFinite()) {
+            wholes.push_back(std::make_unique<WholePiece>(wholeOf[p], garment, parts));
+        }
+    }
+    return wholes;
+}
+
+/// The whole piece and the place on it of each point of a line; none for those far from all.
+std::vector<Home> homesOf(const std::vector<std::unique_ptr<WholePiece>>& wholes,
+                          const std::vector<Eigen::Vector3d>& points, double reach) {
+    constexpr double kNowhere = std::numeric_limits<double>::infinity();
+    std::vector<std::vector<std::pair<double, SurfacePoint>>> found(wholes.size());
+    std::vector<double> least(points.size(), kNowhere), sum(wholes.size(), 0);
+    for (std::size_t w = 0; w < wholes.size(); ++w) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            double distance = wholes[w]->box().exteriorDistance(points[i]);
+            SurfacePoint at;
+            if (distance <= reach) {
+                at = wholes[w]->nearest(points[i]);
+                distance = (positionOf(wholes[w]->mesh(), at) - points[i]).norm();
+            }
+            least[i] = std::min(least[i], distance);
+            sum[w] += distance;
+            found[w].emplace_back(distance, at);
+        }
+    }
+    std::vector<Home> homes(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        double best = kNowhere;
+        for (std::size_t w = 0; w < wholes.size(); ++w) {
+            const auto& [distance, at] = found[w][i];
+            if (distance <= std::min(reach, least[i] + kOneSurface) && sum[w] < best) {
+                best = sum[w];
+                homes[i] = {wholes[w].get(), at};
+            }
+        }
+    }
+    return homes;
+}
+
+/// Puts one line together from its legs.
+class RunBuilder {
+public:
+    RunBuilder(const Garment& garment, const PieceResults& results, int line)
+        : garment_(garment), results_(results), line_(line) {}
+
+    void drill(const Home& home) {
+        const auto places = home.whole->placesOf(home.at);
+        if (!places.empty()) {
+            append(places.front().piece, {places.front().at});
+        }
+    }
+
+    void join(const Home& a, const Home& b) {
+        if (!a.whole || a.whole != b.whole) {
+            runIsOver_ = true;
+            return;
+        }
+        if (!joinStraight(a, b)) {
+            joinAlongSurface(*a.whole, a.at, b.at);
+        }
+    }
+
+    /// @param closed  the last leg leads back to where the first begins
+    std::vector<InternalRun> take(bool closed) {
+        if (closed && !runs_.empty() && meet(runs_.back(), runs_.front())) {
+            if (runs_.size() == 1) {
+                runs_.front().closed = true;
+            } else {
+                InternalRun last = std::move(runs_.back());
+                runs_.pop_back();
+                std::vector<SurfacePoint>& first = runs_.front().way;
+                last.way.insert(last.way.end(), first.begin() + 1, first.end());
+                first = std::move(last.way);
+            }
+        }
+        return std::move(runs_);
+    }
+
+private:
+    const Triangles& facesOf(int piece) const { return garment_.pieces[piece]->mesh.F; }
+
+    bool meet(const InternalRun& before, const InternalRun& after) const {
+        return before.piece == after.piece && before.way.size() > 1 && after.way.size() > 1 &&
+               isOnePlace(facesOf(before.piece), before.way.back(), after.way.front());
+    }
+
+    bool goesOn(int piece, const SurfacePoint& from) const {
+        return !runIsOver_ && !runs_.empty() && runs_.back().piece == piece &&
+               isOnePlace(facesOf(piece), runs_.back().way.back(), from);
+    }
+
+    void append(int piece, const std::vector<SurfacePoint>& way) {
+        if (!goesOn(piece, way.front())) {
+            runs_.push_back({line_, piece, false, {way.front()}});
+            runIsOver_ = false;
+        }
+        std::vector<SurfacePoint>& run = runs_.back().way;
+        run.insert(run.end(), way.begin() + 1, way.end());
+    }
+
+    bool joinStraight(const Home& a, const Home& b) {
+        const auto from = a.whole->placesOf(a.at), to = b.whole->placesOf(b.at);
+        std::optional<std::pair<int, std::vector<SurfacePoint>>> found;
+        for (const PlaceOnPiece& begin : from) {
+            const auto i = static_cast<std::size_t>(begin.piece);
+            const PieceResult* result = i < results_.size() ? results_[i].get() : nullptr;
+            if (!result || !result->flat || result->piece != garment_.pieces[i]) {
+                continue;
+            }
+            for (const PlaceOnPiece& end : to) {
+                // On from where the line is, if it can be: not on the other side of a cut.
+                if (end.piece != begin.piece || (found && !goesOn(begin.piece, begin.at))) {
+                    continue;
+                }
+                if (auto way =
+                        straightWay(result->flat->Q, facesOf(begin.piece), begin.at, end.at)) {
+                    found.emplace(begin.piece, std::move(*way));
+                    if (goesOn(begin.piece, begin.at)) {
+                        append(found->first, found->second);
+                        return true;
+                    }
+                }
+            }
+        }
+        if (found) {
+            append(found->first, found->second);
+        }
+        return found.has_value();
+    }
+
+    void joinAlongSurface(WholePiece& whole, const SurfacePoint& from, const SurfacePoint& to) {
+        const auto path = geodesicPath(whole.links(), from, to);
+        if (!path) {
+            runIsOver_ = true;
+            return;
+        }
+        for (std::size_t i = 1; i < path->points.size(); ++i) {
+            const SurfacePoint &a = path->points[i - 1], &b = path->points[i];
+            addStep(whole, whole.links().commonFace(a, b), positionOf(whole.mesh(), a),
+                    positionOf(whole.mesh(), b));
+        }
+    }
+
+    /// A straight step within a triangle, over the triangles that this has become.
+    void addStep(WholePiece& whole, int face, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+        std::vector<std::pair<int, FaceSpan>> spans;
+        for (const PieceFace& part : face < 0 ? std::vector<PieceFace>() : whole.partsOf(face)) {
+            const MeshArrays& mesh = garment_.pieces[part.piece]->mesh;
+            const auto start = weightsIn(mesh, part.face, a, whole.inPlane());
+            const auto end = weightsIn(mesh, part.face, b, whole.inPlane());
+            if (start && end) {
+                if (const auto span = spanIn(part.face, *start, *end)) {
+                    spans.emplace_back(part.piece, *span);
+                }
+            }
+        }
+        constexpr double kRest = 1e-9;  // of the step
+        double at = 0;
+        while (at < 1 - kRest) {
+            const std::pair<int, FaceSpan>* next = nullptr;
+            std::pair<bool, double> best{false, at + kRest};
+            double gap = 1;
+            for (const auto& span : spans) {
+                const FaceSpan& there = span.second;
+                if (there.from > at + kRest) {
+                    gap = std::min(gap, there.from);
+                    continue;
+                }
+                const std::pair<bool, double> rank{goesOn(span.first, there.at(at)), there.to};
+                if (there.to > at + kRest && rank > best) {
+                    best = rank;
+                    next = &span;
+                }
+            }
+            if (next) {
+                append(next->first, {next->second.at(at), next->second.at(next->second.to)});
+            }
+            at = next ? next->second.to : gap;
+        }
+    }
+
+    const Garment& garment_;
+    const PieceResults& results_;
+    int line_;
+    std::vector<InternalRun> runs_;
+    bool runIsOver_ = false;
+};
+
+}  // namespace
+
+std::vector<InternalRun> findInternalRuns(const Garment& garment, const PieceResults& results,
+                                          const std::vector<InternalLine>& lines) {
+    std::vector<InternalRun> runs;
+    if (lines.empty()) {
+        return runs;
+    }
+    const auto wholes = wholePieces(garment);
+    Eigen::AlignedBox3d box;
+    for (const auto& whole : wholes) {
+        box.extend(whole->box());
+    }
+    const double reach = box.isEmpty() ? 0 : kFarFromCloth * box.diagonal().norm();
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const std::vector<Eigen::Vector3d> points = inPieceSpace(lines[k].points, garment);
+        if (!std::ranges::all_of(points, [](const auto& p) { return p.allFinite(); })) {
+            continue;
+        }
+        const std::vector<Home> homes = homesOf(wholes, points, reach);
+        RunBuilder builder(garment, results, static_cast<int>(k));
+        const bool closed = lines[k].closed && homes.size() > 2;
+        if (homes.size() == 1 && homes.front().whole) {
+            builder.drill(homes.front());
+        }
+        for (std::size_t i = 1; i < homes.size() + (closed ? 1 : 0); ++i) {
+            builder.join(homes[i - 1], homes[i % homes.size()]);
+        }
+        for (InternalRun& run : builder.take(closed)) {
+            runs.push_back(std::move(run));
+        }
+    }
+    return runs;
+}
+
+std::vector<PieceInternal> leftPart(const PieceInternal& internal, const Chord& chord) {
+    const Eigen::RowVector2d from = chord.from.transpose();
+    const Eigen::RowVector2d along = (chord.to - chord.from).transpose().normalized();
+    constexpr double kOnChord = 1e-6;  // mm
+    const Points2& points = internal.points;
+    const auto side = [&](Eigen::Index k) {
+        return geometry::cross(along, points.row(k) - from) + kOnChord;
+    };
+    const Eigen::Index n = points.rows();
+    PieceInternal part{.line = internal.line, .name = internal.name};
+    if (n == 0 || (n == 1 && side(0) < 0)) {
+        return {};
+    }
+    bool isAllLeft = true;
+    Eigen::Index start = 0;  // of a closed line: where it comes over
+    for (Eigen::Index k = 0; k < n; ++k) {
+        isAllLeft = isAllLeft && side(k) >= 0;
+        if (internal.closed && side(k) < 0) {
+            start = k;
+        }
+    }
+    if (isAllLeft) {
+        part.points = points;
+        part.closed = internal.closed;
+        part.length = internal.length;
+        return {part};
+    }
+    std::vector<PieceInternal> parts;
+    std::vector<Eigen::RowVector2d> open;
+    const auto finish = [&] {
+        if (open.size() > 1) {
+            part.points.resize(static_cast<Eigen::Index>(open.size()), 2);
+            part.length = 0;
+            for (std::size_t k = 0; k < open.size(); ++k) {
+                part.points.row(static_cast<Eigen::Index>(k)) = open[k];
+                part.length += k > 0 ? (open[k] - open[k - 1]).norm() : 0;
+            }
+            parts.push_back(part);
+        }
+        open.clear();
+    };
+    const Eigen::Index steps = internal.closed ? n : n - 1;
+    for (Eigen::Index k = 0; k < steps; ++k) {
+        const Eigen::Index here = (start + k) % n, there = (start + k + 1) % n;
+        const double a = side(here), b = side(there);
+        const auto crossing = [&]() -> Eigen::RowVector2d {
+            return points.row(here) + a / (a - b) * (points.row(there) - points.row(here));
+        };
+        if (a >= 0 && open.empty()) {
+            open.emplace_back(points.row(here));
+        }
+        if (a < 0 && b >= 0) {
+            open.emplace_back(crossing());
+        }
+        if (a >= 0 && b < 0) {
+            open.push_back(crossing());
+            finish();
+        } else if (b >= 0) {
+            open.emplace_back(points.row(there));
+        }
+    }
+    finish();
+    return parts;
+}
+
+std::vector<Points2> drawnLines(const PieceInternal& internal) {
+    const Eigen::Index n = internal.points.rows();
+    if (n == 0) {
+        return {};
+    }
+    if (n > 1) {
+        Points2 line(n + (internal.closed ? 1 : 0), 2);
+        line << internal.points, internal.points.topRows(line.rows() - n);
+        return {line};
+    }
+    const Eigen::RowVector2d at = internal.points.row(0);
+    std::vector<Points2> lines{drillCircle(at.transpose())};
+    for (int axis = 0; axis < 2; ++axis) {
+        const Eigen::RowVector2d half = kDrillRadius * Eigen::RowVector2d::Unit(axis);
+        Points2& stroke = lines.emplace_back(2, 2);
+        stroke << at - half, at + half;
+    }
+    return lines;
+}
+
+}  // namespace toile
