@@ -80,11 +80,7 @@ bool isSewnSeam(Workspace& on) {
 }
 
 bool isFlatSeam(Workspace& on) {
-    const auto isFlat = [&on](int piece) {
-        const PieceResults& results = on.document().results();
-        const auto at = static_cast<std::size_t>(piece);
-        return at < results.size() && results[at] && results[at]->flat;
-    };
+    const auto isFlat = [&on](int piece) { return on.document().patternPiece(piece) != nullptr; };
     const Seam* seam = isSewnSeam(on) ? selectedSeam(on) : nullptr;
     return seam && isFlat(seam->left.piece) && isFlat(seam->right.piece);
 }

@@ -139,7 +139,6 @@ QWidget* SeamsPanel::makeHead(const ActionRegistry& actions) {
     walk->setObjectName("walkSeam");
     walk->setDefaultAction(&actions[ActionId::WalkSeam]);
     walk->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    walk->setAutoRaise(true);
     row->addWidget(summary_, 1);
     row->addWidget(walk);
     row->addWidget(free_);

@@ -19,7 +19,7 @@ namespace toile::app {
 namespace {
 
 /// Room for the bar at the foot, logical pixels.
-constexpr double kWalkBar = 50;
+constexpr double kWalkBar = 110;
 
 }  // namespace
 

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kSliderSteps = 1000;
 constexpr int kAirAround = 12;
+constexpr int kLeastFill = 238;  ///< of 255: what is written below must not be read
 
 /// A slider that goes to where its groove is pressed, whatever the desktop's habit, and can be
 /// dragged on from there.
@@ -62,6 +63,7 @@ PlayBar::PlayBar(QWidget& view, const QString& name, int milliseconds, Room room
       animation_(new QVariantAnimation(this)) {
     setObjectName(name + "Bar");
     setCursor(Qt::ArrowCursor);
+    setAttribute(Qt::WA_NoMousePropagation);  // a click beside the slider is not meant for the view
     slider_->setObjectName(name + "Slider");
     slider_->setRange(0, kSliderSteps);
     slider_->setSingleStep(kSliderSteps / 50);
@@ -122,7 +124,7 @@ void PlayBar::place() {
     const int width = std::min(room_.width, view_.width() - room_.left - kAirAround);
     const int height = sizeHint().height();
     const int left = std::max(room_.left, (view_.width() - width) / 2);
-    setGeometry(left, view_.height() - height - kAirAround, width, height);
+    setGeometry(left, view_.height() - height - room_.foot, width, height);
 }
 
 bool PlayBar::eventFilter(QObject* watched, QEvent* event) {
@@ -136,7 +138,9 @@ void PlayBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(renderStyle(palette()).labelFill);
+    QColor fill = renderStyle(palette()).labelFill;
+    fill.setAlpha(std::max(fill.alpha(), kLeastFill));
+    painter.setBrush(fill);
     painter.drawRoundedRect(rect(), 7, 7);
 }
 

@@ -26,9 +26,9 @@ signals:
     void moved(double share);
 
 protected:
-    /// Logical pixels. @param left  at least so far from the view's left edge
+    /// Logical pixels: at least so far from the view's left edge, so wide, so far above its foot.
     struct Room {
-        int left = 12, width = 300;
+        int left = 12, width = 300, foot = 12;
     };
 
     /// @param view  where it lies; owns it

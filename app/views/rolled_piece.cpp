@@ -42,15 +42,15 @@ Points2 walkedPart(const DrawnLoop& loop, double from, double to) {
 }  // namespace
 
 std::optional<RolledPiece> RolledPiece::of(const Document& document, int seam) {
-    const auto& garment = document.garment();
-    const auto& pattern = document.derived().pattern;
-    if (!garment || !pattern || seam < 0 || seam >= document.seamCount() ||
-        pattern->pieces.size() != garment->pieces.size()) {
+    if (seam < 0 || seam >= document.seamCount()) {
         return std::nullopt;
     }
-    const Seam& of = garment->seams.seams[static_cast<std::size_t>(seam)];
+    const Seam& of = document.garment()->seams.seams[static_cast<std::size_t>(seam)];
     DrawnLoops loops(document.results());
-    if (of.matches.empty() || !loops.isFlat(of.left) || !loops.isFlat(of.right)) {
+    const auto isFlat = [&](const SeamSide& side) {
+        return document.patternPiece(side.piece) && loops.isFlat(side);
+    };
+    if (of.matches.empty() || !isFlat(of.left) || !isFlat(of.right)) {
         return std::nullopt;
     }
     return RolledPiece(document, seam, {of, loops});

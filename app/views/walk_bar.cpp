@@ -22,7 +22,10 @@ namespace toile::app {
 namespace {
 
 constexpr int kWalkMilliseconds = 6000;
-constexpr int kWalkWidth = 460;
+constexpr int kWalkWidth = 420, kAirBesideText = 16;
+/// Above the scale bar.
+constexpr int kAboveFoot = 50;
+constexpr auto kBetween = " · ";
 
 constexpr DocumentChanges kWalkChanges = DocumentChange::Opened | DocumentChange::Garment |
                                          DocumentChange::Results | DocumentChange::Seams |
@@ -35,8 +38,19 @@ bool isEscape(const QEvent& event) {
 
 }  // namespace
 
+QString WalkBar::notchText(const std::vector<double>& notches, double share) {
+    const auto passed = std::ranges::count_if(notches, [&](double at) { return at <= share; });
+    if (passed == 0) {
+        return tr("before notch 1 of %1").arg(notches.size());
+    }
+    const bool isThere = notches[static_cast<std::size_t>(passed - 1)] == share;
+    return (isThere ? tr("at notch %1 of %2") : tr("past notch %1 of %2"))
+        .arg(passed)
+        .arg(notches.size());
+}
+
 WalkBar::WalkBar(Document& document, PatternView& pattern, GarmentView& garment)
-    : PlayBar(pattern, "walk", kWalkMilliseconds, {.width = kWalkWidth}),
+    : PlayBar(pattern, "walk", kWalkMilliseconds, {.width = kWalkWidth, .foot = kAboveFoot}),
       document_(document),
       pattern_(pattern),
       garment_(garment),
@@ -83,11 +97,12 @@ WalkBar::~WalkBar() = default;
 void WalkBar::begin() {
     rewind();
     rolled_ = nullptr;
+    place();
     follow();
     if (rolled_) {
         pattern_.frameRolled();
+        place();  // as high as what is written now
         setVisible(true);
-        place();
         raise();
         slider().setFocus();
     }
@@ -145,15 +160,16 @@ QString WalkBar::reading() const {
             ? tr("%1 on itself").arg(rolling)
             : tr("%1 on %2").arg(rolling, QString::fromStdString(rolled_->lying().name)),
         tr("%1 of %2").arg(lengthNumber(walked.left), lengthWithUnit(rolled_->whole().left))};
-    if (const auto& notches = rolled_->notches(); !notches.empty()) {
-        const auto passed =
-            std::ranges::count_if(notches, [&](double at) { return at <= rolled_->share(); });
-        parts << tr("notch %1 of %2").arg(passed).arg(notches.size());
+    const QString way = reading_->fontMetrics().elidedText(parts.join(kBetween), Qt::ElideMiddle,
+                                                           width() - kAirBesideText);
+    parts.clear();
+    if (!rolled_->notches().empty()) {
+        parts << notchText(rolled_->notches(), rolled_->share());
     }
     parts << tr("difference %1 %2 (ease %3)")
                  .arg(signedFineLength(walked.left - walked.right), lengthUnit(),
                       signedFineLength(walked.ease));
-    return parts.join(" · ");
+    return way + '\n' + parts.join(kBetween);
 }
 
 bool WalkBar::eventFilter(QObject* watched, QEvent* event) {
@@ -166,6 +182,13 @@ bool WalkBar::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     return PlayBar::eventFilter(watched, event);
+}
+
+void WalkBar::resizeEvent(QResizeEvent* event) {
+    PlayBar::resizeEvent(event);
+    if (rolled_) {
+        showNow();
+    }
 }
 
 bool WalkBar::event(QEvent* event) {

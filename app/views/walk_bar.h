@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "app/views/play_bar.h"
 
@@ -32,13 +33,16 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     /// The selected seam, as it is now.
     void follow();
     void roll(double share);
     void showNow();
+    /// In two lines.
     QString reading() const;
+    static QString notchText(const std::vector<double>& notches, double share);
 
     Document& document_;
     PatternView& pattern_;

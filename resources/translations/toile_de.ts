@@ -3625,6 +3625,14 @@
         <source>&amp;Seam lines</source>
         <translation>&amp;Nahtlinien</translation>
     </message>
+    <message>
+        <source>Walk the s&amp;eam</source>
+        <translation>Naht ablau&amp;fen</translation>
+    </message>
+    <message>
+        <source>Roll one piece along the selected seam of the other, and see whether both sides and their notches meet</source>
+        <translation>Ein Schnittteil an der ausgewählten Naht des anderen abrollen und sehen, ob beide Seiten und ihre Knipse zusammentreffen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -4606,10 +4614,6 @@
         <translation>Zeigt, was das Abwickeln tut: links das Kleidungsstück, rechts flach</translation>
     </message>
     <message>
-        <source>Play</source>
-        <translation>Abspielen</translation>
-    </message>
-    <message>
         <source>Play the way from the garment to the pattern and back</source>
         <translation>Den Weg vom Kleidungsstück zum Schnittmuster und zurück abspielen</translation>
     </message>
@@ -4903,6 +4907,13 @@
     <message>
         <source>Pieces to cut</source>
         <translation>Zu schneiden</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::PlayBar</name>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
     </message>
 </context>
 <context>
@@ -5689,6 +5700,57 @@
     </message>
 </context>
 <context>
+    <name>toile::app::WalkBar</name>
+    <message>
+        <source>Along the seam</source>
+        <translation>Entlang der Naht</translation>
+    </message>
+    <message>
+        <source>Rolls one piece along the seam of the other</source>
+        <translation>Rollt ein Schnittteil an der Naht des anderen ab</translation>
+    </message>
+    <message>
+        <source>Play the walk along the seam and back</source>
+        <translation>Den Weg entlang der Naht und zurück abspielen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>End the walk (Esc)</source>
+        <translation>Das Ablaufen der Naht beenden (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 on itself</source>
+        <translation>%1 an sich selbst</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 an %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>difference %1 %2 (ease %3)</source>
+        <translation>Unterschied %1 %2 (Einhalteweite %3)</translation>
+    </message>
+    <message>
+        <source>before notch 1 of %1</source>
+        <translation>vor Knips 1 von %1</translation>
+    </message>
+    <message>
+        <source>at notch %1 of %2</source>
+        <translation>an Knips %1 von %2</translation>
+    </message>
+    <message>
+        <source>past notch %1 of %2</source>
+        <translation>nach Knips %1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::WelcomePage</name>
     <message>
         <source>Open a garment…</source>
@@ -5892,6 +5954,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Cut on one side alone: no mirror plane is known.</source>
         <translation>Nur auf einer Seite geschnitten: eine Spiegelebene ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Mirror image of a cut</source>
+        <translation>Spiegelbild eines Einschnitts</translation>
     </message>
 </context>
 </TS>

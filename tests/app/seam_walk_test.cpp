@@ -88,6 +88,7 @@ private slots:
         QVERIFY(reading().startsWith("sleeve_left on front · "));
         const QImage before = fixture_.patternPicture();
         const double middle = slider().height() / 2.0;
+        QVERIFY(reading().contains("before notch 1 of "));
         test::drag(slider(), {5, middle}, {slider().width() + 50.0, middle});
         QCOMPARE(view().rolled()->share(), 1.0);
         QVERIFY(gapAt(1) < 1e-9);
@@ -110,9 +111,10 @@ private slots:
         QVERIFY(!notches.empty());
         slider().setValue(qRound(notches[0] * slider().maximum()));
         QCOMPARE(view().rolled()->share(), notches[0]);
-        QVERIFY(reading().contains(QString("notch 1 of %1").arg(notches.size())));
+        QVERIFY(reading().contains(QString("at notch 1 of %1").arg(notches.size())));
         QTest::keyClick(&slider(), Qt::Key_Left);
         QVERIFY(view().rolled()->share() < notches[0]);
+        QVERIFY(reading().contains(QString("before notch 1 of %1").arg(notches.size())));
     }
 
     void escapeInTheViewEndsItAndKeepsTheSelection() {
