@@ -209,6 +209,19 @@ void addPatternOptions(CLI::App& command, StatedOptions& stated) {
               "strains the cloth much less [unset: no grain line is drawn]");
 }
 
+/// What stands on all labels.
+void addLabelOptions(CLI::App& command, StatedOptions& stated) {
+    const auto addText = [&command](const char* option, std::optional<std::string>& text,
+                                    const std::string& help) {
+        command
+            .add_option_function<std::string>(
+                option, [&text](const std::string& typed) { text = typed; }, help)
+            ->type_name("TEXT");
+    };
+    addText("--size", stated.size, "The size that the labels of all pieces name [none]");
+    addText("--date", stated.date, "The date that the labels of all pieces name [none]");
+}
+
 void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App& flatten = addCommand(app, arguments, Arguments::Command::Flatten, "flatten",
                                    "Flatten every piece of a garment");
@@ -221,6 +234,7 @@ void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     addMethodOptions(flatten, arguments.stated);
     addLineOptions(flatten, arguments.stated);
     addPatternOptions(flatten, arguments.stated);
+    addLabelOptions(flatten, arguments.stated);
     flatten.add_flag("--half", arguments.stated.byHalf,
                      "Draw only half of what is symmetric, to be cut on the fold, and one of two "
                      "that mirror each other, to be cut as a pair; asks for --mirror auto");
@@ -458,6 +472,8 @@ LineSettings StatedOptions::over(LineSettings lines) const {
     }
     lines.mirror = mirror.value_or(lines.mirror);
     lines.grain = grain ? grain : lines.grain;
+    lines.label.size = size.value_or(lines.label.size);
+    lines.label.date = date.value_or(lines.label.date);
     if (allowance || hem) {
         const AllowanceWidths before = lines.allowance.value_or(AllowanceWidths{});
         lines.allowance = {allowance.value_or(before.seam), hem.value_or(before.hem)};

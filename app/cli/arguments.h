@@ -29,7 +29,8 @@ struct StatedOptions {
     std::optional<double> allowance{}, hem{};  ///< AllowanceWidths; mm
     std::optional<bool> notches{};             ///< placed by themselves, or none
     std::optional<GrainRule> grain{};
-    bool pattern = false;  ///< `withPattern`
+    bool pattern = false;                       ///< `withPattern`
+    std::optional<std::string> size{}, date{};  ///< LabelTexts
 
     /// These options where something was typed, the given ones else.
     FlattenOptions over(FlattenOptions options) const;

@@ -64,6 +64,7 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     plan.pattern = std::make_shared<const Pattern>(makePattern(
         *plan.garment, plan.results, plan.lines, symmetryOf(*plan.garment, plan.lines)));
     plan.fabric = arguments.fabric.value_or(plan.fabric);
+    plan.materials = arguments.project ? arguments.project->materials : MaterialList{};
     plan.settings = settingsOf(arguments, *plan.garment, plan.results);
     const Readiness readiness = readyToCut(plan, progress);
     if (arguments.json) {

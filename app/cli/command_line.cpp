@@ -140,7 +140,10 @@ LaidOutPattern laidOutAsStated(const Arguments& arguments, const Garment& garmen
     for (PieceSettings& piece : settings) {
         piece.byHalf = piece.byHalf || arguments.stated.byHalf;
     }
-    return layOut(garment, results, settings, arguments.project->labels, arguments.lines, symmetry);
+    LaidOutPattern laid =
+        layOut(garment, results, settings, arguments.project->labels, arguments.lines, symmetry);
+    laid.pattern.materials = arguments.project->materials;
+    return laid;
 }
 
 }  // namespace
@@ -149,9 +152,13 @@ LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
                        const PieceResults& results) {
     LaidOutPattern laid = laidOutAsStated(arguments, garment, results);
     if (arguments.lines.grain) {
-        const auto grains =
-            findGrains(garment, results, laid.pattern.symmetry.get(), *arguments.lines.grain,
-                       arguments.fabric.value_or(fabricPresets().front()));
+        const Fabric own = arguments.fabric.value_or(fabricPresets().front());
+        std::vector<Fabric> fabrics;
+        for (const PatternPiece& piece : laid.pattern.pieces) {
+            fabrics.push_back(fabricOf(piece.material, laid.pattern.materials, own));
+        }
+        const auto grains = findGrains(garment, results, laid.pattern.symmetry.get(),
+                                       *arguments.lines.grain, fabrics);
         for (std::size_t p = 0; p < grains.size(); ++p) {
             std::optional<double>& grain = laid.pattern.pieces[p].grain;
             grain = grain ? grain : grains[p];

@@ -145,7 +145,9 @@ void CompareWindow::refresh() {
 PictureLook CompareWindow::look() const {
     PictureLook look;
     look.view = document_.view();
-    look.fabric = document_.fabric();
+    const int piece = comparison_.piece();
+    look.fabric = piece >= 0 && piece < document_.pieceCount() ? document_.fabricOf(piece)
+                                                               : document_.fabric();
     if (!isMeasured(look.view.overlay)) {
         look.view.overlay = Overlay::Strain;  // the flat checkerboard is the same by any method
     }

@@ -184,7 +184,8 @@ DocumentChanges Document::differences(const DocumentState& before) const {
     what.setFlag(DocumentChange::Loading, !(state_.inputs == before.inputs));
     what.setFlag(DocumentChange::Options,
                  !(state_.options == before.options) || state_.lines != before.lines);
-    what.setFlag(DocumentChange::Fabric, !(state_.fabric == before.fabric));
+    what.setFlag(DocumentChange::Fabric,
+                 !(state_.fabric == before.fabric) || state_.materials != before.materials);
     what.setFlag(DocumentChange::Settings,
                  state_.settings != before.settings || state_.labels != before.labels);
     return what;
@@ -273,6 +274,11 @@ void Document::setOptions(const FlattenOptions& options, const QString& text) {
         ++revision_;
         emit changed(DocumentChange::Options);
     }
+}
+
+const Fabric& Document::fabricOf(int piece) const {
+    return toile::fabricOf(settings_[static_cast<std::size_t>(piece)].material, state_.materials,
+                           state_.fabric);
 }
 
 void Document::setLines(LineSettings lines, const QString& text, int gesture) {

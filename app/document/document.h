@@ -54,6 +54,8 @@ public:
     const LoadOptions& loading() const { return state_.inputs.loading; }
     const FlattenOptions& options() const { return state_.options; }
     const Fabric& fabric() const { return state_.fabric; }
+    /// What a piece is cut from: that of its material, or the garment's own.
+    const Fabric& fabricOf(int piece) const;
     /// One per piece.
     const std::vector<PieceSettings>& settings() const { return settings_; }
     /// Numbers of the pieces' colours, and of one.

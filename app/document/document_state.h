@@ -26,6 +26,7 @@ struct DocumentState {
     FlattenOptions options{};  ///< how pieces are to be flattened
     LineSettings lines{};      ///< and how their outlines are drawn
     Fabric fabric = fabricPresets().front();
+    MaterialList materials{};  ///< of the pieces that are cut from another fabric
     SettingsById settings{};
     PieceLabels labels{};
 

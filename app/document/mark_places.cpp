@@ -5,6 +5,7 @@
 
 #include "app/document/document.h"
 #include "app/document/layout.h"
+#include "core/base/characters.h"
 #include "core/pattern/pattern.h"
 
 namespace toile::app {
@@ -19,9 +20,11 @@ const PieceMarks& MarkPlaces::of(const Document& document, int piece, const Draw
     const std::shared_ptr<const Pattern>& pattern = document.derived().pattern;
     const PieceSettings& settings = document.settings()[at];
     const Placement placement = placementOf(document, piece);
+    LabelFacts facts = factsOf(*pattern, *flat);
+    facts.material = shownText(settings.material, kMaxLabelText);
     std::vector<std::string> lines =
         labelLines(nameOf(document.state().labels, *document.garment()->pieces[at]), settings,
-                   placement.mirrored, words, CutAs::Whole, factsOf(*pattern, *flat));
+                   placement.mirrored, words, CutAs::Whole, facts);
     const double grain = grainOf(settings);
     entries_.resize(static_cast<std::size_t>(document.pieceCount()));
     Entry& entry = entries_[at];

@@ -6,6 +6,7 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
+#include "core/pattern/piece_marks.h"
 
 namespace toile::app {
 
@@ -60,6 +61,34 @@ void setMirroredPair(Document& document, const std::vector<int>& pieces, bool is
         editSettings(document, text.arg(nameOf(document, there)), there,
                      [isPair](int, PieceSettings& settings) { settings.mirroredPair = isPair; });
     }
+}
+
+QStringList proposedMaterials() {
+    return {tr("Shell"), tr("Lining"), tr("Interfacing")};
+}
+
+void setMaterial(Document& document, const std::vector<int>& pieces, const QString& material) {
+    const std::vector<int> there = inGarment(document, pieces);
+    if (there.empty()) {
+        return;
+    }
+    const QString shown = material.simplified().left(static_cast<qsizetype>(kMaxLabelText));
+    const std::string name = shown.toStdString();
+    DocumentState next = withSettings(
+        document, there, [&name](int, PieceSettings& settings) { settings.material = name; });
+    std::erase_if(next.materials, [&next](const Material& known) {
+        return known.fabric == next.fabric &&
+               std::ranges::none_of(next.settings, [&known](const auto& entry) {
+                   return entry.second.material == known.name;
+               });
+    });
+    if (!name.empty() && !findMaterial(name, next.materials)) {
+        next.materials.push_back({name, next.fabric});
+    }
+    const QString text = name.empty()
+                             ? tr("Material of %1: as the garment").arg(nameOf(document, there))
+                             : tr("Material of %1: %2").arg(nameOf(document, there), shown);
+    document.edit(text, std::move(next));
 }
 
 void setByHalf(Document& document, const std::vector<int>& pieces, bool byHalf) {

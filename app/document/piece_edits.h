@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace toile::app {
 
 class Document;
 
+/// What materials are usually called, in the person's language.
+QStringList proposedMaterials();
+
 /// Edits of what is said about pieces beyond their shape and place. Each is one step of the
 /// history, nothing where all is so already; indices outside the garment are left out.
 
@@ -23,6 +27,11 @@ void editSettings(Document& document, const QString& text, const std::vector<int
 void setQuantity(Document& document, const std::vector<int>& pieces, int quantity);
 /// @param isPair  each of them is also cut mirrored
 void setMirroredPair(Document& document, const std::vector<int>& pieces, bool isPair);
+
+/// @param material  what they are cut from, at most kMaxLabelText characters of it, its blanks
+///                  simplified; empty: the garment's own fabric. One that is new begins with that;
+///                  one that no piece has any more goes, unless it has a fabric of its own.
+void setMaterial(Document& document, const std::vector<int>& pieces, const QString& material);
 
 /// @param pieces  two that mirror each other, or one that is symmetric in itself
 /// @param byHalf  only one half of them is drawn (Cutting::byHalf); mirrored pieces are made equal

@@ -13,6 +13,7 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
     project.options = state.options;
     project.lines = state.lines;
     project.fabric = state.fabric;
+    project.materials = state.materials;
     std::vector<PieceSettings> settings;
     for (const auto& piece : garment.pieces) {
         const auto said = state.settings.find(piece->id);
@@ -51,6 +52,7 @@ DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garmen
     state.options = project.options;
     state.lines = project.lines;
     state.fabric = project.fabric;
+    state.materials = project.materials;
     state.labels = project.labels;
     std::vector<PieceSettings> settings = settingsFor(project, garment);
     for (std::size_t i = 0; i < settings.size(); ++i) {

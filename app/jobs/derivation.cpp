@@ -98,8 +98,15 @@ void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& fla
     made.derived.lines = state.lines;
     made.derived.symmetry = flattener.symmetryOf(*made.derived.garment, state.lines);
     if (state.lines.grain) {
+        std::vector<Fabric> fabrics;
+        for (const auto& piece : made.derived.garment->pieces) {
+            const auto said = state.settings.find(piece->id);
+            fabrics.push_back(
+                fabricOf(said == state.settings.end() ? std::string() : said->second.material,
+                         state.materials, state.fabric));
+        }
         made.grains = findGrains(*made.derived.garment, made.derived.results,
-                                 made.derived.symmetry.get(), *state.lines.grain, state.fabric);
+                                 made.derived.symmetry.get(), *state.lines.grain, fabrics);
     }
 }
 

@@ -104,7 +104,8 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
         said.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
     }
     auto work = [derived = document.derived(), labels = document.state().labels,
-                 said = std::move(said), path = std::move(path),
+                 materials = document.state().materials, said = std::move(said),
+                 path = std::move(path),
                  words = drawingWords()](Progress& progress) -> Result<std::filesystem::path> {
         Derivation made{derived};
         progress.setShare(0, kSettlingShare);
@@ -122,10 +123,10 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
         const Garment& garment = *derived.garment;
         const PieceResults& results = made.derived.results;
         const LineSettings lines = made.derived.lines.value_or(LineSettings{});
-        const auto written =
-            exportFile(path, garment, results,
-                       layOut(garment, results, ofPieces, labels, lines, made.derived.symmetry),
-                       progress, words);
+        LaidOutPattern laid =
+            layOut(garment, results, ofPieces, labels, lines, made.derived.symmetry);
+        laid.pattern.materials = materials;
+        const auto written = exportFile(path, garment, results, laid, progress, words);
         return written ? Result(path) : written.error();
     };
     return makeJob(QCoreApplication::translate("ExportJob", "Writing %1").arg(name),

@@ -83,6 +83,19 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
     return makeJob(title, std::move(work), std::move(done));
 }
 
+namespace {
+
+/// What each piece is cut from.
+std::vector<Fabric> fabricsOf(const Document& document) {
+    std::vector<Fabric> fabrics;
+    for (int piece = 0; piece < document.pieceCount(); ++piece) {
+        fabrics.push_back(document.fabricOf(piece));
+    }
+    return fabrics;
+}
+
+}  // namespace
+
 std::unique_ptr<Job> grainJob(const Document& document, GrainRule rule,
                               const std::vector<int>& pieces,
                               std::function<void(const PieceGrains& found, bool outdated)> done) {
@@ -91,9 +104,9 @@ std::unique_ptr<Job> grainJob(const Document& document, GrainRule rule,
         results[piece] = document.results()[static_cast<std::size_t>(piece)];
     }
     auto work = [derived = document.derived(), results, rule,
-                 fabric = document.fabric()](Progress&) -> Result<PieceGrains> {
+                 fabrics = fabricsOf(document)](Progress&) -> Result<PieceGrains> {
         const auto grains =
-            findGrains(*derived.garment, derived.results, derived.symmetry.get(), rule, fabric);
+            findGrains(*derived.garment, derived.results, derived.symmetry.get(), rule, fabrics);
         PieceGrains found;
         for (const auto& [piece, result] : results) {
             if (const auto& grain = grains[static_cast<std::size_t>(piece)]) {
@@ -102,13 +115,13 @@ std::unique_ptr<Job> grainJob(const Document& document, GrainRule rule,
         }
         return found;
     };
-    auto taken = [&document, results, fabric = document.fabric(),
+    auto taken = [&document, results, fabrics = fabricsOf(document),
                   done = std::move(done)](PieceGrains found) {
         // The grain is a direction in the flat coordinates it was found in.
         const auto dropped = std::erase_if(found, [&](const auto& entry) {
             const int piece = entry.first;
             return document.result(piece) != results.at(piece).get() ||
-                   !(document.fabric() == fabric);
+                   !(document.fabricOf(piece) == fabrics[static_cast<std::size_t>(piece)]);
         });
         done(found, dropped > 0);
     };

@@ -57,6 +57,7 @@ CutPlan ReadyChecker::planOfDocument() const {
             .options = document_.options(),
             .lines = document_.state().lines,
             .fabric = document_.fabric(),
+            .materials = document_.state().materials,
             .pattern = document_.derived().pattern,
             .settings = document_.settings(),
             .labels = document_.state().labels,

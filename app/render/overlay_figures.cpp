@@ -9,22 +9,26 @@ namespace toile::app {
 
 namespace {
 
-/// What the overlay shows of every flat triangle by itself: visit(face of the pattern, value).
+/// What the overlay shows of every flat triangle by itself: visit(face of the pattern, value, the
+/// piece's scale).
 template <class Visit>
 void forEachValue(const Scene& scene, const SheetPlaces& places, Overlay overlay,
                   const OverlayScale& scale, const Visit& visit) {
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         const Eigen::Vector2d grain = grainVector(places, static_cast<int>(i));
+        const OverlayScale own = scaleOn(placeOf(places, static_cast<int>(i)), overlay, scale);
         const std::size_t first = scene.pieces[i].patternRun.first;
         for (std::size_t face = first; face < first + scene.pieces[i].patternRun.count; ++face) {
-            visit(face, overlayValue(overlay, sampleOf(scene.faces[face]), grain, scale));
+            visit(face, overlayValue(overlay, sampleOf(scene.faces[face]), grain, own), own);
         }
     }
 }
 
-void count(Histogram& histogram, const OverlayScale& scale, double value, double area) {
-    if (scale.isBeyond(value)) {
-        (value < scale.low ? histogram.below : histogram.above) += area;
+/// @param own  the piece's
+void count(Histogram& histogram, const OverlayScale& scale, const OverlayScale& own, double value,
+           double area) {
+    if (own.isBeyond(value)) {
+        (value < own.low ? histogram.below : histogram.above) += area;
         return;
     }
     const int bin = static_cast<int>(std::floor(scale.position(value) * kHistogramBins));
@@ -51,8 +55,8 @@ Field fieldOf(const Scene& scene, const SheetPlaces& places, Overlay overlay,
     field.severity.assign(scene.vertices.size(), -1.0F);
     field.value.assign(field.severity.size(), 0.0F);
     field.face.assign(field.severity.size(), 0);
-    forEachValue(scene, places, overlay, scale, [&](std::size_t face, double value) {
-        const auto severity = static_cast<float>(scale.severity(value));
+    const auto add = [&](std::size_t face, double value, const OverlayScale& own) {
+        const auto severity = static_cast<float>(own.severity(value));
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t v = triangles[3 * face + k];
             if (severity > field.severity[v]) {
@@ -61,7 +65,8 @@ Field fieldOf(const Scene& scene, const SheetPlaces& places, Overlay overlay,
                 field.face[v] = static_cast<std::uint32_t>(face);
             }
         }
-    });
+    };
+    forEachValue(scene, places, overlay, scale, add);
     return field;
 }
 
@@ -125,11 +130,12 @@ Histogram overlayHistogram(const Scene& scene, const SheetPlaces& places, Overla
                            const OverlayScale& scale) {
     Histogram histogram;
     double total = 0;
-    forEachValue(scene, places, overlay, scale, [&](std::size_t face, double value) {
+    const auto add = [&](std::size_t face, double value, const OverlayScale& own) {
         const auto area = static_cast<double>(scene.faces[face].flatArea);
         total += area;
-        count(histogram, scale, value, area);
-    });
+        count(histogram, scale, own, value, area);
+    };
+    forEachValue(scene, places, overlay, scale, add);
     if (total > 0) {
         histogram.below /= total;
         histogram.above /= total;
@@ -167,10 +173,10 @@ bool isSameQuestion(const OverlayQuestion& one, const OverlayQuestion& other) {
     if (one.scene != other.scene || one.overlay != other.overlay || !(one.fabric == other.fabric)) {
         return false;
     }
-    const auto sameGrain = [](const SheetPlace& a, const SheetPlace& b) -> bool {
-        return a.grain == b.grain;
+    const auto isSameCloth = [&](const SheetPlace& a, const SheetPlace& b) -> bool {
+        return (a.grain == b.grain || !followsGrain(one.overlay)) && a.fabric == b.fabric;
     };
-    return !followsGrain(one.overlay) || std::ranges::equal(one.places, other.places, sameGrain);
+    return std::ranges::equal(one.places, other.places, isSameCloth);
 }
 
 OverlayFigures firstFigures(const OverlayQuestion& question) {

@@ -28,8 +28,8 @@ struct Histogram {
 };
 
 /// Of every triangle by itself, whether it is drawn so or smoothed: what lies beyond an end is
-/// never averaged away. Pure, thread-safe. Cost: linear, about a tenth of a second at a million
-/// triangles.
+/// never averaged away, and is counted by the limits of its piece's own fabric. Pure, thread-safe.
+/// Cost: linear, about a tenth of a second at a million triangles.
 Histogram overlayHistogram(const Scene& scene, const SheetPlaces& places, Overlay overlay,
                            const OverlayScale& scale);
 
@@ -55,7 +55,7 @@ std::vector<WorstSpot> worstSpots(const Scene& scene, const SheetPlaces& places,
 /// What an overlay says of the whole garment depends on this and on nothing else.
 struct OverlayQuestion {
     std::shared_ptr<const Scene> scene{};  ///< may be null
-    SheetPlaces places{};                  ///< for the grain
+    SheetPlaces places{};                  ///< for the grain and the materials' fabrics
     Fabric fabric{};
     Overlay overlay = Overlay::None;
 };

@@ -103,6 +103,11 @@ StrainedAreas strainedAreas(const FabricQuestion& question, const Scales& scales
     const Scene& scene = *question.scene;
     const TriangleRun& run = scene.pieces[static_cast<std::size_t>(piece)].patternRun;
     const Eigen::Vector2d grain = grainVector(question.places, piece);
+    const SheetPlace& place = placeOf(question.places, piece);
+    Scales own;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        own[k] = scaleOn(place, kDirections[k], scales[k]);
+    }
     StrainedAreas areas;
     const std::size_t first = run.first, end = first + run.count;
     for (std::size_t face = first; face < end; ++face) {
@@ -110,7 +115,7 @@ StrainedAreas strainedAreas(const FabricQuestion& question, const Scales& scales
         const OverlaySample sample = sampleOf(scene.faces[face]);
         bool isAny = false;
         for (std::size_t k = 0; k < kDirections.size(); ++k) {
-            if (scales[k].isBeyond(overlayValue(kDirections[k], sample, grain, scales[k]))) {
+            if (own[k].isBeyond(overlayValue(kDirections[k], sample, grain, own[k]))) {
                 areas.beyond[k] += area;
                 isAny = true;
             }
@@ -155,6 +160,12 @@ OverlayScale overlayScale(const Scene& scene, Overlay overlay, const Fabric& fab
     return scene.scale(overlay);
 }
 
+OverlayScale scaleOn(const SheetPlace& place, Overlay overlay, const OverlayScale& scale) {
+    const auto limits = place.fabric && scale.limited ? fabricLimits(overlay, *place.fabric)
+                                                      : std::optional<OverlayLimits>();
+    return limits ? OverlayScale{limits->least, limits->most, false, false, true} : scale;
+}
+
 double overlayValue(Overlay overlay, const OverlaySample& sample, const Eigen::Vector2d& grain,
                     const OverlayScale& scale) {
     return std::clamp(unbounded(overlay, sample, grain, scale), -kLargestValue, kLargestValue);
@@ -183,15 +194,16 @@ std::optional<double> valueAt(const Scene& scene, const SheetPlaces& places,
     }
     const std::size_t face = piece.patternRun.first + static_cast<std::size_t>(place.face);
     return overlayValue(overlay, sampleOf(scene, face, place.barycentric, perTriangle),
-                        grainVector(places, place.piece), scale);
+                        grainVector(places, place.piece),
+                        scaleOn(placeOf(places, place.piece), overlay, scale));
 }
 
 bool isSameQuestion(const FabricQuestion& one, const FabricQuestion& other) {
-    const auto sameGrain = [](const SheetPlace& a, const SheetPlace& b) -> bool {
-        return a.grain == b.grain;
+    const auto isSameCloth = [](const SheetPlace& a, const SheetPlace& b) -> bool {
+        return a.grain == b.grain && a.fabric == b.fabric;
     };
     return one.scene == other.scene && one.fabric == other.fabric &&
-           std::ranges::equal(one.places, other.places, sameGrain);
+           std::ranges::equal(one.places, other.places, isSameCloth);
 }
 
 std::optional<FabricFit> fabricFit(const FabricQuestion& question) {

@@ -28,6 +28,10 @@ std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric)
 /// of the garment's values. Cost: none to speak of.
 OverlayScale overlayScale(const Scene& scene, Overlay overlay, const Fabric& fabric);
 
+/// The same on one piece: where the scale ends at the limits of the garment's fabric, and the piece
+/// is cut from another, at those of that.
+OverlayScale scaleOn(const SheetPlace& place, Overlay overlay, const OverlayScale& scale);
+
 /// What the mesh knows of a place: what its vertices and triangles carry.
 struct OverlaySample {
     float values[4];  ///< area change %, angle change degrees, largest and least edge strain %
@@ -61,12 +65,13 @@ Eigen::Vector2d grainVector(const SheetPlaces& places, int piece);
 
 /// What is drawn at a place, as a number; none where the piece is not flat, the overlay shows no
 /// number or the place is not on the piece. Cost: none to speak of.
+/// @param scale       of the garment
 /// @param perTriangle as ViewState::valuesPerTriangle
 std::optional<double> valueAt(const Scene& scene, const SheetPlaces& places,
                               const SurfaceHit& place, Overlay overlay, const OverlayScale& scale,
                               bool perTriangle);
 
-/// How much of a garment a fabric cannot do, as parts of its flat area. What counts as beyond is
+/// How much of a garment its fabrics cannot do, as parts of its flat area. What counts as beyond is
 /// every triangle that the overlays' histograms of warp, weft and bias count so.
 struct FabricFit {
     /// The piece of which the largest part is strained beyond the fabric, in any direction.
@@ -87,11 +92,11 @@ struct FabricFit {
 /// All that the fit depends on.
 struct FabricQuestion {
     std::shared_ptr<const Scene> scene{};  ///< may be null
-    SheetPlaces places{};                  ///< for the grain
-    Fabric fabric{};
+    SheetPlaces places{};                  ///< for the grain and the materials' fabrics
+    Fabric fabric{};                       ///< of the other pieces
 };
 
-/// True where the answer is the same: places on the sheet do not matter, grain does.
+/// True where the answer is the same: places on the sheet do not matter, grain and fabric do.
 bool isSameQuestion(const FabricQuestion& one, const FabricQuestion& other);
 
 /// None where there is no flat cloth. Pure, thread-safe. Cost: linear, some tenths of a second at a

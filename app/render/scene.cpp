@@ -33,13 +33,17 @@ std::size_t bytesOf(const Scene& scene) {
     return bytes;
 }
 
-SheetPlaces placesOf(const std::vector<PieceSettings>& settings, const std::vector<int>& colours) {
+SheetPlaces placesOf(const std::vector<PieceSettings>& settings, const std::vector<int>& colours,
+                     const MaterialList& materials) {
     SheetPlaces places;
     places.reserve(settings.size());
     for (const PieceSettings& piece : settings) {
         const std::size_t at = places.size();
         places.push_back({piece.placement.value_or(Placement{}), grainOf(piece),
                           at < colours.size() ? colours[at] : 0});
+        if (const Material* material = findMaterial(piece.material, materials)) {
+            places.back().fabric = material->fabric;
+        }
     }
     return places;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -11,6 +12,7 @@
 #include "app/document/view_state.h"
 #include "app/render/colour_map.h"
 #include "app/render/strain_glyphs.h"
+#include "core/garment/fabric.h"
 #include "core/geometry/triangle_tree.h"
 #include "core/project/piece_settings.h"
 
@@ -159,8 +161,9 @@ std::size_t bytesOf(const Scene& scene);
 /// What the pattern view knows of one piece beyond its shape.
 struct SheetPlace {
     Placement placement{};
-    double grain = kGrainUpwards;  ///< direction of the warp in the piece's own coordinates
-    int colour = 0;                ///< its number (`pieceColour`)
+    double grain = kGrainUpwards;    ///< direction of the warp in the piece's own coordinates
+    int colour = 0;                  ///< its number (`pieceColour`)
+    std::optional<Fabric> fabric{};  ///< of its material; none: the garment's own
 
     bool operator==(const SheetPlace&) const = default;
 };
@@ -168,9 +171,10 @@ struct SheetPlace {
 /// One per piece of the scene. Shorter lists stand for pieces that lie where they were made.
 using SheetPlaces = std::vector<SheetPlace>;
 
-/// @param colours  one per piece, or none where nobody asks
+/// @param colours    one per piece, or none where nobody asks
+/// @param materials  that pieces may be of; or none where no fabric is asked for
 SheetPlaces placesOf(const std::vector<PieceSettings>& settings,
-                     const std::vector<int>& colours = {});
+                     const std::vector<int>& colours = {}, const MaterialList& materials = {});
 
 const SheetPlace& placeOf(const SheetPlaces& places, int piece);
 

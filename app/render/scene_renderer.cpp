@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QVector3D>
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -131,9 +132,15 @@ bool SceneRenderer::synchronize(const ViewState& view) {
     if (std::exchange(pieceColours_, view.pieceColours) != view.pieceColours) {
         tableChanged_ = true;
     }
+    const bool isOther = std::exchange(overlay_, view.overlay) != view.overlay;
+    if (isOther && std::ranges::any_of(content_.places, [](const SheetPlace& place) -> bool {
+            return place.fabric.has_value();
+        })) {
+        tableChanged_ = true;
+    }
     if (std::exchange(tableChanged_, false)) {
-        pieces_.upload(
-            makePieceTable(*content_.scene, content_.selection, content_.places, pieceColours_));
+        pieces_.upload(makePieceTable(*content_.scene, content_.selection, content_.places,
+                                      pieceColours_, overlay_));
     }
     return true;
 }

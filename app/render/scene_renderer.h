@@ -134,6 +134,7 @@ private:
     GpuLines overLines_{counts_};
     bool sceneChanged_ = false, tableChanged_ = false;
     bool pieceColours_ = true;
+    Overlay overlay_ = Overlay::None;  ///< that the piece table is of
     int contentNumber_ = 0;
     std::unique_ptr<ShaderProgram> cloth_, lines_, backdrop_, glyph_;
     GLuint divergingMap_ = 0, sequentialMap_ = 0;

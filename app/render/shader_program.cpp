@@ -8,6 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "app/render/colour_map.h"
+#include "app/render/overlay_values.h"
 
 namespace toile::app {
 
@@ -120,7 +121,7 @@ std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& 
 }
 
 std::vector<float> makePieceTable(const Scene& scene, const std::set<int>& selection,
-                                  const SheetPlaces& places, bool coloured) {
+                                  const SheetPlaces& places, bool coloured, Overlay overlay) {
     const int count = static_cast<int>(scene.pieces.size());
     std::vector<float> table(static_cast<std::size_t>(count) * 4 * kTexelsPerPiece);
     for (int i = 0; i < count; ++i) {
@@ -143,6 +144,10 @@ std::vector<float> makePieceTable(const Scene& scene, const std::set<int>& selec
         texel[9] = static_cast<float>(place.placement.offset.y());
         texel[10] = static_cast<float>(std::cos(place.grain));
         texel[11] = static_cast<float>(std::sin(place.grain));
+        const auto limits =
+            place.fabric ? fabricLimits(overlay, *place.fabric) : std::optional<OverlayLimits>();
+        texel[12] = static_cast<float>(limits ? limits->least : 0);
+        texel[13] = static_cast<float>(limits ? limits->most : 0);
     }
     return table;
 }

@@ -85,15 +85,18 @@ private:
 };
 
 /// What may change per piece without touching the meshes, as the shaders look it up, so many texels
-/// per piece: (red, green, blue, flags), the columns of the placement's 2 x 2 matrix, and (offset
-/// x, offset y, the grain's direction in the piece's own coordinates: x, y).
-inline constexpr int kTexelsPerPiece = 3;
+/// per piece: (red, green, blue, flags), the columns of the placement's 2 x 2 matrix, (offset x,
+/// offset y, the grain's direction in the piece's own coordinates: x, y), and (least, most, 0, 0)
+/// that the fabric of its material allows of the overlay, or zeros.
+inline constexpr int kTexelsPerPiece = 4;
 
 enum PieceFlag { kPieceSelected = 1, kPieceFlat = 2 };
 
 /// @param coloured  pieces have colours of their own; else all that are flat have a plain one
+/// @param overlay   for what fabrics allow
 std::vector<float> makePieceTable(const Scene& scene, const std::set<int>& selection,
-                                  const SheetPlaces& places, bool coloured = true);
+                                  const SheetPlaces& places, bool coloured = true,
+                                  Overlay overlay = Overlay::None);
 
 /// The triangles' own values, looked up by gl_PrimitiveID, so that vertices need not be doubled for
 /// colours that end at edges. In the order of Scene::garment; zeros for pieces that are not flat.

@@ -82,7 +82,7 @@ QString valueText(const Document& document, const std::optional<SurfaceHit>& pla
     const Overlay overlay = document.view().overlay;
     const OverlayWords words = overlayWords(overlay);
     QString text = words.title + ' ' + overlayValueText(overlay, *value);
-    const auto limits = fabricLimits(overlay, document.fabric());
+    const auto limits = fabricLimits(overlay, document.fabricOf(place->piece));
     if (!limits) {
         return text;
     }
@@ -134,8 +134,9 @@ std::optional<double> shownValueAt(const Document& document, const SurfaceHit& p
     }
     const Scene& scene = *document.scene();
     const ViewState& view = document.view();
-    return valueAt(scene, placesOf(document.settings()), place, view.overlay,
-                   overlayScale(scene, view.overlay, document.fabric()), view.valuesPerTriangle);
+    return valueAt(scene, placesOf(document.settings(), {}, document.state().materials), place,
+                   view.overlay, overlayScale(scene, view.overlay, document.fabric()),
+                   view.valuesPerTriangle);
 }
 
 QString featureText(const Document& document, const Feature& feature,

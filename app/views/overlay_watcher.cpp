@@ -44,7 +44,8 @@ OverlayWatcher::OverlayWatcher(Document& document, QObject* parent, const Work& 
 }
 
 void OverlayWatcher::ask() {
-    const OverlayQuestion question{document_.scene(), placesOf(document_.settings()),
+    const OverlayQuestion question{document_.scene(),
+                                   placesOf(document_.settings(), {}, document_.state().materials),
                                    document_.fabric(), document_.view().overlay};
     answerer_.ask(question);
     if (answerer_.isBusy()) {

@@ -164,7 +164,7 @@ std::vector<Feature> markedFeatures(const Document& document) {
 
 SceneContent contentOf(const Document& document) {
     return {.scene = document.scene(),
-            .places = placesOf(document.settings(), document.colours()),
+            .places = placesOf(document.settings(), document.colours(), document.state().materials),
             .selection = document.selection(),
             .seam = document.seam(),
             .marks = markedFeatures(document),

@@ -32,7 +32,7 @@ public:
         : document_(document),
           options_(options),
           style_(renderStyle(options.palette)),
-          places_(placesOf(document.settings(), document.colours())),
+          places_(placesOf(document.settings(), document.colours(), document.state().materials)),
           figures_(overlayFigures(
               {document.scene(), places_, document.fabric(), document.view().overlay})),
           spots_{figures_.spots, figures_.overlay} {}

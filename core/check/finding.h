@@ -82,7 +82,7 @@ struct Finding {
     std::optional<FindingPlace> place{};  ///< on the first piece: of the worst
     /// What was measured, the telling number first; `findingWords` say where each goes.
     std::vector<Figure> figures{};
-    Wording reason{};              ///< why something was guessed, else empty
+    Wording reason{};              ///< why something was guessed; the fabric's name; or empty
     std::optional<Error> error{};  ///< that says it all: of NotFlat, OutlineCrosses and Message
 };
 

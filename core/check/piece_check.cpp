@@ -7,7 +7,9 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/characters.h"
 #include "core/mesh/mesh_arrays.h"
+#include "core/pattern/piece_marks.h"
 #include "core/quality/measures.h"
 #include "core/quality/metric_tensor.h"
 #include "core/quality/outline_crossings.h"
@@ -79,6 +81,9 @@ void addStrain(const PieceToCut& checked, FindingKind kind, const StrainExcess& 
     finding.figures = {{excess.strain, Figure::Unit::Strain},
                        {excess.limit, Figure::Unit::Strain},
                        {excess.share, Figure::Unit::Percent}};
+    if (const std::string& material = checked.settings.material; !material.empty()) {
+        finding.reason = " (" + shownText(material, kMaxLabelText) + ")";
+    }
     found.add(std::move(finding), excess.severity);
 }
 

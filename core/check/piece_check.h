@@ -18,7 +18,7 @@ struct PieceToCut {
     int index;  ///< in the garment
     const PieceResult& result;
     PieceSettings settings;  ///< without anchors
-    const Fabric& fabric;
+    const Fabric& fabric;    ///< that of its material
 };
 
 /// Parts of a piece's area beyond the fabric's limits along one direction: from the first on it is

@@ -35,7 +35,10 @@ public:
         for (std::size_t i = 0; i < garment_.pieces.size() && !progress_.isCancelled(); ++i) {
             const int piece = static_cast<int>(i);
             if (const PieceResult* result = resultOf(piece)) {
-                checkPiece({piece, *result, settingsOf(piece), plan_.fabric}, found_);
+                const PieceSettings settings = settingsOf(piece);
+                checkPiece({piece, *result, settings,
+                            fabricOf(settings.material, plan_.materials, plan_.fabric)},
+                           found_);
             }
         }
         if (!progress_.isCancelled()) {

@@ -23,6 +23,7 @@ struct CutPlan {
     FlattenOptions options{};                  ///< as the pieces are to be flattened
     LineSettings lines{};                      ///< and as their outlines are to be drawn
     Fabric fabric = fabricPresets().front();
+    MaterialList materials{};                  ///< of pieces that are cut from another fabric
     std::shared_ptr<const Pattern> pattern{};  ///< of all that; or null
     std::vector<PieceSettings> settings{};     ///< one per piece, without anchors; or left out
     PieceLabels labels{};                      ///< what findings call the pieces; or left out

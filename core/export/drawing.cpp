@@ -56,7 +56,7 @@ void addSeams(Drawing& drawing, const PatternPiece& piece, const Placement& plac
                                          seam.angle});
             }
         };
-        addText(seam.numberPlace, "-number", std::to_string(seam.number));
+        addText(seam.numberPlace, "-number", numberText(seam));
         addText(seam.namePlace, "-name", seam.name);
     }
 }
@@ -134,10 +134,10 @@ void addPiece(Drawing& drawing, const Pattern& pattern, const PatternPiece& piec
     const auto placed = [&placement](const Points2& line) -> Points2 {
         return turnedLine(line, placement).rowwise() + placement.offset.transpose();
     };
-    std::vector<std::string> lines = labelLines(piece.name, piece, placement.mirrored, words,
-                                                piece.cutAs, factsOf(pattern, piece));
-    auto [label, grain, seams] =
-        placeMarks(piece, placement, lines, grainOf(piece), drawnOnCloth(pattern, piece));
+    const std::vector<std::string> wanted = labelLines(piece.name, piece, placement.mirrored, words,
+                                                       piece.cutAs, factsOf(pattern, piece));
+    auto [label, lines, grain, seams] =
+        placeMarks(piece, placement, wanted, grainOf(piece), drawnOnCloth(pattern, piece));
     label.position += placement.offset;
     keepOnPage(label, lines, drawing);
     drawing.paths.push_back({id + "cut", LayerKind::Cut, placed(edgeOf(piece))});

@@ -96,6 +96,9 @@ void addCutting(Json& json, const Pattern& pattern, std::size_t index) {
     const PatternPiece& piece = index < pattern.pieces.size() ? pattern.pieces[index] : none;
     json["quantity"] = piece.quantity;
     json["mirrored_pair"] = piece.mirroredPair;
+    if (!piece.material.empty()) {
+        json["material"] = text(piece.material);
+    }
     if (piece.grain) {
         json["grain"] = number(*piece.grain);
     }
@@ -109,6 +112,40 @@ void addCutting(Json& json, const Pattern& pattern, std::size_t index) {
         json["cut_with"] = pattern.pieces[piece.mirror.counterpart].name;
     }
     addPatternJson(json, pattern, piece);
+}
+
+/// What its pieces are cut from beside the garment's own fabric.
+Json materialsJson(const Pattern& pattern) {
+    const auto limits = [](const StrainLimits& stated) -> Json {
+        return {number(stated.least), number(stated.most)};
+    };
+    Json materials = Json::array();
+    for (const auto& [name, fabric] : pattern.materials) {
+        if (std::ranges::find(pattern.pieces, name, &PatternPiece::material) !=
+            pattern.pieces.end()) {
+            materials.push_back({{"name", text(name)},
+                                 {"fabric", text(fabric.id)},
+                                 {"warp", limits(fabric.warp)},
+                                 {"weft", limits(fabric.weft)},
+                                 {"bias", limits(fabric.bias)}});
+        }
+    }
+    return materials;
+}
+
+/// What stands on the labels of all pieces, and what these are cut from; nothing where nobody has
+/// said anything.
+void addStated(Json& report, const Pattern& pattern) {
+    const auto put = [&report](const char* key, const std::string& stated) {
+        if (!stated.empty()) {
+            report[key] = text(stated);
+        }
+    };
+    put("size", pattern.label.size);
+    put("date", pattern.label.date);
+    if (Json materials = materialsJson(pattern); !materials.empty()) {
+        report["materials"] = std::move(materials);
+    }
 }
 
 Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& result,
@@ -145,6 +182,7 @@ std::string writeReport(const Garment& garment, const PieceResults& results,
                         const Pattern& pattern) {
     Json report{{"version", kReportVersion}, {"toile", text(version())}};
     report["files"] = filesJson(garment, results);
+    addStated(report, pattern);
     report["pieces"] = Json::array();
     for (std::size_t i = 0; i < results.size(); ++i) {
         report["pieces"].push_back(pieceJson(garment, *garment.pieces[i], *results[i], pattern, i));

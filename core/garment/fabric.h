@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace toile {
 
@@ -38,6 +39,30 @@ inline std::span<const Fabric> fabricPresets() {
         {"leather", {-0.005, 0.03}, {-0.005, 0.05}, {-0.005, 0.04}},
     };
     return presets;
+}
+
+/// What some pieces are cut from beside the garment's own fabric: its lining, an interfacing.
+struct Material {
+    std::string name;  ///< as a person calls it
+    Fabric fabric = fabricPresets().front();
+
+    bool operator==(const Material&) const = default;
+};
+
+/// By name, each once.
+using MaterialList = std::vector<Material>;
+
+/// Null where it is none of these, or has no name.
+inline const Material* findMaterial(std::string_view name, const MaterialList& materials) {
+    const auto found = std::ranges::find(materials, name, &Material::name);
+    return name.empty() || found == materials.end() ? nullptr : &*found;
+}
+
+/// What a piece of this material is cut from: the garment's own fabric where it is none of these.
+inline const Fabric& fabricOf(std::string_view material, const MaterialList& materials,
+                              const Fabric& own) {
+    const Material* found = findMaterial(material, materials);
+    return found ? found->fabric : own;
 }
 
 /// The preset of this id; null where there is none.

@@ -2,6 +2,8 @@
 #include "core/pattern/label.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -14,16 +16,51 @@ namespace {
 constexpr double kAir = 1;  // capital heights kept free beside and above the block together
 constexpr PoleSearch kLabelSearch{.tolerance = 0.01, .slack = 0.05};
 
-}  // namespace
+/// In two at the blank that leaves the longer part shortest; in one where there is none.
+std::vector<std::string> halves(const std::string& line) {
+    std::vector<std::string> best{line};
+    std::size_t shortest = characterCount(line);
+    for (std::size_t at = line.find(' '); at != std::string::npos; at = line.find(' ', at + 1)) {
+        std::string before = line.substr(0, at), after = line.substr(at + 1);
+        const std::size_t longer = std::max(characterCount(before), characterCount(after));
+        if (longer < shortest && !before.empty() && !after.empty()) {
+            shortest = longer;
+            best = {std::move(before), std::move(after)};
+        }
+    }
+    return best;
+}
 
-Eigen::Vector2d textExtent(const std::vector<std::string>& lines, double height) {
+std::size_t longestOf(const std::vector<std::string>& lines) {
     std::size_t longest = 1;
     for (const std::string& line : lines) {
         longest = std::max(longest, characterCount(line));
     }
+    return longest;
+}
+
+}  // namespace
+
+Eigen::Vector2d textExtent(const std::vector<std::string>& lines, double height) {
     const double rows = lines.empty() ? 1 : static_cast<double>(lines.size());
-    return height * Eigen::Vector2d(kCharacterWidth * static_cast<double>(longest),
+    return height * Eigen::Vector2d(kCharacterWidth * static_cast<double>(longestOf(lines)),
                                     1 + kLineSpacing * (rows - 1));
+}
+
+std::vector<std::string> brokenLines(const std::vector<std::string>& lines) {
+    std::size_t width = 1;
+    for (const std::string& line : lines) {
+        width = std::max(width, longestOf(halves(line)));
+    }
+    std::vector<std::string> broken;
+    for (const std::string& line : lines) {
+        if (characterCount(line) <= width) {
+            broken.push_back(line);
+        } else {
+            std::ranges::move(halves(line), std::back_inserter(broken));
+        }
+    }
+    return broken;
 }
 
 Points2 textBox(const LabelPlace& place, const std::vector<std::string>& lines, double angle,

@@ -27,6 +27,10 @@ struct LabelPlace {
 /// character; never empty.
 Eigen::Vector2d textExtent(const std::vector<std::string>& lines, double height);
 
+/// The same words in a narrower block: lines that are longer than the longest must be are broken in
+/// two at a blank.
+std::vector<std::string> brokenLines(const std::vector<std::string>& lines);
+
 /// The box of such a block as a closed line that ends where it begins: 5 x 2.
 /// @param angle  of the lines about the place, radians  @param clear  mm to either side
 Points2 textBox(const LabelPlace& place, const std::vector<std::string>& lines, double angle,

@@ -218,6 +218,7 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
             addCuttingLine(made);
         }
     }
+    pattern.label = lines.label;
     pattern.hasAllowance = lines.allowance.has_value();
     pattern.hasNotches = lines.notches.has_value();
     if (lines.notches) {

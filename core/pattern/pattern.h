@@ -10,6 +10,7 @@
 
 #include "core/base/id.h"
 #include "core/cut/surface_point.h"
+#include "core/garment/fabric.h"
 #include "core/garment/seam.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/line_settings.h"
@@ -36,6 +37,7 @@ struct Cutting {
     /// Only one half is drawn of what is a mirror image: of a piece that is symmetric in itself the
     /// one beside the fold of the cloth, of two that mirror each other one, cut as a pair.
     bool byHalf = false;
+    std::string material{};  ///< what it is cut from (Material); empty: the garment's own fabric
 
     bool operator==(const Cutting&) const = default;
 };
@@ -165,6 +167,8 @@ struct Pattern {
     bool hasAllowance = false, hasNotches = false;
     NotchForm notchForm = NotchForm::Slit;
     double notchDepth = 5;  ///< from the cutting line inwards, mm
+    LabelTexts label{};
+    MaterialList materials{};  ///< that its pieces may be of
     /// In which pieces are drawn as images of each other; null: in none.
     std::shared_ptr<const Symmetry> symmetry{};
 };

@@ -118,7 +118,7 @@ std::optional<double> grainBy(GrainRule rule, const Garment& garment, const Piec
 
 std::vector<std::optional<double>> findGrains(const Garment& garment, const PieceResults& results,
                                               const Symmetry* symmetry, GrainRule rule,
-                                              const Fabric& fabric) {
+                                              const std::vector<Fabric>& fabrics) {
     std::vector<std::optional<double>> grains(results.size());
     for (int p = 0; p < static_cast<int>(results.size()); ++p) {
         if (!results[p]) {
@@ -129,7 +129,7 @@ std::vector<std::optional<double>> findGrains(const Garment& garment, const Piec
             grains[p] = mirroredDirection(garment, results, *symmetry, other, *grains[other]);
         }
         if (!grains[p]) {
-            grains[p] = grainBy(rule, garment, *results[p], p, fabric);
+            grains[p] = grainBy(rule, garment, *results[p], p, fabrics[p]);
         }
     }
     return grains;

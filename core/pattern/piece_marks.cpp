@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/characters.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/half_pattern.h"
@@ -64,10 +65,14 @@ std::vector<std::string> labelLines(const std::string& name, const Cutting& cutt
 }
 
 LabelFacts factsOf(const Pattern& pattern, const PatternPiece& piece) {
-    if (!pattern.hasAllowance) {
-        return {};
+    LabelFacts facts;
+    if (pattern.hasAllowance) {
+        facts = {.number = piece.number, .count = drawnCount(pattern), .hasAllowance = true};
     }
-    return {.number = piece.number, .count = drawnCount(pattern), .hasAllowance = true};
+    facts.size = shownText(pattern.label.size, kMaxLabelText);
+    facts.material = shownText(piece.material, kMaxLabelText);
+    facts.date = shownText(pattern.label.date, kMaxLabelText);
+    return facts;
 }
 
 std::vector<Points2> drawnOnCloth(const Pattern& pattern, const PatternPiece& piece) {
@@ -210,9 +215,19 @@ PieceMarks placeMarks(const PatternPiece& piece, const Placement& placement,
         cloth.obstacles.push_back(fold.path);
         cloth.obstacles.push_back(foldRoom(fold));
     }
-    PieceMarks marks;
-    placeNumbersAndLabel(marks, piece, placement, cloth, lines);
-    placeGrain(marks, std::move(cloth), lines, directionOnSheet(placement, grain));
+    const auto placed = [&](std::vector<std::string> label) {
+        PieceMarks marks;
+        placeNumbersAndLabel(marks, piece, placement, cloth, label);
+        placeGrain(marks, cloth, label, directionOnSheet(placement, grain));
+        marks.lines = std::move(label);
+        return marks;
+    };
+    PieceMarks marks = placed(lines);
+    if (!marks.label.fits) {
+        if (PieceMarks broken = placed(brokenLines(lines)); broken.label.fits) {
+            return broken;
+        }
+    }
     return marks;
 }
 

@@ -45,7 +45,10 @@ std::vector<std::string> labelLines(const std::string& name, const Cutting& cutt
                                     const DrawingWords& words, CutAs cutAs = CutAs::Whole,
                                     const LabelFacts& facts = {});
 
-/// Of a pattern with allowances all that is known; else nothing, as on the label of an outline.
+/// Of a text that a person has typed for labels, characters; the rest is left out.
+inline constexpr std::size_t kMaxLabelText = 40;
+
+/// What a person has stated; of a pattern with allowances all that is known.
 LabelFacts factsOf(const Pattern& pattern, const PatternPiece& piece);
 
 /// How many pieces of a pattern have an outline: the "12" of "piece 3 of 12".
@@ -55,7 +58,8 @@ int drawnCount(const Pattern& pattern);
 /// the placement's offset.
 struct PieceMarks {
     LabelPlace label{};
-    std::optional<Chord> grain{};  ///< none where no line has room
+    std::vector<std::string> lines{};  ///< of the label
+    std::optional<Chord> grain{};      ///< none where no line has room
     std::vector<SeamMark> seams{};
 };
 
@@ -64,7 +68,8 @@ struct PieceMarks {
 std::vector<Points2> drawnOnCloth(const Pattern& pattern, const PatternPiece& piece);
 
 /// Places the marks of the seams (`seamMarks`), then the label (`placeLabel`) and the grain line
-/// (`grainLine`) beside each other where these leave room.
+/// (`grainLine`) beside each other where these leave room. Lines of a label for which there is none
+/// are broken in two (`brokenLines`) where it then fits.
 /// @param piece      that is flat  @param grain  direction of the warp, radians, on the piece
 /// @param obstacles  `drawnOnCloth`, on the piece; the mark of a fold is known
 /// Cost: that of the four. Pure.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "core/geometry/segment.h"
@@ -218,10 +219,14 @@ public:
     explicit SeamTexts(const LinesThere& lines) : lines_(lines) {}
 
     void write(SeamMark& mark, const OpenLine& line, const std::string& name) {
-        const double number = textExtent({std::to_string(mark.number)}, 1).x();
+        SeamMark named = mark;
+        named.name = name;
+        const double numbers[] = {textExtent({numberText(mark)}, 1).x(),
+                                  textExtent({numberText(named)}, 1).x()};
         const double withName = kNameOff + textExtent({name}, kSeamNameHeight).x();
         for (const double height : kNumberHeights) {
             for (const bool isNamed : {true, false}) {
+                const double number = numbers[isNamed ? 1 : 0];
                 const double width = number * height + (isNamed ? withName : 0);
                 if ((isNamed && (name.empty() || height < kSeamNameHeight)) ||
                     width > kTextOfSeam * line.length()) {
@@ -283,7 +288,26 @@ private:
     std::vector<TurnedBox> rows_;
 };
 
+/// As it is read from the other side; empty where that is no number.
+std::string upsideDown(const std::string& number) {
+    std::string turned;
+    for (const char digit : number) {
+        const std::size_t at = std::string_view("0689").find(digit);
+        if (at == std::string_view::npos) {
+            return {};
+        }
+        turned.insert(turned.begin(), "0986"[at]);
+    }
+    return turned.front() == '0' ? std::string() : turned;
+}
+
 }  // namespace
+
+std::string numberText(const SeamMark& mark) {
+    std::string number = std::to_string(mark.number);
+    const std::string turned = mark.name.empty() ? upsideDown(number) : std::string();
+    return turned.empty() || turned == number ? number : number + ".";
+}
 
 std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& placement,
                                 const std::vector<Points2>& obstacles) {
@@ -346,9 +370,8 @@ void addObstacles(const SeamMark& mark, std::vector<Points2>& obstacles) {
         }
     }
     if (mark.numberPlace) {
-        const std::string number = std::to_string(mark.number);
         const double air = kAirAround * mark.numberPlace->height;
-        obstacles.push_back(textBox(*mark.numberPlace, {number}, mark.angle, air));
+        obstacles.push_back(textBox(*mark.numberPlace, {numberText(mark)}, mark.angle, air));
     }
     if (mark.namePlace) {
         const double air = kAirAround * mark.namePlace->height;

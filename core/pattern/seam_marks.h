@@ -31,6 +31,10 @@ struct SeamMark {
     double angle = 0;  ///< of both texts, radians, never upside down
 };
 
+/// A seam's number as it is written: with a dot where no name follows and it would be another
+/// number upside down, "6.".
+std::string numberText(const SeamMark& mark);
+
 /// The marks of a piece's seams, by number; free edges have none. A number is as large as fits near
 /// its edge, at the middle of the seam or else beside it; texts meet neither lines, ticks nor each
 /// other.

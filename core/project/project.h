@@ -51,6 +51,7 @@ struct Project {
     FlattenOptions options{};
     LineSettings lines{};
     Fabric fabric = fabricPresets().front();
+    MaterialList materials{};  ///< of the pieces that are cut from another fabric
     std::vector<ProjectPiece> pieces{};
     PieceLabels labels{};
     ProjectView view{};

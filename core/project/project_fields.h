@@ -206,6 +206,12 @@ inline constexpr auto kFabric = [](auto& at, auto& fabric) {
     strainLimits(at, "bias", fabric.bias);
 };
 
+inline constexpr auto kMaterial = [](auto& at, auto& material) {
+    at.need("name");
+    at.field("name", material.name);
+    at.object("fabric", material.fabric, kFabric);
+};
+
 inline constexpr auto kAnchor = [](auto& at, auto& anchor) {
     at.need("vertex");
     at.need("at");
@@ -233,6 +239,7 @@ inline constexpr auto kPiece = [](auto& at, auto& piece) {
     if (at.kReads || settings.byHalf) {
         at.field("byHalf", settings.byHalf);
     }
+    at.text("material", settings.material);
     at.id("partOf", settings.partOf);
     if (at.kReads || !settings.anchors.empty()) {
         at.list("anchors", settings.anchors, kAnchor);
@@ -296,6 +303,9 @@ void describe(Fields& at, SomeProject& project, std::vector<LabelOfPiece>& label
     at.object("flattening", project.options, kFlattening);
     at.object("lines", project.lines, kLines);
     at.object("fabric", project.fabric, kFabric);
+    if (at.kReads || !project.materials.empty()) {
+        at.list("materials", project.materials, kMaterial);
+    }
     at.list("pieces", project.pieces, kPiece);
     at.list("labels", labels, kLabel);
     at.object("view", project.view, kView);

@@ -4,6 +4,7 @@ in vec2 millimetres;
 in vec4 vertexValues;
 in vec3 vertexMetric;
 flat in vec2 grain;
+flat in vec2 ownRange;
 flat in vec3 pieceColour;
 flat in int pieceFlags;
 
@@ -14,8 +15,8 @@ uniform bool shaded;
 out vec4 colour;
 
 void main() {
-    vec3 cloth =
-        clothColour(pieceColour, pieceFlags, millimetres, vertexValues, vertexMetric, grain);
+    vec3 cloth = clothColour(pieceColour, pieceFlags, millimetres, vertexValues, vertexMetric,
+                             grain, ownRange);
     bool measured = overlay > kOverlayChecker;
     if ((pieceFlags & kPieceSelected) != 0 && !measured) {
         cloth = mix(cloth, selectionColour, 0.12);

@@ -14,6 +14,7 @@ out vec2 millimetres;
 out vec4 vertexValues;
 out vec3 vertexMetric;
 flat out vec2 grain;
+flat out vec2 ownRange;
 flat out vec3 pieceColour;
 flat out int pieceFlags;
 
@@ -24,6 +25,7 @@ void main() {
     vertexValues = values;
     vertexMetric = metric;
     grain = pieceGrain(piece);
+    ownRange = pieceRange(piece);
     pieceColour = entry.rgb;
     pieceFlags = int(entry.a + 0.5);
     gl_Position =

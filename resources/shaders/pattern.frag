@@ -3,6 +3,7 @@ in vec2 millimetres;
 in vec4 vertexValues;
 in vec3 vertexMetric;
 flat in vec2 grain;
+flat in vec2 ownRange;
 flat in vec3 pieceColour;
 flat in int pieceFlags;
 
@@ -11,8 +12,8 @@ uniform vec3 selectionColour;
 out vec4 colour;
 
 void main() {
-    vec3 cloth =
-        clothColour(pieceColour, pieceFlags, millimetres, vertexValues, vertexMetric, grain);
+    vec3 cloth = clothColour(pieceColour, pieceFlags, millimetres, vertexValues, vertexMetric,
+                             grain, ownRange);
     if ((pieceFlags & kPieceSelected) != 0 && overlay <= kOverlayChecker) {
         cloth = mix(cloth, selectionColour, 0.12);
     }

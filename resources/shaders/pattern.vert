@@ -10,6 +10,7 @@ out vec2 millimetres;
 out vec4 vertexValues;
 out vec3 vertexMetric;
 flat out vec2 grain;
+flat out vec2 ownRange;
 flat out vec3 pieceColour;
 flat out int pieceFlags;
 
@@ -19,6 +20,7 @@ void main() {
     vertexValues = values;
     vertexMetric = metric;
     grain = pieceGrain(piece);
+    ownRange = pieceRange(piece);
     pieceColour = entry.rgb;
     pieceFlags = int(entry.a + 0.5);
     gl_Position = viewProjection * vec4(placed(piece, flatPoint), 0.0, 1.0);

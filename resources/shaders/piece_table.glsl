@@ -3,7 +3,7 @@
 // Joined in front of the vertex shaders.
 
 const int kPieceTableWidth = 2048;
-const int kTexelsPerPiece = 3;
+const int kTexelsPerPiece = 4;
 
 uniform sampler2D pieceTable;
 
@@ -20,6 +20,11 @@ vec4 pieceColourAndFlags(float piece) {
 vec2 placed(float piece, vec2 flatPoint) {
     vec4 columns = pieceTexel(piece, 1);
     return mat2(columns.xy, columns.zw) * flatPoint + pieceTexel(piece, 2).xy;
+}
+
+// What the piece's own fabric allows of the overlay; equal ends: what the garment's does.
+vec2 pieceRange(float piece) {
+    return pieceTexel(piece, 3).xy;
 }
 
 // Direction of the warp in the piece's own flat coordinates.

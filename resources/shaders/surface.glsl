@@ -29,7 +29,7 @@ const int kFaceTableWidth = 2048;
 
 uniform int overlay;
 uniform vec2 overlayRange;    // values at the two ends of the colour map
-uniform bool overlayLimited;  // the ends are the fabric's limits: hatching beyond them
+uniform bool overlayLimited;  // the ends are the fabric's limits: hatching beyond the piece's
 uniform bool triangleTable;   // the triangles' own values are in faceTable
 uniform bool perTriangle;     // colours are of them, too
 uniform float pixelRatio;
@@ -53,31 +53,31 @@ float checker(vec2 millimetres) {
     return 0.5 - 0.5 * filteredWave(p.x, window.x) * filteredWave(p.y, window.y);
 }
 
-bool isTwoSided() {
-    return overlayRange.x < 0.0 && overlayRange.y > 0.0;
+bool isTwoSided(vec2 range) {
+    return range.x < 0.0 && range.y > 0.0;
 }
 
 // How near a value is to the end on its side: 1 at the end, more beyond it.
-float severity(float value) {
-    if (isTwoSided()) {
-        return value < 0.0 ? value / overlayRange.x : value / overlayRange.y;
+float severity(float value, vec2 range) {
+    if (isTwoSided(range)) {
+        return value < 0.0 ? value / range.x : value / range.y;
     }
-    return (value - overlayRange.x) / (overlayRange.y - overlayRange.x);
+    return (value - range.x) / (range.y - range.x);
 }
 
 // Colour of a value. Where there are two sides 0 is in the middle of the map, and either end is full
 // colour.
 vec3 valueColour(float value) {
-    float place = severity(value);
-    if (isTwoSided()) {
+    float place = severity(value, overlayRange);
+    if (isTwoSided(overlayRange)) {
         place = 0.5 + (value < 0.0 ? -0.5 : 0.5) * place;
     }
     // From the middle of the first texel to the middle of the last.
     return texture(colourMap, vec2((clamp(place, 0.0, 1.0) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
 
-float worse(float one, float other) {
-    return severity(one) >= severity(other) ? one : other;
+float worse(float one, float other, vec2 range) {
+    return severity(one, range) >= severity(other, range) ? one : other;
 }
 
 // What the cloth must do along a direction, in percent. metric: E, F, G of the map to the worn cloth.
@@ -88,11 +88,11 @@ float strainAlong(vec3 metric, vec2 direction) {
     return 100.0 * (sqrt(max(square, 0.0)) - 1.0);
 }
 
-float worsePrincipalStrain(vec3 metric) {
+float worsePrincipalStrain(vec3 metric, vec2 range) {
     float mean = 0.5 * (metric.x + metric.z);
     float radius = length(vec2(0.5 * (metric.x - metric.z), metric.y));
     return worse(100.0 * (sqrt(max(mean + radius, 0.0)) - 1.0),
-                 100.0 * (sqrt(max(mean - radius, 0.0)) - 1.0));
+                 100.0 * (sqrt(max(mean - radius, 0.0)) - 1.0), range);
 }
 
 // Above the 1 of cloth that keeps its shape, in percent.
@@ -102,7 +102,8 @@ float symmetricDirichlet(vec3 metric) {
     return 100.0 * (energy - 1.0);
 }
 
-float overlayValue(vec4 values, vec3 metric, vec2 grain) {
+// range: the ends on the piece.
+float overlayValue(vec4 values, vec3 metric, vec2 grain, vec2 range) {
     vec2 across = vec2(-grain.y, grain.x);
     switch (overlay) {
         case kOverlayArea:
@@ -110,16 +111,16 @@ float overlayValue(vec4 values, vec3 metric, vec2 grain) {
         case kOverlayAngle:
             return values.y;
         case kOverlayStrain:
-            return worse(values.z, values.w);
+            return worse(values.z, values.w, range);
         case kOverlayWarp:
             return strainAlong(metric, grain);
         case kOverlayWeft:
             return strainAlong(metric, across);
         case kOverlayBias:
             return worse(strainAlong(metric, (grain + across) * sqrt(0.5)),
-                         strainAlong(metric, (grain - across) * sqrt(0.5)));
+                         strainAlong(metric, (grain - across) * sqrt(0.5)), range);
         case kOverlayPrincipal:
-            return worsePrincipalStrain(metric);
+            return worsePrincipalStrain(metric, range);
         case kOverlayDirichlet:
             return symmetricDirichlet(metric);
     }
@@ -136,7 +137,9 @@ float hatching(bool stretched) {
 }
 
 // Colour of the cloth of a piece before light falls on it.
-vec3 clothColour(vec3 piece, int flags, vec2 millimetres, vec4 values, vec3 metric, vec2 grain) {
+// ownRange: pieceRange of piece_table.glsl
+vec3 clothColour(vec3 piece, int flags, vec2 millimetres, vec4 values, vec3 metric, vec2 grain,
+                 vec2 ownRange) {
     // Called outside of any branch: derivatives are undefined inside.
     float square = checker(millimetres);
     if ((flags & kPieceFlat) == 0) {
@@ -158,13 +161,14 @@ vec3 clothColour(vec3 piece, int flags, vec2 millimetres, vec4 values, vec3 metr
         ownValues = texelFetch(faceTable, at, 0);
         ownMetric = texelFetch(faceTable, at + ivec2(1, 0), 0).xyz;
     }
+    vec2 range = ownRange.y > ownRange.x ? ownRange : overlayRange;
     // Stripes are of the triangle itself, as the shares beside the colour bar: what is smoothed away
     // is still beyond the fabric.
-    float own = overlayValue(ownValues, ownMetric, grain);
-    vec3 painted = valueColour(perTriangle ? own : overlayValue(values, metric, grain));
+    float own = overlayValue(ownValues, ownMetric, grain, range);
+    vec3 painted = valueColour(perTriangle ? own : overlayValue(values, metric, grain, range));
     // Crosses are drawn over it, and they carry the colours.
     vec3 ground = overlay == kOverlayPrincipal ? valueColour(0.0) : painted;
-    if (overlayLimited && severity(own) > 1.0005) {
+    if (overlayLimited && severity(own, range) > 1.0005) {
         vec3 stripe = overlay == kOverlayPrincipal ? mix(ground, painted, 0.5) : vec3(0.97);
         return mix(ground, stripe, hatching(own > 0.0));
     }

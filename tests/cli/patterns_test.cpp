@@ -220,6 +220,40 @@ TEST(AllowanceOption, AloneAddsNothingElse) {
     EXPECT_EQ(test::run(TOILE_PROGRAM, {"flatten", tshirt, "--notches", "some"}).status, 2);
 }
 
+TEST(LabelOptions, StandOnEveryLabelAndInTheReport) {
+    const std::string tshirt = test::dataFile("samples/tshirt.obj").string();
+    const Json report = reportOf(tshirt, {"--size", "38", "--date", "31 January 2026"});
+    EXPECT_EQ(report["size"], "38");
+    EXPECT_EQ(report["date"], "31 January 2026");
+    EXPECT_FALSE(reportOf(tshirt, {}).contains("size"));
+    const test::TemporaryFolder folder;
+    const auto drawn = [&](std::vector<std::string> options) {
+        const std::string svg = (folder / "pattern.svg").string();
+        options.insert(options.begin(), {"flatten", tshirt, "-o", svg});
+        EXPECT_EQ(test::run(TOILE_PROGRAM, options).status, 0);
+        return *readFile(svg);
+    };
+    const auto countOf = [](const std::string& text, const std::string& words) {
+        int count = 0;
+        for (std::size_t at = text.find(words); at != std::string::npos;
+             at = text.find(words, at + 1)) {
+            ++count;
+        }
+        return count;
+    };
+    const auto pieces = static_cast<int>(report["pieces"].size());
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{}, std::vector<std::string>{"--allowance", "10"}}) {
+        std::vector<std::string> options{"--size", "38", "--date", "31 January 2026"};
+        options.insert(options.end(), more.begin(), more.end());
+        const std::string svg = drawn(options);
+        EXPECT_EQ(countOf(svg, "size 38"), pieces);
+        EXPECT_EQ(countOf(svg, "31 January 2026"), pieces);
+        EXPECT_EQ(svg, drawn(options));
+    }
+    EXPECT_EQ(countOf(drawn({}), "size"), countOf(drawn({"--size", ""}), "size"));
+}
+
 TEST(MirrorOption, SaysWhatMirrorsWhatAndWhatThatCosts) {
     const std::string bodice = test::dataFile("samples/bodice.obj").string();
     EXPECT_FALSE(reportOf(bodice, {}).contains("symmetry"));

@@ -164,6 +164,40 @@ TEST(ReadyToCut, StrainBeyondTheFabricNamesDirectionShareAndPlace) {
     EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
 }
 
+TEST(ReadyToCut, EachPieceIsJudgedByItsOwnFabric) {
+    CutPlan plan = readyPlan({"front", "lining of the front"});
+    for (std::size_t i = 0; i < 2; ++i) {
+        auto stretched = copyOfResult(plan, i);
+        stretched->flat->Q.col(1) /= 1.05;
+        plan.results[i] = stretched;
+    }
+    plan.settings[1].material = "Lining";
+    EXPECT_EQ(findingsOf(readyToCut(plan), FindingKind::StrainWarp).size(), 2U);
+    plan.materials = {{"Interfacing", *fabricPreset("denim")}, {"Lining", *fabricPreset("jersey")}};
+    const Finding front = onlyFinding(plan, FindingKind::StrainWarp);
+    EXPECT_EQ(front.pieces, std::vector{0});
+    EXPECT_EQ(sentence(front).find("Lining"), std::string::npos);
+
+    // The other way round: the garment's own gives, the lining does not, and is named.
+    plan.fabric = *fabricPreset("jersey");
+    plan.materials[1].fabric = *fabricPreset("denim");
+    const Finding lining = onlyFinding(plan, FindingKind::StrainWarp);
+    EXPECT_EQ(lining.pieces, std::vector{1});
+    EXPECT_EQ(lining.figures[1].value, fabricPreset("denim")->warp.most);
+    EXPECT_NE(sentence(lining).find("the fabric (Lining) takes +1.0 %"), std::string::npos)
+        << sentence(lining);
+}
+
+TEST(FabricOf, IsTheGarmentsOwnWhereNobodyNamedAnother) {
+    const Fabric own = *fabricPreset("denim");
+    const MaterialList materials = {{"Lining", *fabricPreset("jersey")},
+                                    {"", *fabricPreset("woven")}};
+    EXPECT_EQ(fabricOf("Lining", materials, own), *fabricPreset("jersey"));
+    EXPECT_EQ(fabricOf("lining", materials, own), own);
+    EXPECT_EQ(fabricOf("", materials, own), own);
+    EXPECT_EQ(fabricOf("Lining", {}, own), own);
+}
+
 TEST(ReadyToCut, LittleStrainedAreaIsADoubtAndLessIsNothing) {
     const auto planWithShareOf = [](int cells) -> CutPlan {
         // Of cells x cells squares the triangles about one point stretched.

@@ -34,6 +34,29 @@ TEST(WriteReport, NamesItsVersionFilesAndPieces) {
     EXPECT_EQ(json["pieces"][0]["file"], "made/by hand.obj");
 }
 
+TEST(WriteReport, SaysWhatPiecesAreOfAndWhatIsOnTheirLabels) {
+    const test::GarmentAndResults all = test::handmadeGarment();
+    Pattern pattern;
+    pattern.pieces.resize(3);
+    const Json bare = Json::parse(writeReport(all.garment, all.results, pattern));
+    for (const char* key : {"materials", "size", "date"}) {
+        EXPECT_FALSE(bare.contains(key)) << key;
+    }
+    EXPECT_FALSE(bare["pieces"][1].contains("material"));
+    pattern.pieces[1].material = "Lining";
+    pattern.materials = {{"Lining", *fabricPreset("jersey")}, {"Shell", *fabricPreset("denim")}};
+    pattern.label = {"M", "2026-01-31"};
+    const Json json = Json::parse(writeReport(all.garment, all.results, pattern));
+    EXPECT_EQ(json["size"], "M");
+    EXPECT_EQ(json["date"], "2026-01-31");
+    EXPECT_EQ(json["pieces"][1]["material"], "Lining");
+    EXPECT_EQ(json["materials"], (Json::array({{{"name", "Lining"},
+                                                {"fabric", "jersey"},
+                                                {"warp", {-0.05, 0.15}},
+                                                {"weft", {-0.08, 0.35}},
+                                                {"bias", {-0.06, 0.25}}}})));
+}
+
 TEST(WriteReport, GivesTheFiguresOfAFlatPiece) {
     const Json piece = report(test::handmadeGarment())["pieces"][0];
     EXPECT_EQ(piece["status"], "flat");

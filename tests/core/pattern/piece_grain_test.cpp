@@ -39,7 +39,7 @@ FlatGarment flatGarment(MeshArrays mesh, Points2 Q, std::optional<Points2> refer
 }
 
 std::optional<double> grainOf(const FlatGarment& flat, GrainRule rule) {
-    return findGrains(flat.garment, flat.results, nullptr, rule, fabricPresets().front()).front();
+    return findGrains(flat.garment, flat.results, nullptr, rule, {fabricPresets().front()}).front();
 }
 
 Points2 turnedBy(const Points2& points, double angle) {
@@ -147,7 +147,8 @@ TEST_P(GrainOfPairs, IsOneAnswerForBoth) {
     const auto symmetry = findSymmetry(garment);
     ASSERT_TRUE(symmetry);
     for (const auto& [rule, word] : kGrainRuleWords) {
-        const auto grains = findGrains(garment, results, &*symmetry, rule, fabricPresets().front());
+        const auto grains =
+            findGrains(garment, results, &*symmetry, rule, std::vector<Fabric>(results.size()));
         for (int p = 0; p < static_cast<int>(grains.size()); ++p) {
             const int other = symmetry->pieces.counterpart[p];
             if (other <= p) {
@@ -174,8 +175,10 @@ TEST_P(GrainOfDesigns, IsUpThePanels) {
     options.method = Method::Curvature;
     Progress progress;
     const PieceResults results = flattenGarment(garment, options, progress);
-    const auto hanging = findGrains(garment, results, nullptr, GrainRule::Vertical, {});
-    const auto designed = findGrains(garment, results, nullptr, GrainRule::Reference, {});
+    const auto hanging = findGrains(garment, results, nullptr, GrainRule::Vertical,
+                                    std::vector<Fabric>(results.size()));
+    const auto designed = findGrains(garment, results, nullptr, GrainRule::Reference,
+                                     std::vector<Fabric>(results.size()));
     for (std::size_t p = 0; p < results.size(); ++p) {
         ASSERT_TRUE(hanging[p] && designed[p]);
         EXPECT_LT(std::abs(std::sin(*hanging[p] - *designed[p])), std::sin(0.2))

@@ -67,27 +67,25 @@ Points2 lineOf(const Chord& chord) {
     return line;
 }
 
-std::vector<Block> blocksOf(const PieceMarks& marks, const std::vector<std::string>& lines) {
+std::vector<Block> blocksOf(const PieceMarks& marks) {
     std::vector<Block> blocks;
     for (const SeamMark& mark : marks.seams) {
         if (mark.numberPlace) {
-            const std::string number = std::to_string(mark.number);
-            blocks.push_back({textBox(*mark.numberPlace, {number}, mark.angle, 0)});
+            blocks.push_back({textBox(*mark.numberPlace, {numberText(mark)}, mark.angle, 0)});
         }
         if (mark.namePlace) {
             blocks.push_back({textBox(*mark.namePlace, {mark.name}, mark.angle, 0)});
         }
     }
     if (marks.label.fits) {
-        blocks.push_back({textBox(marks.label, lines, 0, 0)});
+        blocks.push_back({textBox(marks.label, marks.lines, 0, 0)});
     }
     return blocks;
 }
 
 /// No text meets the outline, what is drawn there, a tick or another text; all are on the cloth.
 void expectApart(const PatternPiece& piece, const Placement& placement, const PieceMarks& marks,
-                 const std::vector<std::string>& lines, const std::vector<Points2>& drawn,
-                 const std::string& where) {
+                 const std::vector<Points2>& drawn, const std::string& where) {
     std::vector<Points2> there{ending(turnedLine(piece.outline, placement))};
     for (const Points2& line : drawn) {
         there.push_back(turnedLine(line, placement));
@@ -100,7 +98,7 @@ void expectApart(const PatternPiece& piece, const Placement& placement, const Pi
         }
     }
     const Points2 outline = turnedLine(piece.outline, placement);
-    const std::vector<Block> blocks = blocksOf(marks, lines);
+    const std::vector<Block> blocks = blocksOf(marks);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         for (const Points2& line : there) {
             EXPECT_FALSE(blocks[i].meets(line)) << where << " text " << i;
@@ -126,13 +124,13 @@ TEST(PieceMarks, MeetNothingOnRandomOutlines) {
         const std::vector<std::string> lines =
             labelLines(piece.name, piece, placement.mirrored, {}, CutAs::Whole);
         const PieceMarks marks = placeMarks(piece, placement, lines, 0.3, {dart});
-        expectApart(piece, placement, marks, lines, {dart}, std::to_string(seed));
+        expectApart(piece, placement, marks, {dart}, std::to_string(seed));
         labels += marks.label.fits ? 1 : 0;
         for (const SeamMark& mark : marks.seams) {
             numbers += mark.numberPlace ? 1 : 0;
         }
         if (marks.grain && marks.label.fits) {
-            const Block label{textBox(marks.label, lines, 0, 0)};
+            const Block label{textBox(marks.label, marks.lines, 0, 0)};
             beside += label.meets(lineOf(*marks.grain)) ? 0 : 1;
         }
     }
@@ -147,14 +145,15 @@ TEST(PieceMarks, NarrowStripsHaveAllOfThem) {
         for (const double grain : {0.0, kGrainUpwards}) {
             const std::vector<std::string> lines = labelLines("neckband, inner", piece, false, {});
             const PieceMarks marks = placeMarks(piece, {}, lines, grain);
-            expectApart(piece, {}, marks, lines, {}, std::to_string(width));
+            expectApart(piece, {}, marks, {}, std::to_string(width));
             EXPECT_TRUE(marks.label.fits);
             EXPECT_GT(marks.label.height, 3);
             for (const SeamMark& mark : marks.seams) {
                 EXPECT_TRUE(mark.numberPlace && mark.numberPlace->height > 4);
             }
             ASSERT_TRUE(marks.grain);
-            EXPECT_FALSE(Block{textBox(marks.label, lines, 0, 0)}.meets(lineOf(*marks.grain)));
+            EXPECT_FALSE(
+                Block{textBox(marks.label, marks.lines, 0, 0)}.meets(lineOf(*marks.grain)));
         }
     }
 }
@@ -166,7 +165,7 @@ TEST(PieceMarks, KeepOffTheFold) {
     const PieceMarks marks = placeMarks(piece, {}, lines, kGrainUpwards);
     const FoldMark fold = foldMark(piece, {}, "place on fold");
     const Block words{textBox(fold.place, {"place on fold"}, fold.angle, 0)};
-    for (const Block& block : blocksOf(marks, lines)) {
+    for (const Block& block : blocksOf(marks)) {
         EXPECT_FALSE(block.meets(fold.path));
         EXPECT_FALSE(block.meets(words.box) || words.meets(block.box));
     }
@@ -191,6 +190,56 @@ TEST(LabelLines, SayAllThatIsKnown) {
     EXPECT_EQ(labelLines("cuff", {}, false, {}, CutAs::Pair, facts),
               (std::vector<std::string>{"cuff", "piece 3 of 12", "size M", "lining", "cut 1 pair",
                                         "seam allowance included", "2026-01-31"}));
+}
+
+TEST(FactsOf, SayWhatIsStatedOfAnyPattern) {
+    Pattern pattern = test::sewingPattern();
+    PatternPiece& piece = pattern.pieces.front();
+    pattern.hasAllowance = false;
+    piece.number = 1;
+    EXPECT_EQ(labelLines("front", {}, false, {}, CutAs::Whole, factsOf(pattern, piece)),
+              (std::vector<std::string>{"front", "seam line, no allowance"}));
+    pattern.label = {"M\n", "31.1.2026"};
+    piece.material = std::string(100, 'x');
+    const LabelFacts bare = factsOf(pattern, piece);
+    EXPECT_EQ(bare.size, "M ");
+    EXPECT_EQ(bare.material, std::string(kMaxLabelText, 'x') + "…");
+    EXPECT_EQ(bare.date, "31.1.2026");
+    EXPECT_FALSE(bare.hasAllowance || bare.number > 0);
+    pattern.hasAllowance = true;
+    EXPECT_EQ(factsOf(pattern, piece).number, 1);
+    EXPECT_EQ(factsOf(pattern, piece).date, "31.1.2026");
+}
+
+TEST(BrokenLines, KeepTheWordsAndGetNarrower) {
+    const std::vector<std::string> lines{"cuff", "piece 3 of 12", "seam allowance included"};
+    EXPECT_EQ(brokenLines(lines),
+              (std::vector<std::string>{"cuff", "piece 3 of 12", "seam allowance", "included"}));
+    EXPECT_EQ(brokenLines({"seam line, no allowance"}),
+              (std::vector<std::string>{"seam line,", "no allowance"}));
+    // What cannot be broken sets the width for all.
+    const std::vector<std::string> word{"Donaudampfschifffahrtsgesellschaft", "cut 2 pairs"};
+    EXPECT_EQ(brokenLines(word), word);
+    EXPECT_EQ(brokenLines({" a", "a ", ""}), (std::vector<std::string>{" a", "a ", ""}));
+}
+
+TEST(PlaceMarks, BreaksTheLinesOfALabelOnANarrowStrip) {
+    const PatternPiece placket = sewnRound(test::rectangle(0, 0, 28, 160), 2, 1);
+    LabelFacts facts;
+    facts.number = 3;
+    facts.count = 12;
+    facts.hasAllowance = true;
+    const std::vector<std::string> lines =
+        labelLines("placket", {}, false, {}, CutAs::Whole, facts);
+    const PieceMarks marks = placeMarks(placket, {}, lines, kGrainUpwards);
+    EXPECT_TRUE(marks.label.fits);
+    EXPECT_GE(marks.label.height, kSmallestLabel);
+    EXPECT_EQ(marks.lines, brokenLines(lines));
+    EXPECT_NE(marks.lines, lines);
+    expectApart(placket, {}, marks, {}, "placket");
+    // Where there is room they stay as they are.
+    const PatternPiece wide = sewnRound(test::rectangle(0, 0, 100, 160), 2, 1);
+    EXPECT_EQ(placeMarks(wide, {}, lines, kGrainUpwards).lines, lines);
 }
 
 TEST(AsCut, NumbersWhatIsDrawn) {

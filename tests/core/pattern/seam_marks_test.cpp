@@ -89,6 +89,27 @@ TEST(SeamMarks, GiveTheNumberAloneWhereTheNameIsTooLong) {
     EXPECT_EQ(marked(piece).texts[0].lines, std::vector<std::string>{"12"});
 }
 
+TEST(SeamMarks, NumbersThatTurnIntoOthersUpsideDownEndInADot) {
+    const auto written = [](int number, const char* name) {
+        SeamMark mark;
+        mark.number = number;
+        mark.name = name;
+        return numberText(mark);
+    };
+    for (const int number : {6, 9, 66, 68, 86, 89, 98, 99, 606, 669}) {
+        EXPECT_EQ(written(number, ""), std::to_string(number) + ".");
+        EXPECT_EQ(written(number, "front / back"), std::to_string(number));
+    }
+    for (const int number : {1, 2, 8, 10, 12, 26, 60, 69, 88, 90, 96, 609, 906}) {
+        EXPECT_EQ(written(number, ""), std::to_string(number));
+    }
+    PatternPiece piece = sewnRectangle();
+    piece.seams[0].number = 6;
+    EXPECT_EQ(marked(piece).texts[0].lines, std::vector<std::string>{"6"});  // its name follows
+    piece.seams[0].line *= 0.1;
+    EXPECT_EQ(marked(piece).texts[0].lines, std::vector<std::string>{"6."});
+}
+
 TEST(SeamMarks, LieAlongStraightStretchesRatherThanAcrossCorners) {
     PatternPiece piece = sewnRectangle();
     piece.seams.erase(piece.seams.begin());

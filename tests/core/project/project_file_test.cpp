@@ -72,6 +72,9 @@ public:
         project.options.authalic = std::uniform_real_distribution<>(0, 1)(random_);
         project.lines = lines();
         project.fabric = {text(), {-0.1 / 3, 1.0 / 3}, {0, 1e-300}, {-0.0, 7}};
+        for (int k = upTo(3); k > 0; --k) {
+            project.materials.push_back({text(), {text(), {-0.25, 1.0 / 7}, {0, 0}, {-0.5, 3}}});
+        }
         for (int k = upTo(5); k > 0; --k) {
             project.pieces.push_back(
                 {flag() ? PieceId{random_() | 1U} : PieceId{}, text(), piece()});
@@ -185,6 +188,7 @@ private:
         settings.quantity = upTo(1000);
         settings.mirroredPair = flag();
         settings.byHalf = flag();
+        settings.material = flag() ? text() : "";
         settings.partOf = flag() ? PieceId{random_() | 1U} : PieceId{};
         for (int k = upTo(3); k > 0; --k) {
             settings.anchors.push_back({upTo(1 << 20), {number(kFarthest), number(kFarthest)}});
