@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "app/document/document.h"
@@ -96,6 +97,8 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& wor
       document_(document),
       fieldGuard_(*new FieldGuard(this)),
       pages_(new QStackedWidget(this)),
+      materialTitle_(new QLabel(tr("Fabric &of"), this)),
+      material_(new QComboBox(this)),
       preset_(new QComboBox(this)),
       all_(new QLabel(this)),
       worst_(new QLabel(this)),
@@ -145,6 +148,19 @@ QWidget* FabricPanel::makeContents() {
     grid->setVerticalSpacing(5);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(2, 1);
+    material_->setObjectName("fabricMaterial");
+    material_->setAccessibleName(tr("Fabric of"));
+    material_->setToolTip(
+        tr("The garment, or what pieces of another material are cut from (panel Position)"));
+    material_->setFocusPolicy(Qt::StrongFocus);
+    fieldGuard_.install(*material_);
+    connect(material_, &QComboBox::activated, this, [this](int index) {
+        shown_ = material_->itemData(index).toString().toStdString();
+        refresh();
+    });
+    materialTitle_->setBuddy(material_);
+    grid->addWidget(materialTitle_, 0, 0);
+    grid->addWidget(material_, 0, 1, 1, 2);
     preset_->setObjectName("fabricPreset");
     preset_->setAccessibleName(tr("Fabric"));
     preset_->setToolTip(tr("What the garment is cut from"));
@@ -158,16 +174,16 @@ QWidget* FabricPanel::makeContents() {
     connect(preset_, &QComboBox::activated, this, &FabricPanel::choosePreset);
     auto* label = new QLabel(tr("&Fabric"), contents);
     label->setBuddy(preset_);
-    grid->addWidget(label, 0, 0);
-    grid->addWidget(preset_, 0, 1, 1, 2);
+    grid->addWidget(label, 1, 0);
+    grid->addWidget(preset_, 1, 1, 1, 2);
     addLimits(*grid);
     grid->addWidget(
         makeNote(tr("Presets are rules of thumb. Where it matters, measure a sample and "
                     "type what it allows.")),
-        5, 0, 1, 3);
-    grid->setRowMinimumHeight(6, 6);
-    addFit(*grid, 7);
-    grid->setRowStretch(13, 1);
+        6, 0, 1, 3);
+    grid->setRowMinimumHeight(7, 6);
+    addFit(*grid, 8);
+    grid->setRowStretch(14, 1);
     return contents;
 }
 
@@ -184,8 +200,8 @@ void FabricPanel::addLimits(QGridLayout& grid) {
     for (QLabel* heading : {least, most}) {
         heading->setForegroundRole(QPalette::PlaceholderText);
     }
-    grid.addWidget(least, 1, 1, Qt::AlignRight);
-    grid.addWidget(most, 1, 2, Qt::AlignRight);
+    grid.addWidget(least, 2, 1, Qt::AlignRight);
+    grid.addWidget(most, 2, 2, Qt::AlignRight);
     struct Direction {
         StrainLimits Fabric::*member;
         QString title, tip;
@@ -198,7 +214,7 @@ void FabricPanel::addLimits(QGridLayout& grid) {
          "fabricBiasMost"}};
     std::size_t next = 0;
     for (const Direction& direction : directions) {
-        const int row = 2 + static_cast<int>(next / 2);
+        const int row = 3 + static_cast<int>(next / 2);
         auto* title = new QLabel(direction.title, parent);
         title->setToolTip(direction.tip);
         grid.addWidget(title, row, 0);
@@ -308,7 +324,9 @@ void FabricPanel::askForFit() {
     if (!document_.scene()) {
         setFit(std::nullopt);  // nothing of a garment that is gone
     }
-    answerer_.ask({document_.scene(), placesOf(document_.settings()), document_.fabric()});
+    answerer_.ask({document_.scene(),
+                   placesOf(document_.settings(), {}, document_.state().materials),
+                   document_.fabric()});
 }
 
 void FabricPanel::setFit(const std::optional<FabricFit>& fit, const QString& problem) {
@@ -319,9 +337,31 @@ void FabricPanel::setFit(const std::optional<FabricFit>& fit, const QString& pro
     }
 }
 
+void FabricPanel::showMaterials() {
+    const MaterialList& materials = document_.state().materials;
+    shown_ = findMaterial(shown_, materials) ? shown_ : std::string();
+    material_->clear();
+    material_->addItem(tr("Garment"));
+    for (const Material& material : materials) {
+        const QString name = QString::fromStdString(material.name);
+        material_->addItem(name, name);
+    }
+    material_->setCurrentIndex(
+        std::max(0, material_->findData(QString::fromStdString(shown_), Qt::UserRole,
+                                        Qt::MatchExactly | Qt::MatchCaseSensitive)));
+    material_->setVisible(!materials.empty());
+    materialTitle_->setVisible(!materials.empty());
+}
+
+Fabric& FabricPanel::shownFabric(DocumentState& state) const {
+    const auto found = std::ranges::find(state.materials, shown_, &Material::name);
+    return found == state.materials.end() ? state.fabric : found->fabric;
+}
+
 void FabricPanel::refresh() {
     pages_->setCurrentIndex(document_.garment() ? 0 : 1);
-    const Fabric& fabric = document_.fabric();
+    showMaterials();
+    const Fabric& fabric = fabricOf(shown_, document_.state().materials, document_.fabric());
     preset_->setCurrentIndex(presetOf(fabric));
     for (const Limit& limit : limits_) {
         const QSignalBlocker quiet(limit.field);
@@ -357,12 +397,16 @@ void FabricPanel::choosePreset(int index) {
     }
     DocumentState next = document_.state();
     const auto presets = fabricPresets();
+    Fabric& fabric = shownFabric(next);
     if (index >= 0 && index < static_cast<int>(presets.size())) {
-        next.fabric = presets[static_cast<std::size_t>(index)];
+        fabric = presets[static_cast<std::size_t>(index)];
     } else {
-        next.fabric.id = kCustom;
+        fabric.id = kCustom;
     }
-    const QString text = tr("Fabric: %1").arg(fabricName(next.fabric));
+    const QString name = fabricName(fabric);
+    const QString text = shown_.empty()
+                             ? tr("Fabric: %1").arg(name)
+                             : tr("Fabric of %1: %2").arg(QString::fromStdString(shown_), name);
     document_.edit(text, std::move(next));
     gesture_ = document_.newGesture();
     refresh();
@@ -373,8 +417,9 @@ void FabricPanel::setLimit(const Limit& limit, double percent) {
         return;
     }
     DocumentState next = document_.state();
-    next.fabric.id = kCustom;
-    next.fabric.*limit.direction.*limit.end = percent / kPercentPerShare;
+    Fabric& fabric = shownFabric(next);
+    fabric.id = kCustom;
+    fabric.*limit.direction.*limit.end = percent / kPercentPerShare;
     document_.edit(tr("Fabric limits"), std::move(next), gesture_);
     refresh();
 }

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <array>
+#include <string>
 
 #include "app/base/worker.h"
 #include "app/document/document_change.h"
@@ -16,10 +17,12 @@ class QStackedWidget;
 namespace toile::app {
 
 class Document;
+struct DocumentState;
 class FieldGuard;
 class PercentEdit;
 
-/// What the garment is cut from: a preset, or limits that are typed. Below it, how much of the
+/// What the garment is cut from, and what pieces of another material are: a preset, or limits that
+/// are typed. Below it, how much of the
 /// garment goes beyond them: of a small one at once; that of a large one is worked out on another
 /// thread and comes a moment later. A change is a step of the history; nothing is flattened again.
 class FabricPanel : public QWidget {
@@ -65,6 +68,9 @@ private:
     void askForFit();
     void setFit(const std::optional<FabricFit>& fit, const QString& problem = {});
     void showFit();
+    void showMaterials();
+    /// What is shown, of this state: the garment's own fabric, or that of a material.
+    Fabric& shownFabric(DocumentState& state) const;
     void choosePreset(int index);
     void setLimit(const Limit& limit, double percent);
     void follow(const QString& link);
@@ -72,7 +78,9 @@ private:
     Document& document_;
     FieldGuard& fieldGuard_;
     QStackedWidget* pages_;
-    QComboBox* preset_;
+    QLabel* materialTitle_;
+    QComboBox *material_, *preset_;
+    std::string shown_{};  ///< the material; empty: the garment's own fabric
     std::array<Limit, 6> limits_{};
     std::array<QLabel*, 3> directions_{}, shares_{};  ///< of warp, weft, bias
     QLabel *all_, *worst_;

@@ -15,6 +15,7 @@
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
 #include "app/panels/allowance_form.h"
+#include "app/panels/label_form.h"
 #include "app/panels/seam_ends_list.h"
 #include "app/panels/segment_form.h"
 #include "app/settings/length_display.h"
@@ -57,13 +58,20 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
       trueBelow_(new AngleEdit(this)),
       straying_(new QLabel(this)),
       allowance_(new AllowanceForm(document, *fieldGuard_, this)),
+      label_(new LabelForm(document, this)),
       ends_(new SeamEndsList(this)),
       segment_(new SegmentForm(document, *fieldGuard_, this)) {
     auto* columns = new QHBoxLayout(this);
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(0);
     columns->addWidget(makeColumn(makeSettings(), this), 2);
-    columns->addWidget(makeColumn(allowance_, this), 2);
+    auto* added = new QWidget(this);
+    auto* rows = new QVBoxLayout(added);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    rows->addWidget(allowance_);
+    rows->addWidget(label_, 1);
+    columns->addWidget(makeColumn(added, this), 2);
     columns->addWidget(ends_, 2);
     columns->addWidget(makeColumn(segment_, this), 4);
     connect(fair_, &QCheckBox::clicked, this, &LinesPanel::setFair);
@@ -86,6 +94,7 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
         document_.setSeam(seam);
     });
     connect(allowance_, &AllowanceForm::wanted, &document_, &Document::setLines);
+    connect(label_, &LabelForm::wanted, &document_, &Document::setLines);
     connect(segment_, &SegmentForm::wanted, &document_, &Document::setLines);
     connect(&document_, &Document::changed, this, &LinesPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &LinesPanel::refresh);
@@ -202,6 +211,7 @@ void LinesPanel::showSettings() {
         field->setEnabled(open);
     }
     allowance_->refresh();
+    label_->refresh();
     fair_->setChecked(lines.fairing.has_value());
     true_->setChecked(lines.trueBelow > 0);
     if (lines.fairing) {  // else they say what would be

@@ -15,6 +15,7 @@ class AllowanceForm;
 class AngleEdit;
 class Document;
 class FieldGuard;
+class LabelForm;
 class LengthEdit;
 class SeamEndsList;
 class SegmentForm;
@@ -55,6 +56,7 @@ private:
     AngleEdit* trueBelow_;
     QLabel* straying_;
     AllowanceForm* allowance_;
+    LabelForm* label_;
     SeamEndsList* ends_;
     SegmentForm* segment_;
     LineFacts facts_;

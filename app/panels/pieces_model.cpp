@@ -57,7 +57,7 @@ void PiecesModel::onChanged(DocumentChanges what) {
         return;
     }
     if (what.testFlag(DocumentChange::Settings)) {
-        showColumns(Quantity, Pair);
+        showColumns(Quantity, MaterialName);
     }
     if (what.testFlag(DocumentChange::Options)) {
         showColumns(Method, Method);
@@ -129,6 +129,12 @@ bool PiecesModel::hasReference() const {
     });
 }
 
+bool PiecesModel::hasMaterials() const {
+    return std::ranges::any_of(document_.settings(), [](const PieceSettings& settings) {
+        return !settings.material.empty();
+    });
+}
+
 QVariant PiecesModel::decoration(int row) const {
     const PieceResult* known = document_.result(row);
     return swatch(known && known->flat ? pieceColour(document_.colourOf(row)) : neutralColour());
@@ -147,6 +153,8 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
             return {QLocale().toString(settings(row).quantity), settings(row).quantity};
         case Pair:
             return {{}, settings(row).mirroredPair ? 1 : 0};  // a box to check
+        case MaterialName:
+            return {QString::fromStdString(settings(row).material)};
         case Method:
             return {known ? methodName(known->options.method) : QString(kUnknown)};
         case Status:
@@ -260,6 +268,7 @@ std::vector<PiecesModel::Heading> PiecesModel::headings() const {
         {tr("Status"), tr("Flat, or why not")},
         {tr("Quantity"), tr("How many of the piece are cut")},
         {tr("Pair"), tr("Each is also cut mirrored: left and right")},
+        {tr("Material"), tr("What the piece is cut from; empty: the garment's own fabric")},
         {tr("Method"), tr("How the piece was flattened; grey until it is flattened anew")},
         {tr("Triangles"), tr("Triangles of the mesh")},
         {tr("Area %1").arg(areaUnit()), tr("Area of the flat piece")},

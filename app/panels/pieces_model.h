@@ -23,6 +23,7 @@ public:
         Status,
         Quantity,
         Pair,
+        MaterialName,
         Method,
         Triangles,
         Area,
@@ -49,6 +50,8 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     /// True where a flat piece carries the reference panel.
     bool hasReference() const;
+    /// True where a piece is cut from another fabric than the garment's own.
+    bool hasMaterials() const;
 
 signals:
     /// A person has typed another quantity into a row, or checked it as a mirrored pair or not.
@@ -58,7 +61,8 @@ signals:
 protected:
     std::vector<Heading> headings() const override;
     bool isWords(int column) const override {
-        return column == Name || column == Status || column == Pair || column == Method;
+        return column == Name || column == Status || column == Pair || column == MaterialName ||
+               column == Method;
     }
     Cell cell(int row, int column) const override;
 

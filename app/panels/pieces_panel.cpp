@@ -42,11 +42,12 @@ PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
       model_(new PiecesModel(document, this)),
       sorted_(new QSortFilterProxyModel(this)),
       table_(new PiecesView(this)),
-      columns_(new ColumnChooser(*table_->header(),
-                                 {"name", "status", "quantity", "pair", "method", "triangles",
-                                  "area", "outline", "outlineError", "strainMean", "strainRange",
-                                  "flips", "crossings", "referenceRms", "referenceMax"},
-                                 this)),
+      columns_(
+          new ColumnChooser(*table_->header(),
+                            {"name", "status", "quantity", "pair", "material", "method",
+                             "triangles", "area", "outline", "outlineError", "strainMean",
+                             "strainRange", "flips", "crossings", "referenceRms", "referenceMax"},
+                            this)),
       details_(new QLabel(this)) {
     makeTable();
     details_->setObjectName("pieceDetails");
@@ -108,7 +109,9 @@ void PiecesPanel::makeTable() {
 }
 
 void PiecesPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Results)) {
+    if (what & (DocumentChange::Garment | DocumentChange::Results) ||
+        (what.testFlag(DocumentChange::Settings) &&
+         table_->isColumnHidden(PiecesModel::MaterialName) == model_->hasMaterials())) {
         fitColumns();
     }
     if (what & (DocumentChange::Garment | DocumentChange::Selection)) {
@@ -132,12 +135,13 @@ QStringList PiecesPanel::hiddenAtFirst() {
 
 void PiecesPanel::fitColumns() {
     constexpr int kCellAir = 6;
-    const bool hasReference = model_->hasReference();
+    const bool hasReference = model_->hasReference(), hasMaterials = model_->hasMaterials();
     wanted_.assign(PiecesModel::ColumnCount, 0);
     for (int column = 0; column < PiecesModel::ColumnCount; ++column) {
-        table_->setColumnHidden(
-            column,
-            columns_->isHidden(column) || (PiecesModel::isAboutReference(column) && !hasReference));
+        table_->setColumnHidden(column,
+                                columns_->isHidden(column) ||
+                                    (PiecesModel::isAboutReference(column) && !hasReference) ||
+                                    (column == PiecesModel::MaterialName && !hasMaterials));
         if (table_->isColumnHidden(column)) {
             continue;
         }

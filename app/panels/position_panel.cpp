@@ -2,19 +2,25 @@
 #include "app/panels/position_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "app/actions/action_registry.h"
 #include "app/document/document.h"
 #include "app/document/layout.h"
+#include "app/document/piece_edits.h"
 #include "app/widgets/number_edits.h"
 #include "core/base/units.h"
 
@@ -22,10 +28,10 @@ namespace toile::app {
 
 namespace {
 
-constexpr double kFarthest = 1e6;     // mm, a kilometre
-constexpr double kVarious = -360;     // degrees: stands for angles that differ
-constexpr double kSameAngle = 1e-6;   // radians
-constexpr double kSameLength = 1e-5;  // mm: what the fields' digits leave out is less
+constexpr double kFarthest = 1e6;    // mm, a kilometre
+constexpr double kVarious = -360;    // degrees: stands for angles that differ
+constexpr double kSameAngle = 1e-6;  // radians
+constexpr double kSamePlace = 1e-5;  // mm: what the fields' digits leave out is less
 
 /// The one angle that all have; nothing where they differ.
 template <class AngleOf>
@@ -55,6 +61,7 @@ PositionPanel::PositionPanel(Document& document, const ActionRegistry& actions, 
       y_(makeField<LengthEdit>("positionY", tr("Lower edge"))),
       angle_(makeField<AngleEdit>("positionAngle", tr("Angle"))),
       grain_(makeField<AngleEdit>("positionGrain", tr("Grain"))),
+      material_(makeField<QComboBox>("pieceMaterial", tr("Material"))),
       mirrored_(new QCheckBox(tr("Wrong side up"), this)),
       grainNote_(new QLabel(this)) {
     x_->setToolTip(tr("From the sheet's origin to the left edge of what is selected"));
@@ -74,6 +81,13 @@ PositionPanel::PositionPanel(Document& document, const ActionRegistry& actions, 
     }
     connect(angle_, &QDoubleSpinBox::valueChanged, this, &PositionPanel::turnPieces);
     connect(grain_, &QDoubleSpinBox::valueChanged, this, &PositionPanel::turnGrain);
+    material_->setEditable(true);
+    material_->setInsertPolicy(QComboBox::NoInsert);
+    material_->setToolTip(
+        tr("What is selected is cut from this; empty: from the garment's own fabric"));
+    connect(material_, &QComboBox::activated, this,
+            [this] { setMaterial(document_, pieces_, material_->currentText()); });
+    connect(material_->lineEdit(), &QLineEdit::editingFinished, this, &PositionPanel::takeMaterial);
     connect(mirrored_, &QCheckBox::clicked, this, &PositionPanel::mirrorPieces);
     makeLayout(actions);
     connect(&document_, &Document::changed, this, &PositionPanel::onChanged);
@@ -136,23 +150,29 @@ void PositionPanel::makeLayout(const ActionRegistry& actions) {
     buttons->addWidget(grainNote_, 1);
     grid->addWidget(grainButtons_, row++, 1);
     grid->addWidget(mirrored_, row++, 1);
+    auto* material = new QLabel(tr("&Material"), this);
+    material->setBuddy(material_);
+    grid->addWidget(material, row, 0);
+    grid->addWidget(material_, row++, 1);
     grid->setColumnStretch(1, 1);
     grid->setRowStretch(row, 1);
 }
 
 void PositionPanel::onChanged(DocumentChanges what) {
     if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Selection |
-                DocumentChange::Settings)) {
+                DocumentChange::Settings | DocumentChange::Fabric)) {
         refresh();
     }
 }
 
 void PositionPanel::refresh() {
-    pieces_ = selectedFlat(document_);
+    const std::vector<int> before = std::exchange(pieces_, selectedFlat(document_));
     const bool any = !pieces_.empty();
-    for (QWidget* field : std::initializer_list<QWidget*>{x_, y_, angle_, grain_, mirrored_}) {
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{x_, y_, angle_, grain_, material_, mirrored_}) {
         field->setEnabled(any);
     }
+    showMaterial(pieces_ != before);
     // Without a selection the actions behind them are about the whole garment.
     grainButtons_->setVisible(any);
     if (!any) {
@@ -196,6 +216,48 @@ void PositionPanel::refresh() {
     grainNote_->setText(stated ? QString() : tr("grain not set"));
 }
 
+void PositionPanel::showMaterial(bool isOther) {
+    if (!isOther && material_->lineEdit()->hasFocus() && material_->lineEdit()->isModified()) {
+        return;
+    }
+    const QSignalBlocker quiet(material_);
+    QStringList names = QStringList(QString()) + proposedMaterials();
+    for (const Material& material : document_.state().materials) {
+        names << QString::fromStdString(material.name);
+    }
+    names.removeDuplicates();
+    QStringList listed;
+    for (int i = 0; i < material_->count(); ++i) {
+        listed << material_->itemText(i);
+    }
+    if (names != listed) {
+        material_->clear();
+        material_->addItems(names);
+    }
+    std::set<std::string> materials;
+    for (const int piece : pieces_) {
+        materials.insert(document_.settings()[std::size_t(piece)].material);
+    }
+    const bool isMixed = materials.size() > 1;
+    shownMaterial_ = materials.size() == 1 ? QString::fromStdString(*materials.begin()) : QString();
+    material_->setCurrentIndex(material_->findText(shownMaterial_, Qt::MatchExactly));
+    material_->setEditText(shownMaterial_);
+    material_->lineEdit()->setPlaceholderText(isMixed           ? tr("various")
+                                              : pieces_.empty() ? QString()
+                                                                : tr("as the garment"));
+}
+
+void PositionPanel::takeMaterial() {
+    const QString typed = material_->currentText().simplified();
+    // A field that was only left says nothing, of pieces that differ either.
+    material_->lineEdit()->setModified(false);
+    if (typed != shownMaterial_) {
+        setMaterial(document_, pieces_, typed);
+    } else {
+        showMaterial(true);
+    }
+}
+
 void PositionPanel::movePieces() {
     const Eigen::AlignedBox2d box = boxOnSheet(document_, pieces_);
     if (box.isEmpty()) {
@@ -203,7 +265,7 @@ void PositionPanel::movePieces() {
     }
     // A field that was not touched holds rounded digits: only what differs from those was typed.
     const auto way = [](const LengthEdit& field, double now) {
-        return std::abs(field.value() - now) > kSameLength ? field.value() - now : 0.0;
+        return std::abs(field.value() - now) > kSamePlace ? field.value() - now : 0.0;
     };
     const Eigen::Vector2d move(way(*x_, box.min().x()), way(*y_, box.min().y()));
     PiecePlacements placements;

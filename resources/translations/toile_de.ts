@@ -944,10 +944,6 @@
         <translation>Dehnung längs der Kette</translation>
     </message>
     <message>
-        <source>strain along the warp reaches %1, the fabric takes %2 (%3 of the area lies beyond)</source>
-        <translation>die Dehnung längs der Kette erreicht %1, das Material erlaubt %2 (%3 der Fläche liegen darüber)</translation>
-    </message>
-    <message>
         <source>Turn the grain, choose a fabric that gives more, or open a dart or a seam there</source>
         <translation>Drehen Sie den Fadenlauf, wählen Sie ein nachgiebigeres Material oder öffnen Sie dort einen Abnäher oder eine Naht</translation>
     </message>
@@ -956,16 +952,8 @@
         <translation>Dehnung längs des Schusses</translation>
     </message>
     <message>
-        <source>strain along the weft reaches %1, the fabric takes %2 (%3 of the area lies beyond)</source>
-        <translation>die Dehnung längs des Schusses erreicht %1, das Material erlaubt %2 (%3 der Fläche liegen darüber)</translation>
-    </message>
-    <message>
         <source>Strain on the bias</source>
         <translation>Dehnung im Schrägen</translation>
-    </message>
-    <message>
-        <source>strain on the bias reaches %1, the fabric takes %2 (%3 of the area lies beyond)</source>
-        <translation>die Dehnung im Schrägen erreicht %1, das Material erlaubt %2 (%3 der Fläche liegen darüber)</translation>
     </message>
     <message>
         <source>Pieces on each other</source>
@@ -1678,6 +1666,18 @@
     <message>
         <source>Draw pieces that mirror each other alike, or cut it whole</source>
         <translation>Zeichnen Sie gespiegelte Schnittteile gleich, oder schneiden Sie es ganz zu</translation>
+    </message>
+    <message>
+        <source>strain along the warp reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)</source>
+        <translation>die Dehnung längs der Kette erreicht %1, das Material%0 erlaubt %2 (%3 der Fläche liegen darüber)</translation>
+    </message>
+    <message>
+        <source>strain along the weft reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)</source>
+        <translation>die Dehnung längs des Schusses erreicht %1, das Material%0 erlaubt %2 (%3 der Fläche liegen darüber)</translation>
+    </message>
+    <message>
+        <source>strain on the bias reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)</source>
+        <translation>die Dehnung im Schrägen erreicht %1, das Material%0 erlaubt %2 (%3 der Fläche liegen darüber)</translation>
     </message>
 </context>
 <context>
@@ -3633,6 +3633,26 @@
         <source>Roll one piece along the selected seam of the other, and see whether both sides and their notches meet</source>
         <translation>Ein Schnittteil an der ausgewählten Naht des anderen abrollen und sehen, ob beide Seiten und ihre Knipse zusammentreffen</translation>
     </message>
+    <message>
+        <source>Shell</source>
+        <translation>Oberstoff</translation>
+    </message>
+    <message>
+        <source>Lining</source>
+        <translation>Futter</translation>
+    </message>
+    <message>
+        <source>Interfacing</source>
+        <translation>Einlage</translation>
+    </message>
+    <message>
+        <source>Material of %1: as the garment</source>
+        <translation>Stoff von %1: wie das Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Material of %1: %2</source>
+        <translation>Stoff von %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -4206,6 +4226,26 @@
         <source>In one of the three directions at least. Edge strain is something else: there every edge is held to the tightest of these limits, whatever its direction.</source>
         <translation>In mindestens einer der drei Richtungen. Die Kantendehnung ist etwas anderes: Dort gilt für jede Kante die engste dieser Grenzen, gleich in welcher Richtung sie liegt.</translation>
     </message>
+    <message>
+        <source>Fabric &amp;of</source>
+        <translation>Material v&amp;on</translation>
+    </message>
+    <message>
+        <source>Fabric of</source>
+        <translation>Material von</translation>
+    </message>
+    <message>
+        <source>The garment, or what pieces of another material are cut from (panel Position)</source>
+        <translation>Das Kleidungsstück oder ein Stoff, aus dem einzelne Schnittteile zugeschnitten werden (Feld „Stoff“ bei Lage und Winkel)</translation>
+    </message>
+    <message>
+        <source>Garment</source>
+        <translation>Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Fabric of %1: %2</source>
+        <translation>Material von %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::FigureTable</name>
@@ -4327,6 +4367,41 @@
     <message>
         <source>Click a seam: join the cloth on both sides of it, so that it becomes one · Esc: back to selecting</source>
         <translation>Naht anklicken: den Stoff auf beiden Seiten verbinden, sodass er eins wird · Esc: zurück zum Auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::LabelForm</name>
+    <message>
+        <source>The size that the labels of all pieces name</source>
+        <translation>Die Größe, die auf allen Schnittteilen steht</translation>
+    </message>
+    <message>
+        <source>The date that the labels of all pieces name, as it is to be read</source>
+        <translation>Das Datum, das auf allen Schnittteilen steht, so wie es zu lesen ist</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>Write the date of today on the labels</source>
+        <translation>Das heutige Datum auf die Schnittteile schreiben</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Grö&amp;ße</translation>
+    </message>
+    <message>
+        <source>&amp;Date</source>
+        <translation>&amp;Datum</translation>
+    </message>
+    <message>
+        <source>Size on labels</source>
+        <translation>Größe auf den Schnittteilen</translation>
+    </message>
+    <message>
+        <source>Date on labels</source>
+        <translation>Datum auf den Schnittteilen</translation>
     </message>
 </context>
 <context>
@@ -4821,6 +4896,14 @@
         <source>How the piece was flattened; grey until it is flattened anew</source>
         <translation>Wie das Schnittteil abgewickelt wurde; grau, bis es neu abgewickelt ist</translation>
     </message>
+    <message>
+        <source>Material</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>What the piece is cut from; empty: the garment&apos;s own fabric</source>
+        <translation>Woraus das Schnittteil zugeschnitten wird; leer: aus dem Material des Kleidungsstücks</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::PiecesPanel</name>
@@ -5004,6 +5087,22 @@
     <message>
         <source>Mirroring</source>
         <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>What is selected is cut from this; empty: from the garment&apos;s own fabric</source>
+        <translation>Woraus die ausgewählten Teile zugeschnitten werden; leer: aus dem Material des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>&amp;Material</source>
+        <translation>&amp;Stoff</translation>
+    </message>
+    <message>
+        <source>as the garment</source>
+        <translation>wie das Kleidungsstück</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLineEdit>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -112,6 +113,31 @@ private slots:
     }
 
     void cleanup() { fixture_.close(); }
+
+    void sizeAndDateStandOnTheLabels() {
+        auto& size = fixture_.find<QLineEdit>("labelSize");
+        auto& date = fixture_.find<QLineEdit>("labelDate");
+        size.setFocus();
+        QTest::keyClicks(&size, " 38 ");
+        QTest::keyClick(&size, Qt::Key_Return);
+        QCOMPARE(lines().label.size, std::string("38"));
+        QCOMPARE(size.text(), QString("38"));
+        QCOMPARE(steps(), 1);
+        date.setFocus();  // the size that is only left again says nothing
+        QTest::keyClicks(&date, "spring");
+        QTest::keyClick(&date, Qt::Key_Return);
+        QCOMPARE(steps(), 2);
+        QVERIFY(isDone());
+        QVERIFY(document().derived().pattern->label == (LabelTexts{"38", "spring"}));
+        QTest::mouseClick(&fixture_.find<QToolButton>("labelToday"), Qt::LeftButton);
+        QVERIFY(lines().label.date != "spring" && !lines().label.date.empty());
+        QCOMPARE(date.text(), QString::fromStdString(lines().label.date));
+        undo();
+        QCOMPARE(date.text(), QString("spring"));
+        undo();
+        undo();
+        QVERIFY(lines() == LineSettings{} && size.text().isEmpty());
+    }
 
     void anAllowanceIsOneTickAndOneUndo() {
         QVERIFY(!document().derived().pattern->hasAllowance);

@@ -4,11 +4,14 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QStackedWidget>
+#include <QTreeView>
 #include <new>
 
 #include "app/document/project_state.h"
 #include "app/panels/fabric_panel.h"
+#include "app/panels/pieces_model.h"
 #include "app/render/overlay_figures.h"
 #include "app/render/overlay_values.h"
 #include "app/views/colour_bar.h"
@@ -35,6 +38,21 @@ private:
     QString lastStep() { return document().history().undoText(); }
     PercentEdit& field(const char* name) { return fixture_.find<PercentEdit>(name); }
     QComboBox& preset() { return fixture_.find<QComboBox>("fabricPreset"); }
+    QComboBox& material() { return fixture_.find<QComboBox>("pieceMaterial"); }
+    const std::string& materialOf(std::size_t piece) {
+        return document().settings()[piece].material;
+    }
+    void typeMaterial(const QString& name) {
+        QLineEdit& edit = *material().lineEdit();
+        edit.setFocus();
+        edit.selectAll();
+        QTest::keyClick(&edit, Qt::Key_Delete);
+        QTest::keyClicks(&edit, name);
+        QTest::keyClick(&edit, Qt::Key_Return);
+    }
+    bool isMaterialColumnShown() {
+        return !fixture_.find<QTreeView>("pieceTable").isColumnHidden(PiecesModel::MaterialName);
+    }
     QString label(const char* name) { return fixture_.find<QLabel>(name).text(); }
 
     void type(const char* name, const QString& text) {
@@ -47,7 +65,9 @@ private:
     void undo() { fixture_.action(ActionId::Undo).trigger(); }
 
     FabricQuestion question() {
-        return {document().scene(), placesOf(document().settings()), document().fabric()};
+        return {document().scene(),
+                placesOf(document().settings(), {}, document().state().materials),
+                document().fabric()};
     }
 
 private slots:
@@ -290,6 +310,90 @@ private slots:
         QCOMPARE(field("fabricBiasMost").text(), QString("+17.25 %"));
         QCOMPARE(preset().currentText(), QString("Custom"));
         QCOMPARE(steps(), 0);
+    }
+
+    void aMaterialHasAFabricOfItsOwn() {
+        auto& of = fixture_.find<QComboBox>("fabricMaterial");
+        QVERIFY(of.isHidden());
+        QVERIFY(!isMaterialColumnShown());
+        const auto woven = fabricFit(question());
+        QVERIFY(woven && woven->any > 0);
+        document().setSelection({1});  // the cap, which is all that is strained
+        typeMaterial("Lining");
+        QCOMPARE(materialOf(1), std::string("Lining"));
+        QCOMPARE(materialOf(0), std::string());
+        QCOMPARE(lastStep(), QString("Material of cap: Lining"));
+        QCOMPARE(steps(), 1);
+        QVERIFY(isMaterialColumnShown());
+        QVERIFY(*fabricFit(question()) == *woven);  // it begins with the garment's fabric
+
+        QVERIFY(!of.isHidden());
+        of.setFocus();
+        QTest::keyClick(&of, Qt::Key_Down);
+        QCOMPARE(of.currentText(), QString("Lining"));
+        QCOMPARE(preset().currentText(), QString("Woven"));
+        preset().setFocus();
+        QTest::keyClick(&preset(), Qt::Key_End);  // Custom: the limits stay
+        QTest::keyClick(&preset(), Qt::Key_Home);
+        for (const char* least : {"fabricWarpLeast", "fabricWeftLeast", "fabricBiasLeast"}) {
+            type(least, "-50");
+        }
+        for (const char* most : {"fabricWarpMost", "fabricWeftMost", "fabricBiasMost"}) {
+            type(most, "200");
+        }
+        QVERIFY(document().fabric() == *fabricPreset("woven"));
+        QCOMPARE(document().fabricOf(1).bias.most, 2.0);
+        QVERIFY(document().fabricOf(0) == *fabricPreset("woven"));
+        QCOMPARE(fabricFit(question())->any, 0.0);
+        QCOMPARE(label("fabricBeyondAny"), QString("0 %"));
+        const OverlayFigures figures = overlayFigures(
+            {document().scene(), question().places, document().fabric(), Overlay::Weft});
+        QCOMPARE(figures.histogram->beyond(), 0.0);
+
+        const auto file = fixture_.path("lined.toile");
+        QVERIFY(writeProject(file.toStdString(), projectOf(document().state(), document().derived(),
+                                                           document().view())));
+        const MaterialList materials = document().state().materials;
+        while (steps() > 1) {
+            undo();
+        }
+        QVERIFY(*fabricFit(question()) == *woven);
+        undo();
+        QCOMPARE(materialOf(1), std::string());
+        QVERIFY(document().state().materials.empty());
+        QVERIFY(of.isHidden());
+        fixture_.close();
+        fixture_.open();
+        QVERIFY(fixture_.openAndWait(file));
+        QCOMPARE(materialOf(1), std::string("Lining"));
+        QVERIFY(document().state().materials == materials);
+        QCOMPARE(fabricFit(question())->any, 0.0);
+    }
+
+    void aMaterialIsSetOnAllThatIsSelected() {
+        document().setSelection({0, 1});
+        QVERIFY(material().findText("Interfacing") >= 0);
+        typeMaterial("  stiff   canvas ");
+        QCOMPARE(materialOf(0), std::string("stiff canvas"));
+        QCOMPARE(materialOf(1), std::string("stiff canvas"));
+        QCOMPARE(steps(), 1);
+        typeMaterial("stiff canvas");
+        QCOMPARE(steps(), 1);
+        document().setSelection({0});
+        typeMaterial("");
+        QCOMPARE(lastStep(), QString("Material of sheet: as the garment"));
+        QCOMPARE(document().state().materials.size(), std::size_t(1));
+        document().setSelection({0, 1});
+        QCOMPARE(material().currentText(), QString());  // they differ
+        QCOMPARE(material().lineEdit()->placeholderText(), QString("various"));
+        const int before = steps();
+        QTest::keyClick(material().lineEdit(), Qt::Key_Return);
+        QCOMPARE(steps(), before);
+        document().setSelection({1});
+        typeMaterial("");
+        QVERIFY(document().state().materials.empty());  // nothing was said of it, and none has it
+        undo();
+        QCOMPARE(materialOf(1), std::string("stiff canvas"));
     }
 
     void theManualListsThePresets() {

@@ -231,7 +231,7 @@ TEST(LabelOptions, StandOnEveryLabelAndInTheReport) {
         const std::string svg = (folder / "pattern.svg").string();
         options.insert(options.begin(), {"flatten", tshirt, "-o", svg});
         EXPECT_EQ(test::run(TOILE_PROGRAM, options).status, 0);
-        return *readFile(svg);
+        return folder.read("pattern.svg");
     };
     const auto countOf = [](const std::string& text, const std::string& words) {
         int count = 0;

@@ -45,6 +45,7 @@ std::vector<PieceSettings> someSettings() {
     std::vector<PieceSettings> settings(2);
     settings[0].placement = Placement{{10, 20}, 0.5};
     settings[0].quantity = 4;
+    settings[0].material = "Lining";
     settings[1].placement = Placement{{500, 20}, 0};
     settings[1].quantity = 2;
     return settings;
@@ -73,6 +74,7 @@ TEST(CarrySettings, BothPartsOfACutPieceKnowTheWhole) {
         const PieceSettings& from = settings[whole ? 1 : 0];
         EXPECT_EQ(carried[i].placement, from.placement);
         EXPECT_EQ(carried[i].quantity, from.quantity);
+        EXPECT_EQ(carried[i].material, from.material);
         EXPECT_EQ(carried[i].anchors.empty(), whole);
         EXPECT_EQ(carried[i].partOf, whole ? PieceId{} : garment.pieces[0]->id);
         EXPECT_LE(carried[i].anchors.size(), static_cast<std::size_t>(kMaxAnchors));
