@@ -370,6 +370,25 @@ private slots:
         QCOMPARE(fabricFit(question())->any, 0.0);
     }
 
+    void aPieceIsHatchedByItsOwnLimits() {
+        if (!fixture_.window().views().patternView()) {
+            QSKIP("no OpenGL here");
+        }
+        document().setView(&ViewState::worstSpots, false);
+        fixture_.action(ActionId::OverlayWeft).trigger();
+        document().setSelection({1});
+        typeMaterial("Lining");
+        document().setSelection({});
+        const QImage asTheGarment = fixture_.patternPicture();
+        DocumentState next = document().state();
+        next.materials.front().fabric.weft = {-0.5, 2};
+        document().edit("Test", std::move(next));
+        const QImage unhatched = fixture_.patternPicture();
+        QVERIFY(unhatched != asTheGarment);
+        undo();
+        QVERIFY(fixture_.patternPicture() == asTheGarment);
+    }
+
     void aMaterialIsSetOnAllThatIsSelected() {
         document().setSelection({0, 1});
         QVERIFY(material().findText("Interfacing") >= 0);

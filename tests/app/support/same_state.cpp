@@ -87,7 +87,7 @@ QString difference(const Moment& one, const Moment& other) {
     if (!(one.state.lines == other.state.lines)) {
         return "lines";
     }
-    if (!(one.state.fabric == other.state.fabric)) {
+    if (!(one.state.fabric == other.state.fabric) || one.state.materials != other.state.materials) {
         return "fabric";
     }
     for (const auto& [id, said] : one.state.settings) {
