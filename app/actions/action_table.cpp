@@ -90,6 +90,16 @@ bool isEasedSeam(Workspace& on) {
     return seam && seam->ease;
 }
 
+bool isDart(Workspace& on) {
+    const Seam* seam = selectedSeam(on);
+    return seam && seam->kind == SeamKind::Dart && on.document().isCurrent();
+}
+
+bool isSeamOfDart(Workspace& on) {
+    const Seam* seam = selectedSeam(on);
+    return seam && seam->kind == SeamKind::Seam && on.isSeamOfDart(*on.document().seam());
+}
+
 bool isAnyFlat(Workspace& on) {
     return !allFlat(on.document()).empty();
 }
@@ -111,6 +121,15 @@ ActionWork asks(void (GarmentActions::*request)(), When when = nullptr) {
 
 ActionWork asks(void (Workspace::*request)(), When when) {
     return {[request](GarmentActions& on, bool) { (on.workspace().*request)(); }, std::move(when)};
+}
+
+ActionWork asksOfSeam(void (Workspace::*request)(int), When when) {
+    return {[request](GarmentActions& on, bool) {
+                if (const auto seam = on.workspace().document().seam()) {
+                    (on.workspace().*request)(*seam);
+                }
+            },
+            std::move(when)};
 }
 
 /// @param filter  to be translated, of the dialog
@@ -570,6 +589,12 @@ std::vector<ActionSpec> makeActions() {
          TR("Let pieces catch at the grid and at each other while they are moved; Alt turns it the "
             "other way round"),
          switches(&ViewState::snapping)},
+        {ActionId::DartToSeam, "dartToSeam", TR("D&art to seam"), "",
+         TR("Let the selected dart go on from its tip to the edge, so that it becomes a seam"),
+         asksOfSeam(&Workspace::dartToSeam, isDart)},
+        {ActionId::SeamToDart, "seamToDart", TR("Seam t&o dart"), "",
+         TR("Take back the cut by which the selected seam was made of a dart"),
+         asksOfSeam(&Workspace::seamToDart, isSeamOfDart)},
         {ActionId::MirrorEdits, "mirrorEdits", TR("Mirror &edits"), "Y",
          TR("Cut on both sides of the garment at once, and turn the grain on both, where mirrored "
             "pieces are drawn equal"),

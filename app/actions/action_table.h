@@ -127,6 +127,8 @@ enum class ActionId {
     Rulers,
     Grid,
     Snapping,
+    DartToSeam,
+    SeamToDart,
     MirrorEdits,
     GoToPosition,
     GoToFabric,

@@ -82,6 +82,7 @@ std::vector<MenuSpec> makeTable() {
          {ToolSelect, kLine,
           ToolCut, ToolLoop, ToolDart, ToolJoin, kLine,
           ToolMeasure, ToolGrain, ToolNotch, kLine,
+          DartToSeam, SeamToDart, kLine,
           MirrorEdits}},
         {"layoutMenu", TR("La&yout"),
          {TurnLeft, TurnRight, MirrorLeftRight, MirrorUpsideDown, GoToPosition, kLine,

@@ -99,8 +99,17 @@ public:
     /// What has no mirror image, or none that is known, is made alone, and that is `noted`.
     /// On a large garment the image is found on another thread, and the cut made when it is there:
     /// in the order in which cuts were asked for, whatever is edited meanwhile.
-    /// @param cut  its points in mm, as the pieces are
-    void addCut(UserCut cut);
+    /// @param cut   its points in mm, as the pieces are
+    /// @param text  what is done, for the undo menu; empty: the usual words
+    void addCut(UserCut cut, const QString& text = {});
+    /// Lets a dart go on as a seam, by a cut from its tip to the outline (`cutBeyondDart`), made as
+    /// by `addCut`. What points at no edge is `refused`.
+    /// @param seam an index into Garment::seams
+    void dartToSeam(int seam);
+    /// Whether a seam is one that a cut made of a dart.
+    bool isSeamOfDart(int seam) const;
+    /// Takes that cut back: the dart is there again.
+    void seamToDart(int seam);
     /// Joins the cloth on both sides of a seam: a cut of the user's is taken back, two pieces that
     /// the garment's division made become one. What cannot be is `refused`: the edge of a hem, a
     /// cut of Toile's own, sides that do not fit vertex by vertex.
@@ -155,6 +164,7 @@ private:
         PieceResults results{};
         std::shared_ptr<const Symmetry> symmetry{};  ///< null: none is known
         bool isMirrored = false;
+        QString text{};  ///< what is done; empty: the usual words
 
         std::optional<UserCut> image() const;
     };
@@ -181,6 +191,8 @@ private:
     std::optional<Error> objectionTo(const Garment& garment, DocumentState& rest);
     void sayRefused(const Error& why);
     void makeCut(const DrawnCut& drawn, std::optional<UserCut> image);
+    /// That makes a seam of a dart.
+    std::optional<CutId> cutBeyond(int seam) const;
     std::function<void(SeamsFile&)> removalOf(std::vector<CutId> cuts) const;
 
     template <class Value>

@@ -9,6 +9,7 @@
 #include "app/text/error_text.h"
 #include "core/base/file.h"
 #include "core/garment/file_space.h"
+#include "core/pattern/dart_division.h"
 #include "core/pattern/mirrored_edit.h"
 #include "core/seam/seam_origin.h"
 #include "core/seam/seam_settings.h"
@@ -134,12 +135,13 @@ std::optional<UserCut> Workspace::DrawnCut::image() const {
     return symmetry ? mirroredCut(*garment, results, *symmetry, cut) : std::nullopt;
 }
 
-void Workspace::addCut(UserCut cut) {
+void Workspace::addCut(UserCut cut, const QString& text) {
     if (!document_.garment() || opening_.isActive()) {
         return;  // it was drawn on what is about to go
     }
     DrawnCut drawn{std::move(cut), document_.garment(), loading().seams};
     drawn.isMirrored = mirrorsEdits(document_);
+    drawn.text = text;
     if (editSymmetry(document_)) {
         drawn.results = document_.results();
         drawn.symmetry = document_.derived().symmetry;
@@ -158,7 +160,8 @@ void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
     if (opening_.isActive()) {
         return;
     }
-    const CutWords words = wordsOf(drawn.cut.kind);
+    CutWords words = wordsOf(drawn.cut.kind);
+    words.text = drawn.text.isEmpty() ? words.text : drawn.text;
     if (drawn.isMirrored && !image) {
         emit noted(drawn.symmetry ? tr("Cut once: it has no mirror image of its own.")
                                   : tr("Cut on one side alone: no mirror plane is known."));
@@ -185,6 +188,37 @@ void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
                 [cut = std::move(cut), image = std::move(*image)](SeamsFile& seams) {
                     addMirroredCuts(seams.cuts, cut, image);
                 });
+}
+
+void Workspace::dartToSeam(int seam) {
+    const auto garment = document_.garment();
+    if (!garment || opening_.isActive() || !document_.isCurrent()) {
+        return;
+    }
+    if (auto cut = cutBeyondDart(*garment, document_.results(), seam)) {
+        addCut(std::move(*cut), tr("Dart to seam"));
+    } else {
+        const Seam& dart = garment->seams.seams[static_cast<std::size_t>(seam)];
+        emit refused(tr("%1 points at no edge of its piece that a seam could lead to.")
+                         .arg(QString::fromStdString(dart.name)));
+    }
+}
+
+std::optional<CutId> Workspace::cutBeyond(int seam) const {
+    const auto garment = document_.garment();
+    return garment ? cutBeyondTip(*garment, cutsInPieceSpace(loading().seams, *garment), seam)
+                   : std::nullopt;
+}
+
+bool Workspace::isSeamOfDart(int seam) const {
+    return cutBeyond(seam).has_value();
+}
+
+void Workspace::seamToDart(int seam) {
+    const auto cut = cutBeyond(seam);
+    if (cut && !opening_.isActive()) {
+        changeSeams(tr("Seam to dart"), removalOf({*cut}));
+    }
 }
 
 std::function<void(SeamsFile&)> Workspace::removalOf(std::vector<CutId> cuts) const {

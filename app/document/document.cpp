@@ -22,6 +22,19 @@ bool haveTheSamePieces(const Garment* a, const Garment* b) {
     return a == b || (a && b && a->pieces == b->pieces);
 }
 
+/// The first seam that one of the cuts has made.
+std::optional<int> seamOfCuts(const SeamGraph& graph, const std::vector<CutId>& cuts) {
+    const auto isOf = [&cuts](const Seam& seam) {
+        return std::ranges::any_of(seam.cuts, [&cuts](const CutId cut) {
+            return std::ranges::find(cuts, cut) != cuts.end();
+        });
+    };
+    const auto found = std::ranges::find_if(graph.seams, isOf);
+    return found == graph.seams.end()
+               ? std::nullopt
+               : std::optional(static_cast<int>(found - graph.seams.begin()));
+}
+
 }  // namespace
 
 Document::Document(QObject* parent) : QObject(parent) {
@@ -241,9 +254,9 @@ DocumentChanges Document::keepSelection(const Derived& before) {
         }
     }
     if (seam_) {
-        const auto& seams = before.garment->seams.seams;
-        const int now = seamAt(garment()->seams, seams[static_cast<std::size_t>(*seam_)].place);
-        seam = now >= 0 ? std::optional(now) : std::nullopt;
+        const Seam& was = before.garment->seams.seams[static_cast<std::size_t>(*seam_)];
+        const int now = seamAt(garment()->seams, was.place);
+        seam = now >= 0 ? std::optional(now) : seamOfCuts(garment()->seams, was.cuts);
     }
     // The indices may mean others now even where they are the same numbers.
     selection_ = std::move(kept);

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
 #include "app/panels/allowance_form.h"
+#include "app/panels/dart_form.h"
 #include "app/panels/label_form.h"
 #include "app/panels/seam_ends_list.h"
 #include "app/panels/segment_form.h"
@@ -60,6 +62,7 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
       allowance_(new AllowanceForm(document, *fieldGuard_, this)),
       label_(new LabelForm(document, this)),
       ends_(new SeamEndsList(this)),
+      dart_(new DartForm(document, *fieldGuard_, this)),
       segment_(new SegmentForm(document, *fieldGuard_, this)) {
     auto* columns = new QHBoxLayout(this);
     columns->setContentsMargins(0, 0, 0, 0);
@@ -73,7 +76,13 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
     rows->addWidget(label_, 1);
     columns->addWidget(makeColumn(added, this), 2);
     columns->addWidget(ends_, 2);
-    columns->addWidget(makeColumn(segment_, this), 4);
+    auto* selected = new QWidget(this);
+    auto* forms = new QVBoxLayout(selected);
+    forms->setContentsMargins(0, 0, 0, 0);
+    forms->setSpacing(0);
+    forms->addWidget(dart_);
+    forms->addWidget(segment_, 1);
+    columns->addWidget(makeColumn(selected, this), 4);
     connect(fair_, &QCheckBox::clicked, this, &LinesPanel::setFair);
     connect(true_, &QCheckBox::clicked, this, &LinesPanel::setTrueing);
     connect(tolerance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
@@ -95,6 +104,7 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
     });
     connect(allowance_, &AllowanceForm::wanted, &document_, &Document::setLines);
     connect(label_, &LabelForm::wanted, &document_, &Document::setLines);
+    connect(dart_, &DartForm::wanted, &document_, &Document::setLines);
     connect(segment_, &SegmentForm::wanted, &document_, &Document::setLines);
     connect(&document_, &Document::changed, this, &LinesPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &LinesPanel::refresh);
@@ -237,10 +247,12 @@ void LinesPanel::showStraying() {
 void LinesPanel::showSelected() {
     if (isStale_ || !isVisible() || !document_.garment()) {
         isStale_ = isStale_ || document_.garment();
+        dart_->refresh();
         segment_->clear();
         return;
     }
     ends_->select(document_.seam());
+    dart_->refresh();
     segment_->show(facts_);
 }
 

@@ -13,6 +13,7 @@ namespace toile::app {
 
 class AllowanceForm;
 class AngleEdit;
+class DartForm;
 class Document;
 class FieldGuard;
 class LabelForm;
@@ -21,8 +22,8 @@ class SeamEndsList;
 class SegmentForm;
 
 /// How the lines of the pattern are drawn: fair or exact, true at the ends of seams, with seam
-/// allowances and notches, and what is said of the selected segment. Works out segments and kinks
-/// only while it is seen.
+/// allowances and notches, and what is said of the selected dart and segment. Works out segments
+/// and kinks only while it is seen.
 class LinesPanel : public QWidget {
     Q_OBJECT
 
@@ -58,6 +59,7 @@ private:
     AllowanceForm* allowance_;
     LabelForm* label_;
     SeamEndsList* ends_;
+    DartForm* dart_;
     SegmentForm* segment_;
     LineFacts facts_;
     int gesture_ = -1;

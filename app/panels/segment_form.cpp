@@ -27,8 +27,8 @@ namespace {
 
 /// Lengths that can be typed, as parts of the one in 3D: what is beyond is a slip of the keys.
 constexpr double kShortest = 0.2, kLongest = 5;
-constexpr int kWidest = 160;          // logical pixels, of a field
-constexpr double kSameLength = 1e-5;  // mm: what the field's digits leave out is less
+constexpr int kWidest = 160;      // logical pixels, of a field
+constexpr double kAsWorn = 1e-5;  // mm: what the field's digits leave out is less
 
 QToolButton* makeButton(const char* name, const QString& text, const QString& tip,
                         QWidget* parent) {
@@ -77,7 +77,7 @@ SegmentForm::SegmentForm(Document& document, FieldGuard& guard, QWidget* parent)
     connect(allowance_, &AllowanceRows::wanted, this, &SegmentForm::wanted);
     connect(strips_, &StripRows::wanted, this, &SegmentForm::wanted);
     connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double length) {
-        const bool isWorn = std::abs(length - shown_.length()) < kSameLength;
+        const bool isWorn = std::abs(length - shown_.length()) < kAsWorn;
         setLength(isWorn ? std::nullopt : std::optional(length));
     });
     connect(tolerance_, &QDoubleSpinBox::valueChanged, this,

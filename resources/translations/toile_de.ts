@@ -1620,10 +1620,6 @@
         <translation>der Umriss ließ sich nicht als ausgeglichene Linie zeichnen und ist der genaue</translation>
     </message>
     <message>
-        <source>Allow it to stray less, take straight lines back, or refine the mesh along it</source>
-        <translation>Lassen Sie ihn weniger abweichen, nehmen Sie gerade Linien zurück, oder verfeinern Sie das Netz an ihm</translation>
-    </message>
-    <message>
         <source>no interior without flipped triangles fits the outline as it was moved</source>
         <translation>kein Inneres ohne umgeklappte Dreiecke passt in den verschobenen Umriss</translation>
     </message>
@@ -1678,6 +1674,10 @@
     <message>
         <source>strain on the bias reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)</source>
         <translation>die Dehnung im Schrägen erreicht %1, das Material%0 erlaubt %2 (%3 der Fläche liegen darüber)</translation>
+    </message>
+    <message>
+        <source>Allow it to stray less, take straight lines and typed intakes back, or refine the mesh along it</source>
+        <translation>Lassen Sie ihn weniger abweichen, nehmen Sie gerade Linien und eingegebene Abnäherinhalte zurück, oder verfeinern Sie das Netz an ihm</translation>
     </message>
 </context>
 <context>
@@ -3653,6 +3653,22 @@
         <source>Material of %1: %2</source>
         <translation>Stoff von %1: %2</translation>
     </message>
+    <message>
+        <source>D&amp;art to seam</source>
+        <translation>Abnäher zur &amp;Naht</translation>
+    </message>
+    <message>
+        <source>Let the selected dart go on from its tip to the edge, so that it becomes a seam</source>
+        <translation>Den ausgewählten Abnäher von seiner Spitze bis zur Kante fortsetzen, sodass er eine Naht wird</translation>
+    </message>
+    <message>
+        <source>Seam t&amp;o dart</source>
+        <translation>Naht zum Abnähe&amp;r</translation>
+    </message>
+    <message>
+        <source>Take back the cut by which the selected seam was made of a dart</source>
+        <translation>Den Schnitt zurücknehmen, durch den die ausgewählte Naht aus einem Abnäher wurde</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -4041,6 +4057,69 @@
     <message>
         <source>%1 was joined: Delete brings the seam back</source>
         <translation>%1 wurde verbunden: Entf bringt die Naht zurück</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::DartForm</name>
+    <message>
+        <source>How far the legs are apart at the mouth, in the pattern; the legs stay as long as they are. Bold: typed by you</source>
+        <translation>Wie weit die Schenkel im Schnitt an der Öffnung auseinanderliegen; die Schenkel bleiben so lang, wie sie sind. Fett: von Ihnen eingegeben</translation>
+    </message>
+    <message>
+        <source>The same as the angle between the legs at the tip</source>
+        <translation>Dasselbe als Winkel zwischen den Schenkeln an der Spitze</translation>
+    </message>
+    <message>
+        <source>As the cloth lies</source>
+        <translation>Wie der Stoff liegt</translation>
+    </message>
+    <message>
+        <source>Take the typed intake back: as wide as the dart lies flat</source>
+        <translation>Den eingegebenen Inhalt zurücknehmen: so weit, wie der Abnäher flach liegt</translation>
+    </message>
+    <message>
+        <source>By convention</source>
+        <translation>Wie üblich</translation>
+    </message>
+    <message>
+        <source>Over the first leg</source>
+        <translation>Über den ersten Schenkel</translation>
+    </message>
+    <message>
+        <source>Over the second leg</source>
+        <translation>Über den zweiten Schenkel</translation>
+    </message>
+    <message>
+        <source>Over which leg the closed dart is laid. The first is met first, anti-clockwise round the piece; by convention it is laid towards the centre, or downwards</source>
+        <translation>Über welchen Schenkel der geschlossene Abnäher gelegt wird. Der erste kommt gegen den Uhrzeigersinn um das Schnittteil zuerst; üblich ist zur Mitte oder nach unten</translation>
+    </message>
+    <message>
+        <source>&amp;Intake</source>
+        <translation>&amp;Inhalt</translation>
+    </message>
+    <message>
+        <source>Ang&amp;le</source>
+        <translation>Wi&amp;nkel</translation>
+    </message>
+    <message>
+        <source>Lai&amp;d</source>
+        <translation>G&amp;elegt</translation>
+    </message>
+    <message>
+        <source>Legs %1 long</source>
+        <translation>Schenkel %1 lang</translation>
+    </message>
+    <message>
+        <source>The legs do not reach so far: the intake must be below %1.</source>
+        <translation>So weit reichen die Schenkel nicht: Der Inhalt muss unter %1 liegen.</translation>
+    </message>
+    <message>
+        <source>Intake of a dart</source>
+        <translation>Abnäherinhalt</translation>
+    </message>
+    <message>
+        <source>Lay of a dart</source>
+        <translation>Lage eines Abnähers</translation>
     </message>
 </context>
 <context>
@@ -6057,6 +6136,18 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Mirror image of a cut</source>
         <translation>Spiegelbild eines Einschnitts</translation>
+    </message>
+    <message>
+        <source>Dart to seam</source>
+        <translation>Abnäher zur Naht</translation>
+    </message>
+    <message>
+        <source>%1 points at no edge of its piece that a seam could lead to.</source>
+        <translation>%1 zeigt auf keine Kante des Schnittteils, zu der eine Naht führen könnte.</translation>
+    </message>
+    <message>
+        <source>Seam to dart</source>
+        <translation>Naht zum Abnäher</translation>
     </message>
 </context>
 </TS>

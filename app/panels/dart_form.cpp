@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/dart_form.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <algorithm>
+#include <utility>
+
+#include "app/document/dart_edits.h"
+#include "app/document/document.h"
+#include "app/document/mirrored_edits.h"
+#include "app/text/figures.h"
+#include "app/widgets/number_edits.h"
+#include "core/base/units.h"
+#include "core/pattern/outline_reference.h"
+#include "core/quality/closed_line.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr int kWidestDartField = 160;  // logical pixels
+constexpr double kWidestAngle = 180;   // degrees
+
+}  // namespace
+
+DartForm::DartForm(Document& document, FieldGuard& guard, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      title_(new QLabel(this)),
+      legs_(new QLabel(this)),
+      refusal_(new QLabel(this)),
+      intake_(new LengthEdit(this)),
+      angle_(new AngleEdit(this)),
+      asItLies_(new QToolButton(this)),
+      lay_(new QComboBox(this)) {
+    makeRows(guard);
+    connect(intake_, &QDoubleSpinBox::valueChanged, this,
+            [this](double intake) { setIntake(intake); });
+    connect(angle_, &QDoubleSpinBox::valueChanged, this,
+            [this](double degrees) { setIntake(intakeOf(place_, degrees * kDegree)); });
+    connect(asItLies_, &QToolButton::clicked, this, [this] {
+        gesture_ = document_.newGesture();
+        setIntake(std::nullopt);
+    });
+    connect(lay_, &QComboBox::activated, this, &DartForm::setLay);
+    hide();
+}
+
+void DartForm::makeRows(FieldGuard& guard) {
+    QFont strong = title_->font();
+    strong.setWeight(QFont::DemiBold);
+    title_->setFont(strong);
+    title_->setObjectName("dartTitle");
+    title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    legs_->setObjectName("dartLegs");
+    legs_->setForegroundRole(QPalette::PlaceholderText);
+    refusal_->setObjectName("dartRefusal");
+    refusal_->setWordWrap(true);
+    refusal_->hide();
+    intake_->setObjectName("dartIntake");
+    intake_->setToolTip(
+        tr("How far the legs are apart at the mouth, in the pattern; the legs stay as long as they "
+           "are. Bold: typed by you"));
+    intake_->setRange(0, kMaxIntake);  // cloth that is flat has none
+    angle_->setObjectName("dartAngle");
+    angle_->setToolTip(tr("The same as the angle between the legs at the tip"));
+    angle_->setWrapping(false);
+    angle_->setRange(0, kWidestAngle);
+    asItLies_->setObjectName("dartAsItLies");
+    asItLies_->setText(tr("As the cloth lies"));
+    asItLies_->setToolTip(tr("Take the typed intake back: as wide as the dart lies flat"));
+    lay_->setObjectName("dartLay");
+    lay_->addItems({tr("By convention"), tr("Over the first leg"), tr("Over the second leg")});
+    lay_->setToolTip(
+        tr("Over which leg the closed dart is laid. The first is met first, anti-clockwise round "
+           "the piece; by convention it is laid towards the centre, or downwards"));
+    lay_->setFocusPolicy(Qt::StrongFocus);
+    guard.install(*lay_);
+    for (QDoubleSpinBox* field : std::initializer_list<QDoubleSpinBox*>{intake_, angle_}) {
+        field->setFocusPolicy(Qt::StrongFocus);
+        field->setMinimumWidth(96);
+        field->setMaximumWidth(kWidestDartField);
+        guard.install(*field);
+        field->installEventFilter(this);
+    }
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(10, 6, 10, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    grid->addWidget(title_, 0, 0, 1, 4);
+    grid->addWidget(legs_, 1, 0, 1, 4);
+    const std::pair<QString, QWidget*> rows[] = {
+        {tr("&Intake"), intake_}, {tr("Ang&le"), angle_}, {tr("Lai&d"), lay_}};
+    int row = 2;
+    for (const auto& [text, field] : rows) {
+        auto* label = new QLabel(text, this);
+        label->setBuddy(field);
+        field->setAccessibleName(label->text().remove('&'));
+        grid->addWidget(label, row, 0);
+        grid->addWidget(field, row++, 1);
+    }
+    grid->addWidget(asItLies_, 2, 2);
+    grid->addWidget(refusal_, row, 0, 1, 4);
+    grid->setColumnStretch(3, 1);
+}
+
+bool DartForm::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn) {
+        gesture_ = document_.newGesture();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+std::optional<double> DartForm::drawnIntake() const {
+    const PieceResult* result = document_.result(place_.piece);
+    if (!result || !result->flat) {
+        return std::nullopt;
+    }
+    const Piece& piece = *result->piece;
+    const ClosedLine outline(result->flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
+    return (outline.pointAt(place_.to) - outline.pointAt(place_.from)).norm();
+}
+
+void DartForm::refresh() {
+    const std::optional<int> seam = document_.seam();
+    const auto place = seam && document_.garment() && !document_.mark()
+                           ? dartPlace(*document_.garment(), *seam)
+                           : std::nullopt;
+    refusal_->hide();
+    setVisible(place.has_value());
+    if (!place) {
+        dart_ = -1;
+        return;
+    }
+    if (dart_ != *seam) {
+        gesture_ = document_.newGesture();
+    }
+    dart_ = *seam;
+    place_ = *place;
+    const Garment& garment = *document_.garment();
+    const DartSettings said = saidOfDart(garment, document_.state().lines, dart_);
+    title_->setText(
+        QString::fromStdString(garment.seams.seams[static_cast<std::size_t>(dart_)].name));
+    title_->setToolTip(title_->text());
+    legs_->setText(tr("Legs %1 long").arg(lengthWithUnit(place_.firstLeg())));
+    const double intake = said.intake.value_or(drawnIntake().value_or(0));
+    showLength(*intake_, intake, said.intake.has_value());
+    {
+        const QSignalBlocker quiet(angle_);
+        angle_->setValue(angleOf(place_, intake) / kDegree);
+    }
+    asItLies_->setEnabled(said.intake.has_value());
+    lay_->setCurrentIndex(!said.lay ? 0 : *said.lay == DartLay::First ? 1 : 2);
+}
+
+void DartForm::setIntake(std::optional<double> intake) {
+    if (dart_ < 0) {
+        return;
+    }
+    const double reach = place_.firstLeg() + place_.secondLeg();
+    if (intake && !(*intake < reach)) {
+        refusal_->setText(tr("The legs do not reach so far: the intake must be below %1.")
+                              .arg(lengthWithUnit(reach)));
+        refusal_->show();
+        return;
+    }
+    refusal_->hide();
+    if (intake) {
+        intake = std::clamp(*intake, kMinIntake, kMaxIntake);
+    }
+    emit wanted(withIntake(document_.state().lines, *document_.garment(), dart_, intake,
+                           editSymmetry(document_)),
+                tr("Intake of a dart"), gesture_);
+}
+
+void DartForm::setLay(int row) {
+    if (dart_ >= 0) {
+        const auto lay = row == 0   ? std::nullopt
+                         : row == 1 ? std::optional(DartLay::First)
+                                    : std::optional(DartLay::Second);
+        emit wanted(withLay(document_.state().lines, *document_.garment(), dart_, lay,
+                            editSymmetry(document_)),
+                    tr("Lay of a dart"), -1);
+    }
+}
+
+}  // namespace toile::app
