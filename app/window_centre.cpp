@@ -24,10 +24,15 @@ namespace toile::app {
 namespace {
 
 constexpr std::pair<ActionId, ToolId> kTools[] = {
-    {ActionId::ToolSelect, ToolId::Select}, {ActionId::ToolCut, ToolId::Cut},
-    {ActionId::ToolLoop, ToolId::Loop},     {ActionId::ToolDart, ToolId::Dart},
-    {ActionId::ToolJoin, ToolId::Join},     {ActionId::ToolMeasure, ToolId::Measure},
-    {ActionId::ToolGrain, ToolId::Grain},   {ActionId::ToolNotch, ToolId::Notch},
+    {ActionId::ToolSelect, ToolId::Select},
+    {ActionId::ToolCut, ToolId::Cut},
+    {ActionId::ToolLoop, ToolId::Loop},
+    {ActionId::ToolDart, ToolId::Dart},
+    {ActionId::ToolJoin, ToolId::Join},
+    {ActionId::ToolMeasure, ToolId::Measure},
+    {ActionId::ToolGrain, ToolId::Grain},
+    {ActionId::ToolNotch, ToolId::Notch},
+    {ActionId::ToolInternalLine, ToolId::InternalLine},
 };
 
 constexpr std::pair<ActionId, ViewKey> kLooks[] = {

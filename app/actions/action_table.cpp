@@ -57,6 +57,11 @@ bool hasNotches(Workspace& on) {
     return scene && !scene->patternLines.notches.empty();
 }
 
+bool hasInternalLines(Workspace& on) {
+    const auto& scene = on.document().scene();
+    return scene && !(scene->patternLines.internal.empty() && scene->garmentLines.internal.empty());
+}
+
 bool drawsMirrored(Workspace& on) {
     return isOpen(on) && on.document().state().lines.mirror != Mirror::None;
 }
@@ -339,6 +344,9 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::Notches, "notches", TR("&Notches"), "",
          TR("Draw the notches of the pattern, where it has some"),
          switches(&ViewState::notches, hasNotches)},
+        {ActionId::InternalLines, "internalLines", TR("&Internal lines"), "",
+         TR("Draw internal lines and drill points, and in the pattern the marks of darts"),
+         switches(&ViewState::internalLines, hasInternalLines)},
         {ActionId::GrainArrows, "grainArrows", TR("&Grain"), "",
          TR("Draw the grain of each piece in the pattern view"), switches(&ViewState::grain)},
         {ActionId::Labels, "labels", TR("&Labels"), "",
@@ -524,6 +532,9 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::ToolNotch, "toolNotch", TR("&Notch"), "N",
          TR("Add notches to seams, on both sides at once, move them and take them away"),
          whenOpen(Group::Tool), "tool-notch", TR("Notch")},
+        {ActionId::ToolInternalLine, "toolInternalLine", TR("&Internal line"), "I",
+         TR("Draw lines and drill points within the cloth, and change them"), whenOpen(Group::Tool),
+         "tool-line", TR("Internal line")},
         {ActionId::TurnLeft, "turnLeft", TR("Turn &left"), "[",
          TR("Turn the selected pieces anti-clockwise by a right angle"), turns(kRightAngle)},
         {ActionId::TurnRight, "turnRight", TR("Turn &right"), "]",

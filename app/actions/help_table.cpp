@@ -32,7 +32,7 @@ const std::vector<Gesture>& gestures() {
                           kLoop = TR("With the Closed loop tool"), kDart = TR("With the Dart tool"),
                           kJoin = TR("With the Join tool"), kMeasure = TR("With the Measure tool"),
                           kGrain = TR("With the Grain tool"), kNotch = TR("With the Notch tool"),
-                          kLists = TR("In the lists");
+                          kLine = TR("With the Internal line tool"), kLists = TR("In the lists");
     static const std::vector<Gesture> table = {
         {kGarment, TR("Drag"), TR("Turn the garment, where the tool does not take the drag")},
         {kGarment, TR("Shift+drag"), TR("Move the garment")},
@@ -100,6 +100,15 @@ const std::vector<Gesture>& gestures() {
         {kNotch, TR("Click a notch"), TR("Select it")},
         {kNotch, TR("Ctrl+click a notch, Del"), TR("Take the notch away")},
         {kNotch, TR("Esc"), TR("Take the drag back; without one: back to selecting")},
+        {kLine, TR("Click"), TR("Set the next point of the line")},
+        {kLine, TR("Click on the first point"), TR("Close the line")},
+        {kLine, TR("Double click, Enter"), TR("End the line; of one point: make it a drill point")},
+        {kLine, TR("Backspace"), TR("Take the last point back")},
+        {kLine, TR("Click a line"), TR("Select it")},
+        {kLine, TR("Drag a point of a line"), TR("Move the point")},
+        {kLine, TR("Del"), TR("Take the selected line away")},
+        {kLine, TR("Esc"),
+         TR("Throw the line away, take the drag back; without either: back to selecting")},
         {kLists, TR("Click"), TR("Select the piece or the seam in both views")},
         {kLists, TR("Double click"), TR("Frame the piece or the seam in both views")},
         {kLists, TR("Right click on the headings"), TR("Choose the columns of the list of pieces")},

@@ -135,6 +135,7 @@ void GpuLines::upload(const std::vector<LineVertex>& vertices, const LineRuns& r
     exact_ = addAll(runs.exact);
     cutting_ = addAll(runs.cutting);
     notches_ = addAll(runs.notches);
+    internal_ = addAll(runs.internal);
     boundaryAt_ = runs.boundaryAt;
     for (const VertexRun& run : runs.outlines) {
         const std::size_t first = indices.size() / 2;

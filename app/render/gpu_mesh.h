@@ -87,6 +87,7 @@ public:
     void drawExact() const { drawSegments(exact_); }
     void drawCutting() const { drawSegments(cutting_); }
     void drawNotches() const { drawSegments(notches_); }
+    void drawInternal() const { drawSegments(internal_); }
     /// Edges of a piece's boundary, as counted by OutlineRun, as they are drawn: it may pass the
     /// outline's beginning.
     void drawOutline(int piece, int first, int count) const;
@@ -101,7 +102,7 @@ private:
         draw(GL_LINES, 2 * range.first, 2 * range.count);
     }
 
-    Range seams_, reference_, exact_, cutting_, notches_;
+    Range seams_, reference_, exact_, cutting_, notches_, internal_;
     std::vector<Range> seam_, outline_;
     std::vector<std::vector<std::uint32_t>> boundaryAt_;  ///< LineRuns::boundaryAt
 };

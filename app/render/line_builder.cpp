@@ -3,6 +3,8 @@
 
 #include "app/render/render_style.h"
 #include "app/render/scene_builder.h"
+#include "core/pattern/darts.h"
+#include "core/pattern/internal_lines.h"
 #include "core/pattern/notch_mark.h"
 #include "core/pattern/pattern.h"
 #include "core/quality/piece_quality.h"
@@ -69,6 +71,61 @@ std::vector<std::uint32_t> boundaryOn(const Points3& worn, const Piece& piece) {
     }
     at.push_back(static_cast<std::uint32_t>(worn.rows() - 1));
     return at;
+}
+
+/// A circle with its first point once more at the end; a stroke as it is.
+Points2 closedIfRound(Points2 line) {
+    if (line.rows() > 2) {
+        line.conservativeResize(line.rows() + 1, 2);
+        line.row(line.rows() - 1) = line.row(0).eval();
+    }
+    return line;
+}
+
+/// Strokes about a point as they are drawn flat, laid on the worn cloth in the plane of its
+/// triangle.
+Points3 onCloth(const MeshArrays& mesh, const SurfacePoint& point, const Points2& stroke) {
+    const Eigen::RowVector3d p = mesh.V.row(mesh.F(point.face, 0)),
+                             q = mesh.V.row(mesh.F(point.face, 1)),
+                             r = mesh.V.row(mesh.F(point.face, 2));
+    const Eigen::RowVector3d along = (q - p).normalized();
+    const Eigen::RowVector3d across = ((q - p).cross(r - p)).cross(along).normalized();
+    return (stroke.col(0) * along + stroke.col(1) * across).rowwise() +
+           positionOf(mesh, point).transpose();
+}
+
+/// A line or drill point in space and, where its piece is flat, in the pattern.
+void addInternal(Scene& scene, const PieceInternal& internal, const MeshArrays& mesh,
+                 const FlatPiece* flat, const LineKind& kind) {
+    const auto add = [&](Points3 worn, const Points2& line) {
+        worn.rowwise() -= scene.origin.transpose();
+        const VertexRun run = addLine(scene, worn, line, kind);
+        scene.garmentLines.internal.push_back(run);
+        if (flat) {
+            scene.patternLines.internal.push_back(run);
+        }
+    };
+    const auto n = static_cast<Eigen::Index>(internal.way.size());
+    Points3 worn(n, 3);
+    Points2 line(flat ? n : 0, 2);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const SurfacePoint& point = internal.way[static_cast<std::size_t>(k)];
+        worn.row(k) = positionOf(mesh, point).transpose();
+        if (flat) {
+            line.row(k) = flatPositionOf(flat->Q, mesh.F, point);
+        }
+    }
+    if (n > 1) {
+        add(std::move(worn), line);
+        return;
+    }
+    PieceInternal aboutOrigin;
+    aboutOrigin.points = Points2::Zero(1, 2);
+    for (const Points2& drawn : drawnLines(aboutOrigin)) {
+        const Points2 stroke = closedIfRound(drawn);
+        add(onCloth(mesh, internal.way.front(), stroke),
+            flat ? Points2(stroke.rowwise() + line.row(0)) : Points2());
+    }
 }
 
 }  // namespace
@@ -161,6 +218,28 @@ void addCuttingLines(const Pattern& pattern, Scene& scene) {
         for (const std::vector<Points2>& strokes : notchMarks(pattern, piece)) {
             for (const Points2& stroke : strokes) {
                 scene.patternLines.notches.push_back(addLine(scene, Points3(), stroke, kind));
+            }
+        }
+    }
+}
+
+void addInternalLines(const Garment& garment, const PieceResults& results, const Pattern& pattern,
+                      Scene& scene) {
+    for (int i = 0; i < static_cast<int>(pattern.pieces.size()); ++i) {
+        const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(i)];
+        const LineKind kind{i, kNoTint};
+        for (const PieceInternal& internal : piece.internals) {
+            addInternal(scene, internal, garment.pieces[static_cast<std::size_t>(i)]->mesh,
+                        flatPieceOf(garment, results, i), kind);
+        }
+        for (const PieceDart& dart :
+             pattern.hasAllowance ? findDarts(piece) : std::vector<PieceDart>()) {
+            const DartMarks marks = dartMarks(dart);
+            for (const Points2& line : {marks.fold, marks.drill, marks.cross[0], marks.cross[1]}) {
+                if (line.rows() > 0) {
+                    scene.patternLines.internal.push_back(
+                        addLine(scene, Points3(), closedIfRound(line), kind));
+                }
             }
         }
     }

@@ -24,7 +24,7 @@ struct RenderStyle {
     QColor freeEdge;         ///< edges that are sewn to nothing
     QColor reference;        ///< the reference panels
     QColor exactOutline;     ///< the outline as it was solved, where another is drawn
-    QColor cuttingLine;      ///< and notches
+    QColor cuttingLine;      ///< notches and internal lines
     QColor text, faintText;  ///< captions over the backdrop
     QColor labelFill;        ///< behind names on the cloth
 };

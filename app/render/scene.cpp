@@ -16,7 +16,8 @@ std::size_t bytesOf(const MeshIndices& mesh) {
 
 std::size_t bytesOf(const LineRuns& lines) {
     return bytesOf(lines.seams) + bytesOf(lines.reference) + bytesOf(lines.exact) +
-           bytesOf(lines.outlines) + bytesOf(lines.cutting) + bytesOf(lines.notches);
+           bytesOf(lines.outlines) + bytesOf(lines.cutting) + bytesOf(lines.notches) +
+           bytesOf(lines.internal);
 }
 
 }  // namespace

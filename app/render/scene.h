@@ -90,6 +90,7 @@ struct LineRuns {
     std::vector<VertexRun> exact;      ///< outlines as they were solved, where others are drawn
     std::vector<VertexRun> cutting;    ///< round pieces and their allowances; in the pattern only
     std::vector<VertexRun> notches;    ///< strokes; in the pattern only
+    std::vector<VertexRun> internal;   ///< internal lines, and in the pattern marks of darts
     /// Per piece its outline, the first vertex once more at the end; empty of a piece that is no
     /// disk, and in the pattern of one that is not flat.
     std::vector<VertexRun> outlines;

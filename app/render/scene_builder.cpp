@@ -210,6 +210,7 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
     addExactOutlines(garment, results, *scene);
     if (pattern) {
         addCuttingLines(*pattern, *scene);
+        addInternalLines(garment, results, *pattern, *scene);
     }
 
     scene->glyphs = makeStrainGlyphs(*scene);

@@ -15,7 +15,7 @@ namespace toile::app {
 /// Makes the buffers of both views. Pure; meant for a worker thread.
 /// @param results  one per piece, or empty before the first flattening. Pieces without a flat
 ///                 result of their own are in 3D only
-/// @param pattern  made of them: cutting lines and notches; null: neither is drawn
+/// @param pattern  made of them: cutting lines, notches and internal lines; null: none is drawn
 /// @param progress  started here and advanced piece by piece
 /// Values of faces and edges are averaged at the vertices, weighted by area and length: at the
 /// density of garment meshes this reads as a smooth map instead of noise.
@@ -43,5 +43,10 @@ void addExactOutlines(const Garment& garment, const PieceResults& results, Scene
 
 /// The lines that pieces with allowances are cut along, the boxes around them, and the notches.
 void addCuttingLines(const Pattern& pattern, Scene& scene);
+
+/// What lies within the cloth: internal lines and drill points, and in the pattern the marks of
+/// darts where it has allowances.
+void addInternalLines(const Garment& garment, const PieceResults& results, const Pattern& pattern,
+                      Scene& scene);
 
 }  // namespace toile::app

@@ -31,7 +31,7 @@ constexpr float kPlainSeamWidth = 2.6F;  ///< free edges half of it
 constexpr float kHoveredShare = 0.7F;  ///< what the pointer is on is highlighted by narrower lines
 constexpr float kHoveredPieceWidth = 2.4F;
 constexpr float kDashPixels = 11.0F, kExactDashPixels = 6.0F, kExactWidth = 1.25F;
-constexpr float kCuttingWidth = 1.8F, kNotchWidth = 1.6F;
+constexpr float kCuttingWidth = 1.8F, kNotchWidth = 1.6F, kInternalWidth = 1.6F;
 /// How much of a seam shows through the cloth that hides it.
 constexpr int kHiddenSeamAlpha = 75;
 /// Between glyphs, at least; at most half as many again.
@@ -343,6 +343,10 @@ void SceneRenderer::paintCuttingLines(const Frame& frame) {
     if (frame.view.notches) {
         setLine(frame.style.cuttingLine, kNotchWidth, false, frame);
         overLines_.drawNotches();
+    }
+    if (frame.view.internalLines) {
+        setLine(frame.style.cuttingLine, kInternalWidth, false, frame);
+        overLines_.drawInternal();
     }
 }
 

@@ -120,7 +120,7 @@ private:
     void paintSeams(const Frame& frame);
     void paintReferenceLines(const Frame& frame);
     void paintExactOutlines(const Frame& frame);
-    /// Cutting lines and notches, as far as they are to be seen.
+    /// Cutting lines, notches and internal lines, as far as they are to be seen.
     void paintCuttingLines(const Frame& frame);
     void paintHighlight(const Frame& frame, float depthShift, const Feature& feature, bool hovered);
     void drawFeature(const Feature& feature);

@@ -88,9 +88,9 @@ private:
 };
 
 /// Which tool is meant.
-enum class ToolId { Select, Cut, Loop, Dart, Join, Measure, Grain, Notch };
+enum class ToolId { Select, Cut, Loop, Dart, Join, Measure, Grain, Notch, InternalLine };
 
-inline constexpr int kToolCount = 8;
+inline constexpr int kToolCount = 9;
 
 /// The pointer in a view.
 struct Pointer {

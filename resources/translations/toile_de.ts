@@ -3669,6 +3669,70 @@
         <source>Take back the cut by which the selected seam was made of a dart</source>
         <translation>Den Schnitt zurücknehmen, durch den die ausgewählte Naht aus einem Abnäher wurde</translation>
     </message>
+    <message>
+        <source>&amp;Internal lines</source>
+        <translation>&amp;Innenlinien</translation>
+    </message>
+    <message>
+        <source>Draw internal lines and drill points, and in the pattern the marks of darts</source>
+        <translation>Innenlinien und Bohrpunkte zeichnen, im Schnittmuster auch die Zeichen der Abnäher</translation>
+    </message>
+    <message>
+        <source>&amp;Internal line</source>
+        <translation>&amp;Innenlinie</translation>
+    </message>
+    <message>
+        <source>Draw lines and drill points within the cloth, and change them</source>
+        <translation>Linien und Bohrpunkte im Stoff zeichnen und ändern</translation>
+    </message>
+    <message>
+        <source>Internal line</source>
+        <translation>Innenlinie</translation>
+    </message>
+    <message>
+        <source>With the Internal line tool</source>
+        <translation>Mit dem Werkzeug Innenlinie</translation>
+    </message>
+    <message>
+        <source>Set the next point of the line</source>
+        <translation>Den nächsten Punkt der Linie setzen</translation>
+    </message>
+    <message>
+        <source>Click on the first point</source>
+        <translation>Klick auf den ersten Punkt</translation>
+    </message>
+    <message>
+        <source>Close the line</source>
+        <translation>Die Linie schließen</translation>
+    </message>
+    <message>
+        <source>End the line; of one point: make it a drill point</source>
+        <translation>Die Linie beenden; ein einzelner Punkt wird ein Bohrpunkt</translation>
+    </message>
+    <message>
+        <source>Click a line</source>
+        <translation>Klick auf eine Linie</translation>
+    </message>
+    <message>
+        <source>Drag a point of a line</source>
+        <translation>Einen Punkt einer Linie ziehen</translation>
+    </message>
+    <message>
+        <source>Move the point</source>
+        <translation>Den Punkt verschieben</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Take the selected line away</source>
+        <translation>Die ausgewählte Linie entfernen</translation>
+    </message>
+    <message>
+        <source>Throw the line away, take the drag back; without either: back to selecting</source>
+        <translation>Die Linie verwerfen, das Ziehen zurücknehmen; ohne beides: zurück zum Auswählen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -4439,6 +4503,41 @@
     <message>
         <source>Nothing is called that.</source>
         <translation>So heißt nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::InternalLineTool</name>
+    <message>
+        <source>Drag: move the point · Esc: take it back</source>
+        <translation>Ziehen: den Punkt verschieben · Esc: es zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Click: begin a line · Click a line: select it · Drag a point: move it · Del: take the line away · Esc: back to selecting</source>
+        <translation>Klick: eine Linie beginnen · Klick auf eine Linie: sie auswählen · Einen Punkt ziehen: ihn verschieben · Entf: die Linie entfernen · Esc: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Click: next point · Double click or Enter: end the line · Backspace: take the last point back · Esc: throw the line away</source>
+        <translation>Klick: nächster Punkt · Doppelklick oder Eingabe: die Linie beenden · Rücktaste: den letzten Punkt zurücknehmen · Esc: die Linie verwerfen</translation>
+    </message>
+    <message>
+        <source>Click: next point · Click the first point: close the line · Double click or Enter: end it · Backspace: take the last point back · Esc: throw the line away</source>
+        <translation>Klick: nächster Punkt · Klick auf den ersten Punkt: die Linie schließen · Doppelklick oder Eingabe: sie beenden · Rücktaste: den letzten Punkt zurücknehmen · Esc: die Linie verwerfen</translation>
+    </message>
+    <message>
+        <source>another piece: a line stays on one</source>
+        <translation>ein anderes Schnittteil: eine Linie bleibt auf einem</translation>
+    </message>
+    <message>
+        <source>Move of an internal line</source>
+        <translation>Verschieben einer Innenlinie</translation>
+    </message>
+    <message>
+        <source>Internal line</source>
+        <translation>Innenlinie</translation>
+    </message>
+    <message>
+        <source>Removal of an internal line</source>
+        <translation>Entfernen einer Innenlinie</translation>
     </message>
 </context>
 <context>

@@ -276,10 +276,15 @@ private slots:
     void helpTellsWhatEveryToolDoes() {
         const auto groups = helpGroups(window().actions(), QKeySequence::PortableText);
         constexpr std::pair<ToolId, ActionId> kTools[] = {
-            {ToolId::Select, ActionId::ToolSelect}, {ToolId::Cut, ActionId::ToolCut},
-            {ToolId::Loop, ActionId::ToolLoop},     {ToolId::Dart, ActionId::ToolDart},
-            {ToolId::Join, ActionId::ToolJoin},     {ToolId::Measure, ActionId::ToolMeasure},
-            {ToolId::Grain, ActionId::ToolGrain},   {ToolId::Notch, ActionId::ToolNotch}};
+            {ToolId::Select, ActionId::ToolSelect},
+            {ToolId::Cut, ActionId::ToolCut},
+            {ToolId::Loop, ActionId::ToolLoop},
+            {ToolId::Dart, ActionId::ToolDart},
+            {ToolId::Join, ActionId::ToolJoin},
+            {ToolId::Measure, ActionId::ToolMeasure},
+            {ToolId::Grain, ActionId::ToolGrain},
+            {ToolId::Notch, ActionId::ToolNotch},
+            {ToolId::InternalLine, ActionId::ToolInternalLine}};
         static_assert(std::size(kTools) == kToolCount);
         for (const auto& [id, action] : kTools) {
             const QString title = "With the " + window().actions().title(action) + " tool";
@@ -299,8 +304,9 @@ private slots:
     }
 
     void escapeLeavesEveryToolForSelecting() {
-        for (const ToolId id : {ToolId::Cut, ToolId::Loop, ToolId::Dart, ToolId::Join,
-                                ToolId::Measure, ToolId::Grain, ToolId::Notch}) {
+        for (const ToolId id :
+             {ToolId::Cut, ToolId::Loop, ToolId::Dart, ToolId::Join, ToolId::Measure, ToolId::Grain,
+              ToolId::Notch, ToolId::InternalLine}) {
             ToolBox& tools = window().tools();
             tools.choose(id);
             for (const ViewKind view : {ViewKind::Garment, ViewKind::Pattern}) {

@@ -90,12 +90,15 @@ void PathTool::follow(ToolView& view, const Pointer& pointer, const std::optiona
     under_ = at;
     remark_.clear();
     if (at) {
-        remark_ = !draft_.isEmpty() && at->piece != draft_.points().front().piece
-                      ? tr("another piece: a cut stays on one")
-                      : remark(*at);
+        remark_ = !draft_.isEmpty() && at->piece != draft_.points().front().piece ? elsewhere()
+                                                                                  : remark(*at);
     }
     draft_.setTip(at && !draft_.isEmpty() && remark_.isEmpty() ? at : std::nullopt);
     view.repaintSoon();  // the handle and the note are in this view alone
+}
+
+QString PathTool::elsewhere() const {
+    return tr("another piece: a cut stays on one");
 }
 
 void PathTool::leave(ToolView& view) {

@@ -42,7 +42,9 @@ protected:
     bool hasEnough() const { return draft_.points().size() >= least_; }
     /// Orders the cut and begins anew; where the cut bends with a way that is still being looked
     /// for, once that is known.
-    void finish();
+    virtual void finish();
+    /// Said of a place on another piece than those before.
+    virtual QString elsewhere() const;
     /// What is wrong with the place under the pointer, or has to be done there; usually nothing.
     virtual QString remark(const ClothPoint&) const { return {}; }
     /// As what a dart that begins at an earlier cut has to be cut.

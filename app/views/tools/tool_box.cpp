@@ -6,6 +6,7 @@
 #include "app/actions/workspace.h"
 #include "app/views/tools/cut_tools.h"
 #include "app/views/tools/grain_tool.h"
+#include "app/views/tools/internal_line_tool.h"
 #include "app/views/tools/join_tool.h"
 #include "app/views/tools/measure_tool.h"
 #include "app/views/tools/notch_tool.h"
@@ -22,6 +23,7 @@ ToolBox::ToolBox(Workspace& workspace, QObject* parent) : ToolChoice(parent) {
     add(std::make_unique<MeasureTool>(workspace.document(), finder_));
     add(std::make_unique<GrainTool>(workspace.document()));
     add(std::make_unique<NotchTool>(workspace.document()));
+    add(std::make_unique<InternalLineTool>(workspace, finder_));
     current_ = tools_.at(ToolId::Select).get();
     connect(&workspace.document(), &Document::changed, this, [this](DocumentChanges what) {
         if (what.testFlag(DocumentChange::Garment)) {

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "app/views/tools/path_tool.h"
+#include "core/pattern/added_settings.h"
+
+namespace toile {
+struct PieceInternal;
+}  // namespace toile
+
+namespace toile::app {
+
+/// Internal lines and drill points: clicks set places on one piece, in either view; Enter or a
+/// double click ends the line, a click on its first place closes it, and one place alone is a drill
+/// point. With nothing begun a click selects a line, which Delete takes away, and a drag of one of
+/// its points moves that. Where edits are mirrored a line is drawn on the counterpart too. Each is
+/// one step of the history.
+class InternalLineTool : public PathTool {
+    Q_OBJECT
+
+public:
+    InternalLineTool(Workspace& workspace, PathFinder& finder)
+        : PathTool(workspace, finder, UserCut::Kind::Path, 1) {}
+
+    ToolId id() const override { return ToolId::InternalLine; }
+    QString hint(ViewKind view) const override;
+    bool press(ToolView& view, const Pointer& pointer) override;
+    void drag(ToolView& view, const Pointer& pointer) override;
+    void release(ToolView& view, const Pointer& pointer) override;
+    void click(ToolView& view, const Pointer& pointer) override;
+    void hover(ToolView& view, const Pointer& pointer) override;
+    bool wants(const QKeyEvent& event) const override;
+    void key(ToolView& view, const QKeyEvent& event) override;
+    void cancel() override;
+    void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
+
+    /// Which line of the settings is selected.
+    std::optional<std::size_t> selected() const;
+
+protected:
+    void finish() override { make(false); }
+    QString elsewhere() const override;
+
+private:
+    /// A point of a line, and where it is on the cloth.
+    struct LinePoint {
+        std::size_t line = 0, point = 0;
+        ClothPoint at;
+    };
+    struct Moving {
+        LinePoint from;
+        ClothPoint to;
+        QPointF pressed;
+        bool moved = false;
+    };
+
+    const std::vector<InternalLine>& lines() const;
+    void make(bool closed);
+    void select(std::optional<std::size_t> line);
+    /// The line nearest to a pixel on the cloth that is seen there.
+    std::optional<std::size_t> lineAt(const ToolView& view, const QPointF& at) const;
+    /// The points of the lines that are drawn. Cost: points times the places on their ways.
+    std::vector<LinePoint> points() const;
+    std::optional<LinePoint> pointAt(const ToolView& view, const QPointF& at) const;
+
+    std::optional<InternalLine> selected_;  ///< as it is in the settings
+    std::optional<Moving> moving_;
+};
+
+}  // namespace toile::app
