@@ -4,6 +4,7 @@
 #include "app/render/render_style.h"
 #include "app/render/scene_builder.h"
 #include "core/pattern/darts.h"
+#include "core/pattern/facings.h"
 #include "core/pattern/internal_lines.h"
 #include "core/pattern/notch_mark.h"
 #include "core/pattern/pattern.h"
@@ -241,6 +242,15 @@ void addInternalLines(const Garment& garment, const PieceResults& results, const
                         addLine(scene, Points3(), closedIfRound(line), kind));
                 }
             }
+        }
+        for (const Points2& edge : piece.extensions) {
+            scene.patternLines.internal.push_back(addLine(scene, Points3(), edge, kind));
+        }
+    }
+    for (const FacingPiece& facing : pattern.facings) {
+        if (facing.strip.outline.rows() > 0) {
+            scene.patternLines.internal.push_back(
+                addLine(scene, Points3(), innerEdge(facing.strip), {facing.piece, kNoTint}));
         }
     }
 }

@@ -140,9 +140,8 @@ std::vector<Points2> extensionEdges(const PatternPiece& piece, const CappedOutli
         }
         const int next = extended.stretches[(k + 1) % stretches].first;
         const int edgesThere = stretches == 1 ? count : (next - first + count) % count;
-        const int points = edgesThere + (stretches == 1 ? 0 : 1);
-        Points2& edge = edges.emplace_back(points, 2);
-        for (int i = 0; i < points; ++i) {
+        Points2& edge = edges.emplace_back(edgesThere + 1, 2);
+        for (int i = 0; i <= edgesThere; ++i) {
             edge.row(i) = extended.line.row((first + i) % count);
         }
     }

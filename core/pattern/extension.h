@@ -18,7 +18,7 @@ double extensionOf(const PatternSegment& segment);
 CappedOutline extendedOutline(const PatternPiece& piece, CappedOutline capped);
 
 /// What a person sees of extensions: the finished edges, from where they leave the outline to where
-/// they come back, open; closed, first point not repeated, where the whole outline is drawn out.
+/// they come back; of a whole outline that is drawn out the first point once more at the end.
 /// Cost: as above. Pure.
 std::vector<Points2> extensionEdges(const PatternPiece& piece, const CappedOutline& extended);
 

@@ -252,9 +252,17 @@ private:
 }  // namespace
 
 bool isFaced(const LineStretch& place, const Facing& facing) {
-    return std::ranges::any_of(facing.edges, [&](const LineStretch& edge) {
-        return covered(place, edge) > kMostlyFaced;
-    });
+    return std::ranges::any_of(
+        facing.edges, [&](const LineStretch& edge) { return covered(place, edge) > kMostlyFaced; });
+}
+
+Points2 innerEdge(const PatternPiece& strip) {
+    const ClosedLine outline(strip.outline);
+    double from = 0;
+    for (const PatternSegment& segment : strip.segments) {
+        from = segment.place.line ? segment.to : from;
+    }
+    return outline.part(from, outline.length());
 }
 
 std::vector<FacingPiece> facingsOf(const Pattern& pattern, const std::vector<Facing>& facings) {

@@ -22,4 +22,7 @@ bool isFaced(const LineStretch& place, const Facing& facing);
 /// Cost: none without facings; else n log n in the outlines with some. Pure.
 std::vector<FacingPiece> facingsOf(const Pattern& pattern, const std::vector<Facing>& facings);
 
+/// The outline of a strip but for the run that it is sewn to: from the run's end to its start.
+Points2 innerEdge(const PatternPiece& strip);
+
 }  // namespace toile

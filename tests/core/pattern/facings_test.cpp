@@ -69,6 +69,15 @@ TEST(Facings, FollowTheirEdgePointByPoint) {
     EXPECT_NEAR(strip.segments.back().to, ClosedLine(strip.outline).length(), 1e-9);
 }
 
+TEST(Facings, HaveAnInnerEdgeFromEndToEnd) {
+    const Pattern pattern = withNeckline();
+    const PatternPiece strip = facingsOf(pattern, {alongNeckline(pattern, 15)})[0].strip;
+    const Points2 edge = innerEdge(strip);
+    ASSERT_GT(edge.rows(), 3);
+    EXPECT_LT((edge.row(0) - strip.outline.row(60)).norm(), 1e-9);
+    EXPECT_LT((edge.row(edge.rows() - 1) - strip.outline.row(0)).norm(), 1e-9);
+}
+
 /// Beside the edge the allowances of the piece, within it none.
 TEST(Facings, HaveTheAllowancesOfTheirPieceButInside) {
     const Pattern pattern = withNeckline();

@@ -12,6 +12,7 @@
 #include "core/seam/seam_settings.h"
 #include "tests/core/pattern/notched_garments.h"
 #include "tests/core/seam/seam_shapes.h"
+#include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {

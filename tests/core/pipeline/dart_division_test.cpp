@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/cut/seams_file.h"
+#include "core/garment/file_space.h"
 #include "core/pattern/dart_places.h"
-#include "core/pipeline/file_space.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/support/shared_data.h"
 

@@ -6,9 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/garment/file_space.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/facings.h"
 #include "core/pattern/notches.h"
+#include "core/pattern/pattern.h"
 #include "core/pattern/seam_places.h"
 #include "core/pattern/segments.h"
 #include "core/pipeline/pipeline.h"
@@ -65,6 +67,7 @@ public:
         }
         notch();
         notch();
+        draw();
     }
 
     void edit() {
@@ -121,6 +124,7 @@ public:
             EXPECT_GT(found[k], 0) << "typed " << *state_.typed[k].said.length;
         }
         expectAllNotches(all);
+        expectTheInternalLine();
     }
 
 private:
@@ -195,6 +199,49 @@ private:
         past_.push_back(state_);
         state_.lines.notches->notches.push_back(*said);
         state_.notches.push_back(spot);
+    }
+
+    /// A line within the cloth, between the centres of two triangles of a piece.
+    void draw() {
+        const Piece& piece = *state_.garment.pieces.front();
+        InternalLine& line = state_.lines.internalLines.emplace_back();
+        line.name = "pocket";
+        for (const Eigen::Index face : {piece.mesh.F.rows() / 3, piece.mesh.F.rows() / 2}) {
+            const Eigen::RowVector3d centre =
+                (piece.mesh.V.row(piece.mesh.F(face, 0)) + piece.mesh.V.row(piece.mesh.F(face, 1)) +
+                 piece.mesh.V.row(piece.mesh.F(face, 2))) /
+                3;
+            line.points.emplace_back(inFileSpace(centre.transpose(), {}, state_.garment));
+        }
+    }
+
+    /// It ends where it was drawn, in one part or several, none of which is missing.
+    void expectTheInternalLine() const {
+        Progress progress;
+        const PieceResults results = flattenGarment(state_.garment, state_.options, progress);
+        const Pattern pattern = makePattern(state_.garment, results, state_.lines);
+        const InternalLine& line = state_.lines.internalLines.front();
+        std::vector<Eigen::Vector3d> ends;
+        double length = 0;
+        for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
+            const MeshArrays& mesh = state_.garment.pieces[p]->mesh;
+            for (const PieceInternal& part : pattern.pieces[p].internals) {
+                EXPECT_EQ(part.name, line.name);
+                length += measuredLength(mesh, {part.way, 0});
+                ends.push_back(positionOf(mesh, part.way.front()));
+                ends.push_back(positionOf(mesh, part.way.back()));
+            }
+        }
+        for (const Eigen::Vector3d& point : line.points) {
+            const Eigen::Vector3d there = inPieceSpace(point, {}, state_.garment);
+            EXPECT_TRUE(std::ranges::any_of(
+                ends, [&there](const auto& end) { return (end - there).norm() < 1e-6; }));
+        }
+        const double straight = (inPieceSpace(line.points[0], {}, state_.garment) -
+                                 inPieceSpace(line.points[1], {}, state_.garment))
+                                    .norm();
+        EXPECT_GT(length, straight - 1e-6);
+        EXPECT_LT(length, 1.5 * straight);
     }
 
     /// All of the segment is a part of the line.
