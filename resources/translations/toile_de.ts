@@ -1679,6 +1679,18 @@
         <source>Allow it to stray less, take straight lines and typed intakes back, or refine the mesh along it</source>
         <translation>Lassen Sie ihn weniger abweichen, nehmen Sie gerade Linien und eingegebene Abnäherinhalte zurück, oder verfeinern Sie das Netz an ihm</translation>
     </message>
+    <message>
+        <source>Facings without room</source>
+        <translation>Belege ohne Platz</translation>
+    </message>
+    <message>
+        <source>no strip of the facing&apos;s width can be copied along its edge: it is left out</source>
+        <translation>entlang der Kante hat kein Streifen von der Breite des Belegs Platz: er entfällt</translation>
+    </message>
+    <message>
+        <source>Make the facing narrower, or take it away</source>
+        <translation>Machen Sie den Beleg schmaler, oder entfernen Sie ihn</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -5895,6 +5907,88 @@
     <message>
         <source>Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select by a box · Alt: snap the other way · Arrow keys: 1 mm, with Shift 10 mm · Esc: select nothing</source>
         <translation>Klick: Schnittteil oder Naht auswählen · Schnittteil ziehen: verschieben · Bogen ziehen: mit Rahmen auswählen · Alt: anders einrasten · Pfeiltasten: 1 mm, mit Umschalt 10 mm · Esc: nichts auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::SewnRows</name>
+    <message>
+        <source>As in 3D</source>
+        <translation>Wie in 3D</translation>
+    </message>
+    <message>
+        <source>Take the stated ease back: as the garment has it</source>
+        <translation>Die angegebene Einhalteweite zurücknehmen: wie am Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Add a notch in the middle of the longest way without one</source>
+        <translation>Einen Knips in der Mitte der längsten Strecke ohne Knips setzen</translation>
+    </message>
+    <message>
+        <source>Take away the notch nearest to the middle</source>
+        <translation>Den Knips entfernen, der der Mitte am nächsten ist</translation>
+    </message>
+    <message>
+        <source>How much longer the left side of the seam is meant to be. Bold: stated by you</source>
+        <translation>Um wie viel länger die linke Seite der Naht sein soll. Fett: von Ihnen angegeben</translation>
+    </message>
+    <message>
+        <source>Add a notch</source>
+        <translation>Einen Knips setzen</translation>
+    </message>
+    <message>
+        <source>Take a notch away</source>
+        <translation>Einen Knips entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Ease</source>
+        <translation>&amp;Einhalteweite</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Knipse</translation>
+    </message>
+    <message>
+        <source>Notch</source>
+        <translation>Knips</translation>
+    </message>
+    <message>
+        <source>Removal of a notch</source>
+        <translation>Entfernen eines Knipses</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::StripRows</name>
+    <message>
+        <source>Draw a free edge out parallel by so much, as a button stand or a turn-up; the edges beside it run on</source>
+        <translation>Eine freie Kante parallel um so viel herausziehen, als Knopfleiste oder Umschlag; die Kanten daneben laufen weiter</translation>
+    </message>
+    <message>
+        <source>Copy a strip of this width along the segment as a piece of its own, a facing or a lining; neighbouring segments with a facing share it</source>
+        <translation>Einen Streifen dieser Breite entlang des Abschnitts als eigenes Schnittteil kopieren, als Beleg oder Futter; benachbarte Abschnitte mit Beleg teilen sich ihn</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>E&amp;xtension</source>
+        <translation>Verlän&amp;gerung</translation>
+    </message>
+    <message>
+        <source>Fa&amp;cing</source>
+        <translation>&amp;Beleg</translation>
+    </message>
+    <message>
+        <source>Extension of an edge</source>
+        <translation>Verlängerung einer Kante</translation>
+    </message>
+    <message>
+        <source>%1, facing</source>
+        <translation>%1, Beleg</translation>
+    </message>
+    <message>
+        <source>Facing of an edge</source>
+        <translation>Beleg einer Kante</translation>
     </message>
 </context>
 <context>
