@@ -127,7 +127,7 @@ void SegmentForm::makeRows(FieldGuard& guard) {
     }
     auto* columns = new QHBoxLayout(this);
     columns->setContentsMargins(10, 6, 10, 6);
-    columns->setSpacing(20);
+    columns->setSpacing(12);
     auto* grid = new QGridLayout;
     auto* added = new QGridLayout;  // what is added to the segment, beside what it is
     for (QGridLayout* column : {grid, added}) {

@@ -42,7 +42,7 @@ StripRows::StripRows(Document& document, FieldGuard& guard, QWidget* form)
         field->setRange(0, kMaxStrip);
         field->setSpecialValueText(tr("none"));
         field->setFocusPolicy(Qt::StrongFocus);
-        field->setMinimumWidth(96);
+        field->setMinimumWidth(86);
         field->setMaximumWidth(kWidestStrip);
         field->installEventFilter(this);
         guard.install(*field);
