@@ -6,7 +6,7 @@
 #   docs/make_pictures.sh                     every picture
 #   docs/make_pictures.sh methods             docs/images/method-NAME.png for every method
 #   docs/make_pictures.sh methods lscm abf    for these
-#   docs/make_pictures.sh patterns            those of the page on fair lines
+#   docs/make_pictures.sh patterns            those of the page on patterns, but for the ones that a test takes
 #   docs/make_pictures.sh readme              those of the README
 #   IMAGES=trial docs/make_pictures.sh        into another folder than docs/images
 #   TOILE=build/release/app/toile docs/make_pictures.sh    with another program than build/ci's
@@ -53,6 +53,12 @@ make_patterns() { # the bodice's pattern, exact and drawn
     done
 }
 
+make_patterns_to_cut() { # with allowances and notches
+    env -u DISPLAY "$toile" render "$samples/tshirt.obj" --unit mm --view pattern --pattern \
+        --overlay none --size 1100x720 -o "$images/pattern-cut.png"
+    echo "$images/pattern-cut.png"
+}
+
 make_readme() {
     window_picture "$images/window.png" "$samples/tshirt.obj" --unit mm
     window_picture "$images/strain.png" "$samples/bodice.obj" --unit mm --up y --overlay strain
@@ -63,8 +69,8 @@ make_readme() {
 
 case ${1:-all} in
     methods) make_methods "${@:2}" ;;
-    patterns) make_patterns ;;
+    patterns) make_patterns && make_patterns_to_cut ;;
     readme) make_readme ;;
-    all) make_methods && make_patterns && make_readme ;;
+    all) make_methods && make_patterns && make_patterns_to_cut && make_readme ;;
     *) sed -n '3,13s/^# \{0,1\}//p' "$0" && exit 2 ;;
 esac

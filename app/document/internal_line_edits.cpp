@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/internal_line_edits.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/garment/file_space.h"
@@ -46,6 +47,39 @@ std::optional<ClothPoints> mirroredInternalLine(const Garment& garment, const Pi
     }
     image->points.resize(points.size());
     return std::move(image->points);
+}
+
+std::optional<std::size_t> imageOfInternalLine(const LineSettings& lines, const Garment& garment,
+                                               const PieceResults& results,
+                                               const Symmetry& symmetry, std::size_t index) {
+    const InternalLine& line = lines.internalLines[index];
+    const auto image = mirroredInternalLine(garment, results, symmetry,
+                                            inPieceSpace(line.points, garment), line.closed);
+    for (std::size_t k = 0; image && k < lines.internalLines.size(); ++k) {
+        const InternalLine& other = lines.internalLines[k];
+        if (k == index || other.closed != line.closed ||
+            other.points.size() != line.points.size()) {
+            continue;
+        }
+        const ClothPoints points = inPieceSpace(other.points, garment);
+        if (std::ranges::equal(points, *image, [](const auto& a, const auto& b) {
+                return (a - b).norm() < kSameImage;
+            })) {
+            return k;
+        }
+    }
+    return std::nullopt;
+}
+
+LineSettings withInternalLineAsImage(LineSettings lines, const Garment& garment,
+                                     const PieceResults& results, const Symmetry& symmetry,
+                                     std::size_t of, std::size_t image) {
+    const InternalLine& line = lines.internalLines[of];
+    if (auto points = mirroredInternalLine(garment, results, symmetry,
+                                           inPieceSpace(line.points, garment), line.closed)) {
+        lines.internalLines[image].points = inFileSpace(std::move(*points), garment);
+    }
+    return lines;
 }
 
 }  // namespace toile::app

@@ -35,4 +35,16 @@ std::optional<ClothPoints> mirroredInternalLine(const Garment& garment, const Pi
                                                 const Symmetry& symmetry, const ClothPoints& points,
                                                 bool closed);
 
+/// The line that was drawn as the mirror image of another: with as many points, none farther than
+/// kSameImage from that. None where there is none.
+std::optional<std::size_t> imageOfInternalLine(const LineSettings& lines, const Garment& garment,
+                                               const PieceResults& results,
+                                               const Symmetry& symmetry, std::size_t index);
+inline constexpr double kSameImage = 2;  ///< mm
+
+/// With one line as the mirror image of another, where that has one.
+LineSettings withInternalLineAsImage(LineSettings lines, const Garment& garment,
+                                     const PieceResults& results, const Symmetry& symmetry,
+                                     std::size_t of, std::size_t image);
+
 }  // namespace toile::app

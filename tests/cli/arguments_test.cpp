@@ -184,6 +184,19 @@ TEST(Arguments, RenderSaysWhatAPictureShows) {
               kTopView);
 }
 
+TEST(Arguments, EveryCommandThatDrawsAPatternTakesItsOptions) {
+    for (const char* command : {"flatten", "check", "walk", "render"}) {
+        std::vector<const char*> typed{command, "a.obj", "--pattern", "--allowance", "7"};
+        if (std::string_view(command) == "render") {
+            typed.insert(typed.end(), {"-o", "a.png"});
+        }
+        const Arguments a = parse(typed);
+        LineSettings expected = withPattern({});
+        expected.allowance->seam = 7;
+        EXPECT_EQ(a.lines, expected) << command << ": " << a.message;
+    }
+}
+
 TEST(Arguments, HelpAndVersionAreMessages) {
     const Arguments help = parse({"--help"});
     EXPECT_EQ(help.command, Command::Message);

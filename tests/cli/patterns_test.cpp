@@ -46,8 +46,8 @@ TEST(PatternsPage, TheKinksOfTheBodiceAreThoseOfTheProgram) {
 
 TEST(PatternsPage, TheWalkOfTheShirtIsThatOfTheProgram) {
     const auto run =
-        test::run(TOILE_PROGRAM, {"walk", test::dataFile("samples/tshirt.obj").string(), "--fair",
-                                  "--true", "--mirror", "auto", "--json"});
+        test::run(TOILE_PROGRAM,
+                  {"walk", test::dataFile("samples/tshirt.obj").string(), "--pattern", "--json"});
     ASSERT_EQ(run.status, 0) << run.err;
     std::string table =
         "| Seam | Left mm | Right mm | Notches | Largest error mm |\n"

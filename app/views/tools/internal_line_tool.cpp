@@ -86,6 +86,14 @@ std::optional<std::size_t> InternalLineTool::selected() const {
                : std::optional(static_cast<std::size_t>(found - lines().begin()));
 }
 
+std::optional<std::size_t> InternalLineTool::imageOf(std::size_t line) const {
+    const Document& document = workspace_.document();
+    const Symmetry* symmetry = editSymmetry(document);
+    return symmetry ? imageOfInternalLine(document.state().lines, *document.garment(),
+                                          document.results(), *symmetry, line)
+                    : std::nullopt;
+}
+
 void InternalLineTool::select(std::optional<std::size_t> line) {
     selected_ = line && *line < lines().size() ? std::optional(lines()[*line]) : std::nullopt;
     emit changed();
@@ -191,9 +199,14 @@ void InternalLineTool::release(ToolView&, const Pointer&) {
     Document& document = workspace_.document();
     if (moving && moving->moved && document.garment()) {
         const LinePoint& from = moving->from;
+        const std::optional<std::size_t> image = imageOf(from.line);
         LineSettings next =
             withInternalPointMoved(document.state().lines, *document.garment(), from.line,
                                    from.point, wornPlace(document, from.at.piece, moving->to.at));
+        if (image) {
+            next = withInternalLineAsImage(std::move(next), *document.garment(), document.results(),
+                                           *editSymmetry(document), from.line, *image);
+        }
         document.setLines(std::move(next), tr("Move of an internal line"));
         select(from.line);
     }
@@ -253,9 +266,13 @@ void InternalLineTool::key(ToolView& view, const QKeyEvent& event) {
     if (event.key() == Qt::Key_Delete) {
         if (const auto line = selected()) {
             Document& document = workspace_.document();
+            const std::optional<std::size_t> image = imageOf(*line);
+            LineSettings next = withoutInternalLine(document.state().lines, *line);
+            if (image) {
+                next = withoutInternalLine(std::move(next), *image - (*image > *line ? 1 : 0));
+            }
             select(std::nullopt);
-            document.setLines(withoutInternalLine(document.state().lines, *line),
-                              tr("Removal of an internal line"));
+            document.setLines(std::move(next), tr("Removal of an internal line"));
         }
     } else if (moving_) {
         moving_.reset();

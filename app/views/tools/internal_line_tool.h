@@ -61,6 +61,8 @@ private:
     const std::vector<InternalLine>& lines() const;
     void make(bool closed);
     void select(std::optional<std::size_t> line);
+    /// The line that is drawn as its mirror image; none where edits are not mirrored.
+    std::optional<std::size_t> imageOf(std::size_t line) const;
     /// The line nearest to a pixel on the cloth that is seen there.
     std::optional<std::size_t> lineAt(const ToolView& view, const QPointF& at) const;
     /// The points of the lines that are drawn. Cost: points times the places on their ways.
