@@ -367,7 +367,7 @@ void Document::setHover(const std::optional<Feature>& hover) {
     set(hover_, hover && isInGarment(*hover) ? hover : std::nullopt, DocumentChange::Hover);
 }
 
-void Document::setSeamEase(int seam, std::optional<double> ease) {
+void Document::setSeamEase(int seam, std::optional<double> ease, int gesture) {
     Q_ASSERT(seam >= 0 && seam < seamCount());
     const auto at = static_cast<std::size_t>(seam);
     const Seam& before = garment()->seams.seams[at];
@@ -377,7 +377,7 @@ void Document::setSeamEase(int seam, std::optional<double> ease) {
     DocumentState next = state_;
     auto& settings = next.inputs.loading.seamSettings;
     settings = withEase(std::move(settings), before, ease);
-    edit(tr("Ease of a seam"), std::move(next));
+    edit(tr("Ease of a seam"), std::move(next), gesture);
 }
 
 void Document::setEaseDrawn(int seam, bool drawn) {

@@ -134,7 +134,8 @@ public:
     /// the 3D lengths have it. Pieces, results, scene and selection stay as they are. A step of the
     /// history.
     /// @param seam an index into Garment::seams; not of a free edge
-    void setSeamEase(int seam, std::optional<double> ease);
+    /// @param gesture  as for `edit`
+    void setSeamEase(int seam, std::optional<double> ease, int gesture = -1);
     /// Says whether the stated ease of a seam is drawn: its longer side is that much longer in the
     /// pattern. A step of the history.
     void setEaseDrawn(int seam, bool drawn);

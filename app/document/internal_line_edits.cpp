@@ -9,9 +9,10 @@
 
 namespace toile::app {
 
-LineSettings withInternalLine(LineSettings lines, const Garment& garment, ClothPoints points,
-                              bool closed) {
+LineSettings withInternalLine(LineSettings lines, const Garment& garment, std::string name,
+                              ClothPoints points, bool closed) {
     InternalLine& line = lines.internalLines.emplace_back();
+    line.name = std::move(name);
     line.points = inFileSpace(std::move(points), garment);
     line.closed = closed && line.points.size() > 2;
     return lines;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/flatten/base/piece_result.h"
@@ -21,8 +22,8 @@ namespace toile::app {
 using ClothPoints = std::vector<Eigen::Vector3d>;
 
 /// With a line through these points, one or more, at the end of the list.
-LineSettings withInternalLine(LineSettings lines, const Garment& garment, ClothPoints points,
-                              bool closed);
+LineSettings withInternalLine(LineSettings lines, const Garment& garment, std::string name,
+                              ClothPoints points, bool closed);
 /// An index past the lines changes nothing.
 LineSettings withoutInternalLine(LineSettings lines, std::size_t index);
 /// With one of its points at another place; indices past the end change nothing.

@@ -6,6 +6,7 @@
 
 #include "app/document/line_edits.h"
 #include "core/pattern/facings.h"
+#include "core/seam/seam_settings.h"
 
 namespace toile::app {
 
@@ -18,18 +19,26 @@ Facing* facingAt(LineSettings& lines, const LineStretch& place) {
     return found == lines.facings.end() ? nullptr : &*found;
 }
 
-/// That of a segment before or after.
+/// That of a segment before or after; of two different ones one is made first.
 Facing* facingBeside(LineSettings& lines, const LineFacts& facts, const SegmentAt& at) {
     const auto& around = facts.segments[static_cast<std::size_t>(at.piece)].segments;
     const std::size_t count = around.size(), k = static_cast<std::size_t>(at.segment);
-    Facing* before = facingAt(lines, around[(k + count - 1) % count].place);
-    return before ? before : facingAt(lines, around[(k + 1) % count].place);
+    const LineStretch& before = around[(k + count - 1) % count].place;
+    const LineStretch& after = around[(k + 1) % count].place;
+    Facing* first = facingAt(lines, before);
+    Facing* second = facingAt(lines, after);
+    if (first && second && first != second) {
+        first->edges.insert(first->edges.end(), second->edges.begin(), second->edges.end());
+        lines.facings.erase(lines.facings.begin() + (second - lines.facings.data()));
+        first = facingAt(lines, before);
+    }
+    return first ? first : facingAt(lines, after);
 }
 
 void takeOut(LineSettings& lines, const LineStretch& place) {
     for (Facing& facing : lines.facings) {
         std::erase_if(facing.edges, [&place](const LineStretch& edge) {
-            return isFaced(place, Facing{{}, {edge}});
+            return covered(edge, place) > 0.5 || covered(place, edge) > 0.5;
         });
     }
     std::erase_if(lines.facings, [](const Facing& facing) { return facing.edges.empty(); });

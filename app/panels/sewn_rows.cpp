@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/sewn_rows.h"
 
+#include <QEvent>
 #include <QFont>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -59,13 +60,17 @@ SewnRows::SewnRows(Document& document, FieldGuard& guard, QWidget* form)
         tr("How much longer the left side of the seam is meant to be. Bold: stated by you"));
     ease_->setRange(kLeastEase, kMostEase);
     ease_->setFocusPolicy(Qt::StrongFocus);
+    ease_->installEventFilter(this);
     guard.install(*ease_);
     notches_->setObjectName("segmentNotches");
     add_->setAccessibleName(tr("Add a notch"));
     remove_->setAccessibleName(tr("Take a notch away"));
     connect(ease_, &QDoubleSpinBox::valueChanged, this,
             [this](double percent) { setEase(percent * kPercent); });
-    connect(asWorn_, &QToolButton::clicked, this, [this] { setEase(std::nullopt); });
+    connect(asWorn_, &QToolButton::clicked, this, [this] {
+        gesture_ = document_.newGesture();
+        setEase(std::nullopt);
+    });
     connect(add_, &QToolButton::clicked, this, &SewnRows::addNotch);
     connect(remove_, &QToolButton::clicked, this, &SewnRows::removeNotch);
     clear();
@@ -89,6 +94,13 @@ int SewnRows::addTo(QGridLayout& grid, int row) {
     return row;
 }
 
+bool SewnRows::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn) {
+        gesture_ = document_.newGesture();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
 void SewnRows::clear() {
     seam_ = -1;
     notches_->clear();
@@ -106,6 +118,9 @@ void SewnRows::show(const Segment& segment) {
     if (!isSewn) {
         clear();
         return;
+    }
+    if (seam_ != segment.seam) {
+        gesture_ = document_.newGesture();
     }
     seam_ = segment.seam;
     const Seam& seam = seams[static_cast<std::size_t>(seam_)];
@@ -126,7 +141,7 @@ void SewnRows::show(const Segment& segment) {
 
 void SewnRows::setEase(std::optional<double> ease) {
     if (seam_ >= 0) {
-        document_.setSeamEase(seam_, ease);
+        document_.setSeamEase(seam_, ease, gesture_);
     }
 }
 

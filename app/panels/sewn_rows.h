@@ -31,6 +31,9 @@ public:
     /// Shows that there is nothing.
     void clear();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void setEase(std::optional<double> ease);
     void addNotch();
@@ -41,6 +44,7 @@ private:
     QToolButton *asWorn_, *add_, *remove_;
     QLabel* notches_;
     int seam_ = -1;  ///< that is sewn; -1: none is shown
+    int gesture_ = -1;
 };
 
 }  // namespace toile::app

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -61,6 +62,9 @@ std::vector<Run> runsOf(const PatternPiece& piece, const Facing& facing) {
             runs.push_back({k, count});
         }
     }
+    if (n > 0 && std::ranges::all_of(faced, std::identity())) {
+        runs.push_back({0, n});  // which has no strip
+    }
     return runs;
 }
 
@@ -92,6 +96,10 @@ std::optional<Points2> within(const PatternPiece& piece, const Points2& line, do
     clipper.AddPath(onGrid(piece.outline), ClipperLib::ptClip, true);
     clipper.Execute(ClipperLib::ctIntersection, parts, ClipperLib::pftNonZero,
                     ClipperLib::pftNonZero);
+    // A strip whose ends meet is a ring: what it goes round would be part of it.
+    if (std::ranges::any_of(parts, [](const auto& part) { return ClipperLib::Area(part) < 0; })) {
+        return std::nullopt;
+    }
     std::optional<Points2> nearest;
     double least = kOnOutline;
     for (const ClipperLib::Path& part : parts) {
@@ -100,7 +108,7 @@ std::optional<Points2> within(const PatternPiece& piece, const Points2& line, do
             const double distance = geometry::distanceToSegment(
                 place, Eigen::RowVector2d(points.row(k)),
                 Eigen::RowVector2d(points.row((k + 1) % points.rows())));
-            if (distance < least && ClipperLib::Area(part) > 0) {
+            if (distance < least) {
                 least = distance;
                 nearest = points;
             }
@@ -252,8 +260,11 @@ private:
 }  // namespace
 
 bool isFaced(const LineStretch& place, const Facing& facing) {
-    return std::ranges::any_of(
-        facing.edges, [&](const LineStretch& edge) { return covered(place, edge) > kMostlyFaced; });
+    double share = 0;
+    for (const LineStretch& edge : facing.edges) {
+        share += covered(place, edge);
+    }
+    return share > kMostlyFaced;
 }
 
 Points2 innerEdge(const PatternPiece& strip) {

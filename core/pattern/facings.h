@@ -15,7 +15,8 @@ bool isFaced(const LineStretch& place, const Facing& facing);
 /// that is within the width of a run of neighbouring segments, which the strip repeats point by
 /// point, so that it can be sewn to them. Its other edges are parts of the outlines beside the run,
 /// with their allowances, and the inner edge, parallel to the run, with none.
-/// - Where the outline is parted, each run has its own strip; one that is a whole outline has none.
+/// - Where the outline is parted, each run has its own strip; one that is a whole outline has none,
+///   nor has one whose ends would meet.
 /// - Holes and darts within the strip are left out; it is cut as its piece is, never as a half.
 /// @param pattern  its pieces, whole
 /// @return by facing and piece; without outline where no strip has room

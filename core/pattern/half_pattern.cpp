@@ -178,9 +178,18 @@ Pattern asCut(Pattern whole) {
         piece.number = piece.outline.rows() > 0 ? ++number : 0;
     }
     for (FacingPiece& facing : whole.facings) {
+        const PatternPiece& piece = whole.pieces[facing.piece];
         Cutting& cutting = facing.strip;
-        cutting = whole.pieces[facing.piece];
+        cutting = piece;
         cutting.byHalf = false;
+        if (piece.cutAs == CutAs::Pair || piece.cutAs == CutAs::Image) {
+            // Both have theirs, as often as pairs are cut.
+            const PatternPiece& drawn =
+                piece.cutAs == CutAs::Pair ? piece : whole.pieces[piece.mirror.counterpart];
+            cutting.quantity = drawn.quantity;
+            cutting.material = drawn.material;
+            cutting.mirroredPair = false;
+        }
         facing.strip.number = facing.strip.outline.rows() > 0 ? ++number : 0;
         whole.pieces.push_back(std::exchange(facing.strip, {}));
     }

@@ -56,7 +56,7 @@ std::vector<std::string> labelLines(const std::string& name, const Cutting& cutt
     }
     add(facts.material);
     add(cuttingNote(cutting, words, cutAs));
-    add(facts.hasAllowance ? words.allowance : words.noAllowance);
+    add(facts.hasAllowance ? words.allowance : facts.isDrawnOut ? "" : words.noAllowance);
     add(facts.date);
     if (mirrored) {
         add(words.mirrored);
@@ -69,6 +69,7 @@ LabelFacts factsOf(const Pattern& pattern, const PatternPiece& piece) {
     if (pattern.hasAllowance) {
         facts = {.number = piece.number, .count = drawnCount(pattern), .hasAllowance = true};
     }
+    facts.isDrawnOut = !piece.extensions.empty();
     facts.size = shownText(pattern.label.size, kMaxLabelText);
     facts.material = shownText(piece.material, kMaxLabelText);
     facts.date = shownText(pattern.label.date, kMaxLabelText);
@@ -97,8 +98,9 @@ std::vector<Points2> drawnOnCloth(const Pattern& pattern, const PatternPiece& pi
 }
 
 int drawnCount(const Pattern& pattern) {
-    return static_cast<int>(std::ranges::count_if(
-        pattern.pieces, [](const PatternPiece& piece) { return piece.outline.rows() > 0; }));
+    const auto isDrawn = [](const PatternPiece& piece) { return piece.outline.rows() > 0; };
+    return static_cast<int>(std::ranges::count_if(pattern.pieces, isDrawn) +
+                            std::ranges::count_if(pattern.facings, isDrawn, &FacingPiece::strip));
 }
 
 namespace {

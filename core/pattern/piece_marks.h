@@ -30,7 +30,8 @@ struct LabelFacts {
     int number = 0;  ///< PatternPiece::number
     int count = 0;   ///< of the pieces that are drawn (`drawnCount`)
     std::string size{}, material{}, date{};
-    bool hasAllowance = false;  ///< else the label says that the line is the seam line
+    bool hasAllowance = false;  ///< else the label says that the line is the seam line,
+    bool isDrawnOut = false;    ///< unless edges of it are drawn out
 };
 
 /// What stands on a piece that is not cut once as it is: "cut 3", "cut 2 pairs" where each of them
@@ -51,7 +52,7 @@ inline constexpr std::size_t kMaxLabelText = 40;
 /// What a person has stated; of a pattern with allowances all that is known.
 LabelFacts factsOf(const Pattern& pattern, const PatternPiece& piece);
 
-/// How many pieces of a pattern have an outline: the "12" of "piece 3 of 12".
+/// How many pieces and facings of a pattern have an outline: the "12" of "piece 3 of 12".
 int drawnCount(const Pattern& pattern);
 
 /// What is drawn on a piece as it lies, in files and on screen alike: in sheet directions, about

@@ -3659,11 +3659,11 @@
     </message>
     <message>
         <source>Material of %1: as the garment</source>
-        <translation>Stoff von %1: wie das Kleidungsstück</translation>
+        <translation>Stoffart von %1: wie das Kleidungsstück</translation>
     </message>
     <message>
         <source>Material of %1: %2</source>
-        <translation>Stoff von %1: %2</translation>
+        <translation>Stoffart von %1: %2</translation>
     </message>
     <message>
         <source>D&amp;art to seam</source>
@@ -4391,7 +4391,7 @@
     </message>
     <message>
         <source>The garment, or what pieces of another material are cut from (panel Position)</source>
-        <translation>Das Kleidungsstück oder ein Stoff, aus dem einzelne Schnittteile zugeschnitten werden (Feld „Stoff“ bei Lage und Winkel)</translation>
+        <translation>Das Kleidungsstück oder eine Stoffart, aus der einzelne Schnittteile zugeschnitten werden (Feld „Stoffart“ bei Lage und Winkel)</translation>
     </message>
     <message>
         <source>Garment</source>
@@ -4550,6 +4550,14 @@
     <message>
         <source>Removal of an internal line</source>
         <translation>Entfernen einer Innenlinie</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Linie %1</translation>
+    </message>
+    <message>
+        <source>drill point %1</source>
+        <translation>Bohrpunkt %1</translation>
     </message>
 </context>
 <context>
@@ -5088,7 +5096,7 @@
     </message>
     <message>
         <source>Material</source>
-        <translation>Stoff</translation>
+        <translation>Stoffart</translation>
     </message>
     <message>
         <source>What the piece is cut from; empty: the garment&apos;s own fabric</source>
@@ -5280,7 +5288,7 @@
     </message>
     <message>
         <source>Material</source>
-        <translation>Stoff</translation>
+        <translation>Stoffart</translation>
     </message>
     <message>
         <source>What is selected is cut from this; empty: from the garment&apos;s own fabric</source>
@@ -5288,7 +5296,7 @@
     </message>
     <message>
         <source>&amp;Material</source>
-        <translation>&amp;Stoff</translation>
+        <translation>&amp;Stoffart</translation>
     </message>
     <message>
         <source>as the garment</source>
@@ -5968,7 +5976,7 @@
     </message>
     <message>
         <source>none</source>
-        <translation>keine</translation>
+        <translation>ohne</translation>
     </message>
     <message>
         <source>E&amp;xtension</source>

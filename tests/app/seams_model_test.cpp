@@ -155,7 +155,9 @@ private slots:
     void editingAsksForTheEaseAndShowsItAsStated() {
         flattenInto(*document_, Method::Natural);
         const auto measure = *measured(*document_->garment(), document_->results(), 0);
-        connect(model_.get(), &SeamsModel::easeWanted, document_.get(), &Document::setSeamEase);
+        connect(
+            model_.get(), &SeamsModel::easeWanted, document_.get(),
+            [this](int seam, std::optional<double> ease) { document_->setSeamEase(seam, ease); });
         QVERIFY(model_->flags(model_->index(0, SeamsModel::Ease)).testFlag(Qt::ItemIsEditable));
         QVERIFY(!at(SeamsModel::Ease, Qt::FontRole).value<QFont>().bold());
         QCOMPARE(at(SeamsModel::Ease, Qt::EditRole).toString(), QString());

@@ -244,14 +244,18 @@ void InternalLineTool::make(bool closed) {
         return;
     }
     const Garment& garment = *document.garment();
-    LineSettings next = withInternalLine(document.state().lines, garment, points, closed);
+    const std::size_t made = document.state().lines.internalLines.size();
+    const auto name = [&points, made](std::size_t number) {
+        const QString text = points.size() > 1 ? tr("line %1") : tr("drill point %1");
+        return text.arg(made + number).toStdString();
+    };
+    LineSettings next = withInternalLine(document.state().lines, garment, name(1), points, closed);
     if (const Symmetry* symmetry = editSymmetry(document)) {
         if (auto image =
                 mirroredInternalLine(garment, document.results(), *symmetry, points, closed)) {
-            next = withInternalLine(std::move(next), garment, std::move(*image), closed);
+            next = withInternalLine(std::move(next), garment, name(2), std::move(*image), closed);
         }
     }
-    const std::size_t made = document.state().lines.internalLines.size();
     document.setView(&ViewState::internalLines, true);
     document.setLines(std::move(next), tr("Internal line"));
     select(made);

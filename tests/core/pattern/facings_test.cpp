@@ -106,12 +106,36 @@ TEST(Facings, OfEdgesThatDoNotMeetAreTwo) {
     EXPECT_EQ(facingsOf(pattern, {facing}).size(), 2U);
 }
 
-TEST(Facings, AreNoneOfAWholeOutlineOrOfWhatIsGone) {
+/// One that has no room is there without an outline, to be named.
+TEST(Facings, HaveNoStripRoundAWholeOutlineOrNearlySo) {
     const Pattern pattern = withNeckline();
     Facing facing;
+    facing.width = 15;
     facing.edges.push_back({LineId{1}, 0, 1});
-    EXPECT_TRUE(facingsOf(pattern, {facing}).empty());
-    facing.edges.front().line = LineId{2};
+    auto made = facingsOf(pattern, {facing});
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_EQ(made[0].strip.outline.rows(), 0);
+    facing.edges.front().to = 5.0 / 6;  // 80 mm are between the ends, which would meet
+    facing.width = 50;
+    made = facingsOf(pattern, {facing});
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_EQ(made[0].strip.outline.rows(), 0);
+}
+
+TEST(Facings, StayWhereSegmentsBecomeOne) {
+    Pattern pattern = withNeckline();
+    Facing facing;
+    for (const std::size_t k : {2U, 3U, 4U}) {
+        facing.edges.push_back(pattern.pieces[0].segments[k].place);
+    }
+    EXPECT_TRUE(isFaced({LineId{1}, 2.0 / 6, 5.0 / 6}, facing));
+    EXPECT_FALSE(isFaced({LineId{1}, 5.0 / 6, 1}, facing));
+}
+
+TEST(Facings, AreNoneOfWhatIsGone) {
+    const Pattern pattern = withNeckline();
+    Facing facing;
+    facing.edges.push_back({LineId{2}, 0, 1});
     EXPECT_TRUE(facingsOf(pattern, {facing}).empty());
 }
 
@@ -127,6 +151,23 @@ TEST(Facings, AreCutAsTheirPieceIs) {
     EXPECT_EQ(laid.pattern.pieces[1].number, 2);
     EXPECT_EQ(laid.marker.copies.size(), 2U);
     EXPECT_EQ(laid.whole.copies.size(), 1U);  // a UV map has the garment only
+}
+
+TEST(Facings, OfAPairAreCutAsOftenAsThat) {
+    Pattern pattern = withNeckline();
+    pattern.pieces.push_back(pattern.pieces[0]);
+    pattern.pieces[0].mirror = {.counterpart = 1, .leads = true};
+    pattern.pieces[1].mirror = {.counterpart = 0};
+    pattern.pieces[0].byHalf = pattern.pieces[0].mirroredPair = true;
+    pattern.pieces[0].quantity = 2;
+    pattern.facings = facingsOf(pattern, {alongNeckline(pattern, 15)});
+    ASSERT_EQ(pattern.facings.size(), 2U);
+    const Pattern cut = asCut(pattern);
+    ASSERT_EQ(cut.pieces.size(), 4U);
+    for (const std::size_t k : {2U, 3U}) {
+        EXPECT_EQ(cut.pieces[k].quantity, 2);
+        EXPECT_FALSE(cut.pieces[k].mirroredPair);
+    }
 }
 
 /// On a garment: the seam that a facing is sewn to is as long on both, and a seam's allowance does.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -202,7 +203,8 @@ TEST(InternalLines, PointsFarFromTheClothAreNotDrawn) {
     const Garment whole = garmentFrom(test::planeGrid(10, 10, 10));
     EXPECT_EQ(runCount(drawn(whole, with({{50, 50, 40}}))), 0);
     EXPECT_EQ(runCount(drawn(whole, with({{50, 50, 40}, {20, 20, 0}}))), 0);
-    EXPECT_EQ(runCount(drawn(whole, with({{50, 50, NAN}}))), 0);
+    EXPECT_EQ(runCount(drawn(whole, with({{50, 50, std::numeric_limits<double>::quiet_NaN()}}))),
+              0);
     EXPECT_EQ(runCount(drawn(whole, with({}))), 0);
     const Drawn parted =
         drawn(whole, with({{20, 20, 0}, {30, 20, 0}, {50, 50, 40}, {60, 20, 0}, {80, 20, 0}}));
