@@ -62,12 +62,12 @@ public:
         state_.loading.unit = LengthUnit::Millimetre;
         state_.lines.notches = NotchRules{};
         state_.garment = *loadGarment({path_}, state_.loading, progress);
+        draw();
         for (int k = 0; k < 4; ++k) {
             type();
         }
         notch();
         notch();
-        draw();
     }
 
     void edit() {
