@@ -206,8 +206,7 @@ void Workspace::dartToSeam(int seam) {
 
 std::optional<CutId> Workspace::cutBeyond(int seam) const {
     const auto garment = document_.garment();
-    return garment ? cutBeyondTip(*garment, cutsInPieceSpace(loading().seams, *garment), seam)
-                   : std::nullopt;
+    return garment ? cutBeyondTip(*garment, seam) : std::nullopt;
 }
 
 bool Workspace::isSeamOfDart(int seam) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cut/surface_links.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/dart_places.h"
 #include "core/pattern/outline_reference.h"
@@ -13,7 +14,6 @@ namespace toile {
 namespace {
 
 constexpr double kCutAtTip = 0.01;  // mm: a cut begins there
-constexpr double kOffSurface = 20;  // mm: so far a stated point may be beside the cloth
 constexpr double kAhead = 1e-6;     // mm: edges at the tip itself are not met
 
 /// Where a ray first meets a closed line.
@@ -42,23 +42,49 @@ RayHit firstHit(const Eigen::RowVector2d& from, const Eigen::RowVector2d& along,
     return first;
 }
 
-int nearestOnOutline(const Piece& piece, const Eigen::Vector3d& point) {
-    const auto distance = [&](int vertex) {
-        return (piece.mesh.V.row(vertex).transpose() - point).squaredNorm();
-    };
-    return *std::ranges::min_element(piece.boundary, {}, distance);
+bool isOnRim(const SurfaceLinks& links, const SurfacePoint& point) {
+    const Carrier on = links.carrierOf(point);
+    return on.kind == Carrier::Kind::Vertex
+               ? !links.isInner(on.index)
+               : links.facesOf(on).size() == 1 && on.kind == Carrier::Kind::Edge;
 }
 
-/// Whether a path begins at the end of another cut, which is a vertex of the outlines then.
-bool beginsAtEndOf(const UserCut& path, const UserCut& other, const Piece& piece) {
-    const Eigen::Vector3d& start = path.points.front();
-    const int tip = nearestOnOutline(piece, start);
-    const auto isThere = [&](const Eigen::Vector3d& end) {
-        return (end - start).norm() < kOffSurface && nearestOnOutline(piece, end) == tip;
-    };
-    return other.kind != UserCut::Kind::Loop && !other.points.empty() &&
-           (piece.mesh.V.row(tip).transpose() - start).norm() < kCutAtTip &&
-           (isThere(other.points.front()) || isThere(other.points.back()));
+/// Where a cut ends within the piece that it is made in.
+std::vector<Eigen::Vector3d> tipsOf(const SurfaceLinks& links, const NearestSurface& nearest,
+                                    const UserCut& cut) {
+    std::vector<Eigen::Vector3d> tips;
+    const auto points = pointsOfCut(links, nearest, cut);
+    if (points && cut.kind != UserCut::Kind::Loop) {
+        for (const SurfacePoint& end : {points->front(), points->back()}) {
+            if (!isOnRim(links, end)) {
+                tips.push_back(positionOf(links.mesh(), end));
+            }
+        }
+    }
+    return tips;
+}
+
+/// Of the cuts of a piece, the path that begins at a tip of one of these.
+std::optional<CutId> cutFromTip(const CutRecord& record, const std::vector<CutId>& darts) {
+    const SurfaceLinks links(record.whole->mesh, record.whole->table);
+    const NearestSurface nearest(record.whole->mesh);
+    for (const UserCut& dart : record.asked) {
+        if (std::ranges::find(darts, dart.id) == darts.end()) {
+            continue;
+        }
+        for (const Eigen::Vector3d& tip : tipsOf(links, nearest, dart)) {
+            // Of two that begin there the later one leads on.
+            const auto found = std::ranges::find_if(
+                record.asked.rbegin(), record.asked.rend(), [&](const UserCut& cut) {
+                    return cut.kind == UserCut::Kind::Path && cut.id != dart.id &&
+                           !cut.points.empty() && (cut.points.front() - tip).norm() < kCutAtTip;
+                });
+            if (found != record.asked.rend()) {
+                return found->id;
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -102,24 +128,15 @@ std::optional<UserCut> cutBeyondDart(const Garment& garment, const PieceResults&
     return cut;
 }
 
-std::optional<CutId> cutBeyondTip(const Garment& garment, const std::vector<UserCut>& cuts,
-                                  int index) {
+std::optional<CutId> cutBeyondTip(const Garment& garment, int index) {
     const Seam& seam = garment.seams.seams[static_cast<std::size_t>(index)];
-    if (seam.cuts.empty() || seam.left.piece < 0) {
-        return std::nullopt;
-    }
-    const Piece& piece = *garment.pieces[static_cast<std::size_t>(seam.left.piece)];
-    const auto isOf = [&seam](const UserCut& cut) {
-        return std::ranges::find(seam.cuts, cut.id) != seam.cuts.end();
-    };
-    for (const UserCut& cut : cuts) {
-        if (cut.kind != UserCut::Kind::Path || cut.points.empty()) {
-            continue;
-        }
-        for (const UserCut& other : cuts) {
-            if (&other != &cut && (isOf(cut) || isOf(other)) && beginsAtEndOf(cut, other, piece)) {
-                return cut.id;
-            }
+    for (const CutRecord& record : garment.cutRecords) {
+        const bool isHere = record.asked.size() > 1 &&
+                            std::ranges::any_of(record.asked, [&seam](const UserCut& cut) {
+                                return std::ranges::find(seam.cuts, cut.id) != seam.cuts.end();
+                            });
+        if (const auto found = isHere ? cutFromTip(record, seam.cuts) : std::nullopt) {
+            return found;
         }
     }
     return std::nullopt;

@@ -20,11 +20,10 @@ namespace toile {
 /// Cost: linear in the rims of the piece. Pure.
 std::optional<UserCut> cutBeyondDart(const Garment& garment, const PieceResults& results, int seam);
 
-/// Of the cuts that make a seam, or that touch one of these, the path that begins where another cut
-/// ends: without it there is a dart again.
-/// @param cuts  as the pieces are, mm; with ids
-/// @param seam  index into the graph  Cost: the square of the cuts times an outline. Pure.
-std::optional<CutId> cutBeyondTip(const Garment& garment, const std::vector<UserCut>& cuts,
-                                  int seam);
+/// The path that begins at the tip of a dart that the seam is part of: without it there is a dart
+/// again. A tip is where a cut ends within the piece that was cut, not on its rim.
+/// @param seam  index into the graph
+/// Cost: a tree of boxes of that piece, where several cuts were made in it. Pure.
+std::optional<CutId> cutBeyondTip(const Garment& garment, int seam);
 
 }  // namespace toile

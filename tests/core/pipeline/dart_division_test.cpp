@@ -43,7 +43,7 @@ TEST(DartDivision, MakesOneSeamOfADartAndTheCutBeyondIt) {
     ASSERT_EQ(darts.size(), 2U);
     for (const int dart : darts) {
         SCOPED_TRACE(garment.seams.seams[static_cast<std::size_t>(dart)].name);
-        EXPECT_FALSE(cutBeyondTip(garment, cutsInPieceSpace(*seams, garment), dart));
+        EXPECT_FALSE(cutBeyondTip(garment, dart));
         auto cut = cutBeyondDart(garment, results, dart);
         ASSERT_TRUE(cut);
         SeamsFile more = *seams;
@@ -59,7 +59,7 @@ TEST(DartDivision, MakesOneSeamOfADartAndTheCutBeyondIt) {
         EXPECT_EQ(dartsOf(divided).size(), 1U);
         int found = 0;
         for (int s = 0; s < static_cast<int>(divided.seams.seams.size()); ++s) {
-            const auto beyond = cutBeyondTip(divided, cutsInPieceSpace(more, divided), s);
+            const auto beyond = cutBeyondTip(divided, s);
             if (beyond) {
                 ++found;
                 const Seam& seam = divided.seams.seams[static_cast<std::size_t>(s)];
@@ -71,6 +71,23 @@ TEST(DartDivision, MakesOneSeamOfADartAndTheCutBeyondIt) {
             }
         }
         EXPECT_EQ(found, 1);
+    }
+}
+
+TEST(DartDivision, ACutFromTheEndOfAnotherOnTheRimLeadsOnFromNoTip) {
+    auto seams = readSeamsFile(test::sourceFile("resources/samples/tshirt.seams.json"));
+    ASSERT_TRUE(seams);
+    UserCut slit = seams->cuts.front();  // down the whole back
+    slit.name = "slit";
+    slit.alongEdges = false;
+    slit.points.back() = {-60, 1000, -130};
+    seams->cuts.push_back(slit);
+    giveIds(seams->cuts);
+    const Garment garment = shirtCutBy(*seams);
+    EXPECT_TRUE(garment.problems.empty());
+    EXPECT_EQ(garment.cuts.size(), seams->cuts.size());
+    for (int s = 0; s < static_cast<int>(garment.seams.seams.size()); ++s) {
+        EXPECT_FALSE(cutBeyondTip(garment, s)) << garment.seams.seams[std::size_t(s)].name;
     }
 }
 
