@@ -54,19 +54,19 @@ void Workspace::shutdown() {
 }
 
 bool Workspace::canUndo() const {
-    return mirroring_.isBusy() || document_.history().canUndo();
+    return mirroring_.lastUnderWay() != 0 || document_.history().canUndo();
 }
 
 void Workspace::undo() {
-    if (mirroring_.isBusy()) {
-        mirroring_.cancel();
+    if (const JobRunner::Ticket last = mirroring_.lastUnderWay()) {
+        mirroring_.drop(last);
     } else {
         document_.history().undo();
     }
 }
 
 void Workspace::cancel() {
-    if (mirroring_.isBusy()) {
+    if (mirroring_.lastUnderWay()) {
         mirroring_.cancel();
         return;
     }

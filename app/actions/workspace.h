@@ -43,7 +43,7 @@ public:
     /// The person wants what is running stopped: cuts that are not made yet, else what changes the
     /// document, else what is written.
     void cancel();
-    /// Takes the last step back; where cuts are not made yet, these.
+    /// Takes the last step back; where cuts are not made yet, the last of these.
     void undo();
     bool canUndo() const;
     /// Calls it once what is being written is written, and not where that fails; at once where
@@ -166,7 +166,7 @@ private:
         bool isMirrored = false;
         QString text{};  ///< what is done; empty: the usual words
 
-        std::optional<UserCut> image() const;
+        std::optional<UserCut> image(const Progress& progress = Progress()) const;
     };
 
     /// A change of how files are read, divided and cut.

@@ -131,8 +131,8 @@ Result<void> Workspace::writeSeams(const std::filesystem::path& path) const {
     return writeFile(path, writeSeamsFile(seams));
 }
 
-std::optional<UserCut> Workspace::DrawnCut::image() const {
-    return symmetry ? mirroredCut(*garment, results, *symmetry, cut) : std::nullopt;
+std::optional<UserCut> Workspace::DrawnCut::image(const Progress& progress) const {
+    return symmetry ? mirroredCut(*garment, results, *symmetry, cut, progress) : std::nullopt;
 }
 
 void Workspace::addCut(UserCut cut, const QString& text) {
@@ -152,7 +152,9 @@ void Workspace::addCut(UserCut cut, const QString& text) {
     }
     mirroring_.start(makeJob(
         tr("Mirror image of a cut"),
-        [drawn](Progress&) -> Result<std::optional<UserCut>> { return drawn.image(); },
+        [drawn](Progress& progress) -> Result<std::optional<UserCut>> {
+            return drawn.image(progress);
+        },
         [this, drawn](std::optional<UserCut> image) { makeCut(drawn, std::move(image)); }));
 }
 

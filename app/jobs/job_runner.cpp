@@ -29,8 +29,16 @@ JobRunner::~JobRunner() {
 }
 
 bool JobRunner::isUnderWay(Ticket job) const {
-    return (current_ && current_->ticket == job && !worker_.progress()->isCancelled()) ||
+    const Progress* const progress = worker_.progress();  // null: it is just begun
+    return (current_ && current_->ticket == job && !(progress && progress->isCancelled())) ||
            std::ranges::find(waiting_, job, &Order::ticket) != waiting_.end();
+}
+
+JobRunner::Ticket JobRunner::lastUnderWay() const {
+    if (!waiting_.empty()) {
+        return waiting_.back().ticket;
+    }
+    return current_ && isUnderWay(current_->ticket) ? current_->ticket : 0;
 }
 
 QString JobRunner::title() const {

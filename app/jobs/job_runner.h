@@ -30,6 +30,8 @@ public:
     bool hasWaiting() const { return !waiting_.empty(); }
     /// Whether that job runs or waits, and is not cancelled.
     bool isUnderWay(Ticket job) const;
+    /// The last that was asked for and is under way; 0: none.
+    Ticket lastUnderWay() const;
     /// Of the running job; empty where none runs.
     QString title() const;
     /// Of the running job, in [0, 1].

@@ -166,8 +166,8 @@ private:
 };
 
 /// The piece that a cut is drawn on; -1 where there is none.
-int pieceOf(const Garment& garment, const UserCut& cut) {
-    const CutOwners owners = findCutOwners(garment.pieces, {cut}, Progress());
+int pieceOf(const Garment& garment, const UserCut& cut, const Progress& progress) {
+    const CutOwners owners = findCutOwners(garment.pieces, {cut}, progress);
     const auto owner =
         std::ranges::find_if(owners.cutsOf, [](const auto& cuts) { return !cuts.empty(); });
     return owner == owners.cutsOf.end() ? -1 : static_cast<int>(owner - owners.cutsOf.begin());
@@ -195,19 +195,20 @@ bool lieOn(const std::vector<Eigen::Vector3d>& points, const MeshArrays& mesh,
 }  // namespace
 
 std::optional<UserCut> mirroredCut(const Garment& garment, const PieceResults& results,
-                                   const Symmetry& symmetry, const UserCut& cut) {
-    const int index = pieceOf(garment, cut), other = counterpartOf(symmetry, index);
+                                   const Symmetry& symmetry, const UserCut& cut,
+                                   const Progress& progress) {
+    const int index = pieceOf(garment, cut, progress), other = counterpartOf(symmetry, index);
     const PieceResult* const piece = flatResult(garment, results, index);
     const PieceResult* const counterpart = flatResult(garment, results, other);
-    if (!piece || !counterpart) {
+    if (!piece || !counterpart || progress.isCancelled()) {
         return std::nullopt;
     }
     const MeshArrays& mesh = piece->piece->mesh;
     const SurfaceLinks links(mesh, piece->piece->table);
     const NearestSurface nearest(mesh);
-    const auto line = traceUserCut(links, nearest, cut);
+    const auto line = traceUserCut(links, nearest, cut, progress);
     const auto points = pointsOfCut(links, nearest, cut);
-    if (!line || !points) {
+    if (!line || !points || progress.isCancelled()) {
         return std::nullopt;
     }
     const MirroredSurface mirrored(garment, symmetry, *piece, *counterpart, index);
@@ -215,6 +216,9 @@ std::optional<UserCut> mirroredCut(const Garment& garment, const PieceResults& r
     image.kind = cut.kind;
     image.alongEdges = cut.alongEdges;
     for (const SurfacePoint& point : *points) {
+        if (progress.isCancelled()) {
+            return std::nullopt;
+        }
         image.points.push_back(mirrored.image(links, point));
     }
     if (index == other && lieOn(image.points, mesh, *line)) {

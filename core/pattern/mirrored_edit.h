@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/base/progress.h"
 #include "core/cut/user_cuts.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
@@ -24,13 +25,16 @@ inline constexpr double kSameCut = 1, kSameCutShare = 0.005;
 /// that reach it (`pointsOfCut`), go to the outline: where their segment has a counterpart, to the
 /// same share of that; else, and from the rims of holes, to the nearest place of a flat rim. Kind,
 /// number of points and `alongEdges` stay; name and id are left empty.
-/// None where the piece has no counterpart, one of both is not flat, the cut cannot be made, or
-/// where the image is the cut itself (`kSameCut`).
+/// None where the piece has no counterpart, one of both is not flat, the cut cannot be made, where
+/// the image is the cut itself (`kSameCut`), or once it is cancelled.
 /// @param results   one per piece, as drawn; null, or of another piece: not flat
 /// @param symmetry  of this garment
-/// @param cut  its points as the pieces are, mm  Cost: linear in the pieces. Pure.
+/// @param cut  its points as the pieces are, mm
+/// @param progress  polled from stage to stage and from point to point
+/// Cost: linear in the pieces. Pure.
 std::optional<UserCut> mirroredCut(const Garment& garment, const PieceResults& results,
-                                   const Symmetry& symmetry, const UserCut& cut);
+                                   const Symmetry& symmetry, const UserCut& cut,
+                                   const Progress& progress = Progress());
 
 /// The direction on a piece's counterpart that mirrors one on the piece, radians in [-pi, pi], in
 /// flat coordinates. None where there is no counterpart but itself, or one of both is not flat.

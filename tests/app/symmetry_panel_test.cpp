@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QTreeWidget>
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
 #include "app/document/layout.h"
 #include "app/document/mirrored_edits.h"
@@ -309,6 +311,38 @@ private slots:
         QCOMPARE(steps(), 1);  // the one before is not taken back
         undo();
         QCOMPARE(steps(), 0);
+    }
+
+    void stepsBackTakeBackOneWaitingCutEachAndThenEdits() {
+        chooseMean();
+        test::Hold held;
+        workspace().mirroring().start(held.job());
+        workspace().addCut(someDart(somePiece(false)));
+        workspace().addCut(someDart(somePiece(true)));
+        undo();
+        held.release();
+        QVERIFY(fixture_.waitUntilIdle());
+        QVERIFY(isFlatAgain());
+        QCOMPARE(cuts().size(), std::size_t(2));  // the first, and its image
+        QCOMPARE(steps(), 2);
+        // A search that is cancelled and has not stopped yet does not take the next step.
+        std::atomic<bool> runs = true;
+        workspace().mirroring().start(makeJob(
+            "Deaf",
+            [&runs](Progress&) -> Result<int> {
+                while (runs) {
+                    std::this_thread::yield();
+                }
+                return 0;
+            },
+            [](int) {}));
+        undo();
+        QCOMPARE(steps(), 2);
+        undo();
+        const int after = steps();
+        runs = false;
+        QCOMPARE(after, 1);
+        QVERIFY(fixture_.waitUntilIdle());
     }
 
     void aCutThatWaitsIsNotMadeInAnotherGarment() {

@@ -172,6 +172,15 @@ TEST(MirroredEdit, NoneWithoutCounterpartOrFlatPieces) {
     EXPECT_FALSE(mirroredDirection(flat.garment, flat.results, flat.symmetry, 0, 0));  // its own
 }
 
+TEST(MirroredEdit, NoneOnceCancelled) {
+    const FlatGarment flat = flattened(test::tube4(), Mirror::None);
+    const UserCut cut = dartIn(*flat.garment.pieces[1], 0.15);
+    Progress progress;
+    EXPECT_TRUE(mirroredCut(flat.garment, flat.results, flat.symmetry, cut, progress));
+    progress.cancel();
+    EXPECT_FALSE(mirroredCut(flat.garment, flat.results, flat.symmetry, cut, progress));
+}
+
 TEST(MirroredEdit, DirectionsFollowTheFlatPieces) {
     const FlatGarment flat = flattened(test::garmentOf("samples/skirt.obj"), Mirror::None);
     const int left = 1, right = flat.symmetry.pieces.counterpart[left];
