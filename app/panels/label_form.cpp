@@ -57,6 +57,13 @@ LabelForm::LabelForm(Document& document, QWidget* parent)
     };
     takeTyped(size_, &LabelTexts::size, tr("Size on labels"));
     takeTyped(date_, &LabelTexts::date, tr("Date on labels"));
+    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
+        if (what.testFlag(DocumentChange::Opened)) {  // what is half typed was about another
+            size_->setModified(false);
+            date_->setModified(false);
+            refresh();
+        }
+    });
     connect(today, &QToolButton::clicked, this, [this] {
         const QString date = QLocale().toString(QDate::currentDate(), QLocale::ShortFormat);
         take(&LabelTexts::date, date, tr("Date on labels"));

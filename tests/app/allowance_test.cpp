@@ -139,6 +139,17 @@ private slots:
         QVERIFY(lines() == LineSettings{} && size.text().isEmpty());
     }
 
+    void aHalfTypedTextDoesNotGoIntoTheNextGarment() {
+        auto& size = fixture_.find<QLineEdit>("labelSize");
+        size.setFocus();
+        QTest::keyClicks(&size, "38");
+        QVERIFY(fixture_.openAndWait(fixture_.path("tshirt.obj")));
+        QVERIFY(size.text().isEmpty());
+        QTest::keyClick(&size, Qt::Key_Return);
+        QVERIFY(lines().label == LabelTexts{});
+        QCOMPARE(steps(), 0);
+    }
+
     void anAllowanceIsOneTickAndOneUndo() {
         QVERIFY(!document().derived().pattern->hasAllowance);
         box("seamAllowance").setFocus();
