@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/document/dart_edits.h"
@@ -16,6 +17,7 @@
 #include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
 #include "core/base/units.h"
+#include "core/pattern/exact_outline.h"
 #include "core/pattern/outline_reference.h"
 #include "core/quality/closed_line.h"
 
@@ -42,7 +44,7 @@ DartForm::DartForm(Document& document, FieldGuard& guard, QWidget* parent)
     connect(intake_, &QDoubleSpinBox::valueChanged, this,
             [this](double intake) { setIntake(intake); });
     connect(angle_, &QDoubleSpinBox::valueChanged, this,
-            [this](double degrees) { setIntake(intakeOf(place_, degrees * kDegree)); });
+            [this](double degrees) { setIntake(intakeOf(drawn_, degrees * kDegree)); });
     connect(asItLies_, &QToolButton::clicked, this, [this] {
         gesture_ = document_.newGesture();
         setIntake(std::nullopt);
@@ -126,6 +128,22 @@ std::optional<double> DartForm::drawnIntake() const {
     return (outline.pointAt(place_.to) - outline.pointAt(place_.from)).norm();
 }
 
+DartPlace DartForm::asDrawn() const {
+    const PieceResult* result = document_.result(place_.piece);
+    const auto piece = static_cast<std::size_t>(place_.piece);
+    if (!result || !result->flat || result->piece != document_.garment()->pieces[piece]) {
+        return place_;
+    }
+    const PieceResult& exact = exactOf(*result);
+    const OutlineReference reference = referenceOf(*exact.piece, *exact.flat);
+    const ExactOutline outline(reference);
+    DartPlace drawn = place_;
+    drawn.from = outline.flatAt(place_.from);
+    drawn.tip = outline.flatAt(place_.tip);
+    drawn.to = outline.flatAt(place_.to);
+    return drawn;
+}
+
 void DartForm::refresh() {
     const std::optional<int> seam = document_.seam();
     const auto place = seam && document_.garment() && !document_.mark()
@@ -142,17 +160,22 @@ void DartForm::refresh() {
     }
     dart_ = *seam;
     place_ = *place;
+    drawn_ = asDrawn();
     const Garment& garment = *document_.garment();
-    const DartSettings said = saidOfDart(garment, document_.state().lines, dart_);
     title_->setText(
         QString::fromStdString(garment.seams.seams[static_cast<std::size_t>(dart_)].name));
     title_->setToolTip(title_->text());
-    legs_->setText(tr("Legs %1 long").arg(lengthWithUnit(place_.firstLeg())));
+    legs_->setText(tr("Legs %1 long").arg(lengthWithUnit(drawn_.firstLeg())));
+    showSaid();
+}
+
+void DartForm::showSaid() {
+    const DartSettings said = saidOfDart(*document_.garment(), document_.state().lines, dart_);
     const double intake = said.intake.value_or(drawnIntake().value_or(0));
     showLength(*intake_, intake, said.intake.has_value());
     {
         const QSignalBlocker quiet(angle_);
-        angle_->setValue(angleOf(place_, intake) / kDegree);
+        angle_->setValue(angleOf(drawn_, intake) / kDegree);
     }
     asItLies_->setEnabled(said.intake.has_value());
     lay_->setCurrentIndex(!said.lay ? 0 : *said.lay == DartLay::First ? 1 : 2);
@@ -162,20 +185,35 @@ void DartForm::setIntake(std::optional<double> intake) {
     if (dart_ < 0) {
         return;
     }
-    const double reach = place_.firstLeg() + place_.secondLeg();
-    if (intake && !(*intake < reach)) {
-        refusal_->setText(tr("The legs do not reach so far: the intake must be below %1.")
-                              .arg(lengthWithUnit(reach)));
-        refusal_->show();
-        return;
-    }
     refusal_->hide();
     if (intake) {
         intake = std::clamp(*intake, kMinIntake, kMaxIntake);
+        const QString why = refusalOf(*intake);
+        refusal_->setText(why);
+        refusal_->setVisible(!why.isEmpty());
     }
-    emit wanted(withIntake(document_.state().lines, *document_.garment(), dart_, intake,
-                           editSymmetry(document_)),
-                tr("Intake of a dart"), gesture_);
+    const LineSettings& before = document_.state().lines;
+    const LineSettings lines =
+        withIntake(before, *document_.garment(), dart_, intake, editSymmetry(document_));
+    if (!refusal_->isHidden() || lines == before) {
+        showSaid();  // not what was typed
+    } else {
+        emit wanted(lines, tr("Intake of a dart"), gesture_);
+    }
+}
+
+QString DartForm::refusalOf(double intake) const {
+    const double reach = drawn_.firstLeg() + drawn_.secondLeg();
+    const double apart = std::abs(drawn_.firstLeg() - drawn_.secondLeg());
+    if (!(intake < reach)) {
+        return tr("The legs do not reach so far: the intake must be below %1.")
+            .arg(lengthWithUnit(reach));
+    }
+    if (!(intake > apart)) {
+        return tr("One leg is longer than the other: the intake must be above %1.")
+            .arg(lengthWithUnit(apart));
+    }
+    return {};
 }
 
 void DartForm::setLay(int row) {

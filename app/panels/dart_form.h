@@ -40,7 +40,13 @@ private:
     void makeRows(FieldGuard& guard);
     /// As it lies in the pattern now.
     std::optional<double> drawnIntake() const;
+    /// Its legs with the lengths that they are to have in the pattern.
+    DartPlace asDrawn() const;
+    /// Intake and lay as the document has them.
+    void showSaid();
     void setIntake(std::optional<double> intake);
+    /// Why no dart with these legs opens so wide; empty where one does.
+    QString refusalOf(double intake) const;
     void setLay(int row);
 
     Document& document_;
@@ -50,8 +56,9 @@ private:
     QToolButton* asItLies_;
     QComboBox* lay_;
     int gesture_ = -1;
-    int dart_ = -1;  ///< index into Garment::seams
-    DartPlace place_{};
+    int dart_ = -1;      ///< index into Garment::seams
+    DartPlace place_{};  ///< in 3D
+    DartPlace drawn_{};  ///< the same in the pattern
 };
 
 }  // namespace toile::app

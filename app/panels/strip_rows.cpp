@@ -107,8 +107,8 @@ std::vector<SegmentAt> StripRows::segments() const {
 
 void StripRows::setExtension(std::optional<double> width) {
     if (facts_) {
-        emit wanted(withExtension(document_.state().lines, *facts_, segments(), width),
-                    tr("Extension of an edge"), gesture_);
+        say(withExtension(document_.state().lines, *facts_, segments(), width),
+            tr("Extension of an edge"));
     }
 }
 
@@ -122,8 +122,16 @@ void StripRows::setFacing(std::optional<double> width) {
             const std::string& name = nameOf(document_.state().labels, piece);
             names.push_back(tr("%1, facing").arg(QString::fromStdString(name)).toStdString());
         }
-        emit wanted(withFacing(document_.state().lines, *facts_, places, width, names),
-                    tr("Facing of an edge"), gesture_);
+        say(withFacing(document_.state().lines, *facts_, places, width, names),
+            tr("Facing of an edge"));
+    }
+}
+
+void StripRows::say(const LineSettings& lines, const QString& text) {
+    if (lines == document_.state().lines) {
+        show(*facts_, at_);  // not what was typed
+    } else {
+        emit wanted(lines, text, gesture_);
     }
 }
 

@@ -42,6 +42,7 @@ private:
     std::vector<SegmentAt> segments() const;
     void setExtension(std::optional<double> width);
     void setFacing(std::optional<double> width);
+    void say(const LineSettings& lines, const QString& text);
 
     Document& document_;
     LengthEdit *extension_, *facing_;

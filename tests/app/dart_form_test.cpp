@@ -29,12 +29,13 @@ private:
     QString label(const char* name) { return fixture_.find<QLabel>(name).text(); }
     bool isShown(const char* name) { return fixture_.find<QWidget>(name).isVisible(); }
 
+    QDoubleSpinBox& field(const char* name) { return fixture_.find<QDoubleSpinBox>(name); }
+
     void type(const char* name, const QString& text) {
-        auto& field = fixture_.find<QDoubleSpinBox>(name);
-        field.setFocus();
-        field.selectAll();
-        QTest::keyClicks(&field, text);
-        QTest::keyClick(&field, Qt::Key_Return);
+        field(name).setFocus();
+        field(name).selectAll();
+        QTest::keyClicks(&field(name), text);
+        QTest::keyClick(&field(name), Qt::Key_Return);
     }
 
     bool isFlatAgain() {
@@ -98,9 +99,45 @@ private slots:
         type("dartIntake", "130");
         QVERIFY(isShown("dartRefusal"));
         QVERIFY(lines().darts.empty());
+        QCOMPARE(field("dartIntake").value(), 0.0);  // as it is, and not as it was typed
+        type("dartAngle", "180");
+        QVERIFY(isShown("dartRefusal"));
+        QCOMPARE(field("dartAngle").value(), 0.0);
         type("dartIntake", "30");
         QVERIFY(!isShown("dartRefusal"));
         QCOMPARE(lines().darts.size(), std::size_t(1));
+    }
+
+    void anIntakeBelowTheLeastIsTheLeastAndShownSo() {
+        openDart();
+        for (int time = 0; time < 2; ++time) {
+            type("dartIntake", "0.05");
+            QCOMPARE(lines().darts.at(0).intake, std::optional(kMinIntake));
+            QCOMPARE(field("dartIntake").value(), kMinIntake);
+            QVERIFY(isFlatAgain());
+        }
+    }
+
+    void legsReachAsFarAsTheyAreLongInThePattern() {
+        openDart();
+        const int seam = dart();
+        fixture_.workspace().setEase(seam, 0.1);
+        document().setEaseDrawn(seam, true);
+        QVERIFY(isFlatAgain());
+        for (const char* outOfReach : {"6.1", "130.3"}) {  // legs of 62 and 68.2 mm
+            type("dartIntake", outOfReach);
+            QVERIFY(isShown("dartRefusal"));
+            QVERIFY(lines().darts.empty());
+        }
+        for (const double within : {6.3, 130.1}) {
+            type("dartIntake", QString::number(within));
+            QVERIFY(!isShown("dartRefusal"));
+            QVERIFY(isFlatAgain());
+            QVERIFY(std::abs(drawn().intake - within) < 1e-6);
+            for (const Error& note : document().results()[0]->flat->notes) {
+                QVERIFY(note.code != ErrorCode::LineNotDrawn);
+            }
+        }
     }
 
     void theLayIsChosenAndAProjectKeepsBoth() {

@@ -101,6 +101,31 @@ private slots:
         QVERIFY(lines() == withPattern({}));
     }
 
+    void lessThanTheLeastIsTheLeastAndShownSo() {
+        document().setSeam(seamOf(SeamKind::Free, true));
+        for (const char* name : {"segmentExtension", "segmentFacing"}) {
+            for (int time = 0; time < 2; ++time) {
+                type(name, "0.5");
+                QVERIFY(isDone());
+                QCOMPARE(field(name).value(), kMinStrip);
+            }
+        }
+        QCOMPARE(steps(), 2);
+    }
+
+    void undoIsTheDocumentsInAFieldThatSaysNone() {
+        const int hem = seamOf(SeamKind::Free, true);
+        document().setSeam(hem);
+        type("segmentFacing", "40");
+        QVERIFY(isDone());
+        QCOMPARE(steps(), 1);
+        field("segmentExtension").setFocus();
+        QCOMPARE(field("segmentExtension").text(), field("segmentExtension").specialValueText());
+        QTest::keySequence(&field("segmentExtension"), QKeySequence::Undo);
+        QCOMPARE(steps(), 0);
+        QVERIFY(isDone());
+    }
+
     void aFacingIsAPieceOfItsOwnInFiles() {
         document().setSeam(seamOf(SeamKind::Free, true));
         const double hem = field("segmentAllowance").value();
