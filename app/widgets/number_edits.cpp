@@ -30,7 +30,10 @@ double stepOf(const LengthFormat& format) {
 
 /// True where nothing has been typed that is still to be taken.
 bool isSettled(const QDoubleSpinBox& field) {
-    return field.text() == field.prefix() + field.textFromValue(field.value()) + field.suffix();
+    const bool isSpecial =
+        field.value() == field.minimum() && field.text() == field.specialValueText();
+    return isSpecial ||
+           field.text() == field.prefix() + field.textFromValue(field.value()) + field.suffix();
 }
 
 }  // namespace
