@@ -12,6 +12,7 @@
 #include <QVariantAnimation>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "app/render/render_style.h"
 
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int kSliderSteps = 1000;
 constexpr int kAirAround = 12;
+constexpr int kCatch = 5;        ///< logical pixels from a stop, when dragged
 constexpr int kLeastFill = 238;  ///< of 255: what is written below must not be read
 
 /// A slider that goes to where its groove is pressed, whatever the desktop's habit, and can be
@@ -39,7 +41,8 @@ protected:
         const QRect handle = partOf(QStyle::SC_SliderHandle),
                     groove = partOf(QStyle::SC_SliderGroove);
         const QPoint at = event->position().toPoint();
-        if (event->button() == Qt::LeftButton && !handle.contains(at)) {
+        const bool jumps = event->button() == Qt::LeftButton && !handle.contains(at);
+        if (jumps) {
             const bool lies = orientation() == Qt::Horizontal;
             const int size = lies ? handle.width() : handle.height();
             const int place = (lies ? at.x() - groove.left() : at.y() - groove.top()) - size / 2;
@@ -48,6 +51,9 @@ protected:
                                                      option.upsideDown));
         }
         QSlider::mousePressEvent(event);  // on the handle now
+        if (jumps && isSliderDown()) {
+            triggerAction(SliderMove);  // as if it had been dragged there
+        }
     }
 };
 
@@ -73,6 +79,7 @@ PlayBar::PlayBar(QWidget& view, const QString& name, int milliseconds, Room room
     button_->setAutoRaise(true);
     button_->setAccessibleName(tr("Play"));
     connect(slider_, &QSlider::valueChanged, this, [this] { emit moved(share()); });
+    connect(slider_, &QSlider::actionTriggered, this, &PlayBar::stopOnTheWay);
     connect(slider_, &QSlider::sliderPressed, animation_, &QVariantAnimation::stop);
     connect(button_, &QToolButton::clicked, this, &PlayBar::play);
     connect(animation_, &QVariantAnimation::valueChanged, slider_,
@@ -86,6 +93,34 @@ double PlayBar::share() const {
 
 double PlayBar::step() {
     return 1.0 / kSliderSteps;
+}
+
+void PlayBar::setStops(const std::vector<double>& shares) {
+    stops_.clear();
+    for (const double at : shares) {
+        stops_.push_back(qRound(at * kSliderSteps));
+    }
+}
+
+void PlayBar::stopOnTheWay(int action) {
+    const int from = slider_->value(), to = slider_->sliderPosition();
+    if (action == QAbstractSlider::SliderToMinimum || action == QAbstractSlider::SliderToMaximum) {
+        return;
+    }
+    const bool isDragged = slider_->isSliderDown();
+    const int reach = kCatch * kSliderSteps / std::max(slider_->width(), 1);
+    std::optional<int> nearest;
+    for (const int stop : stops_) {
+        const bool isPassed = from < to ? stop > from && stop < to : stop < from && stop > to;
+        const int origin = isDragged ? to : from;
+        if ((isDragged ? std::abs(stop - to) <= reach : isPassed) &&
+            (!nearest || std::abs(stop - origin) < std::abs(*nearest - origin))) {
+            nearest = stop;
+        }
+    }
+    if (nearest) {
+        slider_->setSliderPosition(*nearest);
+    }
 }
 
 QLabel* PlayBar::makeLabel(const QString& text) {

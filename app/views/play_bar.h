@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 class QLabel;
 class QSlider;
@@ -37,6 +38,8 @@ protected:
 
     /// Of the slider.
     static double step();
+    /// Shares that steps of the slider do not pass, and at which it catches when dragged.
+    void setStops(const std::vector<double>& shares);
     /// Plays no more.
     void stop();
     /// To the beginning, and stops.
@@ -52,12 +55,16 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// Before the slider's value follows where it was moved to.
+    void stopOnTheWay(int action);
+
     QWidget& view_;
     int milliseconds_;  ///< for the whole way
     Room room_;
     QSlider* slider_;
     QToolButton* button_;
     QVariantAnimation* animation_;
+    std::vector<int> stops_;  ///< values of the slider
 };
 
 }  // namespace toile::app

@@ -25,6 +25,8 @@ constexpr int kWalkMilliseconds = 6000;
 constexpr int kWalkWidth = 420, kAirBesideText = 16;
 /// Above the scale bar.
 constexpr int kAboveFoot = 50;
+/// Steps of the slider: a half, and what rounding adds.
+constexpr double kNear = 0.5 + 1e-6;
 constexpr auto kBetween = " · ";
 
 constexpr DocumentChanges kWalkChanges = DocumentChange::Opened | DocumentChange::Garment |
@@ -127,6 +129,7 @@ void WalkBar::follow() {
         return;
     }
     rolled_ = std::make_shared<RolledPiece>(std::move(*rolled));
+    setStops(rolled_->notches());
     if (before >= 0 && before != rolled_->seam()) {
         rewind();
     }
@@ -138,10 +141,10 @@ void WalkBar::roll(double share) {
         return;
     }
     // A notch is stopped at, though its share may lie between two steps.
-    const double half = 0.5 * step();
-    const auto notch = std::ranges::find_if(rolled_->notches(),
-                                            [&](double at) { return std::abs(at - share) < half; });
-    rolled_->rollTo(notch != rolled_->notches().end() ? *notch : share);
+    const auto awayFrom = [share](double at) { return std::abs(at - share); };
+    const auto notch = std::ranges::min_element(rolled_->notches(), {}, awayFrom);
+    const bool isThere = notch != rolled_->notches().end() && awayFrom(*notch) <= kNear * step();
+    rolled_->rollTo(isThere ? *notch : share);
     showNow();
 }
 

@@ -2,9 +2,12 @@
 // The walk of a seam: real keys and drags, and where the rolled piece is then.
 #include <QLabel>
 #include <QSlider>
+#include <QStyle>
+#include <QStyleOptionSlider>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/views/rolled_piece.h"
 #include "app/views/walk_bar.h"
@@ -115,6 +118,48 @@ private slots:
         QTest::keyClick(&slider(), Qt::Key_Left);
         QVERIFY(view().rolled()->share() < notches[0]);
         QVERIFY(reading().contains(QString("before notch 1 of %1").arg(notches.size())));
+    }
+
+    void keysAndDragsStopAtEveryNotch() {
+        begin(seamNamed("back / sleeve_left"));
+        const std::vector<double> notches = view().rolled()->notches();
+        QVERIFY(!notches.empty());
+        slider().setFocus();
+        const auto stopsOnTheWay = [&](Qt::Key key, double end) {
+            std::vector<double> met;
+            for (int press = 0; press < 200; ++press) {
+                const double share = view().rolled()->share();
+                if (std::ranges::find(notches, share) != notches.end()) {
+                    met.push_back(share);
+                }
+                if (share == end) {
+                    break;
+                }
+                QTest::keyClick(&slider(), key);
+            }
+            std::ranges::sort(met);
+            return met;
+        };
+        for (const auto& [there, back] : {std::pair(Qt::Key_Right, Qt::Key_Left),
+                                          std::pair(Qt::Key_PageUp, Qt::Key_PageDown)}) {
+            QVERIFY(stopsOnTheWay(there, 1) == notches);
+            QVERIFY(stopsOnTheWay(back, 0) == notches);
+        }
+        const double middle = slider().height() / 2.0;
+        QTest::keyClick(&slider(), Qt::Key_End);
+        QCOMPARE(view().rolled()->share(), 1.0);
+        slider().setValue(qRound(notches.front() * slider().maximum()));
+        QStyleOptionSlider option;
+        option.initFrom(&slider());
+        option.orientation = Qt::Horizontal;
+        option.maximum = slider().maximum();
+        option.sliderPosition = slider().value();
+        const QRectF handle = slider().style()->subControlRect(QStyle::CC_Slider, &option,
+                                                               QStyle::SC_SliderHandle, &slider());
+        test::drag(slider(), {handle.center().x(), middle}, {handle.center().x() + 2, middle});
+        QCOMPARE(view().rolled()->share(), notches.front());
+        test::drag(slider(), {handle.center().x(), middle}, {handle.center().x() + 40, middle});
+        QVERIFY(view().rolled()->share() > notches.front());
     }
 
     void escapeInTheViewEndsItAndKeepsTheSelection() {
