@@ -4197,6 +4197,10 @@
         <source>Lay of a dart</source>
         <translation>Lage eines Abnähers</translation>
     </message>
+    <message>
+        <source>One leg is longer than the other: the intake must be above %1.</source>
+        <translation>Ein Schenkel ist länger als der andere: Der Inhalt muss über %1 liegen.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::DartTool</name>
