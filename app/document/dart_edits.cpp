@@ -21,7 +21,7 @@ LineSettings withDart(LineSettings lines, const Garment& garment, int dart, Dart
     });
     said.seam = seamOf(garment, dart).place;
     if (!said.saysNothing()) {
-        lines.darts.push_back(std::move(said));
+        lines.darts.push_back(said);
     }
     return lines;
 }

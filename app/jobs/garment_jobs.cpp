@@ -88,6 +88,7 @@ namespace {
 /// What each piece is cut from.
 std::vector<Fabric> fabricsOf(const Document& document) {
     std::vector<Fabric> fabrics;
+    fabrics.reserve(static_cast<std::size_t>(document.pieceCount()));
     for (int piece = 0; piece < document.pieceCount(); ++piece) {
         fabrics.push_back(document.fabricOf(piece));
     }

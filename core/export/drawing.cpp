@@ -12,7 +12,6 @@
 namespace toile {
 namespace {
 
-constexpr double kMargin = 10;      // mm, around all
 constexpr double kCheckGap = 20;    // mm, between the pieces and the check square
 constexpr double kCheckSide = 100;  // mm
 constexpr double kCheckTextHeight = 3.5;
@@ -192,16 +191,17 @@ bool hasLayer(const Drawing& drawing, LayerKind kind) {
 Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& words) {
     // The check square stands to the right on whole millimetres, so that its sides come out as
     // exactly 100 in any number of decimals.
-    const double left = marker.width > 0 ? std::ceil(kMargin + marker.width + kCheckGap) : kMargin;
+    const double left =
+        marker.width > 0 ? std::ceil(kDrawingMargin + marker.width + kCheckGap) : kDrawingMargin;
     Drawing drawing;
     drawing.title = pattern.name.empty() ? "pattern" : pattern.name;
-    drawing.width = left + kCheckSide + kMargin;
-    drawing.height = std::ceil(std::max(marker.height, kCheckSide)) + 2 * kMargin;
+    drawing.width = left + kCheckSide + kDrawingMargin;
+    drawing.height = std::ceil(std::max(marker.height, kCheckSide)) + 2 * kDrawingMargin;
     for (const auto& [piece, placement] : marker.copies) {
         addPiece(drawing, pattern, pattern.pieces[static_cast<std::size_t>(piece)],
-                 movedBy(placement, Eigen::Vector2d::Constant(kMargin)), words);
+                 movedBy(placement, Eigen::Vector2d::Constant(kDrawingMargin)), words);
     }
-    addCheckSquare(drawing, {left, kMargin}, words.checkSquare);
+    addCheckSquare(drawing, {left, kDrawingMargin}, words.checkSquare);
     return drawing;
 }
 

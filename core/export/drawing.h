@@ -45,6 +45,9 @@ struct Drawing {
     std::vector<DrawnText> texts;
 };
 
+/// Around all of a drawing, mm.
+inline constexpr double kDrawingMargin = 10;
+
 /// True where the drawing has the layer: see kLayerKinds.
 bool hasLayer(const Drawing& drawing, LayerKind kind);
 

@@ -37,6 +37,11 @@ std::string writeDxf(const Drawing& drawing);
 ///                    triangles are clockwise in the UV map, and a comment says so
 /// Cost: linear; about a third of a second per million triangles.
 std::string writeObj(const Garment& garment, const PieceResults& results, const Marker& marker);
+/// What is added to the outlines of a pattern, to stand behind such a file: one object for each of
+/// the layers of the cutting lines, seam lines, notches and internal lines, of `v` and `l` lines
+/// in the plane z = 0, where the UV map lies.
+/// @param drawing  of the same marker  @param unit  of the file, mm  Cost: linear.
+std::string writeObjLines(const Drawing& drawing, double unit);
 /// The JSON report of docs/report.md. Never NaN or Infinity: null.
 /// @param pattern   as it is cut (`asCut`): says how, and how often; without pieces: once
 std::string writeReport(const Garment& garment, const PieceResults& results,

@@ -202,6 +202,7 @@ Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>
 LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements) {
     LaidOutPattern laid;
     laid.whole = layOut(whole, placements);
+    laid.wholePattern = whole;
     laid.pattern = asCut(std::move(whole));
     laid.marker = layOut(laid.pattern, placements);
     return laid;

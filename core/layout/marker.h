@@ -26,7 +26,8 @@ struct Marker {
 struct LaidOutPattern {
     Pattern pattern;
     Marker marker;
-    Marker whole;  ///< of all pieces, none of them as a half: of a UV map
+    Pattern wholePattern;  ///< before that: none of the pieces as a half, without facings
+    Marker whole;          ///< of these: of a UV map
 };
 
 /// The pieces where they are to lie, the lower left corner of all at (0, 0); those without a place

@@ -88,7 +88,7 @@ void makeChangesEqual(const std::vector<MirroredPoint>& points,
 
 /// Of a piece that is symmetric in itself, darts that mirror each other both open by what is said
 /// of the first.
-std::vector<TypedDart> withImages(std::vector<TypedDart> darts, const MirrorPlaces& places) {
+std::vector<TypedDart> withImages(const std::vector<TypedDart>& darts, const MirrorPlaces& places) {
     const double turn = places.rising.back() - places.rising.front();
     std::vector<TypedDart> all;
     const auto holds = [&](const TypedDart& dart) -> bool {
@@ -165,7 +165,7 @@ std::vector<std::shared_ptr<const OutlinePlan>> planOutlines(const Garment& garm
             plan.mirrored = std::move(mirrors[p].outline);
         }
         if (plan.mirrored && plan.mirrored->isSymmetric) {
-            plan.darts = withImages(std::move(plan.darts), plan.mirrored->places);
+            plan.darts = withImages(plan.darts, plan.mirrored->places);
         }
         plans[p] = std::make_shared<const OutlinePlan>(std::move(plan));
     }

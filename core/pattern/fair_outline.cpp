@@ -148,6 +148,7 @@ std::vector<FairProblem::Corner> cornersOf(const OutlinePlan& plan, const ExactO
             geometry::turnBetween(second, mouth);
     }
     std::vector<FairProblem::Corner> corners;
+    corners.reserve(turns.size());
     for (const auto& [node, turn] : turns) {
         corners.push_back({node, turn});
     }

@@ -71,7 +71,8 @@ std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const Patte
     std::vector<std::vector<Points2>> marks;
     marks.reserve(piece.notches.size());
     for (const PieceNotch& notch : piece.notches) {
-        const ClosedLine& loop = loops[static_cast<std::size_t>(notch.hole + 1)];
+        const int index = notch.hole + 1;  // the outline comes first
+        const ClosedLine& loop = loops[static_cast<std::size_t>(index)];
         const double allowance = notch.hole < 0 ? allowanceAt(piece, loop.length(), notch.at) : 0;
         marks.push_back(notchStrokes(notchSpot(loop, notch.at), allowance, pattern.notchForm,
                                      notch.count, size));

@@ -98,6 +98,7 @@ public:
     OutlineReference reshaped() const {
         const ClosedLine& flat = exact_.flat();
         std::vector<std::pair<double, int>> rows;  // places, and vertices there
+        rows.reserve(static_cast<std::size_t>(flat.count()));
         for (int k = 0; k < flat.count(); ++k) {
             rows.emplace_back(flat.arc()[k], k);
         }

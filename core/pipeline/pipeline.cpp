@@ -25,6 +25,14 @@ std::string lowerCaseEnding(const std::filesystem::path& path) {
 /// Of the time that an export takes, about; the rest is writing.
 constexpr double kMakingShare = 0.8;
 
+/// Whether a pattern has lines that a UV map does not show.
+bool isMoreThanOutlines(const Pattern& pattern) {
+    return pattern.hasAllowance || pattern.hasNotches ||
+           std::ranges::any_of(pattern.pieces, [](const PatternPiece& piece) {
+               return !piece.internals.empty() || !piece.extensions.empty();
+           });
+}
+
 /// @param ending  one that `canExport`
 std::string bytesOf(const std::string& ending, const Garment& garment, const PieceResults& results,
                     const LaidOutPattern& laid, const DrawingWords& words) {
@@ -32,7 +40,12 @@ std::string bytesOf(const std::string& ending, const Garment& garment, const Pie
         return writeReport(garment, results, laid.pattern);
     }
     if (ending == ".obj") {
-        return writeObj(garment, results, laid.whole);
+        std::string obj = writeObj(garment, results, laid.whole);
+        if (isMoreThanOutlines(laid.wholePattern)) {
+            obj += writeObjLines(draw(laid.wholePattern, laid.whole, words),
+                                 millimetresPer(garment.files.front()->unit));
+        }
+        return obj;
     }
     const Drawing drawing = draw(laid.pattern, laid.marker, words);
     return ending == ".svg" ? writeSvg(drawing) : writeDxf(drawing);

@@ -156,5 +156,19 @@ TEST(WriteObjClock, IsLinearInTheFaces) {
     EXPECT_LT(test::growth(writing(some), writing(more)), 8);
 }
 
+TEST(WriteObjLines, HasAnObjectForEachLayerWhereTheUvMapLies) {
+    Drawing drawing;
+    Points2 square(3, 2), stroke(2, 2);
+    square << 10, 10, 110, 10, 110, 60;
+    stroke << 20, 10, 20, 15;
+    drawing.paths = {{"a", LayerKind::Cut, square, true},
+                     {"b", LayerKind::Notches, stroke, false},
+                     {"c", LayerKind::Check, square, true}};
+    EXPECT_EQ(writeObjLines(drawing, 10),
+              "# the lines of the pattern, where its UV map lies, in the unit of the mesh\n"
+              "o pattern_cut\nv 0 0 0\nv 10 0 0\nv 10 5 0\nl -3 -2 -1 -3\n"
+              "o pattern_notches\nv 1 0 0\nv 1 0.5 0\nl -2 -1\n");
+}
+
 }  // namespace
 }  // namespace toile
