@@ -38,6 +38,22 @@ std::optional<int> imageOf(const Garment& garment, int dart, const Symmetry* sym
                : std::nullopt;
 }
 
+/// With a field of what is said of a dart at one value, and of the dart that mirrors it at another.
+template <class Value>
+LineSettings withField(LineSettings lines, const Garment& garment, int dart,
+                       Value DartSettings::*field, const Value& value, const Value& mirrored,
+                       const Symmetry* symmetry) {
+    DartSettings said = saidOfDart(garment, lines, dart);
+    said.*field = value;
+    lines = withDart(std::move(lines), garment, dart, said);
+    if (const auto image = imageOf(garment, dart, symmetry)) {
+        DartSettings there = saidOfDart(garment, lines, *image);
+        there.*field = mirrored;
+        lines = withDart(std::move(lines), garment, *image, there);
+    }
+    return lines;
+}
+
 /// Outlines that mirror each other run in opposite senses.
 DartLay mirroredLay(DartLay lay) {
     return lay == DartLay::First ? DartLay::Second : DartLay::First;
@@ -53,28 +69,14 @@ DartSettings saidOfDart(const Garment& garment, const LineSettings& lines, int d
 
 LineSettings withIntake(LineSettings lines, const Garment& garment, int dart,
                         std::optional<double> intake, const Symmetry* symmetry) {
-    DartSettings said = saidOfDart(garment, lines, dart);
-    said.intake = intake;
-    lines = withDart(std::move(lines), garment, dart, said);
-    if (const auto image = imageOf(garment, dart, symmetry)) {
-        DartSettings there = saidOfDart(garment, lines, *image);
-        there.intake = intake;
-        lines = withDart(std::move(lines), garment, *image, there);
-    }
-    return lines;
+    return withField(std::move(lines), garment, dart, &DartSettings::intake, intake, intake,
+                     symmetry);
 }
 
 LineSettings withLay(LineSettings lines, const Garment& garment, int dart,
                      std::optional<DartLay> lay, const Symmetry* symmetry) {
-    DartSettings said = saidOfDart(garment, lines, dart);
-    said.lay = lay;
-    lines = withDart(std::move(lines), garment, dart, said);
-    if (const auto image = imageOf(garment, dart, symmetry)) {
-        DartSettings there = saidOfDart(garment, lines, *image);
-        there.lay = lay ? std::optional(mirroredLay(*lay)) : std::nullopt;
-        lines = withDart(std::move(lines), garment, *image, there);
-    }
-    return lines;
+    return withField(std::move(lines), garment, dart, &DartSettings::lay, lay,
+                     lay ? std::optional(mirroredLay(*lay)) : std::nullopt, symmetry);
 }
 
 }  // namespace toile::app

@@ -13,10 +13,11 @@ namespace toile::app {
 namespace {
 
 /// The facing that a place is part of; null where it is part of none.
-Facing* facingAt(LineSettings& lines, const LineStretch& place) {
+template <class Facings>
+auto* facingAt(Facings& facings, const LineStretch& place) {
     const auto found = std::ranges::find_if(
-        lines.facings, [&place](const Facing& facing) { return isFaced(place, facing); });
-    return found == lines.facings.end() ? nullptr : &*found;
+        facings, [&place](const Facing& facing) { return isFaced(place, facing); });
+    return found == facings.end() ? nullptr : &*found;
 }
 
 /// That of a segment before or after; of two different ones one is made first.
@@ -25,16 +26,17 @@ Facing* facingBeside(LineSettings& lines, const LineFacts& facts, const SegmentA
     const std::size_t count = around.size(), k = static_cast<std::size_t>(at.segment);
     const LineStretch& before = around[(k + count - 1) % count].place;
     const LineStretch& after = around[(k + 1) % count].place;
-    Facing* first = facingAt(lines, before);
-    Facing* second = facingAt(lines, after);
+    Facing* first = facingAt(lines.facings, before);
+    Facing* second = facingAt(lines.facings, after);
     if (first && second && first != second) {
         first->edges.insert(first->edges.end(), second->edges.begin(), second->edges.end());
         lines.facings.erase(lines.facings.begin() + (second - lines.facings.data()));
-        first = facingAt(lines, before);
+        first = facingAt(lines.facings, before);
     }
-    return first ? first : facingAt(lines, after);
+    return first ? first : facingAt(lines.facings, after);
 }
 
+/// Also what lies about it, or within it, for the most part.
 void takeOut(LineSettings& lines, const LineStretch& place) {
     for (Facing& facing : lines.facings) {
         std::erase_if(facing.edges, [&place](const LineStretch& edge) {
@@ -59,9 +61,8 @@ LineSettings withExtension(LineSettings lines, const LineFacts& facts,
 }
 
 std::optional<double> facingOf(const LineSettings& lines, const Segment& segment) {
-    const auto found = std::ranges::find_if(
-        lines.facings, [&segment](const Facing& facing) { return isFaced(segment.place, facing); });
-    return found == lines.facings.end() ? std::nullopt : std::optional(found->width);
+    const Facing* facing = facingAt(lines.facings, segment.place);
+    return facing ? std::optional(facing->width) : std::nullopt;
 }
 
 LineSettings withFacing(LineSettings lines, const LineFacts& facts,
@@ -74,7 +75,7 @@ LineSettings withFacing(LineSettings lines, const LineFacts& facts,
         }
         if (!width) {
             takeOut(lines, place);
-        } else if (Facing* own = facingAt(lines, place)) {
+        } else if (Facing* own = facingAt(lines.facings, place)) {
             own->width = *width;
         } else if (Facing* beside = facingBeside(lines, facts, segments[k])) {
             beside->edges.push_back(place);

@@ -182,7 +182,7 @@ private:
         for (Eigen::Index k = 0; k < rest; ++k) {
             strip.outline.row(m + k) = part.row((last + 1 + k) % n);
         }
-        strip.isFine = true;
+        strip.isFine = piece_.isFine;
         addRun(strip);
         addRest(strip, m);
         return strip;
@@ -220,7 +220,7 @@ private:
                 0.5 * (strip.outline.row(k) + strip.outline.row((k + 1) % n));
             const double place = outline_.nearestPlace(middle);
             const bool isOn = (outline_.pointAt(place) - middle).norm() < kOnOutline;
-            return isOn ? segmentAt(place) : -1;
+            return isOn ? segmentAt(piece_, outline_.length(), place) : -1;
         };
         int before = -2;
         for (Eigen::Index k = from - 1; k < n; ++k) {
@@ -237,18 +237,6 @@ private:
             strip.segments.back().to = line.arc()[k + 1];
             strip.segments.back().length = strip.segments.back().to - strip.segments.back().from;
         }
-    }
-
-    int segmentAt(double place) const {
-        for (std::size_t k = 0; k < piece_.segments.size(); ++k) {
-            const PatternSegment& one = piece_.segments[k];
-            for (const double at : {place, place + outline_.length()}) {
-                if (at >= one.from && at < one.to) {
-                    return static_cast<int>(k);
-                }
-            }
-        }
-        return -1;
     }
 
     const PatternPiece& piece_;

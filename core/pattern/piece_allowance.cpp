@@ -65,16 +65,18 @@ void addCuttingLine(PatternPiece& piece) {
     piece.cuttingLine = isNone ? std::move(base.line) : cuttingLine(base.line, base.stretches);
 }
 
-double allowanceAt(const PatternPiece& piece, double length, double at) {
-    for (const PatternSegment& segment : piece.segments) {
+int segmentAt(const PatternPiece& piece, double length, double at) {
+    const auto found = std::ranges::find_if(piece.segments, [&](const PatternSegment& segment) {
         // What passes the outline's first point is met a turn later.
-        for (const double place : {at, at + length}) {
-            if (place >= segment.from && place < segment.to) {
-                return segment.allowance;
-            }
-        }
-    }
-    return 0;
+        return (at >= segment.from && at < segment.to) ||
+               (at + length >= segment.from && at + length < segment.to);
+    });
+    return found == piece.segments.end() ? -1 : static_cast<int>(found - piece.segments.begin());
+}
+
+double allowanceAt(const PatternPiece& piece, double length, double at) {
+    const int segment = segmentAt(piece, length, at);
+    return segment < 0 ? 0 : piece.segments[segment].allowance;
 }
 
 }  // namespace toile

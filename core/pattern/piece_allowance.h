@@ -34,6 +34,10 @@ AllowanceBase allowanceBase(const PatternPiece& piece, CappedOutline outline);
 /// where it has none of these.  Cost: that of `cuttingLine`. Pure.
 void addCuttingLine(PatternPiece& piece);
 
+/// The segment at a place of the outline, which is so long; -1 where there is none.
+/// Cost: linear in the segments. Pure.
+int segmentAt(const PatternPiece& piece, double length, double at);
+
 /// The width of the allowance at a place of the outline, which is so long.
 /// Cost: linear in the segments. Pure.
 double allowanceAt(const PatternPiece& piece, double length, double at);
