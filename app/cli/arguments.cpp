@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 #include "app/cli/command_line.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
+#include "core/export/formats.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
@@ -25,6 +27,7 @@ struct Typed {
     std::vector<std::filesystem::path> windowFiles;
     std::vector<std::string> methods;
     std::string report, picture, size, look;
+    std::map<std::string, std::string> exporting;  ///< by FormatOption::name
 };
 
 constexpr Word<ViewsShown> kViewWords[] = {
@@ -222,13 +225,49 @@ void addLabelOptions(CLI::App& command, StatedOptions& stated) {
     addText("--date", stated.date, "The date that the labels of all pieces name [none]");
 }
 
+/// ".svg (SVG drawing), .dxf (DXF pattern) ...", of this build.
+std::string formatList() {
+    std::string list;
+    for (const Format& format : formats()) {
+        list += list.empty() ? "" : ", ";
+        list += std::string(format.endings.front()) + " (" + format.name + ")";
+        list += format.write ? "" : " (not built)";
+    }
+    return list;
+}
+
+/// What can be chosen of the files to write.
+void addExporting(CLI::App& command, Typed& typed) {
+    for (const FormatOption& row : formatOptions()) {
+        const std::string option = std::string("--") + row.name;
+        const std::string otherwise = row.get(ExportOptions{});
+        if (row.isSwitch) {
+            command.add_flag_callback(
+                option, [&typed, name = row.name] { typed.exporting[name] = "on"; }, row.help);
+            continue;
+        }
+        const std::vector<std::string> words(row.words.begin(), row.words.end());
+        CLI::Option* added = command.add_option_function<std::string>(
+            option,
+            [&typed, name = row.name](const std::string& value) { typed.exporting[name] = value; },
+            row.help);
+        added->type_name(words.empty() ? "NUMBER" : CLI::detail::join(words, "|"))
+            ->default_str(otherwise);
+        if (words.empty()) {
+            added->check(CLI::Range(row.least, row.most).description(""));
+        } else {
+            added->check(oneOf(words));
+        }
+    }
+}
+
 void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App& flatten = addCommand(app, arguments, Arguments::Command::Flatten, "flatten",
                                    "Flatten every piece of a garment");
     flatten
-        .add_option("-o,--output", arguments.outputs,
-                    "File to write, by its ending: .svg, .dxf, .obj (input with the pattern as "
-                    "its UV map) or .json (report). May be given several times")
+        .add_option(
+            "-o,--output", arguments.outputs,
+            "File to write, by its ending: " + formatList() + ". May be given several times")
         ->type_name("FILE")
         ->allow_extra_args(false);  // so that inputs may follow
     addMethodOptions(flatten, arguments.stated);
@@ -239,6 +278,7 @@ void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
                      "Draw only half of what is symmetric, to be cut on the fold, and one of two "
                      "that mirror each other, to be cut as a pair; asks for --mirror auto");
     addReading(flatten, arguments);
+    addExporting(flatten, typed);
     flatten.add_flag("--ledger", arguments.ledger,
                      "Print every seam with the lengths of its two sides");
     flatten
@@ -538,6 +578,11 @@ Arguments parseArguments(int argc, const char* const* argv) {
     if (arguments.load.split == SplitMode::Seams && arguments.seams.empty()) {
         return wrongUsage("--split seams divides by the cuts of a file: give it with --seams");
     }
+    for (const FormatOption& row : formatOptions()) {
+        if (const auto value = typed.exporting.find(row.name); value != typed.exporting.end()) {
+            row.set(arguments.exporting, value->second);
+        }
+    }
     arguments.options = arguments.stated.over(FlattenOptions{});
     arguments.lines = arguments.stated.over(LineSettings{});
     if (const std::string wrong = wrongFairing(arguments.lines); !wrong.empty()) {
@@ -559,10 +604,11 @@ Arguments parseArguments(int argc, const char* const* argv) {
         }
     }
     for (const auto& output : arguments.outputs) {
-        if (arguments.command != Arguments::Command::Render && !canExport(output)) {
-            return wrongUsage("\"" + output.string() +
-                              "\" has an ending that Toile does not write; use .svg, .dxf, .obj or "
-                              ".json");
+        const Format* format = formatOf(output);
+        if (arguments.command != Arguments::Command::Render && (!format || !format->write)) {
+            return wrongUsage("\"" + output.string() + "\" has an ending that " +
+                              (format ? "this build of Toile" : "Toile") + " does not write; use " +
+                              writtenEndings());
         }
     }
     if (const auto* lost = overwrittenInput(arguments)) {

@@ -8,6 +8,7 @@
 
 #include "app/cli/picture_arguments.h"
 #include "app/document/view_state.h"
+#include "core/export/export_options.h"
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/project.h"
@@ -61,6 +62,7 @@ struct Arguments {
     bool markdown = false;             ///< compare: as Markdown
     bool perPiece = false;             ///< compare: a table per piece too
     bool ledger = false;               ///< flatten: print the seams
+    ExportOptions exporting{};         ///< flatten: of the files to write
     StatedOptions stated{};            ///< how pieces are flattened, as far as it was typed
     FlattenOptions options;            ///< the same, with what holds where nothing was typed
     LineSettings lines{};              ///< likewise, how outlines are drawn

@@ -9,6 +9,7 @@
 #include "app/cli/input.h"
 #include "core/base/characters.h"
 #include "core/base/text.h"
+#include "core/export/export_file.h"
 #include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
 
@@ -136,10 +137,17 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
         status = lacksMemory ? kExitUnreadable : kExitSomeFailed;
     }
     const LaidOutPattern laid = laidOut(arguments, *garment, results);
+    const ExportSource source(*garment, results, laid, arguments.exporting);
     for (const auto& output : arguments.outputs) {
-        const auto written = exportFile(output, *garment, results, laid);
+        const auto written = exportFile(output, source);
         if (written) {
-            out << "wrote " << output.string() << '\n';
+            for (const std::filesystem::path& file : written->files) {
+                out << "wrote " << file.string();
+                if (written->readBack && file == written->files.front()) {
+                    out << "; " << readBackSentence(*written->readBack);
+                }
+                out << '\n';
+            }
         } else {
             err << "toile: " << sentence(written.error()) << '\n';
             status = kExitUnreadable;

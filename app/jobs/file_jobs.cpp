@@ -11,6 +11,7 @@
 #include "app/text/error_text.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
+#include "core/export/export_file.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/project/project_file.h"
 
@@ -126,7 +127,8 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
         LaidOutPattern laid =
             layOut(garment, results, ofPieces, labels, lines, made.derived.symmetry);
         laid.pattern.materials = materials;
-        const auto written = exportFile(path, garment, results, laid, progress, words);
+        const auto written =
+            exportFile(path, {garment, results, laid, ExportOptions{}, words}, progress);
         return written ? Result(path) : written.error();
     };
     return makeJob(QCoreApplication::translate("ExportJob", "Writing %1").arg(name),

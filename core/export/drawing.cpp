@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
+#include "core/base/unique_names.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/internal_lines.h"
 #include "core/pattern/notch_mark.h"
+#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
@@ -15,6 +19,7 @@ namespace {
 constexpr double kCheckGap = 20;    // mm, between the pieces and the check square
 constexpr double kCheckSide = 100;  // mm
 constexpr double kCheckTextHeight = 3.5;
+constexpr double kOnRim = 1e-6;  // mm; a seam may begin between two vertices
 
 void keepOnPage(LabelPlace& label, const std::vector<std::string>& lines, const Drawing& page) {
     const auto keep = [](double value, double least, double most) {
@@ -24,6 +29,14 @@ void keepOnPage(LabelPlace& label, const std::vector<std::string>& lines, const 
     const double below = size.y() - 0.5 * label.height;  // of the first line's middle
     label.position.x() = keep(label.position.x(), 0.5 * size.x(), page.width - 0.5 * size.x());
     label.position.y() = keep(label.position.y(), below, page.height - 0.5 * label.height);
+}
+
+double lineLength(const Points2& line, bool closed) {
+    double length = closed ? (line.row(0) - line.row(line.rows() - 1)).norm() : 0;
+    for (Eigen::Index k = 1; k < line.rows(); ++k) {
+        length += (line.row(k) - line.row(k - 1)).norm();
+    }
+    return length;
 }
 
 /// A line of two points, moved.
@@ -127,9 +140,75 @@ void addInternals(Drawing& drawing, const PatternPiece& piece, const Placement& 
     }
 }
 
-void addPiece(Drawing& drawing, const Pattern& pattern, const PatternPiece& piece,
-              const Placement& placement, const DrawingWords& words) {
+/// Where a stretch of a line lies on it as it is drawn: mirrored, lines run the other way round.
+/// @param from, to  on the line of the piece
+std::pair<double, double> drawnPlaces(const ClosedLine& line, double from, double to,
+                                      bool isMirrored) {
+    if (!isMirrored) {
+        return {from, to};
+    }
+    const double last = line.arc()[line.arc().size() - 2];
+    const double start = line.wrap(last - to);
+    return {start, start + (to - from)};
+}
+
+/// The sides of the seams of a piece, on its seam line or the rims of its holes.
+/// @param seamPath  index of its seam line in the drawing  @param rims  of the first of its holes
+void addEdges(Drawing& drawing, const PatternPiece& piece, const Placement& placement,
+              std::size_t seamPath, std::size_t rims) {
+    std::vector<ClosedLine> lines{ClosedLine(piece.outline)};
+    for (const Points2& hole : piece.holes) {
+        lines.emplace_back(hole);
+    }
+    UniqueNames taken;
+    std::set<int> seen;
+    for (const SeamLine& seam : piece.seams) {
+        std::size_t line = 0;
+        double from = seam.from, to = seam.to;
+        for (std::size_t k = 1; seam.from == seam.to && k < lines.size(); ++k) {
+            const double start = lines[k].nearestPlace(seam.line.row(0));
+            if ((lines[k].pointAt(start) - seam.line.row(0)).norm() < kOnRim) {
+                line = k;
+                from = start;
+                to = start + lineLength(seam.line, seam.closed);
+            }
+        }
+        if (from == to) {
+            continue;  // on a rim that is not drawn
+        }
+        const bool isSecond = !seen.insert(seam.number).second && seam.isRight;
+        const std::string id =
+            "piece-" + piece.slug + "--edge-" + std::to_string(seam.number) + (isSecond ? "b" : "");
+        const auto [first, last] = drawnPlaces(lines[line], from, to, placement.mirrored);
+        drawing.edges.push_back(
+            {taken.free(id, "-"), "", seam.name, seam.number,
+             static_cast<int>(line == 0 ? seamPath : rims + line - 1), first, last,
+             turnedLine(seam.line, placement).rowwise() + placement.offset.transpose(),
+             seam.length3d});
+    }
+}
+
+/// Names the other side of each seam, where both are drawn.
+void pairEdges(Drawing& drawing) {
+    std::map<int, std::vector<DrawnEdge*>> bySeam;
+    for (DrawnEdge& edge : drawing.edges) {
+        bySeam[edge.number].push_back(&edge);
+    }
+    for (auto& [number, edges] : bySeam) {
+        if (edges.size() == 2) {
+            edges[0]->pair = edges[1]->id;
+            edges[1]->pair = edges[0]->id;
+        }
+    }
+}
+
+void addPiece(Drawing& drawing, const Pattern& pattern, int index, const Placement& placement,
+              const DrawingWords& words) {
+    const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(index)];
     const std::string id = "piece-" + piece.slug + "-";
+    DrawnBlock block{
+        "piece-" + piece.slug, index, placement, drawing.paths.size(), drawing.texts.size(),
+        drawing.edges.size()};
     const auto placed = [&placement](const Points2& line) -> Points2 {
         return turnedLine(line, placement).rowwise() + placement.offset.transpose();
     };
@@ -140,7 +219,9 @@ void addPiece(Drawing& drawing, const Pattern& pattern, const PatternPiece& piec
     label.position += placement.offset;
     keepOnPage(label, lines, drawing);
     drawing.paths.push_back({id + "cut", LayerKind::Cut, placed(edgeOf(piece))});
+    std::size_t seamPath = drawing.paths.size() - 1;
     if (piece.cuttingLine.rows() > 0) {
+        ++seamPath;
         drawing.paths.push_back({id + "-sew", LayerKind::Sew, placed(piece.outline)});
     }
     if (piece.grain && grain) {
@@ -153,6 +234,7 @@ void addPiece(Drawing& drawing, const Pattern& pattern, const PatternPiece& piec
         drawing.paths.push_back({id + "-extension-" + std::to_string(k + 1), LayerKind::Internal,
                                  placed(piece.extensions[k]), false});
     }
+    addEdges(drawing, piece, placement, seamPath, drawing.paths.size());
     for (std::size_t k = 0; k < piece.holes.size(); ++k) {
         drawing.paths.push_back(
             {id + "-hole-" + std::to_string(k + 1), LayerKind::Cut, placed(piece.holes[k])});
@@ -166,6 +248,10 @@ void addPiece(Drawing& drawing, const Pattern& pattern, const PatternPiece& piec
     if (piece.cutAs == CutAs::OnFold) {
         addFold(drawing, piece, placement, words.placeOnFold);
     }
+    block.pathCount = drawing.paths.size() - block.path;
+    block.textCount = drawing.texts.size() - block.text;
+    block.edgeCount = drawing.edges.size() - block.edge;
+    drawing.blocks.push_back(std::move(block));
 }
 
 void addCheckSquare(Drawing& drawing, const Eigen::Vector2d& corner, const std::string& words) {
@@ -198,9 +284,10 @@ Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& w
     drawing.width = left + kCheckSide + kDrawingMargin;
     drawing.height = std::ceil(std::max(marker.height, kCheckSide)) + 2 * kDrawingMargin;
     for (const auto& [piece, placement] : marker.copies) {
-        addPiece(drawing, pattern, pattern.pieces[static_cast<std::size_t>(piece)],
+        addPiece(drawing, pattern, piece,
                  movedBy(placement, Eigen::Vector2d::Constant(kDrawingMargin)), words);
     }
+    pairEdges(drawing);
     addCheckSquare(drawing, {left, kDrawingMargin}, words.checkSquare);
     return drawing;
 }

@@ -69,6 +69,7 @@ std::vector<SeamLine> halfSeams(const std::vector<SeamLine>& seams, const Closed
             half.to = part.to;
             half.isAtFold = {part.startsAtFold, part.endsAtFold};
             if (part.startsAtFold || part.endsAtFold) {
+                half.length3d *= (part.to - part.from) / (seam.to - seam.from);
                 half.line = outline.part(part.from, part.to);
                 half.closed = false;
             }

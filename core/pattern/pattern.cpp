@@ -53,6 +53,7 @@ void addSide(PatternPiece& made, const Piece& piece, const FlatPiece& flat,
     }
     SeamLine& added = made.seams.emplace_back(SeamLine{
         number, seam.name, std::move(line), seam.closed, seam.kind, &side == &seam.right, seam.id});
+    added.length3d = side.length();
     if (side.loop == 0) {
         const auto [low, high] = std::minmax(side.start, side.end);
         std::tie(added.from, added.to) = outline.places(low, high);

@@ -59,6 +59,7 @@ struct SeamLine {
     double from = 0, to = 0;
     /// Its start, its end is none: on a half pattern it goes on beyond the fold.
     std::array<bool, 2> isAtFold{};
+    double length3d = 0;  ///< of this side in the garment, mm
 };
 
 /// A stretch of a piece's seam line from one turn point to the next (segments.h).

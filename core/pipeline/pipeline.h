@@ -16,7 +16,6 @@
 #include "core/garment/identify.h"
 #include "core/layout/marker.h"
 #include "core/pattern/line_settings.h"
-#include "core/pattern/piece_marks.h"
 
 namespace toile {
 
@@ -119,18 +118,6 @@ std::shared_ptr<const Symmetry> symmetryOf(const Garment& garment, const LineSet
 /// @param byHalf  `Cutting::byHalf` of all pieces
 LaidOutPattern inRows(const Garment& garment, const PieceResults& results,
                       const LineSettings& lines = {}, bool byHalf = false);
-
-/// True where `exportFile` knows the path's ending.
-bool canExport(const std::filesystem::path& path);
-
-/// Writes one file in the format of its ending (.svg, .dxf, .obj, .json).
-/// @param laid      the pattern of the garment
-/// @param progress  cancelled before the file is written, nothing is
-/// @param words     what drawings say
-/// Errors: UnknownFormat, FileUnwritable, Cancelled.
-Result<void> exportFile(const std::filesystem::path& path, const Garment& garment,
-                        const PieceResults& results, const LaidOutPattern& laid,
-                        const Progress& progress = {}, const DrawingWords& words = {});
 
 /// Flattens and measures every piece by every method, one method after the other, pieces side by
 /// side. A piece that fails under one method leaves the others alone.

@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "core/export/export_file.h"
 #include "core/linalg/sparse_cholesky.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/piece_quality.h"
@@ -58,7 +59,8 @@ Walk walk(const fs::path& file, const FlattenOptions& options) {
     done.write = secondsOf([&] {
         for (const char* ending : {"svg", "dxf", "obj", "json"}) {
             const fs::path path = temporaryFolder() / (std::string("end_to_end.") + ending);
-            if (!exportFile(path, done.garment, done.results, inRows(done.garment, done.results))) {
+            if (!exportFile(path,
+                            {done.garment, done.results, inRows(done.garment, done.results)})) {
                 throw std::runtime_error("cannot write " + path.string());
             }
         }

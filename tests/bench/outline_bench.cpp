@@ -13,6 +13,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/check/ready_to_cut.h"
+#include "core/export/export_file.h"
 #include "core/flatten/boundary/boundary_problem.h"
 #include "core/flatten/boundary/length_constraints.h"
 #include "core/flatten/isometric/outline_terms.h"
@@ -148,8 +149,8 @@ void flattenBy(const Piece& piece, Method method) {
 }
 
 void exportAs(const Strips& strips, const std::string& format) {
-    orFail(exportFile(temporaryFolder() / ("strips." + format), *strips.garment, strips.results,
-                      inRows(*strips.garment, strips.results)));
+    orFail(exportFile(temporaryFolder() / ("strips." + format),
+                      {*strips.garment, strips.results, inRows(*strips.garment, strips.results)}));
 }
 
 /// What the stages are, by their names in kOutlineStages.

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/export/export_file.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"
@@ -39,7 +40,7 @@ void measureWriting(benchmark::State& state, const std::string& piece, const std
     const FlatGarment& flat = flatGarment(piece);
     const auto path = temporaryFolder() / ("written." + format);
     for (auto _ : state) {
-        if (!exportFile(path, flat.garment, flat.results, inRows(flat.garment, flat.results))) {
+        if (!exportFile(path, {flat.garment, flat.results, inRows(flat.garment, flat.results)})) {
             state.SkipWithError("the file cannot be written");
             return;
         }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/export/export_file.h"
 #include "core/pattern/pattern.h"
 #include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
@@ -426,8 +427,8 @@ TEST(GarmentSeams, CutsFollowTheUnitAndTheAxesOfTheFile) {
     ASSERT_EQ(flat.garment.cuts.size(), 1U);
     EXPECT_NEAR(flat.garment.cuts[0].length, 8, 0.2);
     EXPECT_EQ(flat.garment.pieces[0]->mesh.V.col(1).maxCoeff(), 10);
-    ASSERT_TRUE(exportFile(folder / "out.obj", flat.garment, flat.results,
-                           inRows(flat.garment, flat.results)));
+    ASSERT_TRUE(exportFile(folder / "out.obj",
+                           {flat.garment, flat.results, inRows(flat.garment, flat.results)}));
     const auto again = flattenFile(folder / "out.obj", {LengthUnit::Centimetre, UpAxis::Z});
     double area = 0;
     for (const auto& result : again.results) {

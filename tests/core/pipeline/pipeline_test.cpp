@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/export/export_file.h"
+#include "core/export/formats.h"
 #include "core/project/place_pieces.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
@@ -143,17 +145,17 @@ TEST(Pipeline, ABadPieceFailsAloneAndIsExportedAround) {
     ASSERT_TRUE(results[1]->error);
     EXPECT_EQ(results[1]->error->code, ErrorCode::ClosedSurface);
     for (const char* out : {"out.svg", "out.dxf", "out.obj", "out.json", "OUT2.SVG"}) {
-        EXPECT_TRUE(canExport(folder / out));
-        const auto written = exportFile(folder / out, garment, results, inRows(garment, results));
+        EXPECT_TRUE(formatOf(folder / out));
+        const auto written = exportFile(folder / out, {garment, results, inRows(garment, results)});
         EXPECT_TRUE(written) << sentence(written.error());
         EXPECT_FALSE(folder.read(out).empty());
         EXPECT_EQ(folder.read(out).find("nan"), std::string::npos);
     }
-    EXPECT_FALSE(canExport("out.pdf"));
+    EXPECT_FALSE(formatOf("out.tiff"));
     EXPECT_EQ(
-        exportFile(folder / "out.pdf", garment, results, inRows(garment, results)).error().code,
+        exportFile(folder / "out.tiff", {garment, results, inRows(garment, results)}).error().code,
         ErrorCode::UnknownFormat);
-    EXPECT_EQ(exportFile(folder / "none" / "out.svg", garment, results, inRows(garment, results))
+    EXPECT_EQ(exportFile(folder / "none" / "out.svg", {garment, results, inRows(garment, results)})
                   .error()
                   .code,
               ErrorCode::FileUnwritable);
@@ -169,7 +171,7 @@ TEST(Pipeline, WritesTurnedFacesTurned) {
     EXPECT_EQ(garment.files[0]->problems[0].code, ErrorCode::WindingsTurned);
     Progress progress;
     const PieceResults results = flattenGarment(garment, {}, progress);
-    ASSERT_TRUE(exportFile(folder / "out.obj", garment, results, inRows(garment, results)));
+    ASSERT_TRUE(exportFile(folder / "out.obj", {garment, results, inRows(garment, results)}));
     EXPECT_NE(folder.read("out.obj").find("1 face flipped"), std::string::npos);
     const Garment again = load({folder / "out.obj"});
     EXPECT_TRUE(again.files[0]->problems.empty());
@@ -200,15 +202,16 @@ TEST(Pipeline, FilesShowPiecesAsTheyWereLaid) {
         said[static_cast<std::size_t>(copy.piece)].placement = copy.placement;
     }
     for (const char* name : {"a.svg", "a.dxf", "a.obj"}) {
-        ASSERT_TRUE(exportFile(folder / name, garment, results, inRows(garment, results)));
+        ASSERT_TRUE(exportFile(folder / name, {garment, results, inRows(garment, results)}));
         const std::string before = folder.read(name);
         ASSERT_TRUE(
-            exportFile(folder / name, garment, results, layOut(garment, results, said, {})));
+            exportFile(folder / name, {garment, results, layOut(garment, results, said, {})}));
         EXPECT_EQ(folder.read(name), before) << name;
     }
     // Turned, mirrored and elsewhere: re-measured from the UV map.
     said[0].placement = Placement{{900, -400}, 0.7, true};
-    ASSERT_TRUE(exportFile(folder / "b.obj", garment, results, layOut(garment, results, said, {})));
+    ASSERT_TRUE(
+        exportFile(folder / "b.obj", {garment, results, layOut(garment, results, said, {})}));
     const std::string bytes = folder.read("b.obj");
     EXPECT_NE(bytes.find("mirrored, wrong side of the fabric up"), std::string::npos);
     std::vector<Eigen::Vector2d> uvs;
@@ -241,8 +244,8 @@ TEST(Pipeline, GivesTheSameFilesAgain) {
         Progress progress;
         const PieceResults results = flattenGarment(garment, {}, progress);
         for (const char* ending : {".svg", ".dxf", ".obj"}) {
-            ASSERT_TRUE(exportFile(folder / (std::string(run) + ending), garment, results,
-                                   inRows(garment, results)));
+            ASSERT_TRUE(exportFile(folder / (std::string(run) + ending),
+                                   {garment, results, inRows(garment, results)}));
         }
     }
     for (const char* ending : {".svg", ".dxf", ".obj"}) {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "core/export/drawing.h"
+#include "core/export/export_options.h"
+#include "core/flatten/base/piece_result.h"
+#include "core/garment/garment.h"
+#include "core/layout/marker.h"
+
+namespace toile {
+
+/// All that files are made of and compared with. What it refers to must outlive it. For one thread:
+/// the drawing is made once, when it is first asked for.
+class ExportSource {
+public:
+    /// @param results  one per piece of the garment  @param laid  its pattern
+    ExportSource(const Garment& garment, const PieceResults& results, const LaidOutPattern& laid,
+                 const ExportOptions& options = {}, DrawingWords words = {})
+        : garment_(garment),
+          results_(results),
+          laid_(laid),
+          options_(options),
+          words_(std::move(words)) {}
+
+    const Garment& garment() const { return garment_; }
+    const PieceResults& results() const { return results_; }
+    const LaidOutPattern& laid() const { return laid_; }
+    const ExportOptions& options() const { return options_; }
+    const DrawingWords& words() const { return words_; }
+
+    /// Of `laid().pattern`, where it lies.
+    const Drawing& drawing() const {
+        if (!drawing_) {
+            drawing_ = draw(laid_.pattern, laid_.marker, words_);
+        }
+        return *drawing_;
+    }
+
+private:
+    const Garment& garment_;
+    const PieceResults& results_;
+    const LaidOutPattern& laid_;
+    ExportOptions options_;
+    DrawingWords words_;
+    mutable std::optional<Drawing> drawing_;
+};
+
+}  // namespace toile

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/formats.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/export/writers.h"
+
+/// Marks what a window translates: its collector of texts looks for this. Says the text as it is.
+#define TR(text) text
+
+namespace toile {
+namespace {
+
+ExportedFiles oneFile(std::string bytes) {
+    return {{"", std::move(bytes)}};
+}
+
+Result<ExportedFiles> makeSvg(const ExportSource& source) {
+    return oneFile(writeSvg(source.drawing()));
+}
+
+Result<ExportedFiles> makeDxf(const ExportSource& source) {
+    return oneFile(writeDxf(source.drawing()));
+}
+
+Result<ExportedFiles> makeReport(const ExportSource& source) {
+    return oneFile(writeReport(source.garment(), source.results(), source.laid().pattern));
+}
+
+/// Whether a pattern has lines that a UV map does not show.
+bool isMoreThanOutlines(const Pattern& pattern) {
+    return pattern.hasAllowance || pattern.hasNotches ||
+           std::ranges::any_of(pattern.pieces, [](const PatternPiece& piece) {
+               return !piece.internals.empty() || !piece.extensions.empty();
+           });
+}
+
+Result<ExportedFiles> makeObj(const ExportSource& source) {
+    std::string obj = writeObj(source.garment(), source.results(), source.laid().whole);
+    if (isMoreThanOutlines(source.laid().wholePattern)) {
+        obj += writeObjLines(draw(source.laid().wholePattern, source.laid().whole, source.words()),
+                             millimetresPer(source.garment().files.front()->unit));
+    }
+    return oneFile(std::move(obj));
+}
+
+constexpr const char* kSvg[] = {".svg"};
+constexpr const char* kDxf[] = {".dxf"};
+constexpr const char* kObj[] = {".obj"};
+constexpr const char* kReport[] = {".json"};
+
+std::array kFormats{
+    Format{.id = FormatId::Svg,
+           .name = TR("SVG drawing"),
+           .use = TR("drawing programs, laser and blade cutters"),
+           .endings = kSvg,
+           .layers = true,
+           .trueScale = true,
+           .write = makeSvg},
+    Format{.id = FormatId::Dxf,
+           .name = TR("DXF pattern"),
+           .use = TR("pattern programs, CAD and cutting machines"),
+           .endings = kDxf,
+           .layers = true,
+           .trueScale = true,
+           .write = makeDxf},
+    Format{.id = FormatId::Obj,
+           .name = TR("OBJ with UV map"),
+           .use = TR("3D programs: the garment with its pattern as its texture"),
+           .endings = kObj,
+           .trueScale = true,
+           .write = makeObj},
+    Format{.id = FormatId::Report,
+           .name = TR("JSON report"),
+           .use = TR("scripts: every figure of every piece"),
+           .endings = kReport,
+           .write = makeReport},
+};
+
+}  // namespace
+
+std::span<const Format> formats() {
+    return kFormats;
+}
+
+const Format& formatOf(FormatId id) {
+    return *std::ranges::find(kFormats, id, &Format::id);
+}
+
+const Format* formatOf(const std::filesystem::path& path) {
+    std::string name = pathText(path.filename());
+    std::ranges::transform(name, name.begin(), lowered);
+    const Format* found = nullptr;
+    std::size_t length = 0;
+    for (const Format& format : kFormats) {
+        for (const std::string_view ending : format.endings) {
+            if (ending.size() > length && name.size() > ending.size() && name.ends_with(ending)) {
+                found = &format;
+                length = ending.size();
+            }
+        }
+    }
+    return found;
+}
+
+void provideWriter(FormatId id, Result<ExportedFiles> (*write)(const ExportSource&)) {
+    std::ranges::find(kFormats, id, &Format::id)->write = write;
+}
+
+std::string writtenEndings() {
+    std::vector<std::string> endings;
+    for (const Format& format : kFormats) {
+        if (format.write) {
+            endings.emplace_back(format.endings.front());
+        }
+    }
+    std::string text;
+    for (std::size_t k = 0; k < endings.size(); ++k) {
+        text += k == 0 ? "" : k + 1 == endings.size() ? " or " : ", ";
+        text += endings[k];
+    }
+    return text;
+}
+
+}  // namespace toile

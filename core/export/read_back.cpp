@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/read_back.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "core/base/text.h"
+#include "core/geometry/segment.h"
+
+namespace toile {
+namespace {
+
+/// A polyline with the arc lengths of its points; a closed one with its first point once more.
+struct Measured {
+    Points2 points;
+    std::vector<double> arc;
+    bool closed;
+
+    Measured(const Points2& line, bool isClosed) : points(line), closed(isClosed) {
+        if (closed && line.rows() > 0) {
+            points.conservativeResize(line.rows() + 1, 2);
+            points.row(line.rows()) = line.row(0);
+        }
+        arc.reserve(static_cast<std::size_t>(points.rows()));
+        for (Eigen::Index k = 0; k < points.rows(); ++k) {
+            arc.push_back(k == 0 ? 0 : arc.back() + (points.row(k) - points.row(k - 1)).norm());
+        }
+    }
+
+    double length() const { return arc.back(); }
+
+    /// Modulo the length of a closed line.
+    double wrapped(double at) const {
+        const double turns = closed && length() > 0 ? std::floor(at / length()) : 0;
+        return at - turns * length();
+    }
+
+    Eigen::Vector2d pointAt(double at) const {
+        const double place = std::clamp(wrapped(at), 0.0, length());
+        const auto next = std::ranges::upper_bound(arc, place) - arc.begin();
+        const auto k = std::clamp<std::ptrdiff_t>(next - 1, 0, points.rows() - 2);
+        const double step = arc[static_cast<std::size_t>(k) + 1] - arc[static_cast<std::size_t>(k)];
+        const double share = step > 0 ? (place - arc[static_cast<std::size_t>(k)]) / step : 0;
+        return points.row(k) + share * (points.row(k + 1) - points.row(k));
+    }
+};
+
+struct Nearest {
+    double cost = std::numeric_limits<double>::infinity();
+    double distance = cost;
+    double at = 0;  ///< arc length
+};
+
+/// A line may pass a place twice, as at a slit: there the passage near the arc length counts.
+constexpr double kPerLength = 1e-3;  // of the distance, for each mm along the line
+
+void take(Nearest& best, const Measured& line, std::size_t k, const Eigen::Vector2d& point,
+          double expected) {
+    const auto row = static_cast<Eigen::Index>(k);
+    const Eigen::Vector2d a = line.points.row(row), b = line.points.row(row + 1);
+    const double share = geometry::nearestShare(point, a, b);
+    const double distance = (a + share * (b - a) - point).norm();
+    const double at = line.arc[k] + share * (line.arc[k + 1] - line.arc[k]);
+    const double cost = distance + kPerLength * std::abs(at - expected);
+    if (cost < best.cost) {
+        best = {cost, distance, at};
+    }
+}
+
+/// Key points lie closer together than their line by so much at most, over a whole line, mm.
+constexpr double kSlack = 5;
+
+/// The place nearest to a point among those near an arc length.
+Nearest nearestAround(const Measured& line, double at, const Eigen::Vector2d& point) {
+    Nearest best;
+    const auto look = [&](double from, double to, double expected) {
+        const auto first = std::ranges::upper_bound(line.arc, from) - line.arc.begin();
+        for (auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(first - 1, 0));
+             k + 1 < line.arc.size() && line.arc[k] <= to; ++k) {
+            take(best, line, k, point, expected);
+        }
+    };
+    const double middle = line.wrapped(at);
+    look(middle - kSlack, middle + kSlack, middle);
+    if (line.closed && middle < kSlack) {
+        look(line.length() + middle - kSlack, line.length(), line.length() + middle);
+    }
+    if (line.closed && middle > line.length() - kSlack) {
+        look(0, middle + kSlack - line.length(), middle - line.length());
+    }
+    return best;
+}
+
+/// @param start  where the first point of `points` lies on `line`, arc length
+double farthestFrom(const Measured& line, const Measured& points, double start) {
+    double farthest = 0;
+    for (Eigen::Index k = 0; k < points.points.rows(); ++k) {
+        const double at = start + points.arc[static_cast<std::size_t>(k)];
+        farthest =
+            std::max(farthest, nearestAround(line, at, points.points.row(k).transpose()).distance);
+    }
+    return farthest;
+}
+
+/// Where a line may begin on another that passes there more than once.
+std::vector<double> startsOn(const Measured& line, const Eigen::Vector2d& first) {
+    if (!line.closed) {
+        return {0};
+    }
+    std::vector<double> starts;
+    Nearest best;
+    for (std::size_t k = 0; k + 1 < line.arc.size(); ++k) {
+        Nearest here;
+        take(here, line, k, first, line.arc[k]);
+        if (here.distance < kReadBackCoordinates &&
+            (starts.empty() || here.at - starts.back() > kSlack)) {
+            starts.push_back(here.at);
+        }
+        best = here.distance < best.distance ? here : best;
+    }
+    return starts.empty() ? std::vector{best.at} : starts;
+}
+
+/// A line of a file on the line that it stands for.
+struct Matched {
+    double distance = std::numeric_limits<double>::infinity();
+    double start = 0;  ///< of the read line, on the drawn one
+};
+
+Matched matched(const Measured& read, const Measured& drawn, bool hasKeyPoints) {
+    Matched best;
+    if (read.points.rows() == 0 || drawn.points.rows() == 0) {
+        return best;
+    }
+    for (const double start : startsOn(drawn, read.points.row(0).transpose())) {
+        double distance = farthestFrom(drawn, read, start);
+        if (!hasKeyPoints) {
+            distance = std::max(distance, farthestFrom(read, drawn, -start));
+        }
+        if (distance < best.distance) {
+            best = {distance, start};
+        }
+    }
+    return best;
+}
+
+Error notReadBack(const std::string& id, const std::string& what) {
+    return {ErrorCode::NotReadBack, {}, id + ": " + what};
+}
+
+std::string millimetres(double value) {
+    return std::isfinite(value) ? fixed(value, 3) + " mm" : "no length";
+}
+
+bool isCompared(const std::vector<LayerKind>& layers, LayerKind layer) {
+    return std::ranges::find(layers, layer) != layers.end();
+}
+
+/// The lines of a file in the order of the drawing's; none where one has no counterpart.
+Result<std::vector<const ReadLine*>> inOrder(const ReadDrawing& read, const Drawing& drawing,
+                                             const std::vector<LayerKind>& layers) {
+    std::map<std::string, const ReadLine*> byId;
+    std::map<LayerKind, std::vector<const ReadLine*>> byLayer;
+    for (const ReadLine& line : read.lines) {
+        if (!line.id.empty() && !byId.emplace(line.id, &line).second) {
+            return notReadBack(line.id, "it is there twice");
+        }
+        if (line.id.empty()) {
+            byLayer[line.layer].push_back(&line);
+        }
+    }
+    std::map<LayerKind, std::size_t> next;
+    std::vector<const ReadLine*> found(drawing.paths.size(), nullptr);
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < drawing.paths.size(); ++k) {
+        const DrawnPath& path = drawing.paths[k];
+        if (!isCompared(layers, path.layer)) {
+            continue;
+        }
+        if (const auto named = byId.find(path.id); named != byId.end()) {
+            found[k] = named->second;
+        } else if (std::size_t& place = next[path.layer]; place < byLayer[path.layer].size()) {
+            found[k] = byLayer[path.layer][place++];
+        }
+        if (!found[k]) {
+            return notReadBack(path.id, "it is missing");
+        }
+        ++count;
+    }
+    if (count != read.lines.size()) {
+        return notReadBack(drawing.title,
+                           countWording(static_cast<long long>(read.lines.size()), "line") +
+                               " instead of " + std::to_string(count));
+    }
+    return found;
+}
+
+/// Length of a side of a seam along the line of the file.
+double lengthOn(const Measured& read, const Measured& drawn, double start, const DrawnEdge& edge) {
+    const double first = nearestAround(read, edge.from - start, drawn.pointAt(edge.from)).at;
+    const double second = nearestAround(read, edge.to - start, drawn.pointAt(edge.to)).at;
+    const double length = second - first;
+    // Over the first point again, or all the way round.
+    return length < 0.5 * (edge.to - edge.from) && read.closed ? length + read.length() : length;
+}
+
+}  // namespace
+
+std::string readBackSentence(const ReadBack& found) {
+    return "read back: " + counted(found.pieces, "piece") + ", largest difference " +
+           fixed(found.largest, 3) + " mm";
+}
+
+double distanceBetween(const ReadLine& read, const DrawnPath& path) {
+    return matched({read.points, read.closed}, {path.points, path.closed}, read.hasKeyPoints)
+        .distance;
+}
+
+Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& drawing,
+                                     const std::vector<LayerKind>& layers) {
+    if (read.pieces != static_cast<int>(drawing.blocks.size())) {
+        return notReadBack(drawing.title, counted(read.pieces, "piece") + " instead of " +
+                                              std::to_string(drawing.blocks.size()));
+    }
+    const auto lines = inOrder(read, drawing, layers);
+    if (!lines) {
+        return lines.error();
+    }
+    ReadBack found{read.pieces};
+    for (std::size_t k = 0; k < drawing.paths.size(); ++k) {
+        const DrawnPath& path = drawing.paths[k];
+        const ReadLine* line = (*lines)[k];
+        if (!line) {
+            continue;
+        }
+        if (line->closed != path.closed) {
+            return notReadBack(path.id, path.closed ? "it is not closed" : "it is closed");
+        }
+        const Measured is(line->points, line->closed), should(path.points, path.closed);
+        const auto [distance, start] = matched(is, should, line->hasKeyPoints);
+        if (!(distance <= kReadBackCoordinates)) {
+            return notReadBack(path.id, millimetres(distance) + " from its place");
+        }
+        found.largest = std::max(found.largest, distance);
+        int sides = 0;
+        for (const DrawnEdge& edge : drawing.edges) {
+            if (edge.path != static_cast<int>(k)) {
+                continue;
+            }
+            const double difference = lengthOn(is, should, start, edge) - (edge.to - edge.from);
+            if (!(std::abs(difference) <= kReadBackLengths)) {
+                return notReadBack(edge.id, "longer by " + millimetres(difference));
+            }
+            found.largest = std::max(found.largest, std::abs(difference));
+            ++found.seams;
+            ++sides;
+        }
+        const double allowed = kReadBackLengths * (line->hasKeyPoints ? std::max(sides, 1) : 1);
+        if (const double difference = is.length() - should.length();
+            path.closed && !(std::abs(difference) <= allowed)) {
+            return notReadBack(path.id, "longer by " + millimetres(difference));
+        }
+    }
+    return found;
+}
+
+}  // namespace toile

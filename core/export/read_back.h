@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/export/drawing.h"
+
+namespace toile {
+
+/// After each export the bytes are read again, by readers that share no code with the writers, and
+/// compared with what they were made from, before they take the place of an old file.
+
+/// How far a file may be from what it is made from, mm.
+inline constexpr double kReadBackCoordinates = 0.02, kReadBackLengths = 0.05;
+
+/// What was found in a file that is right.
+struct ReadBack {
+    int pieces = 0, seams = 0;
+    double largest = 0;  ///< difference of any coordinate or length, mm
+};
+
+/// "read back: 13 pieces, largest difference 0.004 mm".
+std::string readBackSentence(const ReadBack& found);
+
+/// A line as a reader found it, mm, y up, where the drawing has it.
+struct ReadLine {
+    LayerKind layer = LayerKind::Cut;
+    std::string id{};  ///< of the drawing; empty where the format names no lines
+    Points2 points = Points2(0, 2);
+    bool closed = false;
+    /// Only some points of the line, which are on it; lengths are those of these.
+    bool hasKeyPoints = false;
+};
+
+struct ReadDrawing {
+    std::vector<ReadLine> lines{};
+    int pieces = 0;  ///< by blocks, groups or outlines, as the format has them
+};
+
+/// Compares lines with those of a drawing: each line of these layers is there once (by id, else in
+/// order), none that is not meant, no point of one farther from the other than
+/// kReadBackCoordinates, no closed line and no side of a seam off by more than kReadBackLengths.
+/// @param layers  that the format carries  Errors: NotReadBack, with the line and the figure.
+/// Cost: linear in the points. Pure.
+Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& drawing,
+                                     const std::vector<LayerKind>& layers);
+
+/// The largest distance of the points of either line from the other, both from the same first
+/// point in the same direction; of one with key points alone that of its own. mm; infinite where
+/// one has no point. Cost: linear where they run alike. Pure.
+double distanceBetween(const ReadLine& read, const DrawnPath& path);
+
+}  // namespace toile
