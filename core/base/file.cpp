@@ -5,13 +5,18 @@
 #include <fstream>
 #include <limits>
 #include <new>
+#include <optional>
 #include <random>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/xattr.h>
 #include <unistd.h>
+
+#include "core/base/content_hash.h"
 
 namespace toile {
 namespace fs = std::filesystem;
@@ -39,10 +44,15 @@ fs::path throughLinks(fs::path path) {
     return path;
 }
 
-/// A name that no other writer uses at the same time: short, since a name may be as long as it can.
+/// What the names of parts of a file begin with: short, since a name may be as long as it can.
+std::string partPrefix(const fs::path& path) {
+    return ".toile-" + std::to_string(contentHash(path.filename().string())) + "-";
+}
+
+/// A name that no other writer uses at the same time.
 fs::path temporaryBeside(const fs::path& path) {
     std::random_device random;
-    return path.parent_path() / (".toile-" + std::to_string(random()) + std::to_string(random()));
+    return path.parent_path() / (partPrefix(path) + std::to_string(random()));
 }
 
 Result<void> writeInPlace(const fs::path& path, std::string_view bytes) {
@@ -70,8 +80,10 @@ public:
             ::close(fd_);
         }
     }
+    Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
+    Descriptor& operator=(Descriptor&&) = delete;
 
     explicit operator bool() const { return fd_ >= 0; }
     int number() const { return fd_; }
@@ -131,26 +143,56 @@ std::error_code fill(const Descriptor& file, std::string_view bytes, const fs::p
     return failed ? failed : file.flush();
 }
 
-/// The bytes as a file called `part`. Where the system can it has no name until it is whole, so
-/// that nothing stays behind whatever ends the program.
-std::error_code makePart(const fs::path& part, std::string_view bytes, const fs::path& old) {
+/// Held by whoever writes a part, from before it has a name until it has the file's: a part that
+/// nobody holds is what a killed process has left. Where a file system knows no such thing, nothing
+/// is ever taken for left behind.
+bool tryHold(const Descriptor& part) {
+    return ::flock(part.number(), LOCK_EX | LOCK_NB) == 0;
+}
+
+/// Takes away what killed writers of the same file have left.
+void clearPartsOf(const fs::path& path) {
+    const std::string prefix = partPrefix(path);
+    std::error_code failed;
+    const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
+    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
+         entry.increment(failed)) {
+        if (entry->path().filename().string().starts_with(prefix)) {
+            const Descriptor part(entry->path(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+            if (part && tryHold(part)) {
+                ::unlink(entry->path().c_str());
+            }
+        }
+    }
+}
+
+/// The bytes as a file called `part`, held. Where the system can it has no name until it is whole,
+/// so that hardly anything stays behind whatever ends the program.
+std::error_code makePart(const fs::path& part, std::string_view bytes, const fs::path& old,
+                         std::optional<Descriptor>& made) {
     const fs::path folder = part.parent_path().empty() ? fs::path(".") : part.parent_path();
-    if (const Descriptor file(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC); file) {
-        if (const std::error_code failed = fill(file, bytes, old)) {
+    if (made.emplace(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC); *made) {
+        tryHold(*made);
+        if (const std::error_code failed = fill(*made, bytes, old)) {
             return failed;
         }
-        const std::string self = "/proc/self/fd/" + std::to_string(file.number());
+        const std::string self = "/proc/self/fd/" + std::to_string(made->number());
         if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, part.c_str(), AT_SYMLINK_FOLLOW) == 0) {
             return {};
         }
     }
-    const Descriptor file(part, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC);
-    return file ? fill(file, bytes, old) : lastFault();
+    if (made.emplace(part, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC); !*made) {
+        return lastFault();
+    }
+    tryHold(*made);
+    return fill(*made, bytes, old);
 }
 
 std::error_code replace(const fs::path& path, std::string_view bytes) {
+    clearPartsOf(path);
     const fs::path part = temporaryBeside(path);
-    std::error_code failed = makePart(part, bytes, path);
+    std::optional<Descriptor> held;
+    std::error_code failed = makePart(part, bytes, path, held);
     if (!failed && ::rename(part.c_str(), path.c_str()) != 0) {
         failed = lastFault();
     }

@@ -13,12 +13,15 @@
 #ifdef __linux__
 #include <csignal>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/xattr.h>
 #include <unistd.h>
 #endif
 
+#include "core/base/content_hash.h"
 #include "tests/core/support/temporary_folder.h"
 
 namespace toile {
@@ -126,6 +129,24 @@ TEST(FileDeathTest, LeavesNothingBehindWhenItsProcessIsKilled) {
     EXPECT_EXIT(beKilledHalfWay(), testing::KilledBySignal(SIGXFSZ), "");
     EXPECT_EQ(entriesIn(folder / ""), 1);
     EXPECT_EQ(folder.read("x.txt"), "old");
+}
+
+TEST(File, ClearsWhatAKilledWriterHasLeft) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeFile(folder / "x.txt", "old"));
+    const std::string prefix = ".toile-" + std::to_string(contentHash("x.txt")) + "-";
+    for (const std::string& name : {prefix + "1", prefix + "2", std::string(".toile-5-1")}) {
+        std::ofstream(folder / name) << "half";
+    }
+    const int held = ::open((folder / (prefix + "2")).c_str(), O_RDONLY);
+    ASSERT_EQ(::flock(held, LOCK_EX), 0);  // of another writer at work
+    ASSERT_TRUE(writeFile(folder / "x.txt", "new"));
+    EXPECT_FALSE(fs::exists(folder / (prefix + "1")));
+    EXPECT_TRUE(fs::exists(folder / (prefix + "2")));
+    EXPECT_TRUE(fs::exists(folder / ".toile-5-1"));  // of another file
+    ::close(held);
+    ASSERT_TRUE(writeFile(folder / "x.txt", "newer"));
+    EXPECT_EQ(entriesIn(folder / ""), 2);
 }
 
 TEST(FileDeathTest, IsWrittenInAFolderThatLetsNothingBeMade) {
