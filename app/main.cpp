@@ -5,6 +5,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #ifdef TOILE_GUI
+#include "app/export/paint_drawing.h"
 #include "app/run_render.h"
 #include "app/run_window.h"
 #endif
@@ -25,6 +26,9 @@ int end(int status) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef TOILE_GUI
+    toile::app::provideWriters();
+#endif
     const toile::app::Arguments arguments = toile::app::parseArguments(argc, argv);
 #ifdef TOILE_GUI
     if (arguments.command == toile::app::Arguments::Command::Window) {

@@ -135,17 +135,7 @@ void addToolBar(QMainWindow& window, const ActionRegistry& actions) {
     bar.setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar.addAction(&actions[ActionId::Open]);
     bar.addAction(&actions[ActionId::Save]);
-    auto* exports = new QToolButton(&bar);
-    exports->setText(WindowMenus::tr("Export"));
-    exports->setIcon(themedIcon("export"));
-    exports->setToolTip(WindowMenus::tr("Write the pattern to a file"));
-    exports->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    exports->setPopupMode(QToolButton::InstantPopup);
-    exports->setMenu(window.menuBar()->findChild<QMenu*>("exportMenu"));
-    const QAction& exportAction = actions[ActionId::ExportSvg];
-    QObject::connect(&exportAction, &QAction::enabledChanged, exports, &QWidget::setEnabled);
-    exports->setEnabled(exportAction.isEnabled());
-    bar.addWidget(exports);
+    bar.addAction(&actions[ActionId::ExportPattern]);
     bar.addSeparator();
     bar.addAction(&actions[ActionId::Undo]);
     bar.addAction(&actions[ActionId::Redo]);

@@ -49,13 +49,16 @@ WindowStatus::WindowStatus(QStatusBar& bar, Workspace& workspace, const ActionRe
     connect(&session, &ProjectSession::saved, this,
             [this](const QString& path) { say(tr("Saved: %1").arg(path)); });
     connect(&workspace, &Workspace::noted, this, &WindowStatus::say);
-    connect(&workspace, &Workspace::exported, this, [this, &checker](const QString& path) {
-        const int faults = checker.readiness().count(Severity::Fault);
-        bar_.showMessage(faults == 0 ? tr("Written: %1").arg(path)
+    connect(&workspace, &Workspace::exported, this,
+            [this, &checker](const QString& path, const QString& checked) {
+                const int faults = checker.readiness().count(Severity::Fault);
+                const QString written = checked.isEmpty() ? path : path + "; " + checked;
+                bar_.showMessage(faults == 0
+                                     ? tr("Written: %1").arg(written)
                                      : tr("Written: %1 (%2 left, see Problems)")
-                                           .arg(path, severityCount(Severity::Fault, faults)),
-                         kWrittenMilliseconds);
-    });
+                                           .arg(written, severityCount(Severity::Fault, faults)),
+                                 kWrittenMilliseconds);
+            });
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this,
             &WindowStatus::updateSummary);
 }

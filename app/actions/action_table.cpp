@@ -137,14 +137,6 @@ ActionWork asksOfSeam(void (Workspace::*request)(int), When when) {
             std::move(when)};
 }
 
-/// @param filter  to be translated, of the dialog
-ActionWork exports(const char* suffix, const char* filter) {
-    return {[=](GarmentActions& on, bool) {
-                on.askAndExport(suffix, QCoreApplication::translate("GarmentActions", filter));
-            },
-            &Workspace::canExport};
-}
-
 ActionWork overlays(Overlay overlay) {
     return {[overlay](GarmentActions& on, bool) { on.workspace().document().setOverlay(overlay); },
             isOpen, [overlay](Workspace& on) { return on.document().view().overlay == overlay; },
@@ -255,18 +247,9 @@ std::vector<ActionSpec> makeActions() {
          "Ctrl+Shift+S",
          TR("Save everything done with this garment in another project file"),
          {[](GarmentActions& on, bool) { on.project().saveAs(); }, isOpen}},
-        {ActionId::ExportSvg, "exportSvg", TR("As &SVG drawing…"), "Ctrl+E",
-         TR("Write the pattern at true scale for printing and drawing programs"),
-         exports("svg", QT_TRANSLATE_NOOP("GarmentActions", "SVG drawing (*.svg)"))},
-        {ActionId::ExportDxf, "exportDxf", TR("As &DXF drawing…"), "",
-         TR("Write the pattern at true scale for pattern and cutting programs"),
-         exports("dxf", QT_TRANSLATE_NOOP("GarmentActions", "DXF drawing (*.dxf)"))},
-        {ActionId::ExportObj, "exportObj", TR("As &OBJ with UV map…"), "",
-         TR("Write the garment again with the pattern as its UV map"),
-         exports("obj", QT_TRANSLATE_NOOP("GarmentActions", "OBJ mesh (*.obj)"))},
-        {ActionId::ExportReport, "exportReport", TR("&Report (JSON)…"), "",
-         TR("Write every figure of every piece for other programs"),
-         exports("json", QT_TRANSLATE_NOOP("GarmentActions", "JSON report (*.json)"))},
+        {ActionId::ExportPattern, "exportPattern", TR("&Export pattern…"), "Ctrl+E",
+         TR("Write the pattern to a file: for printing, cutting, pattern and 3D programs"),
+         asks(&GarmentActions::askAndExport, &Workspace::canExport), "export", TR("Export")},
         {ActionId::ReadyToCut, "readyToCut", TR("Read&y to cut?"), "F8",
          TR("Show whether the pattern can be cut as it is, and every fault with its place"),
          whenOpen()},

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/file_dialogs.h"
 
+#include <QDesktopServices>
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QUrl>
 #include <algorithm>
 
 #include "core/io/soup.h"
@@ -68,7 +70,7 @@ OverwriteAnswer askAboutOthers(QWidget* parent, const QString& name) {
                                          : OverwriteAnswer::Cancel;
 }
 
-bool mayReplace(QWidget* parent, const QString& path) {
+bool askToReplace(QWidget* parent, const QString& path) {
     return QMessageBox::question(parent, FileDialogs::tr("Replace the file?"),
                                  FileDialogs::tr("There is a file %1 already. Replace it?")
                                      .arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
@@ -90,7 +92,7 @@ QString askForTarget(QWidget* parent, const QString& title, const QString& sugge
         }
         // "dress.v2" has an ending, though not this one.
         path += '.' + suffix;
-        if (!QFileInfo::exists(path) || mayReplace(parent, path)) {
+        if (!QFileInfo::exists(path) || askToReplace(parent, path)) {
             return path;
         }
         dialog.selectFile(path);
@@ -114,6 +116,10 @@ FileDialogs FileDialogs::native() {
     };
     dialogs.save = [](QWidget* parent, const QString& suggestion, const QString& filter) {
         return askForTarget(parent, FileDialogs::tr("Export the pattern"), suggestion, filter);
+    };
+    dialogs.mayReplace = askToReplace;
+    dialogs.showFolder = [](const QString& folder) {
+        QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
     };
     dialogs.saveProject = [](QWidget* parent, const QString& suggestion) {
         return askForTarget(parent, FileDialogs::tr("Save the project"), suggestion,

@@ -27,6 +27,10 @@ public:
     /// File to write; empty where the person thought better of it. The suggestion is a full path
     /// whose ending is the format's.
     std::function<QString(QWidget* parent, const QString& suggestion, const QString& filter)> save;
+    /// Whether a file that is there may be replaced.
+    std::function<bool(QWidget* parent, const QString& path)> mayReplace;
+    /// Shows a folder as the desktop shows folders.
+    std::function<void(const QString& folder)> showFolder;
     /// Project file to write; empty where the person thought better of it.
     std::function<QString(QWidget* parent, const QString& suggestion)> saveProject;
     /// Where a mesh of a project is, that is not where it was; empty where that is not known.

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QFileInfo>
+#include <QPointer>
 #include <QWidget>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "app/base/text.h"
 #include "app/document/layout.h"
 #include "app/document/mirrored_edits.h"
+#include "app/export/export_dialog.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/settings/preferences.h"
 #include "app/text/error_text.h"
@@ -130,7 +132,7 @@ void GarmentActions::askAndWriteSeams() {
     }
 }
 
-void GarmentActions::askAndExport(const QString& suffix, const QString& filter) {
+void GarmentActions::askAndExport() {
     if (!workspace_.canExport()) {
         return;
     }
@@ -140,15 +142,40 @@ void GarmentActions::askAndExport(const QString& suffix, const QString& filter) 
     const QString folder = remembered.isEmpty() ? first.absolutePath() : remembered;
     // "-pattern" keeps an OBJ export from proposing to replace the garment itself.
     const QString name = tr("%1-pattern").arg(first.completeBaseName());
-    QString path = dialogs_.save(&window_, QString("%1/%2.%3").arg(folder, name, suffix), filter);
-    if (path.isEmpty()) {
-        return;
-    }
-    if (QFileInfo(path).suffix().compare(suffix, Qt::CaseInsensitive) != 0) {
-        path += '.' + suffix;
-    }
-    preferences_.setExportFolder(QFileInfo(path).absolutePath());
-    workspace_.exportTo(pathOf(path));
+    auto* dialog = new ExportDialog(folder + '/' + name, preferences_.exportFormat(),
+                                    preferences_.exportOptions(), dialogs_, &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    const auto drawing =
+        workspace_.drawPattern([asked = QPointer(dialog)](std::shared_ptr<const Drawing> drawn) {
+            if (asked) {
+                asked->setDrawing(std::move(drawn));
+            }
+        });
+    connect(dialog, &QDialog::finished, this, [this, dialog, drawing](int answer) {
+        workspace_.writing().drop(drawing);
+        if (answer != QDialog::Accepted) {
+            return;
+        }
+        const ExportChoice choice = dialog->choice();
+        preferences_.setExportFolder(QFileInfo(choice.path).absolutePath());
+        preferences_.setExportFormat(choice.format);
+        preferences_.setExportOptions(choice.options);
+        if (choice.showsFolder) {
+            showOnceWritten(choice.path);
+        }
+        workspace_.exportTo(pathOf(choice.path), choice.options);
+    });
+    dialog->open();
+}
+
+void GarmentActions::showOnceWritten(const QString& path) {
+    auto* wait = new QObject(this);  // until it is written, or something else is
+    connect(&workspace_, &Workspace::exported, wait, [this, path, wait](const QString& written) {
+        if (written == path) {
+            dialogs_.showFolder(QFileInfo(path).absolutePath());
+        }
+        wait->deleteLater();
+    });
 }
 
 void GarmentActions::selectAll() {

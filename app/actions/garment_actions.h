@@ -34,8 +34,7 @@ public:
     /// Asks first where changes would be lost.
     void openFiles(const QStringList& files);
     void askAndOpen();
-    /// @param filter  of the dialog, for this ending
-    void askAndExport(const QString& suffix, const QString& filter);
+    void askAndExport();
     void askAndReadSeams();
     void askAndWriteSeams();
     void selectAll();
@@ -57,6 +56,8 @@ private:
     void updateHistory();
     void onChanged(DocumentChanges what);
     void openNow(const QStringList& files);
+    /// The folder of a file that is being written, on the desktop.
+    void showOnceWritten(const QString& path);
     void findGrain(GrainRule rule);
     void sayOutdated();
 

@@ -7,6 +7,7 @@
 #include "app/base/text.h"
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/garment_jobs.h"
+#include "app/text/error_text.h"
 #include "core/garment/identify.h"
 
 namespace toile::app {
@@ -313,11 +314,17 @@ bool Workspace::canExport() const {
     return !results.empty() && std::ranges::find(results, nullptr) == results.end();
 }
 
-void Workspace::exportTo(const std::filesystem::path& path) {
+void Workspace::exportTo(const std::filesystem::path& path, const ExportOptions& options) {
     Q_ASSERT(canExport());
-    writing_.start(exportJob(document_, path, [this](const std::filesystem::path& written) {
-        emit exported(textOf(written));
+    writing_.start(exportJob(document_, path, options, [this](const Exported& written) {
+        emit exported(textOf(written.files.front()),
+                      written.readBack ? readBackText(*written.readBack) : QString());
     }));
+}
+
+JobRunner::Ticket Workspace::drawPattern(std::function<void(std::shared_ptr<const Drawing>)> done) {
+    Q_ASSERT(canExport());
+    return writing_.start(drawingJob(document_, std::move(done)));
 }
 
 void Workspace::whenWritten(std::function<void()> then) {

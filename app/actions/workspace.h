@@ -4,6 +4,7 @@
 #include <QObject>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "app/actions/recompute.h"
 #include "app/document/document.h"
 #include "app/jobs/job_runner.h"
+#include "core/export/drawing.h"
+#include "core/export/export_options.h"
 
 namespace toile::app {
 
@@ -138,12 +141,15 @@ public:
     bool canExport() const;
     /// Writes the pattern as it is now, whatever is edited meanwhile; several one after the other.
     /// Requires canExport. The ending chooses the format.
-    void exportTo(const std::filesystem::path& path);
+    void exportTo(const std::filesystem::path& path, const ExportOptions& options = {});
+    /// Draws it as files would have it. Requires canExport.
+    JobRunner::Ticket drawPattern(std::function<void(std::shared_ptr<const Drawing>)> done);
 
 signals:
     /// `loading` is another now.
     void loadingChanged();
-    void exported(const QString& path);
+    /// @param checked  what reading it again has found, for a person; may be empty
+    void exported(const QString& path, const QString& checked);
     /// What was asked for cannot be done, and why; nothing has changed.
     void refused(const QString& sentence);
     /// Something was done otherwise than might be expected.

@@ -2,6 +2,7 @@
 #include "app/jobs/file_jobs.h"
 
 #include <QCoreApplication>
+#include <type_traits>
 #include <utility>
 
 #include "app/base/text.h"
@@ -94,21 +95,27 @@ Result<ReadMeshes> readMeshes(const std::filesystem::path& path, const FoundMesh
     return made;
 }
 
-}  // namespace
-
-std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path path,
-                               std::function<void(const std::filesystem::path&)> done) {
-    const QString name = textOf(path.filename());
-    SettingsById said = document.state().settings;
-    for (std::size_t i = 0; i < document.settings().size(); ++i) {
-        // Of a piece that the state to come does not have any more, too.
-        said.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
+/// What files are made of: a snapshot, whatever is edited meanwhile.
+class PatternNow {
+public:
+    explicit PatternNow(const Document& document)
+        : derived_(document.derived()),
+          labels_(document.state().labels),
+          materials_(document.state().materials),
+          said_(document.state().settings),
+          words_(drawingWords()) {
+        for (std::size_t i = 0; i < document.settings().size(); ++i) {
+            // Of a piece that the state to come does not have any more, too.
+            said_.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
+        }
     }
-    auto work = [derived = document.derived(), labels = document.state().labels,
-                 materials = document.state().materials, said = std::move(said),
-                 path = std::move(path),
-                 words = drawingWords()](Progress& progress) -> Result<std::filesystem::path> {
-        Derivation made{derived};
+
+    /// Flattens what is not flat yet, lays the pattern out and gives it to `use`, a function of
+    /// `(const ExportSource&, const Progress&)` to a Result.
+    template <class Use>
+    auto with(const ExportOptions& options, Progress& progress, const Use& use) const
+        -> std::invoke_result_t<Use, const ExportSource&, const Progress&> {
+        Derivation made{derived_};
         progress.setShare(0, kSettlingShare);
         GarmentFlattener flattener;
         settle(made, flattener, progress);
@@ -116,23 +123,55 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
             return Error{ErrorCode::Cancelled};
         }
         progress.setShare(kSettlingShare, 1);
-        SettingsById settings = settingsAfter(made, said, {});
+        SettingsById settings = settingsAfter(made, said_, {});
         std::vector<PieceSettings> ofPieces;
-        for (const auto& piece : derived.garment->pieces) {
+        for (const auto& piece : derived_.garment->pieces) {
             ofPieces.push_back(settings[piece->id]);
         }
-        const Garment& garment = *derived.garment;
+        const Garment& garment = *derived_.garment;
         const PieceResults& results = made.derived.results;
         const LineSettings lines = made.derived.lines.value_or(LineSettings{});
         LaidOutPattern laid =
-            layOut(garment, results, ofPieces, labels, lines, made.derived.symmetry);
-        laid.pattern.materials = materials;
-        const auto written =
-            exportFile(path, {garment, results, laid, ExportOptions{}, words}, progress);
-        return written ? Result(path) : written.error();
+            layOut(garment, results, ofPieces, labels_, lines, made.derived.symmetry);
+        laid.pattern.materials = materials_;
+        return use(ExportSource(garment, results, laid, options, words_), progress);
+    }
+
+private:
+    Derived derived_;
+    decltype(DocumentState::labels) labels_;
+    decltype(DocumentState::materials) materials_;
+    SettingsById said_;
+    DrawingWords words_;
+};
+
+}  // namespace
+
+std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path path,
+                               const ExportOptions& options,
+                               std::function<void(const Exported&)> done) {
+    const QString name = textOf(path.filename());
+    auto work = [now = PatternNow(document), path = std::move(path),
+                 options](Progress& progress) -> Result<Exported> {
+        return now.with(options, progress,
+                        [&path](const ExportSource& source, const Progress& exporting) {
+                            return exportFile(path, source, exporting);
+                        });
     };
     return makeJob(QCoreApplication::translate("ExportJob", "Writing %1").arg(name),
                    std::move(work), std::move(done));
+}
+
+std::unique_ptr<Job> drawingJob(const Document& document,
+                                std::function<void(std::shared_ptr<const Drawing>)> done) {
+    using Made = std::shared_ptr<const Drawing>;
+    auto work = [now = PatternNow(document)](Progress& progress) -> Result<Made> {
+        return now.with({}, progress, [](const ExportSource& source, const Progress&) {
+            return Result<Made>(std::make_shared<const Drawing>(source.drawing()));
+        });
+    };
+    return makeJob(QCoreApplication::translate("ExportJob", "Drawing the pattern"), std::move(work),
+                   std::move(done));
 }
 
 std::unique_ptr<Job> saveJob(const Document& document, SaveTarget target,

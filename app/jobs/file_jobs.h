@@ -11,6 +11,8 @@
 
 #include "app/document/document_state.h"
 #include "app/jobs/job.h"
+#include "core/export/drawing.h"
+#include "core/export/export_file.h"
 #include "core/project/project.h"
 
 namespace toile::app {
@@ -24,7 +26,12 @@ class Document;
 /// as it was.
 /// @param done  called once the file is written
 std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path path,
-                               std::function<void(const std::filesystem::path&)> done);
+                               const ExportOptions& options,
+                               std::function<void(const Exported&)> done);
+
+/// The drawing that files would have.
+std::unique_ptr<Job> drawingJob(const Document& document,
+                                std::function<void(std::shared_ptr<const Drawing>)> done);
 
 /// What a project file held when it was last read or written here: what else it holds now, another
 /// program has put there. Shared by those jobs that run one after the other; the GUI thread makes

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/words.h"
+#include "core/export/format_options.h"
 
 namespace toile::app {
 
@@ -15,6 +16,8 @@ namespace {
 
 constexpr auto kOpenFolder = "folders/open";
 constexpr auto kExportFolder = "folders/export";
+constexpr auto kExportFormat = "export/format";
+constexpr auto kExportOption = "export/%1";
 constexpr auto kRecent = "files/recent";
 constexpr auto kGeometry = "window/geometry";
 constexpr auto kState = "window/state";
@@ -134,6 +137,28 @@ QString Preferences::openFolder() const {
 
 void Preferences::setOpenFolder(const QString& folder) {
     write(kOpenFolder, folder);
+}
+
+QString Preferences::exportFormat() const {
+    return read(kExportFormat, ".svg").toString();
+}
+
+void Preferences::setExportFormat(const QString& ending) {
+    write(kExportFormat, ending);
+}
+
+ExportOptions Preferences::exportOptions() const {
+    ExportOptions options;
+    for (const FormatOption& row : formatOptions()) {
+        row.set(options, read(QString(kExportOption).arg(row.name)).toString().toStdString());
+    }
+    return options;
+}
+
+void Preferences::setExportOptions(const ExportOptions& options) {
+    for (const FormatOption& row : formatOptions()) {
+        write(QString(kExportOption).arg(row.name), QString::fromStdString(row.get(options)));
+    }
 }
 
 QString Preferences::exportFolder() const {

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/settings/choices.h"
+#include "core/export/export_options.h"
 
 class QSettings;
 
@@ -36,6 +37,12 @@ public:
     /// Where the last export went; the folder of the garment at first (empty here).
     QString exportFolder() const;
     void setExportFolder(const QString& folder);
+
+    /// What was exported last, and how; an ending, such as ".svg".
+    QString exportFormat() const;
+    void setExportFormat(const QString& ending);
+    ExportOptions exportOptions() const;
+    void setExportOptions(const ExportOptions& options);
 
     /// What was opened last, the latest first: the files of a garment each, or a project file.
     QList<QStringList> recentFiles() const;

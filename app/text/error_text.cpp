@@ -8,6 +8,7 @@
 #include "app/base/text.h"
 #include "core/base/characters.h"
 #include "core/base/error.h"
+#include "core/export/read_back.h"
 #include "core/pattern/piece_marks.h"
 
 namespace toile::app {
@@ -83,6 +84,11 @@ DrawingWords drawingWords() {
         .pieceNumber = told(QCoreApplication::translate("toile", "piece %1 of %2")),
         .size = told(QCoreApplication::translate("toile", "size %1")),
         .allowance = told(QCoreApplication::translate("toile", "seam allowance included"))};
+}
+
+QString readBackText(const ReadBack& found) {
+    return tr("read back: %n piece(s), largest difference %1 mm", "", found.pieces)
+        .arg(found.largest, 0, 'f', 3);
 }
 
 QString faultText(const std::exception_ptr& fault) {

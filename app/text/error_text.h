@@ -8,6 +8,7 @@
 namespace toile {
 struct DrawingWords;
 struct Error;
+struct ReadBack;
 class Wording;
 }  // namespace toile
 
@@ -27,6 +28,9 @@ QString errorAdvice(const Error& error);
 
 /// What exported drawings say, in the person's language.
 DrawingWords drawingWords();
+
+/// `readBackSentence` in the person's language.
+QString readBackText(const ReadBack& found);
 
 /// What a piece of work that ended with an exception says: that memory ran out and what to try, or
 /// that the program met a fault. Not null.

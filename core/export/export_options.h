@@ -48,11 +48,18 @@ struct PltOptions {
     bool operator==(const PltOptions&) const = default;
 };
 
+struct PngOptions {
+    double dpi = 150;
+
+    bool operator==(const PngOptions&) const = default;
+};
+
 struct ExportOptions {
     DxfOptions dxf{};
     PdfOptions pdf{};
     SvgOptions svg{};
     PltOptions plt{};
+    PngOptions png{};
 
     bool operator==(const ExportOptions&) const = default;
 };

@@ -17,16 +17,34 @@ namespace {
 
 constexpr const char* kSwitch[] = {"off", "on"};
 constexpr const char* kDxfProfiles[] = {"astm", "aama", "plain"};
+constexpr const char* kDxfProfileNames[] = {TR("ASTM D6673"), TR("ANSI/AAMA-292"),
+                                            TR("Plain drawing")};
 constexpr const char* kDxfUnits[] = {"mm", "cm", "in"};
+constexpr const char* kDxfUnitNames[] = {TR("Millimetres"), TR("Centimetres"), TR("Inches")};
 constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Inch};
 constexpr const char* kPapers[] = {"a4",     "letter",   "tile",     "a0",       "arch-d",
                                    "arch-e", "roll-610", "roll-841", "roll-914", "projector"};
+constexpr const char* kPaperNames[] = {
+    TR("A4 tiles"),     TR("Letter tiles"), TR("Tiles for A4 and Letter"),
+    TR("A0"),           TR("Arch D"),       TR("Arch E"),
+    TR("Roll, 610 mm"), TR("Roll, 841 mm"), TR("Roll, 914 mm"),
+    TR("Projector")};
 constexpr const char* kSvgPresets[] = {"inkscape", "illustrator", "silhouette", "laser", "cricut"};
+constexpr const char* kSvgPresetNames[] = {TR("Inkscape"), TR("Illustrator"), TR("Silhouette"),
+                                           TR("Laser (LightBurn)"), TR("Cricut")};
 constexpr const char* kSvgGroups[] = {"kind", "piece"};
+constexpr const char* kSvgGroupNames[] = {TR("Layers by kind"), TR("Groups by piece")};
 constexpr const char* kSvgTexts[] = {"text", "paths"};
+constexpr const char* kSvgTextNames[] = {TR("Stays text"), TR("Outlines of letters")};
 
 constexpr const char* kDxfPresets[] = {"clo",    "accumark",    "optitex",
                                        "lectra", "illustrator", "laser"};
+constexpr const char* kDxfPresetNames[] = {TR("CLO, Marvelous Designer"),
+                                           TR("AccuMark"),
+                                           TR("Optitex"),
+                                           TR("Lectra"),
+                                           TR("Illustrator"),
+                                           TR("Laser cutter")};
 /// In the order of the presets.
 constexpr DxfOptions kOfPresets[] = {
     {DxfProfile::Astm, LengthUnit::Millimetre},  {DxfProfile::Astm, LengthUnit::Inch},
@@ -92,6 +110,7 @@ bool setNumber(double& value, std::string_view typed, double least, double most)
 }
 
 constexpr double kMostOverlap = 50;  // mm
+constexpr double kLeastDpi = 10, kMostDpi = 1200;
 
 using Options = ExportOptions;
 using Typed = std::string_view;
@@ -102,6 +121,7 @@ const FormatOption kRows[] = {
      .title = TR("For"),
      .help = TR("The program that is to open the DXF file: profile and unit as it expects them"),
      .words = kDxfPresets,
+     .names = kDxfPresetNames,
      .get = dxfPreset,
      .set = setDxfPreset},
     {.format = FormatId::Dxf,
@@ -109,6 +129,7 @@ const FormatOption kRows[] = {
      .title = TR("Profile"),
      .help = TR("ASTM D6673 or ANSI/AAMA-292 for pattern programs, plain for drawing and cutting"),
      .words = kDxfProfiles,
+     .names = kDxfProfileNames,
      .get = [](const Options& o) { return chosen(kDxfProfiles, o.dxf.profile); },
      .set = [](Options& o, Typed typed) { return choose(kDxfProfiles, typed, o.dxf.profile); }},
     {.format = FormatId::Dxf,
@@ -116,6 +137,7 @@ const FormatOption kRows[] = {
      .title = TR("Unit"),
      .help = TR("Unit of the DXF file's numbers"),
      .words = kDxfUnits,
+     .names = kDxfUnitNames,
      .get = dxfUnit,
      .set = setDxfUnit},
     {.format = FormatId::Dxf,
@@ -141,6 +163,7 @@ const FormatOption kRows[] = {
          TR("What the PDF file is printed on: tiles of a4, letter or tile, which fits both; one "
             "page of a0, arch-d or arch-e; a roll; or projector"),
      .words = kPapers,
+     .names = kPaperNames,
      .get = [](const Options& o) { return chosen(kPapers, o.pdf.paper); },
      .set = [](Options& o, Typed typed) { return choose(kPapers, typed, o.pdf.paper); }},
     {.format = FormatId::Pdf,
@@ -157,6 +180,7 @@ const FormatOption kRows[] = {
      .title = TR("For"),
      .help = TR("The program or machine that is to open the SVG file"),
      .words = kSvgPresets,
+     .names = kSvgPresetNames,
      .get = [](const Options& o) { return chosen(kSvgPresets, o.svg.preset); },
      .set = [](Options& o, Typed typed) { return choose(kSvgPresets, typed, o.svg.preset); }},
     {.format = FormatId::Svg,
@@ -164,6 +188,7 @@ const FormatOption kRows[] = {
      .title = TR("Groups"),
      .help = TR("Layers of one kind of line each, or a group for each piece"),
      .words = kSvgGroups,
+     .names = kSvgGroupNames,
      .get = [](const Options& o) { return chosen(kSvgGroups, o.svg.groups); },
      .set = [](Options& o, Typed typed) { return choose(kSvgGroups, typed, o.svg.groups); }},
     {.format = FormatId::Svg,
@@ -171,6 +196,7 @@ const FormatOption kRows[] = {
      .title = TR("Text"),
      .help = TR("Text that stays text, or the outlines of its letters"),
      .words = kSvgTexts,
+     .names = kSvgTextNames,
      .get = [](const Options& o) { return chosen(kSvgTexts, o.svg.textAsPaths); },
      .set = [](Options& o, Typed typed) { return choose(kSvgTexts, typed, o.svg.textAsPaths); }},
     {.format = FormatId::Plt,
@@ -181,6 +207,15 @@ const FormatOption kRows[] = {
      .isSwitch = true,
      .get = [](const Options& o) { return chosen(kSwitch, o.plt.turned); },
      .set = [](Options& o, Typed typed) { return choose(kSwitch, typed, o.plt.turned); }},
+    {.format = FormatId::Png,
+     .name = "png-dpi",
+     .title = TR("Dots per inch"),
+     .help = TR("Dots per inch of the PNG picture"),
+     .least = kLeastDpi,
+     .most = kMostDpi,
+     .get = [](const Options& o) { return shortest(o.png.dpi); },
+     .set = [](Options& o,
+               Typed typed) { return setNumber(o.png.dpi, typed, kLeastDpi, kMostDpi); }},
 };
 
 }  // namespace

@@ -20,7 +20,8 @@ struct FormatOption {
     const char* help;   ///< a sentence without a full stop, likewise
     /// The words that it takes; empty: a number, or nothing at all (`isSwitch`).
     std::span<const char* const> words{};
-    bool isSwitch = false;  ///< "on" or "off"; typed without a value
+    std::span<const char* const> names{};  ///< of the words, for a dialog, likewise
+    bool isSwitch = false;                 ///< "on" or "off"; typed without a value
     double least = 0, most = 0;
     /// What it is now, as it is typed; empty of a preset that the options are no longer.
     std::string (*get)(const ExportOptions&);

@@ -49,6 +49,7 @@ Result<ExportedFiles> makeObj(const ExportSource& source) {
 
 constexpr const char* kSvg[] = {".svg"};
 constexpr const char* kDxf[] = {".dxf"};
+constexpr const char* kPng[] = {".png"};
 constexpr const char* kObj[] = {".obj"};
 constexpr const char* kReport[] = {".json"};
 
@@ -67,6 +68,11 @@ std::array kFormats{
            .layers = true,
            .trueScale = true,
            .write = makeDxf},
+    Format{.id = FormatId::Png,
+           .name = TR("PNG picture"),
+           .use = TR("mails and web pages, at a stated resolution"),
+           .endings = kPng,
+           .trueScale = true},
     Format{.id = FormatId::Obj,
            .name = TR("OBJ with UV map"),
            .use = TR("3D programs: the garment with its pattern as its texture"),

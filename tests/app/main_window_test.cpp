@@ -27,7 +27,7 @@ private slots:
     void emptyWindowInvites() {
         QVERIFY(fixture_.find<QWidget>("welcome").isVisible());
         QVERIFY(!window().views().isVisible());
-        QVERIFY(!action(ActionId::ExportSvg).isEnabled());
+        QVERIFY(!action(ActionId::ExportPattern).isEnabled());
         QVERIFY(!fixture_.find<QWidget>("pieceTable").isVisible());
     }
 
@@ -51,25 +51,6 @@ private slots:
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
                           table.visualRect(table.model()->index(1, 0)).center());
         QCOMPARE(document().selection(), Document::Selection{1});
-    }
-
-    void exportWritesWhereThePersonSays() {
-        QVERIFY(openPair());
-        QString suggested;
-        FileDialogs dialogs = FileDialogs::native();
-        dialogs.save = [&](QWidget*, const QString& suggestion, const QString&) {
-            suggested = suggestion;
-            return path("out");  // without an ending
-        };
-        window().garmentActions().setFileDialogs(dialogs);
-        QSignalSpy exported(&workspace(), &Workspace::exported);
-        action(ActionId::ExportSvg).trigger();
-        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, test::kPatience);
-        QVERIFY(suggested.endsWith("pair-pattern.svg"));
-        QFile file(path("out.svg"));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArray text = file.readAll();
-        QVERIFY(text.contains("<svg") && text.contains("strip") && text.contains("cap"));
     }
 
     void openActionAsksAndOpens() {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTreeView>
@@ -39,13 +41,10 @@ private slots:
         fixture_.action(ActionId::Frame).trigger();
         QCOMPARE(fixture_.find<QTreeView>("pieceTable").model()->rowCount(), 1);
 
-        FileDialogs dialogs = FileDialogs::native();
-        dialogs.save = [&](QWidget*, const QString&, const QString&) {
-            return fixture_.path("cap.dxf");
-        };
-        fixture_.window().garmentActions().setFileDialogs(dialogs);
         QSignalSpy exported(&fixture_.workspace(), &Workspace::exported);
-        fixture_.action(ActionId::ExportDxf).trigger();
+        fixture_.action(ActionId::ExportPattern).trigger();
+        fixture_.find<QLineEdit>("exportPath").setText(fixture_.path("cap.dxf"));
+        fixture_.find<QPushButton>("exportNow").click();
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, test::kPatience);
     }
 

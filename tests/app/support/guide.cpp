@@ -6,12 +6,15 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTextStream>
 #include <algorithm>
 #include <limits>
 
 #include "app/actions/menu_table.h"
+#include "app/export/export_dialog.h"
 #include "tests/app/support/mouse.h"
 
 namespace toile::test {
@@ -185,6 +188,10 @@ QString GuideWalker::saving(const QString& name, const std::function<QString()>&
     const QString file = fixture_.path(name);
     answerWith({}, file);
     const QString wrong = act();
+    if (auto* dialog = fixture_.window().findChild<ExportDialog*>()) {
+        dialog->findChild<QLineEdit*>("exportPath")->setText(file);
+        QTest::mouseClick(dialog->findChild<QPushButton*>("exportNow"), Qt::LeftButton);
+    }
     settle();
     return wrong.isEmpty() && !QFile::exists(file) ? "nothing is saved" : wrong;
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QRectF>
+#include <QVector>
+#include <QWidget>
+#include <memory>
+
+#include "core/export/drawing.h"
+
+namespace toile::app {
+
+/// The page as it will be written, fitted into the widget.
+class DrawingPreview : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DrawingPreview(QWidget* parent = nullptr);
+
+    /// @param drawing  null: on its way
+    void setDrawing(std::shared_ptr<const Drawing> drawing);
+    /// Sheets that the drawing is printed on, mm, y down from its upper left corner; none: one.
+    void setSheets(QVector<QRectF> sheets);
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    std::shared_ptr<const Drawing> drawing_;
+    QVector<QRectF> sheets_;
+};
+
+}  // namespace toile::app

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/export_dialog.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "app/base/text.h"
+#include "app/export/drawing_preview.h"
+#include "app/export/option_form.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr int kListWidth = 170, kFormWidth = 250;
+
+/// The path without the ending of any format.
+QString withoutEnding(const QString& path) {
+    const Format* known = formatOf(pathOf(path));
+    if (!known) {
+        return path;
+    }
+    QString shorter = path;
+    qsizetype longest = 0;
+    for (const char* ending : known->endings) {
+        const QString text = QString::fromLatin1(ending);
+        if (path.endsWith(text, Qt::CaseInsensitive)) {
+            longest = std::max(longest, text.size());
+        }
+    }
+    shorter.chop(longest);
+    return shorter;
+}
+
+QString usualEnding(const Format& format) {
+    return QString::fromLatin1(format.endings.front());
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(const QString& path, const QString& format, const ExportOptions& options,
+                           const FileDialogs& dialogs, QWidget* parent)
+    : QDialog(parent),
+      dialogs_(dialogs),
+      list_(new QListWidget(this)),
+      form_(new OptionForm(this)),
+      preview_(new DrawingPreview(this)),
+      use_(new QLabel(this)),
+      page_(new QLabel(this)) {
+    setObjectName("exportDialog");
+    setWindowTitle(tr("Export pattern"));
+    list_->setObjectName("exportFormats");
+    list_->setAccessibleName(tr("Format"));
+    list_->setFixedWidth(kListWidth);
+    use_->setWordWrap(true);
+    use_->setObjectName("exportUse");
+    page_->setObjectName("exportPage");
+    preview_->setObjectName("exportPreview");
+
+    auto* choices = new QVBoxLayout;
+    choices->addWidget(use_);
+    choices->addSpacing(6);
+    choices->addWidget(form_);
+    choices->addStretch();
+    auto* side = new QWidget(this);
+    side->setLayout(choices);
+    side->setFixedWidth(kFormWidth);
+    choices->setContentsMargins(0, 0, 0, 0);
+    auto* page = new QVBoxLayout;
+    page->addWidget(preview_, 1);
+    page->addWidget(page_);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(14);
+    row->addWidget(list_);
+    row->addWidget(side);
+    row->addLayout(page, 1);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    export_ = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
+    export_->setObjectName("exportNow");
+    export_->setDefault(true);
+    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->setSpacing(12);
+    layout->addLayout(row, 1);
+    layout->addWidget(makeTarget());
+    layout->addWidget(buttons);
+
+    fillFormats();
+    form_->show(FormatId::Svg, options);
+    path_->setText(path);
+    connect(list_, &QListWidget::currentRowChanged, this, &ExportDialog::onFormat);
+    connect(form_, &OptionForm::optionsChanged, this, &ExportDialog::describe);
+    const auto wanted = std::ranges::find_if(
+        formats_, [&](const Format* known) { return usualEnding(*known) == format; });
+    list_->setCurrentRow(wanted == formats_.end() ? 0
+                                                  : static_cast<int>(wanted - formats_.begin()));
+    list_->setFocus();
+}
+
+QWidget* ExportDialog::makeTarget() {
+    auto* target = new QWidget(this);
+    auto* row = new QHBoxLayout(target);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* label = new QLabel(tr("&File:"), target);
+    path_ = new QLineEdit(target);
+    path_->setObjectName("exportPath");
+    path_->setAccessibleName(tr("File"));
+    label->setBuddy(path_);
+    connect(path_, &QLineEdit::editingFinished, this, &ExportDialog::onPathEdited);
+    auto* other = new QPushButton(tr("&Browse…"), target);
+    other->setObjectName("exportBrowse");
+    other->setAutoDefault(false);
+    connect(other, &QPushButton::clicked, this, &ExportDialog::browse);
+    folder_ = new QCheckBox(tr("&Show in folder"), target);
+    folder_->setObjectName("exportShowFolder");
+    folder_->setToolTip(tr("Show the folder once the file is written."));
+    row->addWidget(label);
+    row->addWidget(path_, 1);
+    row->addWidget(other);
+    row->addWidget(folder_);
+    return target;
+}
+
+void ExportDialog::fillFormats() {
+    for (const Format& known : formats()) {
+        if (known.write) {
+            formats_.push_back(&known);
+            auto* item = new QListWidgetItem(app::tr(known.name), list_);
+            item->setToolTip(usualEnding(known));
+        }
+    }
+}
+
+const Format& ExportDialog::format() const {
+    return *formats_[static_cast<std::size_t>(std::max(0, list_->currentRow()))];
+}
+
+void ExportDialog::onFormat() {
+    form_->show(format().id, form_->options());
+    path_->setText(withoutEnding(path_->text()) + usualEnding(format()));
+    describe();
+}
+
+/// What is typed may name another format.
+void ExportDialog::onPathEdited() {
+    const Format* typed = formatOf(pathOf(path_->text()));
+    const auto row = std::ranges::find(formats_, typed);
+    if (row == formats_.end()) {
+        path_->setText(path_->text() + usualEnding(format()));
+    } else if (*row != &format()) {
+        const QString path = path_->text();
+        list_->setCurrentRow(static_cast<int>(row - formats_.begin()));
+        path_->setText(path);
+    }
+}
+
+void ExportDialog::browse() {
+    const QString filter = QString("%1 (*%2)").arg(app::tr(format().name), usualEnding(format()));
+    if (const QString path = dialogs_.save(this, path_->text(), filter); !path.isEmpty()) {
+        path_->setText(path);
+        onPathEdited();
+        browsed_ = path_->text() == path ? path : QString();
+    }
+}
+
+void ExportDialog::describe() {
+    use_->setText(tr("For %1.").arg(app::tr(format().use)));
+    page_->setText(
+        drawing_ ? tr("%1 x %2 mm, %n piece(s)", "", static_cast<int>(drawing_->blocks.size()))
+                       .arg(drawing_->width)
+                       .arg(drawing_->height)
+                 : QString());
+}
+
+void ExportDialog::setDrawing(std::shared_ptr<const Drawing> drawing) {
+    drawing_ = std::move(drawing);
+    preview_->setDrawing(drawing_);
+    describe();
+}
+
+ExportChoice ExportDialog::choice() const {
+    return {path_->text(), usualEnding(format()), form_->options(), folder_->isChecked()};
+}
+
+void ExportDialog::accept() {
+    onPathEdited();
+    const QString path = path_->text();
+    const bool isAsked = path == browsed_;  // by the dialog of files
+    if (isAsked || !QFileInfo::exists(path) || dialogs_.mayReplace(this, path)) {
+        QDialog::accept();
+    }
+}
+
+}  // namespace toile::app

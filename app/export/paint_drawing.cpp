@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/paint_drawing.h"
+
+#include <QBuffer>
+#include <QPainter>
+#include <QPainterPath>
+#include <cmath>
+#include <numbers>
+
+#include "core/export/text_outlines.h"
+#include "core/pattern/label.h"
+
+namespace toile::app {
+
+namespace {
+
+/// In the order of the kinds.
+constexpr QRgb kLayerColours[] = {0xd00000, 0x606060, 0xc06000, 0x0070c0,
+                                  0x008000, 0x800080, 0x000000, 0x0000ff};
+static_assert(std::size(kLayerColours) == kLayerKinds.size());
+
+constexpr double kMillimetresPerInch = 25.4;
+constexpr double kMostDots = 30000;  // on a side; painters count no farther than 32767
+constexpr double kMostOfPicture = 400e6;
+
+QColor colourOf(LayerKind kind) {
+    return QColor::fromRgb(kLayerColours[static_cast<std::size_t>(kind)]);
+}
+
+QPolygonF polygonOf(const DrawnPath& path, double height) {
+    QPolygonF polygon;
+    polygon.reserve(path.points.rows());
+    for (Eigen::Index k = 0; k < path.points.rows(); ++k) {
+        polygon << QPointF(path.points(k, 0), height - path.points(k, 1));
+    }
+    return polygon;
+}
+
+QPainterPath letters(const std::string& line, double height) {
+    const TextOutlines outlines = textOutlines(line, height);
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    const auto at = [&](const Eigen::Vector2d& point) {
+        return QPointF(point.x() - 0.5 * outlines.width, -point.y());
+    };
+    for (const auto& contour : outlines.contours) {
+        for (std::size_t k = 0; k < contour.size(); ++k) {
+            if (k == 0) {
+                path.moveTo(at(contour[k].start));
+            }
+            path.cubicTo(at(contour[k].startHandle), at(contour[k].endHandle), at(contour[k].end));
+        }
+        path.closeSubpath();
+    }
+    return path;
+}
+
+void paintText(QPainter& painter, const DrawnText& text, double height) {
+    painter.save();
+    painter.translate(text.position.x(), height - text.position.y());
+    painter.rotate(-text.angle * 180 / std::numbers::pi);
+    double baseline = 0.5 * text.height;
+    for (const std::string& line : text.lines) {
+        painter.fillPath(letters(line, text.height).translated(0, baseline), colourOf(text.layer));
+        baseline += kLineSpacing * text.height;
+    }
+    painter.restore();
+}
+
+Result<ExportedFiles> makePng(const ExportSource& source) {
+    const Result<QImage> picture = pictureOf(source.drawing(), source.options().png.dpi);
+    if (!picture) {
+        return picture.error();
+    }
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!picture->save(&buffer, "PNG")) {
+        return Error{ErrorCode::OutOfMemory};
+    }
+    return ExportedFiles{{"", bytes.toStdString()}};
+}
+
+}  // namespace
+
+void paintDrawing(QPainter& painter, const Drawing& drawing, const DrawingLook& look) {
+    for (const DrawnPath& path : drawing.paths) {
+        painter.setPen(
+            QPen(colourOf(path.layer), look.line, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        const QPolygonF polygon = polygonOf(path, drawing.height);
+        if (path.closed) {
+            painter.setBrush(Qt::NoBrush);
+            painter.drawPolygon(polygon);
+        } else {
+            painter.drawPolyline(polygon);
+        }
+    }
+    for (const DrawnText& text : drawing.texts) {
+        if (look.texts) {
+            paintText(painter, text, drawing.height);
+        }
+    }
+}
+
+Result<QImage> pictureOf(const Drawing& drawing, double dpi) {
+    const double scale = dpi / kMillimetresPerInch;
+    const double width = std::round(drawing.width * scale),
+                 height = std::round(drawing.height * scale);
+    if (!(width <= kMostDots && height <= kMostDots && width * height <= kMostOfPicture)) {
+        const double most = std::min(
+            {kMostDots / width, kMostDots / height, std::sqrt(kMostOfPicture / (width * height))});
+        return Error{ErrorCode::PageTooSmall,
+                     {},
+                     worded("%1 x %2 dots; at most %3 dpi fit",
+                            {figure(width), figure(height), figure(std::floor(most * dpi))})};
+    }
+    QImage picture(static_cast<int>(width), static_cast<int>(height), QImage::Format_RGB32);
+    if (picture.isNull()) {
+        return Error{ErrorCode::OutOfMemory};
+    }
+    picture.fill(Qt::white);
+    const double dotsPerMetre = 1000 * scale;
+    picture.setDotsPerMeterX(static_cast<int>(std::lround(dotsPerMetre)));
+    picture.setDotsPerMeterY(static_cast<int>(std::lround(dotsPerMetre)));
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(scale, scale);
+    paintDrawing(painter, drawing);
+    return picture;
+}
+
+void provideWriters() {
+    provideWriter(FormatId::Png, makePng);
+}
+
+}  // namespace toile::app

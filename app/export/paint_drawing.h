@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QImage>
+
+#include "core/base/result.h"
+#include "core/export/drawing.h"
+#include "core/export/formats.h"
+
+class QPainter;
+
+namespace toile::app {
+
+/// The drawing of files, painted: for previews, pictures and paper alike.
+
+/// What of a drawing is seen at a scale.
+struct DrawingLook {
+    double line = 0.3;  ///< width of lines, mm
+    bool texts = true;
+};
+
+/// Paints in the painter's units, which are millimetres with y down, the page's upper left corner
+/// at the origin. Cost: linear in the points and letters.
+void paintDrawing(QPainter& painter, const Drawing& drawing, const DrawingLook& look = {});
+
+/// The whole drawing on white, with the scale kept as the picture's resolution.
+/// @param dpi  dots per inch
+/// Errors: PageTooSmall where the picture would be larger than pictures can be.
+Result<QImage> pictureOf(const Drawing& drawing, double dpi);
+
+/// Gives the table of formats the writers that need Qt. Before anything is written.
+void provideWriters();
+
+}  // namespace toile::app
