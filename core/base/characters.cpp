@@ -75,6 +75,14 @@ std::size_t characterCount(std::string_view text) {
     return count;
 }
 
+std::u32string codePoints(std::string_view text) {
+    std::u32string all;
+    while (!text.empty()) {
+        all += takeCharacter(text);
+    }
+    return all;
+}
+
 std::string cleanText(std::string_view text) {
     std::string out;
     out.reserve(text.size());

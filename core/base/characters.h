@@ -13,6 +13,9 @@ namespace toile {
 /// Number of characters (code points).
 std::size_t characterCount(std::string_view text);
 
+/// Every character (code point); U+FFFD for an unknown one.
+std::u32string codePoints(std::string_view text);
+
 /// Valid UTF-8 without control characters; unknown characters become U+FFFD, controls a blank.
 std::string cleanText(std::string_view text);
 

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/text_outlines.h"
+
+#include <algorithm>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <fontconfig/fontconfig.h>
+#include <ft2build.h>
+#include <hb.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+#include "core/export/text_runs.h"
+#include "core/pattern/label.h"
+
+namespace toile {
+namespace {
+
+template <class Type, void (*release)(Type*)>
+struct Release {
+    void operator()(Type* object) const { release(object); }
+};
+template <class Type, void (*release)(Type*)>
+using Owned = std::unique_ptr<Type, Release<Type, release>>;
+
+void closeFace(FT_FaceRec_* face) {
+    FT_Done_Face(face);
+}
+void closeLibrary(FT_LibraryRec_* library) {
+    FT_Done_FreeType(library);
+}
+
+/// Collects an outline as cubic curves.
+struct ContourCollector {
+    std::vector<std::vector<CubicCurve>>& contours;
+    Eigen::Vector2d origin;
+    double scale;
+    Eigen::Vector2d at{0, 0};
+    bool isOpen = false;
+
+    Eigen::Vector2d place(const FT_Vector* point) const {
+        return origin + scale * Eigen::Vector2d(static_cast<double>(point->x),
+                                                static_cast<double>(point->y));
+    }
+
+    void close() {
+        if (!isOpen) {
+            return;
+        }
+        isOpen = false;
+        std::vector<CubicCurve>& contour = contours.back();
+        if (contour.empty()) {
+            contours.pop_back();
+        } else if (contour.front().start != at) {
+            contour.push_back(straightCurve(at, contour.front().start));
+        }
+    }
+
+    void add(const CubicCurve& curve) {
+        contours.back().push_back(curve);
+        at = curve.end;
+    }
+};
+
+ContourCollector& collectorOf(void* user) {
+    return *static_cast<ContourCollector*>(user);
+}
+
+int moveTo(const FT_Vector* to, void* user) {
+    ContourCollector& collector = collectorOf(user);
+    collector.close();
+    collector.contours.emplace_back();
+    collector.at = collector.place(to);
+    collector.isOpen = true;
+    return 0;
+}
+
+int lineTo(const FT_Vector* to, void* user) {
+    ContourCollector& collector = collectorOf(user);
+    const Eigen::Vector2d end = collector.place(to);
+    if (end != collector.at) {
+        collector.add(straightCurve(collector.at, end));
+    }
+    return 0;
+}
+
+int quadraticTo(const FT_Vector* handle, const FT_Vector* to, void* user) {
+    ContourCollector& collector = collectorOf(user);
+    const Eigen::Vector2d middle = collector.place(handle), end = collector.place(to);
+    collector.add({collector.at, collector.at + (middle - collector.at) * 2 / 3,
+                   end + (middle - end) * 2 / 3, end});
+    return 0;
+}
+
+int cubicTo(const FT_Vector* first, const FT_Vector* second, const FT_Vector* to, void* user) {
+    ContourCollector& collector = collectorOf(user);
+    collector.add(
+        {collector.at, collector.place(first), collector.place(second), collector.place(to)});
+    return 0;
+}
+
+/// A font's file, for its outlines and for placing its letters, in its own units.
+struct FontFace {
+    std::size_t number = 0;
+    Owned<hb_blob_t, hb_blob_destroy> file;
+    Owned<FT_FaceRec_, closeFace> outlines;
+    Owned<hb_font_t, hb_font_destroy> shapes;
+    double units = 1;  ///< per size of the font
+
+    /// @param scale  from its units  A letter without an outline, as of a picture font, adds
+    /// nothing.
+    void draw(std::uint32_t glyph, const Eigen::Vector2d& origin, double scale,
+              std::vector<std::vector<CubicCurve>>& contours) const {
+        // Without scaling there is no hinting: the same figures with every version of FreeType.
+        if (FT_Load_Glyph(outlines.get(), glyph, FT_LOAD_NO_SCALE) != 0 ||
+            outlines->glyph->format != FT_GLYPH_FORMAT_OUTLINE) {
+            return;
+        }
+        constexpr FT_Outline_Funcs kTo{moveTo, lineTo, quadraticTo, cubicTo, 0, 0};
+        ContourCollector collector{contours, origin, scale};
+        FT_Outline_Decompose(&outlines->glyph->outline, &kTo, &collector);
+        collector.close();
+    }
+
+    /// Of a capital letter, in its units.
+    double capital() const {
+        std::vector<std::vector<CubicCurve>> letter;
+        draw(FT_Get_Char_Index(outlines.get(), 'H'), {0, 0}, 1, letter);
+        double height = 0;
+        for (const std::vector<CubicCurve>& contour : letter) {
+            for (const CubicCurve& curve : contour) {
+                height = std::max(height, curve.start.y());
+            }
+        }
+        constexpr double kUsual = 0.72;  // of its size, of a font without Latin letters
+        return height > 0 ? height : kUsual * units;
+    }
+};
+
+/// The fonts of the system in the order in which they are asked for a letter. For one thread.
+class Fonts {
+public:
+    Fonts() {
+        FT_Library library = nullptr;
+        config_.reset(FcInitLoadConfigAndFonts());
+        if (FT_Init_FreeType(&library) == 0) {
+            library_.reset(library);
+            sort();
+        }
+    }
+
+    bool any() const { return !fonts_.empty(); }
+
+    /// The first that has the letter; the first of all where none has.
+    std::size_t fontOf(char32_t code) const {
+        const auto at = std::ranges::find_if(fonts_, [code](const FcPattern* font) {
+            FcCharSet* letters = nullptr;
+            return FcPatternGetCharSet(font, FC_CHARSET, 0, &letters) == FcResultMatch &&
+                   FcCharSetHasChar(letters, code);
+        });
+        return at == fonts_.end() ? 0 : static_cast<std::size_t>(at - fonts_.begin());
+    }
+
+    /// Null where its file cannot be used. Valid until the next call.
+    const FontFace* face(std::size_t number) {
+        const auto held = std::ranges::find(faces_, number, &FontFace::number);
+        if (held != faces_.end()) {
+            faces_.splice(faces_.begin(), faces_, held);
+            return &faces_.front();
+        }
+        FontFace opened = open(number);
+        if (!opened.shapes) {
+            return nullptr;
+        }
+        faces_.push_front(std::move(opened));
+        if (faces_.size() > kMostHeld) {
+            faces_.pop_back();
+        }
+        return &faces_.front();
+    }
+
+private:
+    static constexpr std::size_t kMostHeld = 6;
+
+    void sort() {
+        const Owned<FcPattern, FcPatternDestroy> wanted(FcPatternCreate());
+        const auto add = [&wanted](const char* object, const char* value) {
+            const std::string_view text = value;
+            const std::vector<FcChar8> bytes(text.begin(), text.end() + 1);
+            FcPatternAddString(wanted.get(), object, bytes.data());
+        };
+        add(FC_FAMILY, "DejaVu Sans");
+        add(FC_LANG, "en");  // else that of the user, and the same text would differ
+        FcConfigSubstitute(config_.get(), wanted.get(), FcMatchPattern);
+        FcDefaultSubstitute(wanted.get());
+        FcResult found = FcResultNoMatch;
+        sorted_.reset(FcFontSort(config_.get(), wanted.get(), FcTrue, nullptr, &found));
+        for (int k = 0; sorted_ && k < sorted_->nfont; ++k) {
+            FcPattern* const font = sorted_->fonts[k];
+            FcBool isScalable = FcFalse, isColoured = FcFalse;
+            FcPatternGetBool(font, FC_SCALABLE, 0, &isScalable);
+            FcPatternGetBool(font, FC_COLOR, 0, &isColoured);
+            if (isScalable && !isColoured) {
+                fonts_.push_back(font);
+            }
+        }
+    }
+
+    FontFace open(std::size_t number) const {
+        FontFace face;
+        face.number = number;
+        FcChar8* path = nullptr;
+        int index = 0;
+        if (number >= fonts_.size() ||
+            FcPatternGetString(fonts_[number], FC_FILE, 0, &path) != FcResultMatch) {
+            return face;
+        }
+        FcPatternGetInteger(fonts_[number], FC_INDEX, 0, &index);
+        index &= 0xFFFF;  // above that are named kinds of a font of many
+        std::string name;
+        for (; *path != 0; ++path) {
+            name += static_cast<char>(*path);
+        }
+        face.file.reset(hb_blob_create_from_file(name.c_str()));
+        FT_Face opened = nullptr;
+        if (FT_New_Face(library_.get(), name.c_str(), index, &opened) != 0) {
+            return face;
+        }
+        face.outlines.reset(opened);
+        face.units = std::max(1.0, static_cast<double>(opened->units_per_EM));
+        const Owned<hb_face_t, hb_face_destroy> shapes(
+            hb_face_create(face.file.get(), static_cast<unsigned>(index)));
+        face.shapes.reset(hb_font_create(shapes.get()));
+        const int units = static_cast<int>(face.units);
+        hb_font_set_scale(face.shapes.get(), units, units);
+        return face;
+    }
+
+    Owned<FcConfig, FcConfigDestroy> config_;
+    Owned<FT_LibraryRec_, closeLibrary> library_;
+    Owned<FcFontSet, FcFontSetDestroy> sorted_;
+    std::vector<FcPattern*> fonts_;  ///< those of it that have outlines
+    std::list<FontFace> faces_;      ///< the last used first
+};
+
+/// Adds a run behind what is there. @param size  of the font
+void addRun(const TextRun& run, const FontFace& face, double size, TextOutlines& outlines) {
+    const Owned<hb_buffer_t, hb_buffer_destroy> buffer(hb_buffer_create());
+    const std::vector<std::uint32_t> codes(run.characters.begin(), run.characters.end());
+    const int length = static_cast<int>(codes.size());
+    hb_buffer_add_utf32(buffer.get(), codes.data(), length, 0, length);
+    hb_buffer_set_direction(buffer.get(), run.isRightToLeft ? HB_DIRECTION_RTL : HB_DIRECTION_LTR);
+    hb_buffer_set_script(buffer.get(), static_cast<hb_script_t>(run.script));
+    hb_buffer_set_language(buffer.get(), hb_language_from_string("en", -1));  // not the user's
+    hb_shape(face.shapes.get(), buffer.get(), nullptr, 0);
+    unsigned count = 0;
+    const hb_glyph_info_t* const glyphs = hb_buffer_get_glyph_infos(buffer.get(), &count);
+    const hb_glyph_position_t* const places = hb_buffer_get_glyph_positions(buffer.get(), &count);
+    const double scale = size / face.units;
+    for (unsigned k = 0; k < count; ++k) {
+        const Eigen::Vector2d origin(outlines.width + scale * places[k].x_offset,
+                                     scale * places[k].y_offset);
+        face.draw(glyphs[k].codepoint, origin, scale, outlines.contours);
+        outlines.width += scale * places[k].x_advance;
+    }
+}
+
+}  // namespace
+
+TextOutlines textOutlines(std::string_view line, double height) {
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    static Fonts fonts;
+    const FontFace* face = fonts.any() ? fonts.face(0) : nullptr;
+    TextOutlines outlines;
+    if (!face) {
+        outlines.width = line.empty() ? 0 : textExtent({std::string(line)}, height).x();
+        return outlines;
+    }
+    const double size = height * face->units / face->capital();
+    for (const TextRun& run : textRuns(line, [](char32_t code) { return fonts.fontOf(code); })) {
+        face = fonts.face(run.font);
+        if (face) {
+            addRun(run, *face, size, outlines);
+        }
+    }
+    return outlines;
+}
+
+}  // namespace toile
