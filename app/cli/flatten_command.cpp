@@ -10,6 +10,7 @@
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/export/export_file.h"
+#include "core/export/report_tables.h"
 #include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
 
@@ -48,7 +49,7 @@ std::vector<std::string> rowOf(const PieceResult& result) {
     return row;
 }
 
-void printTable(const PieceResults& results, std::ostream& out) {
+void printResults(const PieceResults& results, std::ostream& out) {
     Table table({"piece", "triangles", "area cm2", "outline cm", "length error", "strain % mean",
                  "max", "flips", "crossings", "ms"});
     for (const auto& result : results) {
@@ -57,53 +58,9 @@ void printTable(const PieceResults& results, std::ostream& out) {
     table.print(out);
 }
 
-struct MeasuredSeam {
-    const Seam* seam;
-    SeamMeasure measure;
-};
-
-/// The seams of which both sides are flat, the worst first.
-std::vector<MeasuredSeam> measuredSeams(const Garment& garment, const PieceResults& results) {
-    std::vector<MeasuredSeam> rows;
-    for (const Seam& seam : garment.seams.seams) {
-        if (seam.kind == SeamKind::Free) {
-            continue;
-        }
-        const PieceResult& left = *results[seam.left.piece];
-        const PieceResult& right = *results[seam.right.piece];
-        if (left.flat && right.flat) {
-            rows.push_back(
-                {&seam, measureSeam(seam, *left.piece, *left.flat, *right.piece, *right.flat)});
-        }
-    }
-    // Rounding is no order: equal errors stay in the order of the seams.
-    const auto nanometres = [](const MeasuredSeam& row) {
-        return std::round(std::abs(row.measure.errorMm) * 1e6);
-    };
-    std::stable_sort(rows.begin(), rows.end(),
-                     [&nanometres](const MeasuredSeam& a, const MeasuredSeam& b) {
-                         return nanometres(a) > nanometres(b);
-                     });
-    return rows;
-}
-
-/// The seams as a table, the worst first: how long their two sides are in the garment and in the
-/// pattern. Free edges are left out.
-void printLedger(const Garment& garment, const PieceResults& results, std::ostream& out) {
-    Table table(
-        {"seam", "kind", "3D mm", "left mm", "right mm", "difference mm", "ease %", "error mm"});
-    for (const auto& [seam, measure] : measuredSeams(garment, results)) {
-        table.add({seam->name, std::string(name(seam->kind)), fixed(measure.length3d[0], 2),
-                   fixed(measure.length2dLeft, 2), fixed(measure.length2dRight, 2),
-                   fixed(measure.deltaMm, 2), fixed(100 * measure.ease, 1),
-                   fixed(measure.errorMm, 6)});
-    }
-    table.print(out);
-}
-
 /// One line: how many seams there are, and by how much the worst of them does not fit.
 void printSeamSummary(const Garment& garment, const PieceResults& results, std::ostream& out) {
-    const std::vector<MeasuredSeam> rows = measuredSeams(garment, results);
+    const std::vector<MeasuredSeam> rows = seamsByError(garment, results);
     if (rows.empty()) {
         return;
     }
@@ -123,11 +80,11 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     const PieceResults results =
         flattenGarment(*garment, arguments.options, progress, 0, arguments.lines);
     printCuts(*garment, out);
-    printTable(results, out);
+    printResults(results, out);
     printSeamSummary(*garment, results, out);
     if (arguments.ledger) {
         out << '\n';
-        printLedger(*garment, results, out);
+        printTable(ledgerTable(*garment, results), out);
     }
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
     if (printFailures(results, err)) {
@@ -137,7 +94,7 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
         status = lacksMemory ? kExitUnreadable : kExitSomeFailed;
     }
     const LaidOutPattern laid = laidOut(arguments, *garment, results);
-    const ExportSource source(*garment, results, laid, arguments.exporting);
+    const ExportSource source(*garment, results, laid, arguments.exporting, {}, arguments.lines);
     for (const auto& output : arguments.outputs) {
         const auto written = exportFile(output, source);
         if (written) {

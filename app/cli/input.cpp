@@ -69,6 +69,14 @@ bool printProblems(const Garment& garment, std::ostream& err) {
     return failed;
 }
 
+void printTable(const ReportTable& table, std::ostream& out) {
+    Table printed(table.head);
+    for (const auto& row : table.rows) {
+        printed.add(row);
+    }
+    printed.print(out);
+}
+
 bool printFailures(const PieceResults& results, std::ostream& err) {
     bool failed = false;
     for (const auto& result : results) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/export/report_tables.h"
 #include "core/pipeline/pipeline.h"
 
 namespace toile::app {
@@ -24,6 +25,8 @@ void printCuts(const Garment& garment, std::ostream& out);
 /// What there is to say about the files and the garment, a sentence a line.
 /// @return whether something asked for was not done, which is more than a note
 bool printProblems(const Garment& garment, std::ostream& err);
+
+void printTable(const ReportTable& table, std::ostream& out);
 
 /// Why pieces could not be flattened, and what there is to say of those that were, a sentence a
 /// line.

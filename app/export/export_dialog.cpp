@@ -176,11 +176,15 @@ void ExportDialog::browse() {
 
 void ExportDialog::describe() {
     use_->setText(tr("For %1.").arg(app::tr(format().use)));
-    page_->setText(
-        drawing_ ? tr("%1 x %2 mm, %n piece(s)", "", static_cast<int>(drawing_->blocks.size()))
+    if (!drawing_) {
+        page_->clear();
+        return;
+    }
+    const auto pieces = static_cast<int>(drawing_->blocks.size());
+    page_->setText(tr("%1 x %2 mm, %3")
                        .arg(drawing_->width)
                        .arg(drawing_->height)
-                 : QString());
+                       .arg(pieces == 1 ? tr("1 piece") : tr("%n pieces", nullptr, pieces)));
 }
 
 void ExportDialog::setDrawing(std::shared_ptr<const Drawing> drawing) {

@@ -134,7 +134,7 @@ public:
         LaidOutPattern laid =
             layOut(garment, results, ofPieces, labels_, lines, made.derived.symmetry);
         laid.pattern.materials = materials_;
-        return use(ExportSource(garment, results, laid, options, words_), progress);
+        return use(ExportSource(garment, results, laid, options, words_, lines), progress);
     }
 
 private:

@@ -87,8 +87,9 @@ DrawingWords drawingWords() {
 }
 
 QString readBackText(const ReadBack& found) {
-    return tr("read back: %n piece(s), largest difference %1 mm", "", found.pieces)
-        .arg(found.largest, 0, 'f', 3);
+    const QString pieces =
+        found.pieces == 1 ? tr("1 piece") : tr("%n pieces", nullptr, found.pieces);
+    return tr("read back: %1, largest difference %2 mm").arg(pieces).arg(found.largest, 0, 'f', 3);
 }
 
 QString faultText(const std::exception_ptr& fault) {

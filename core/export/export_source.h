@@ -9,6 +9,7 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/layout/marker.h"
+#include "core/pattern/line_settings.h"
 
 namespace toile {
 
@@ -18,18 +19,22 @@ class ExportSource {
 public:
     /// @param results  one per piece of the garment  @param laid  its pattern
     ExportSource(const Garment& garment, const PieceResults& results, const LaidOutPattern& laid,
-                 const ExportOptions& options = {}, DrawingWords words = {})
+                 const ExportOptions& options = {}, DrawingWords words = {},
+                 LineSettings lines = {})
         : garment_(garment),
           results_(results),
           laid_(laid),
           options_(options),
-          words_(std::move(words)) {}
+          words_(std::move(words)),
+          lines_(std::move(lines)) {}
 
     const Garment& garment() const { return garment_; }
     const PieceResults& results() const { return results_; }
     const LaidOutPattern& laid() const { return laid_; }
     const ExportOptions& options() const { return options_; }
     const DrawingWords& words() const { return words_; }
+    /// By which the outlines were drawn.
+    const LineSettings& lines() const { return lines_; }
 
     /// Of `laid().pattern`, where it lies.
     const Drawing& drawing() const {
@@ -45,6 +50,7 @@ private:
     const LaidOutPattern& laid_;
     ExportOptions options_;
     DrawingWords words_;
+    LineSettings lines_;
     mutable std::optional<Drawing> drawing_;
 };
 

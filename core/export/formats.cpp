@@ -6,6 +6,8 @@
 
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/export/html_report.h"
+#include "core/export/report_tables.h"
 #include "core/export/writers.h"
 
 /// Marks what a window translates: its collector of texts looks for this. Says the text as it is.
@@ -30,6 +32,21 @@ Result<ExportedFiles> makeReport(const ExportSource& source) {
     return oneFile(writeReport(source.garment(), source.results(), source.laid().pattern));
 }
 
+Result<ExportedFiles> makeHtml(const ExportSource& source) {
+    return oneFile(writeHtmlReport(source));
+}
+
+Result<ExportedFiles> makeCsv(const ExportSource& source) {
+    const WalkedGarment walked = walkGarment(source.garment(), source.results(), source.lines(),
+                                             source.laid().pattern.symmetry.get());
+    ExportedFiles files = oneFile(writeCsv(pieceTable(source.laid().pattern, source.results())));
+    for (const ReportTable& table : {ledgerTable(source.garment(), source.results()),
+                                     walkTable(source.garment(), walked.notches, walked.walks)}) {
+        files.push_back({"-" + table.slug + ".csv", writeCsv(table)});
+    }
+    return files;
+}
+
 /// Whether a pattern has lines that a UV map does not show.
 bool isMoreThanOutlines(const Pattern& pattern) {
     return pattern.hasAllowance || pattern.hasNotches ||
@@ -52,6 +69,8 @@ constexpr const char* kDxf[] = {".dxf"};
 constexpr const char* kPng[] = {".png"};
 constexpr const char* kObj[] = {".obj"};
 constexpr const char* kReport[] = {".json"};
+constexpr const char* kHtml[] = {".html", ".htm"};
+constexpr const char* kCsv[] = {".csv"};
 
 std::array kFormats{
     Format{.id = FormatId::Svg,
@@ -79,6 +98,16 @@ std::array kFormats{
            .endings = kObj,
            .trueScale = true,
            .write = makeObj},
+    Format{.id = FormatId::Html,
+           .name = TR("HTML report"),
+           .use = TR("reading and printing: the drawing with all measures"),
+           .endings = kHtml,
+           .write = makeHtml},
+    Format{.id = FormatId::Csv,
+           .name = TR("CSV tables"),
+           .use = TR("spreadsheets: pieces, seams and the walk along them"),
+           .endings = kCsv,
+           .write = makeCsv},
     Format{.id = FormatId::Report,
            .name = TR("JSON report"),
            .use = TR("scripts: every figure of every piece"),

@@ -108,4 +108,15 @@ std::vector<SeamWalk> walkSeams(const Garment& garment, const PieceResults& resu
     return walks;
 }
 
+WalkedGarment walkGarment(const Garment& garment, const PieceResults& results,
+                          const LineSettings& lines, const Symmetry* symmetry) {
+    const std::vector<OutlineSegments> segments =
+        findSegments(garment, exactResults(garment, results), lines);
+    WalkedGarment walked;
+    walked.notches =
+        findNotches(garment, results, segments, lines.notches.value_or(NotchRules{}), symmetry);
+    walked.walks = walkSeams(garment, results, segments, walked.notches);
+    return walked;
+}
+
 }  // namespace toile

@@ -55,4 +55,15 @@ std::vector<SeamWalk> walkSeams(const Garment& garment, const PieceResults& resu
                                 const std::vector<OutlineSegments>& segments,
                                 const std::vector<std::vector<Notch>>& notches);
 
+struct WalkedGarment {
+    std::vector<std::vector<Notch>> notches;  ///< per seam
+    std::vector<SeamWalk> walks;              ///< by seam
+};
+
+/// The same with the notches of these settings, or the usual ones where they have none.
+/// @param lines  by which the results were drawn  @param symmetry  likewise; null: by none
+/// Cost: that of `findSegments`, `findNotches` and `walkSeams`. Pure.
+WalkedGarment walkGarment(const Garment& garment, const PieceResults& results,
+                          const LineSettings& lines, const Symmetry* symmetry);
+
 }  // namespace toile

@@ -14,7 +14,6 @@
 #include <QSignalSpy>
 
 #include "app/export/drawing_preview.h"
-#include "app/export/paint_drawing.h"
 #include "app/text/error_text.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
@@ -28,7 +27,6 @@ class ExportDialogTest : public QObject {
 
 private slots:
     void initTestCase() {
-        provideWriters();
         test::writeObj(fixture_.path("cap.obj").toStdString(), test::sewnCapParts());
     }
 

@@ -3,6 +3,7 @@
 // With TOILE_UPDATE_DOCS set, the pictures of docs/patterns.md are taken on the way.
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLineEdit>
 #include <QPixmap>
 #include <QSlider>
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "app/document/internal_line_edits.h"
 #include "app/document/layout.h"
 #include "app/document/project_state.h"
+#include "app/export/export_dialog.h"
 #include "core/layout/marker.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/extension.h"
@@ -158,6 +160,13 @@ private slots:
         fixture_.find<QSlider>("walkSlider").setValue(600);
         keep("pattern-walk.png", fixture_.patternView());
         QTest::keyClick(&fixture_.patternView(), Qt::Key_Escape);
+
+        fixture_.action(ActionId::ExportPattern).trigger();
+        auto& exporting = fixture_.find<ExportDialog>("exportDialog");
+        QVERIFY(fixture_.waitUntilIdle());
+        exporting.findChild<QLineEdit*>("exportPath")->setText("/home/me/patterns/tshirt.svg");
+        keep("export-dialog.png", exporting);
+        exporting.reject();
 
         const LaidOutPattern laid = laidOut(pattern());
         QCOMPARE(laid.pattern.pieces.size(), std::size_t(document().pieceCount()) + 1);

@@ -200,9 +200,9 @@ private slots:
     }
 
     void disabledCommandIsShownButNotRun() {
-        ask("svg");
+        ask("export");
         QVERIFY(list().count() > 0);
-        QCOMPARE(list().currentItem()->text(), QString("As SVG drawing…"));
+        QCOMPARE(list().currentItem()->text(), QString("Export pattern…"));
         QVERIFY(!list().currentItem()->flags().testFlag(Qt::ItemIsEnabled));
         QVERIFY(fixture_.find<QLabel>("commandTip").text().startsWith("Not possible now"));
         QTest::keyClick(&line(), Qt::Key_Return);

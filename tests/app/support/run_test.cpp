@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/export/paint_drawing.h"
 #include "app/platform_choice.h"
 
 namespace toile::test {
@@ -45,6 +46,7 @@ void prepareApplication() {
 
 void prepareTest() {
     loadResources();
+    provideWriters();
     QLocale::setDefault(QLocale::c());
 }
 
