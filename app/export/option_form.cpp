@@ -25,7 +25,7 @@ void OptionForm::show(FormatId format, const ExportOptions& options) {
         form_->removeRow(0);
     }
     for (const FormatOption& row : formatOptions()) {
-        if (row.format != format) {
+        if (std::ranges::find(row.formats, format) == row.formats.end()) {
             continue;
         }
         QWidget* field = makeField(row);

@@ -54,12 +54,21 @@ struct PngOptions {
     bool operator==(const PngOptions&) const = default;
 };
 
+/// Of the formats of 3D programs.
+struct MeshOptions {
+    bool isExact = false;    ///< the pattern with its outlines as they were solved, not as drawn
+    bool eachPiece = false;  ///< OBJ: a file for each piece beside that of the garment
+
+    bool operator==(const MeshOptions&) const = default;
+};
+
 struct ExportOptions {
     DxfOptions dxf{};
     PdfOptions pdf{};
     SvgOptions svg{};
     PltOptions plt{};
     PngOptions png{};
+    MeshOptions mesh{};
 
     bool operator==(const ExportOptions&) const = default;
 };

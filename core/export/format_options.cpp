@@ -37,6 +37,9 @@ constexpr const char* kSvgGroupNames[] = {TR("Layers by kind"), TR("Groups by pi
 constexpr const char* kSvgTexts[] = {"text", "paths"};
 constexpr const char* kSvgTextNames[] = {TR("Stays text"), TR("Outlines of letters")};
 
+constexpr const char* kMeshUvs[] = {"drawn", "exact"};
+constexpr const char* kMeshUvNames[] = {TR("As drawn"), TR("Exact outlines")};
+
 constexpr const char* kDxfPresets[] = {"clo",    "accumark",    "optitex",
                                        "lectra", "illustrator", "laser"};
 constexpr const char* kDxfPresetNames[] = {TR("CLO, Marvelous Designer"),
@@ -115,8 +118,13 @@ constexpr double kLeastDpi = 10, kMostDpi = 1200;
 using Options = ExportOptions;
 using Typed = std::string_view;
 
+constexpr FormatId kForDxf[] = {FormatId::Dxf}, kForPdf[] = {FormatId::Pdf},
+                   kForSvg[] = {FormatId::Svg}, kForPlt[] = {FormatId::Plt},
+                   kForPng[] = {FormatId::Png}, kForObj[] = {FormatId::Obj},
+                   kForMeshes[] = {FormatId::Obj, FormatId::Usd, FormatId::Glb};
+
 const FormatOption kRows[] = {
-    {.format = FormatId::Dxf,
+    {.formats = kForDxf,
      .name = "dxf-preset",
      .title = TR("For"),
      .help = TR("The program that is to open the DXF file: profile and unit as it expects them"),
@@ -124,7 +132,7 @@ const FormatOption kRows[] = {
      .names = kDxfPresetNames,
      .get = dxfPreset,
      .set = setDxfPreset},
-    {.format = FormatId::Dxf,
+    {.formats = kForDxf,
      .name = "dxf-profile",
      .title = TR("Profile"),
      .help = TR("ASTM D6673 or ANSI/AAMA-292 for pattern programs, plain for drawing and cutting"),
@@ -132,7 +140,7 @@ const FormatOption kRows[] = {
      .names = kDxfProfileNames,
      .get = [](const Options& o) { return chosen(kDxfProfiles, o.dxf.profile); },
      .set = [](Options& o, Typed typed) { return choose(kDxfProfiles, typed, o.dxf.profile); }},
-    {.format = FormatId::Dxf,
+    {.formats = kForDxf,
      .name = "dxf-unit",
      .title = TR("Unit"),
      .help = TR("Unit of the DXF file's numbers"),
@@ -140,7 +148,7 @@ const FormatOption kRows[] = {
      .names = kDxfUnitNames,
      .get = dxfUnit,
      .set = setDxfUnit},
-    {.format = FormatId::Dxf,
+    {.formats = kForDxf,
      .name = "dxf-rul",
      .title = TR("Rule table"),
      .help = TR("Write a rule table of one size (.rul) beside the DXF file"),
@@ -148,7 +156,7 @@ const FormatOption kRows[] = {
      .isSwitch = true,
      .get = [](const Options& o) { return chosen(kSwitch, o.dxf.ruleTable); },
      .set = [](Options& o, Typed typed) { return choose(kSwitch, typed, o.dxf.ruleTable); }},
-    {.format = FormatId::Dxf,
+    {.formats = kForDxf,
      .name = "dxf-control-piece",
      .title = TR("Control piece"),
      .help = TR("A square of 100 mm as a piece of its own, to measure in the other program"),
@@ -156,7 +164,7 @@ const FormatOption kRows[] = {
      .isSwitch = true,
      .get = [](const Options& o) { return chosen(kSwitch, o.dxf.controlPiece); },
      .set = [](Options& o, Typed typed) { return choose(kSwitch, typed, o.dxf.controlPiece); }},
-    {.format = FormatId::Pdf,
+    {.formats = kForPdf,
      .name = "paper",
      .title = TR("Paper"),
      .help =
@@ -166,7 +174,7 @@ const FormatOption kRows[] = {
      .names = kPaperNames,
      .get = [](const Options& o) { return chosen(kPapers, o.pdf.paper); },
      .set = [](Options& o, Typed typed) { return choose(kPapers, typed, o.pdf.paper); }},
-    {.format = FormatId::Pdf,
+    {.formats = kForPdf,
      .name = "overlap",
      .title = TR("Overlap"),
      .help = TR("By how much the tiles of a PDF file overlap, mm"),
@@ -175,7 +183,7 @@ const FormatOption kRows[] = {
      .get = [](const Options& o) { return shortest(o.pdf.overlap); },
      .set = [](Options& o,
                Typed typed) { return setNumber(o.pdf.overlap, typed, 0, kMostOverlap); }},
-    {.format = FormatId::Svg,
+    {.formats = kForSvg,
      .name = "svg-preset",
      .title = TR("For"),
      .help = TR("The program or machine that is to open the SVG file"),
@@ -183,7 +191,7 @@ const FormatOption kRows[] = {
      .names = kSvgPresetNames,
      .get = [](const Options& o) { return chosen(kSvgPresets, o.svg.preset); },
      .set = [](Options& o, Typed typed) { return choose(kSvgPresets, typed, o.svg.preset); }},
-    {.format = FormatId::Svg,
+    {.formats = kForSvg,
      .name = "svg-groups",
      .title = TR("Groups"),
      .help = TR("Layers of one kind of line each, or a group for each piece"),
@@ -191,7 +199,7 @@ const FormatOption kRows[] = {
      .names = kSvgGroupNames,
      .get = [](const Options& o) { return chosen(kSvgGroups, o.svg.groups); },
      .set = [](Options& o, Typed typed) { return choose(kSvgGroups, typed, o.svg.groups); }},
-    {.format = FormatId::Svg,
+    {.formats = kForSvg,
      .name = "svg-text",
      .title = TR("Text"),
      .help = TR("Text that stays text, or the outlines of its letters"),
@@ -199,7 +207,7 @@ const FormatOption kRows[] = {
      .names = kSvgTextNames,
      .get = [](const Options& o) { return chosen(kSvgTexts, o.svg.textAsPaths); },
      .set = [](Options& o, Typed typed) { return choose(kSvgTexts, typed, o.svg.textAsPaths); }},
-    {.format = FormatId::Plt,
+    {.formats = kForPlt,
      .name = "plt-turned",
      .title = TR("Turned"),
      .help = TR("Turn the plot by a quarter"),
@@ -207,7 +215,7 @@ const FormatOption kRows[] = {
      .isSwitch = true,
      .get = [](const Options& o) { return chosen(kSwitch, o.plt.turned); },
      .set = [](Options& o, Typed typed) { return choose(kSwitch, typed, o.plt.turned); }},
-    {.format = FormatId::Png,
+    {.formats = kForPng,
      .name = "png-dpi",
      .title = TR("Dots per inch"),
      .help = TR("Dots per inch of the PNG picture"),
@@ -216,6 +224,24 @@ const FormatOption kRows[] = {
      .get = [](const Options& o) { return shortest(o.png.dpi); },
      .set = [](Options& o,
                Typed typed) { return setNumber(o.png.dpi, typed, kLeastDpi, kMostDpi); }},
+    {.formats = kForMeshes,
+     .name = "mesh-uv",
+     .title = TR("Pattern"),
+     .help =
+         TR("Texture coordinates of OBJ, USD and GLB files: the pattern as it is drawn, or with "
+            "exact outlines"),
+     .words = kMeshUvs,
+     .names = kMeshUvNames,
+     .get = [](const Options& o) { return chosen(kMeshUvs, o.mesh.isExact); },
+     .set = [](Options& o, Typed typed) { return choose(kMeshUvs, typed, o.mesh.isExact); }},
+    {.formats = kForObj,
+     .name = "obj-pieces",
+     .title = TR("A file for each piece"),
+     .help = TR("Write each piece as an OBJ file of its own too"),
+     .words = kSwitch,
+     .isSwitch = true,
+     .get = [](const Options& o) { return chosen(kSwitch, o.mesh.eachPiece); },
+     .set = [](Options& o, Typed typed) { return choose(kSwitch, typed, o.mesh.eachPiece); }},
 };
 
 }  // namespace

@@ -14,10 +14,10 @@ enum class FormatId;
 /// One choice that a person has with a format: a row of the dialog, an option of the command line
 /// ("--dxf-profile"), a key under which it is remembered.
 struct FormatOption {
-    FormatId format;
-    const char* name;   ///< without the dashes
-    const char* title;  ///< a few words for a dialog, English, to be translated
-    const char* help;   ///< a sentence without a full stop, likewise
+    std::span<const FormatId> formats;  ///< that have it
+    const char* name;                   ///< without the dashes
+    const char* title;                  ///< a few words for a dialog, English, to be translated
+    const char* help;                   ///< a sentence without a full stop, likewise
     /// The words that it takes; empty: a number, or nothing at all (`isSwitch`).
     std::span<const char* const> words{};
     std::span<const char* const> names{};  ///< of the words, for a dialog, likewise

@@ -7,6 +7,8 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/export/html_report.h"
+#include "core/export/mesh_read_back.h"
+#include "core/export/piece_meshes.h"
 #include "core/export/report_tables.h"
 #include "core/export/writers.h"
 
@@ -56,18 +58,48 @@ bool isMoreThanOutlines(const Pattern& pattern) {
 }
 
 Result<ExportedFiles> makeObj(const ExportSource& source) {
-    std::string obj = writeObj(source.garment(), source.results(), source.laid().whole);
-    if (isMoreThanOutlines(source.laid().wholePattern)) {
+    const bool isExact = source.options().mesh.isExact;
+    const PieceResults results = isExact ? exactResults(source.results()) : source.results();
+    std::string obj = writeObj(source.garment(), results, source.laid().whole);
+    if (!isExact && isMoreThanOutlines(source.laid().wholePattern)) {
         obj += writeObjLines(draw(source.laid().wholePattern, source.laid().whole, source.words()),
                              millimetresPer(source.garment().files.front()->unit));
     }
-    return oneFile(std::move(obj));
+    ExportedFiles files = oneFile(std::move(obj));
+    if (source.options().mesh.eachPiece) {
+        const PieceMeshes meshes = pieceMeshes(source);
+        for (std::size_t k = 0; k < meshes.meshes.size(); ++k) {
+            const auto file = static_cast<std::size_t>(source.garment().pieces[k]->file);
+            files.push_back({"-" + meshes.meshes[k].slug + ".obj",
+                             writePieceObj(meshes.meshes[k], *source.garment().files[file])});
+        }
+    }
+    return files;
+}
+
+Result<ReadBack> readObjBack(const ExportedFiles& files, const ExportSource& source) {
+    return comparedWithObj(files.front().bytes, source);
+}
+
+/// Of a format of 3D programs.
+template <auto write>
+Result<ExportedFiles> makeMeshes(const ExportSource& source) {
+    return oneFile(write(pieceMeshes(source), source.laid().pattern.name));
+}
+
+template <auto read>
+Result<ReadBack> readMeshesBack(const ExportedFiles& files, const ExportSource& source) {
+    const auto file = read(files.front().bytes);
+    return file ? comparedWithMeshes(*file, pieceMeshes(source))
+                : Error{ErrorCode::NotReadBack, {}, std::string(sentence(file.error()))};
 }
 
 constexpr const char* kSvg[] = {".svg"};
 constexpr const char* kDxf[] = {".dxf"};
 constexpr const char* kPng[] = {".png"};
 constexpr const char* kObj[] = {".obj"};
+constexpr const char* kUsd[] = {".usda"};
+constexpr const char* kGlb[] = {".glb"};
 constexpr const char* kReport[] = {".json"};
 constexpr const char* kHtml[] = {".html", ".htm"};
 constexpr const char* kCsv[] = {".csv"};
@@ -97,7 +129,22 @@ std::array kFormats{
            .use = TR("3D programs: the garment with its pattern as its texture"),
            .endings = kObj,
            .trueScale = true,
-           .write = makeObj},
+           .write = makeObj,
+           .readBack = readObjBack},
+    Format{.id = FormatId::Usd,
+           .name = TR("USD scene"),
+           .use = TR("film and simulation: garment, flat pattern and seams"),
+           .endings = kUsd,
+           .trueScale = true,
+           .write = makeMeshes<writeUsda>,
+           .readBack = readMeshesBack<readUsda>},
+    Format{.id = FormatId::Glb,
+           .name = TR("GLB mesh"),
+           .use = TR("games and web pages: the garment with its pattern as its texture"),
+           .endings = kGlb,
+           .trueScale = true,
+           .write = makeMeshes<writeGlb>,
+           .readBack = readMeshesBack<readGlb>},
     Format{.id = FormatId::Html,
            .name = TR("HTML report"),
            .use = TR("reading and printing: the drawing with all measures"),

@@ -26,7 +26,7 @@ struct ExportedFile {
 
 using ExportedFiles = std::vector<ExportedFile>;  ///< the one asked for first
 
-enum class FormatId { Svg, Dxf, Pdf, Plt, Png, Obj, GarmentCode, Html, Csv, Report };
+enum class FormatId { Svg, Dxf, Pdf, Plt, Png, Obj, Usd, Glb, GarmentCode, Html, Csv, Report };
 
 struct Format {
     FormatId id;

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/mesh_read_back.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+
+namespace toile {
+namespace {
+
+Error differs(const std::string& subject, const std::string& what) {
+    return {ErrorCode::NotReadBack, {}, subject + ": " + what};
+}
+
+/// The largest difference of two tables of points; none where they are of other sizes.
+template <class Matrix>
+std::optional<double> apart(const Matrix& is, const Matrix& should) {
+    if (is.rows() != should.rows()) {
+        return {};
+    }
+    return is.rows() == 0 ? 0 : (is - should).rowwise().norm().maxCoeff();
+}
+
+std::string millimetresText(const std::optional<double>& distance) {
+    return distance ? fixed(*distance, 3) + " mm from their places" : "another number of them";
+}
+
+double lengthAlong(const Points2& uv, const std::vector<int>& vertices) {
+    double length = 0;
+    for (std::size_t k = 1; k < vertices.size(); ++k) {
+        length += (uv.row(vertices[k]) - uv.row(vertices[k - 1])).norm();
+    }
+    return length;
+}
+
+/// @return what is wrong, or the largest difference
+Result<double> compareMesh(const FileMesh& file, const PieceMesh& mesh) {
+    if (file.name != mesh.name) {
+        return differs(mesh.name, "\"" + file.name + "\" stands in its place");
+    }
+    if (file.F.rows() != mesh.F.rows() || (file.F - mesh.F).cwiseAbs().maxCoeff() != 0) {
+        return differs(mesh.name, "its triangles are others");
+    }
+    const auto points = apart(file.V, mesh.V), flat = apart(file.uv, mesh.uv);
+    if (!points || !(*points <= kReadBackCoordinates)) {
+        return differs(mesh.name, "points: " + millimetresText(points));
+    }
+    if (!flat || !(*flat <= kReadBackCoordinates)) {
+        return differs(mesh.name, "points of the pattern: " + millimetresText(flat));
+    }
+    return std::max(*points, *flat);
+}
+
+/// Both sides of a seam in the pattern of the file. @param uv  by mesh
+Result<double> compareSeam(const MeshSeam& seam, const PieceMeshes& meshes,
+                           const std::vector<Points2>& uv) {
+    double largest = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto mesh = static_cast<std::size_t>(seam.mesh[k]);
+        const Points2& should = meshes.meshes[mesh].uv;
+        if (should.rows() == 0) {
+            continue;  // not flat
+        }
+        const double difference =
+            lengthAlong(uv[mesh], seam.vertices[k]) - lengthAlong(should, seam.vertices[k]);
+        if (!(std::abs(difference) <= kReadBackLengths)) {
+            return differs(seam.name, "longer by " + fixed(difference, 3) + " mm");
+        }
+        largest = std::max(largest, std::abs(difference));
+    }
+    return largest;
+}
+
+}  // namespace
+
+Result<ReadBack> withSeamsCompared(ReadBack found, const PieceMeshes& meshes,
+                                   const std::vector<Points2>& uv) {
+    for (const MeshSeam& seam : meshes.seams) {
+        const Result<double> difference = compareSeam(seam, meshes, uv);
+        if (!difference) {
+            return difference.error();
+        }
+        found.largest = std::max(found.largest, *difference);
+        ++found.seams;
+    }
+    return found;
+}
+
+Result<ReadBack> comparedWithMeshes(const MeshFile& file, const PieceMeshes& meshes) {
+    if (file.meshes.size() != meshes.meshes.size() || file.seams.size() != meshes.seams.size()) {
+        return differs("garment", std::to_string(file.meshes.size()) + " meshes and " +
+                                      std::to_string(file.seams.size()) + " seams");
+    }
+    ReadBack found;
+    std::vector<Points2> uv;
+    std::size_t nextFlat = 0;
+    for (std::size_t k = 0; k < file.meshes.size(); ++k) {
+        const PieceMesh& mesh = meshes.meshes[k];
+        Result<double> difference = compareMesh(file.meshes[k], mesh);
+        if (!difference) {
+            return difference.error();
+        }
+        found.largest = std::max(found.largest, *difference);
+        found.pieces += mesh.uv.rows() > 0 ? 1 : 0;
+        uv.push_back(file.meshes[k].uv);
+        if (!file.flat.empty() && mesh.uv.rows() > 0) {
+            PieceMesh flat = mesh;
+            flat.V = Points3::Zero(mesh.uv.rows(), 3);
+            flat.V.leftCols<2>() = mesh.uv;
+            difference = nextFlat < file.flat.size()
+                             ? compareMesh(file.flat[nextFlat++], flat)
+                             : differs(mesh.name, "its flat mesh is missing");
+            if (!difference) {
+                return difference.error();
+            }
+        }
+    }
+    for (std::size_t k = 0; k < file.seams.size(); ++k) {
+        if (file.seams[k].vertices != meshes.seams[k].vertices ||
+            file.seams[k].name != meshes.seams[k].name) {
+            return differs(meshes.seams[k].name, "its vertices are others");
+        }
+    }
+    return withSeamsCompared(found, meshes, uv);
+}
+
+}  // namespace toile
