@@ -27,7 +27,7 @@ Result<ExportedFiles> makeSvg(const ExportSource& source) {
 }
 
 Result<ExportedFiles> makeDxf(const ExportSource& source) {
-    return oneFile(writeDxf(source.drawing()));
+    return oneFile(writePlainDxf(source.drawing(), source.options().dxf.unit));
 }
 
 Result<ExportedFiles> makeReport(const ExportSource& source) {

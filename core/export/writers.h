@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/export/drawing.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
@@ -24,9 +25,9 @@ std::string writeSvg(const Drawing& drawing);
 
 /// DXF R12 ASCII, profile "plain": LTYPE and LAYER tables, no blocks, POLYLINEs, closed but for
 /// ticks and grain lines, on named coloured layers (CUT, MARKS, TEXT, CHECK, and SEW, NOTCHES,
-/// INTERNAL and GRAIN where there is something on them), millimetres, y up, CRLF. 4 decimals. Texts
-/// become ASCII.
-std::string writeDxf(const Drawing& drawing);
+/// INTERNAL and GRAIN where there is something on them), y up, CRLF. In `unit`, which $INSUNITS
+/// names; 4 decimals of a millimetre. Texts become ASCII.
+std::string writePlainDxf(const Drawing& drawing, LengthUnit unit = LengthUnit::Millimetre);
 
 /// The input again as OBJ with the pattern as its UV map: `v` lines with the file's own digits,
 /// faces in file order, polygons kept, one `vt` per (piece, vertex) in mm (shortest digits that

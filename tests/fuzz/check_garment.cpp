@@ -80,7 +80,7 @@ std::string whatBreaksIn(const Garment& garment, const PieceResults& results,
     }
     const Drawing drawing = draw(laid.pattern, laid.marker);
     for (const std::string& file :
-         {writeSvg(drawing), writeDxf(drawing), writeObj(garment, results, laid.whole)}) {
+         {writeSvg(drawing), writePlainDxf(drawing), writeObj(garment, results, laid.whole)}) {
         if (file.find("nan") != std::string::npos || file.find("inf") != std::string::npos) {
             return "a file holds what is no number";
         }

@@ -108,13 +108,13 @@ TEST(Draw, SaysHowOftenAPieceIsCut) {
     EXPECT_EQ(second(1), "cut 1 pair");
     EXPECT_EQ(second(2), "cut 2 pairs");
     EXPECT_EQ(second(3), "seam line, no allowance");
-    for (const std::string& file : {writeSvg(drawing), writeDxf(drawing)}) {
+    for (const std::string& file : {writeSvg(drawing), writePlainDxf(drawing)}) {
         for (const char* note : {"cut 3", "cut 1 pair", "cut 2 pairs"}) {
             EXPECT_NE(file.find(note), std::string::npos) << note;
         }
     }
     for (const std::string& file :
-         {writeSvg(test::sewingDrawing()), writeDxf(test::sewingDrawing())}) {
+         {writeSvg(test::sewingDrawing()), writePlainDxf(test::sewingDrawing())}) {
         EXPECT_EQ(file.find("cut 1"), std::string::npos);
     }
 }

@@ -13,7 +13,7 @@ constexpr double kDxfWritten = 2e-4;  // what 4 decimals can change in a length,
 
 TEST(WriteDxf, KeepsEveryEdgeLengthToTheWrittenPrecision) {
     const Pattern pattern = test::sewingPattern();
-    const test::DxfFile file(writeDxf(draw(pattern, layOut(pattern))));
+    const test::DxfFile file(writePlainDxf(draw(pattern, layOut(pattern))));
     EXPECT_TRUE(file.faults.empty()) << file.faults.front();
     ASSERT_EQ(file.polylines.size(), pattern.pieces.size() + 1);
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
@@ -31,7 +31,7 @@ TEST(WriteDxf, KeepsEveryEdgeLengthToTheWrittenPrecision) {
 
 TEST(WriteDxf, LeavesYUpAndTheDrawingWithinItsExtents) {
     const Drawing drawing = test::sewingDrawing();
-    const test::DxfFile file(writeDxf(drawing));
+    const test::DxfFile file(writePlainDxf(drawing));
     for (std::size_t i = 0; i < drawing.paths.size(); ++i) {
         const Points2 error = file.polylines[i].matrix() - drawing.paths[i].points;
         EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-4);
@@ -42,7 +42,7 @@ TEST(WriteDxf, LeavesYUpAndTheDrawingWithinItsExtents) {
 }
 
 TEST(WriteDxf, IsPlainMetricR12WithoutBlocks) {
-    const test::DxfFile file(writeDxf(test::sewingDrawing()));
+    const test::DxfFile file(writePlainDxf(test::sewingDrawing()));
     EXPECT_EQ(file.header.at("$ACADVER")[0].value, "AC1009");
     EXPECT_EQ(file.header.at("$MEASUREMENT")[0].value, "1");
     EXPECT_EQ(file.header.at("$INSUNITS")[0].value, "4");
@@ -54,7 +54,7 @@ TEST(WriteDxf, IsPlainMetricR12WithoutBlocks) {
 TEST(WriteDxf, WritesNamesInAscii) {
     Drawing drawing = test::sewingDrawing();
     drawing.texts[2].lines[0] = "50%% cotton ^I\n";
-    const test::DxfFile file(writeDxf(drawing));
+    const test::DxfFile file(writePlainDxf(drawing));
     EXPECT_TRUE(file.faults.empty()) << file.faults.front();
     ASSERT_EQ(file.texts.size(), 9u);
     EXPECT_EQ(file.texts[0].value, "Armel <links> & \"rechts\"");
@@ -71,14 +71,14 @@ TEST(WriteDxf, WritesNamesInAscii) {
 }
 
 TEST(WriteDxf, GivesTheSameBytesTwiceAndInAnyLocale) {
-    const std::string bytes = writeDxf(test::sewingDrawing());
-    EXPECT_EQ(bytes, writeDxf(test::sewingDrawing()));
+    const std::string bytes = writePlainDxf(test::sewingDrawing());
+    EXPECT_EQ(bytes, writePlainDxf(test::sewingDrawing()));
     const test::CommaLocale comma;
-    EXPECT_EQ(bytes, writeDxf(test::sewingDrawing()));
+    EXPECT_EQ(bytes, writePlainDxf(test::sewingDrawing()));
 }
 
 TEST(WriteDxf, DrawsOnlyTheCheckSquareOfAnEmptyPattern) {
-    const test::DxfFile file(writeDxf(draw(Pattern{}, Marker{})));
+    const test::DxfFile file(writePlainDxf(draw(Pattern{}, Marker{})));
     EXPECT_TRUE(file.faults.empty());
     EXPECT_EQ(file.polylines.size(), 1u);
 }

@@ -175,7 +175,7 @@ TEST(HalfPatternFiles, ShowOneHalfAndItsFold) {
     const LaidOutPattern laid = laidOut(made.whole);
     const Drawing drawing = draw(laid.pattern, laid.marker);
     const std::string svg = writeSvg(drawing);
-    const test::DxfFile dxf(writeDxf(drawing));
+    const test::DxfFile dxf(writePlainDxf(drawing));
     EXPECT_TRUE(dxf.faults.empty());
     EXPECT_EQ(laid.whole.copies.size(), made.whole.pieces.size());
     EXPECT_EQ(laid.marker.copies.size(), made.whole.pieces.size() - 1);

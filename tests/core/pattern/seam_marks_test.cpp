@@ -151,7 +151,7 @@ TEST(SeamMarks, AreNoCutLinesAndTellTwoSidesOfOnePieceApart) {
     EXPECT_EQ(drawing.paths[3].id, "piece-front--seam-1b-tick-1");
     const std::string svg = writeSvg(drawing);
     EXPECT_NE(svg.find("id=\"layer-marks\""), std::string::npos);
-    const std::string dxf = writeDxf(drawing);
+    const std::string dxf = writePlainDxf(drawing);
     EXPECT_NE(dxf.find("\r\n  8\r\nMARKS\r\n"), std::string::npos);
 }
 
@@ -165,7 +165,7 @@ TEST(SeamMarks, TextAlongAStandingEdgeIsTurned) {
     EXPECT_LT(drawing.texts[0].position.x(), 1200);
     EXPECT_LT(drawing.texts[0].position.y(), drawing.texts[1].position.y());
     EXPECT_NE(writeSvg(drawing).find("rotate(-90.0000 "), std::string::npos);
-    EXPECT_NE(writeDxf(drawing).find("\r\n 50\r\n90.0000\r\n"), std::string::npos);
+    EXPECT_NE(writePlainDxf(drawing).find("\r\n 50\r\n90.0000\r\n"), std::string::npos);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(DxfDocument, TakesEitherEndOfLine) {
 }
 
 TEST(DxfDocument, ReadsWhatTheWriterWrites) {
-    const std::string bytes = writeDxf(test::sewingDrawing());
+    const std::string bytes = writePlainDxf(test::sewingDrawing());
     const auto document = readDxfDocument(bytes);
     ASSERT_TRUE(document);
     EXPECT_EQ(document->header.at("$INSUNITS").front().value, "4");
