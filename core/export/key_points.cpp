@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/key_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "core/export/key_stations.h"
+#include "core/geometry/segment.h"
+#include "core/pattern/segments.h"
+
+namespace toile {
+namespace {
+
+constexpr double kOnePlace = 1e-6;      // mm; ends of two neighbours on a line
+constexpr double kOneCorner = 1e-3;     // mm; a corner where something ends
+constexpr double kStraightTurn = 1e-6;  // radians
+constexpr std::size_t kFewestRunEdges = 3;
+
+/// The key points of one line while they are gathered.
+struct LineKeys {
+    std::optional<StationLine> line{};  ///< none of what has no key points
+    KeyPoints fixed{};                  ///< ends, corners, straight runs; not in order
+    KeyPoints found{};
+    std::vector<const DrawnEdge*> edges{};
+
+    double apart(double a, double b) const {
+        const double way = std::abs(line->wrapped(a) - line->wrapped(b));
+        return line->isClosed() ? std::min(way, line->length() - way) : way;
+    }
+
+    /// @param within  mm, of a point that is there already and stands for it
+    void fix(double at, bool isTurn, double within) {
+        const double place = line->wrapped(at);
+        const auto known = std::ranges::find_if(
+            fixed, [&](const KeyPoint& point) { return apart(point.at, place) < within; });
+        if (known == fixed.end()) {
+            fixed.push_back({place, isTurn});
+        } else {
+            known->isTurn |= isTurn;
+        }
+    }
+};
+
+double ownTurn(const StationLine& line, std::size_t k) {
+    return geometry::turnBetween(line.vertex(k) - line.vertex(k - 1),
+                                 line.vertex(k + 1) - line.vertex(k));
+}
+
+/// Ends of long parts that run straight on over several vertices.
+void fixStraightRuns(LineKeys& keys) {
+    const StationLine& line = *keys.line;
+    const bool isClosed = line.isClosed();
+    // Closed lines twice round, from the first vertex at which they turn.
+    std::optional<std::size_t> start = isClosed ? std::nullopt : std::optional<std::size_t>(0);
+    for (std::size_t k = 1; k < line.vertexCount(); ++k) {
+        const bool isEnd = k + 1 == line.vertexCount();
+        if (isEnd ? isClosed : std::abs(ownTurn(line, k)) < kStraightTurn) {
+            continue;
+        }
+        if (start && k - *start >= kFewestRunEdges &&
+            line.arcOf(k) - line.arcOf(*start) >= kStraightRun) {
+            keys.fix(line.arcOf(*start), false, kOneCorner);
+            keys.fix(line.arcOf(k), false, kOneCorner);
+        }
+        start = k;
+    }
+}
+
+void fixCorners(LineKeys& keys, const DrawnPath& path) {
+    const StationLine& line = *keys.line;
+    if (path.closed) {
+        if (path.points.rows() >= 3 && line.length() > 0) {
+            for (const int k : findCorners(path.points)) {
+                keys.fix(line.arcOf(static_cast<std::size_t>(k)), true, kOneCorner);
+            }
+        }
+        return;
+    }
+    keys.fix(0, true, kOnePlace);
+    keys.fix(line.length(), true, kOnePlace);
+    for (std::size_t k = 1; k + 1 < line.vertexCount(); ++k) {
+        if (std::abs(ownTurn(line, k)) > kCornerTurn) {
+            keys.fix(line.arcOf(k), true, kOneCorner);
+        }
+    }
+}
+
+/// Ends of segments, on the seam line as it is drawn: mirrored, it runs the other way round.
+void fixSegments(LineKeys& keys, const PatternPiece& piece, const Placement& placement) {
+    const Eigen::Index n = piece.outline.rows();
+    const StationLine outline(piece.outline, true);
+    for (const PatternSegment& segment : piece.segments) {
+        const double at = placement.mirrored
+                              ? outline.arcOf(static_cast<std::size_t>(n - 1)) - segment.from
+                              : segment.from;
+        keys.fix(at, true, kOneCorner);
+    }
+}
+
+/// How an edge of a drawing takes part in its seam.
+struct EdgeFacts {
+    bool mirrored = false;           ///< drawn from its end to its beginning
+    std::array<bool, 2> isAtFold{};  ///< as drawn
+};
+
+std::vector<EdgeFacts> edgeFacts(const Drawing& drawing, const Pattern& pattern) {
+    std::vector<EdgeFacts> facts(drawing.edges.size());
+    for (const DrawnBlock& block : drawing.blocks) {
+        const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(block.piece)];
+        const bool isMirrored = block.placement.mirrored;
+        for (std::size_t e = block.edge; e < block.edge + block.edgeCount; ++e) {
+            facts[e].mirrored = isMirrored;
+            for (const SeamLine& seam : piece.seams) {
+                if (piece.cutAs == CutAs::OnFold && seam.number == drawing.edges[e].number) {
+                    const std::size_t first = isMirrored ? 1 : 0;
+                    facts[e].isAtFold[0] |= seam.isAtFold[first];
+                    facts[e].isAtFold[1] |= seam.isAtFold[1 - first];
+                }
+            }
+        }
+    }
+    return facts;
+}
+
+/// Whether both sides of a seam run the same way along their outlines, on the pieces themselves.
+bool runsAlike(const Garment& garment, int number) {
+    const auto index = static_cast<std::size_t>(number) - 1;
+    if (number < 1 || index >= garment.seams.seams.size()) {
+        return false;
+    }
+    const Seam& seam = garment.seams.seams[index];
+    return seam.left.reversed == seam.right.reversed;
+}
+
+class KeyPointFinder {
+public:
+    KeyPointFinder(const Drawing& drawing, const Pattern& pattern, const Garment& garment)
+        : drawing_(drawing),
+          garment_(garment),
+          lines_(drawing.paths.size()),
+          facts_(edgeFacts(drawing, pattern)) {
+        for (std::size_t k = 0; k < lines_.size(); ++k) {
+            const DrawnPath& path = drawing.paths[k];
+            if (path.points.rows() > 0 &&
+                (path.layer == LayerKind::Cut || path.layer == LayerKind::Sew ||
+                 path.layer == LayerKind::Internal)) {
+                lines_[k].line.emplace(path.points, path.closed);
+            }
+        }
+        fixPlaces(pattern);
+    }
+
+    std::vector<KeyPoints> found() {
+        std::vector<bool> isDone(drawing_.edges.size());
+        for (std::size_t e = 0; e < isDone.size(); ++e) {
+            if (!isDone[e] && hasLine(e)) {
+                const std::optional<std::size_t> other = partner(e);
+                addSeam(e, other);
+                isDone[e] = true;
+                if (other) {
+                    isDone[*other] = true;
+                }
+            }
+        }
+        std::vector<KeyPoints> all;
+        all.reserve(lines_.size());
+        for (LineKeys& keys : lines_) {
+            if (keys.line) {
+                addRest(keys);
+            }
+            all.push_back(inOrder(keys));
+        }
+        return all;
+    }
+
+private:
+    bool hasLine(std::size_t edge) const {
+        const int path = drawing_.edges[edge].path;
+        return path >= 0 && lines_[static_cast<std::size_t>(path)].line.has_value();
+    }
+
+    void fixPlaces(const Pattern& pattern) {
+        for (std::size_t e = 0; e < drawing_.edges.size(); ++e) {
+            if (hasLine(e)) {
+                const DrawnEdge& edge = drawing_.edges[e];
+                LineKeys& keys = lines_[static_cast<std::size_t>(edge.path)];
+                keys.fix(edge.from, true, kOnePlace);
+                keys.fix(edge.to, true, kOnePlace);
+                keys.edges.push_back(&edge);
+            }
+        }
+        for (const DrawnBlock& block : drawing_.blocks) {
+            const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(block.piece)];
+            const std::size_t seamLine = block.path + (piece.cuttingLine.rows() > 0 ? 1 : 0);
+            if (seamLine < lines_.size() && lines_[seamLine].line) {
+                fixSegments(lines_[seamLine], piece, block.placement);
+            }
+        }
+        for (std::size_t k = 0; k < lines_.size(); ++k) {
+            if (lines_[k].line) {
+                fixCorners(lines_[k], drawing_.paths[k]);
+                fixStraightRuns(lines_[k]);
+            }
+        }
+    }
+
+    bool isReversed(std::size_t edge, std::size_t other) const {
+        const bool alike = runsAlike(garment_, drawing_.edges[edge].number);
+        return alike == (facts_[edge].mirrored != facts_[other].mirrored);
+    }
+
+    /// The other side of its seam, where shares of both mean the same.
+    std::optional<std::size_t> partner(std::size_t edge) const {
+        const DrawnEdge& own = drawing_.edges[edge];
+        if (own.pair.empty()) {
+            return {};
+        }
+        for (std::size_t other = 0; other < drawing_.edges.size(); ++other) {
+            if (drawing_.edges[other].id == own.pair && hasLine(other)) {
+                std::array<bool, 2> ends = facts_[other].isAtFold;
+                if (isReversed(edge, other)) {
+                    std::swap(ends[0], ends[1]);
+                }
+                return ends == facts_[edge].isAtFold ? std::optional(other) : std::nullopt;
+            }
+        }
+        return {};
+    }
+
+    KeyStretch stretchOf(std::size_t edge, bool reversed) const {
+        const DrawnEdge& drawn = drawing_.edges[edge];
+        return {&*lines_[static_cast<std::size_t>(drawn.path)].line, drawn.from, drawn.to,
+                reversed};
+    }
+
+    void addSeam(std::size_t edge, std::optional<std::size_t> other) {
+        std::vector<KeyStretch> sides{stretchOf(edge, false)};
+        std::vector<LineKeys*> keys{&keysOf(edge)};
+        if (other) {
+            sides.push_back(stretchOf(*other, isReversed(edge, *other)));
+            keys.push_back(&keysOf(*other));
+        }
+        addStations(sides, keys);
+    }
+
+    LineKeys& keysOf(std::size_t edge) {
+        return lines_[static_cast<std::size_t>(drawing_.edges[edge].path)];
+    }
+
+    static void addStations(const std::vector<KeyStretch>& sides,
+                            const std::vector<LineKeys*>& keys) {
+        std::vector<double> fixed;
+        for (std::size_t s = 0; s < sides.size(); ++s) {
+            const KeyStretch& side = sides[s];
+            for (const KeyPoint& point : keys[s]->fixed) {
+                const double way = keys[s]->line->wrapped(point.at - side.from);
+                const double share = way / (side.to - side.from);
+                if (share > 0 && share < 1) {
+                    fixed.push_back(side.reversed ? 1 - share : share);
+                }
+            }
+        }
+        for (const double share : keyShares(sides, std::move(fixed))) {
+            for (std::size_t s = 0; s < sides.size(); ++s) {
+                keys[s]->found.push_back({keys[s]->line->wrapped(sides[s].at(share)), false});
+            }
+        }
+    }
+
+    /// What is no side of a seam, from one turn point to the next.
+    static void addRest(LineKeys& keys) {
+        std::vector<double> ends;
+        for (const KeyPoint& point : keys.fixed) {
+            if (point.isTurn) {
+                ends.push_back(point.at);
+            }
+        }
+        if (ends.empty()) {
+            ends.push_back(keys.fixed.empty() ? 0 : keys.fixed.front().at);
+        }
+        std::ranges::sort(ends);
+        if (keys.line->isClosed()) {
+            ends.push_back(ends.front() + keys.line->length());
+        }
+        for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+            const double middle = 0.5 * (ends[k] + ends[k + 1]);
+            const bool isSeam = std::ranges::any_of(keys.edges, [&](const DrawnEdge* edge) {
+                return keys.line->wrapped(middle - edge->from) < edge->to - edge->from;
+            });
+            if (!isSeam) {
+                addStations({{&*keys.line, ends[k], ends[k + 1]}}, {&keys});
+            }
+        }
+    }
+
+    /// Each place once, from a turn point on.
+    static KeyPoints inOrder(const LineKeys& keys) {
+        if (!keys.line) {
+            return {};
+        }
+        KeyPoints all = keys.fixed;
+        all.insert(all.end(), keys.found.begin(), keys.found.end());
+        std::ranges::stable_sort(all, {}, &KeyPoint::at);
+        KeyPoints once;
+        for (const KeyPoint& point : all) {
+            if (!once.empty() && point.at - once.back().at < kOnePlace) {
+                once.back().isTurn |= point.isTurn;
+            } else {
+                once.push_back(point);
+            }
+        }
+        if (keys.line->isClosed() && once.size() > 1 &&
+            keys.apart(once.front().at, once.back().at) < kOnePlace) {
+            once.front().isTurn |= once.back().isTurn;
+            once.pop_back();
+        }
+        const auto turn = std::ranges::find(once, true, &KeyPoint::isTurn);
+        if (keys.line->isClosed() && turn != once.end()) {
+            std::rotate(once.begin(), turn, once.end());
+        }
+        return once;
+    }
+
+    const Drawing& drawing_;
+    const Garment& garment_;
+    std::vector<LineKeys> lines_;
+    std::vector<EdgeFacts> facts_;
+};
+
+}  // namespace
+
+std::vector<KeyPoints> keyPoints(const Drawing& drawing, const Pattern& pattern,
+                                 const Garment& garment) {
+    return KeyPointFinder(drawing, pattern, garment).found();
+}
+
+}  // namespace toile
