@@ -94,6 +94,7 @@ private:
         entity_ = {};
         entity_.kind = kind;
         isSectionName_ = kind == "SECTION";
+        document_.hasEnd |= kind == "EOF";
         if (kind == "ENDSEC") {
             section_ = variable_ = {};
         }

@@ -49,6 +49,7 @@ struct DxfDocument {
     std::map<std::string_view, int> layers{};  ///< of the LAYER table: name to colour
     std::vector<DxfBlock> blocks{};
     std::vector<DxfEntity> entities{};
+    bool hasEnd = false;  ///< EOF
 };
 
 /// @param bytes  must outlive the document

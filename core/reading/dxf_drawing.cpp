@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/dxf_drawing.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+
+namespace toile {
+namespace {
+
+std::string_view withoutBlanks(std::string_view text) {
+    const std::size_t from = text.find_first_not_of(' ');
+    return from == std::string_view::npos
+               ? std::string_view()
+               : text.substr(from, text.find_last_not_of(' ') - from + 1);
+}
+
+std::optional<double> scaled(std::optional<double> value, double by) {
+    return value ? std::optional(*value * by) : std::nullopt;
+}
+
+void addSaid(DxfGroupOfEntities& group, std::string_view text) {
+    group.texts.push_back(text);
+    const std::size_t colon = text.find(':');
+    if (colon != std::string_view::npos) {
+        std::string key(withoutBlanks(text.substr(0, colon)));
+        std::ranges::transform(key, key.begin(), lowered);
+        group.said.emplace(std::move(key), withoutBlanks(text.substr(colon + 1)));
+    }
+}
+
+void addEntity(DxfGroupOfEntities& group, const DxfEntity& entity, double unit) {
+    if (entity.kind == "POLYLINE" || entity.kind == "LWPOLYLINE") {
+        group.polylines.push_back({entity.layer, entity.points * unit, entity.closed});
+    } else if (entity.kind == "TEXT") {
+        addSaid(group, entity.text(1));
+    } else if (const auto point = entity.point(); !point) {
+        return;
+    } else if (entity.kind == "LINE") {
+        if (const auto end = entity.point(11)) {
+            const Points2 both = (Points2(2, 2) << point->transpose(), end->transpose()).finished();
+            group.lines.push_back({entity.layer, both * unit, false});
+        }
+    } else if (entity.kind == "POINT") {
+        group.records.push_back({entity.layer, *point * unit, scaled(entity.number(30), unit),
+                                 scaled(entity.number(39), unit),
+                                 scaled(entity.number(50), kDegree)});
+    } else if (entity.kind == "INSERT") {
+        group.inserts.emplace_back(entity.text(2), *point * unit);
+    }
+}
+
+}  // namespace
+
+DxfDrawing dxfDrawing(const DxfDocument& document, double unit) {
+    DxfDrawing drawing;
+    for (const DxfBlock& block : document.blocks) {
+        DxfGroupOfEntities& group = drawing.blocks.emplace_back();
+        group.name = block.name;
+        for (const DxfEntity& entity : block.entities) {
+            addEntity(group, entity, unit);
+        }
+    }
+    for (const DxfEntity& entity : document.entities) {
+        addEntity(drawing.page, entity, unit);
+    }
+    return drawing;
+}
+
+std::optional<double> statedUnit(const DxfDocument& document) {
+    const auto found = document.header.find("$INSUNITS");
+    if (found == document.header.end() || found->second.empty()) {
+        return {};
+    }
+    static constexpr std::pair<std::string_view, double> kUnits[] = {
+        {"1", 25.4}, {"4", 1}, {"5", 10}, {"6", 1000}};
+    const auto unit = std::ranges::find(kUnits, found->second.front().value,
+                                        &std::pair<std::string_view, double>::first);
+    return unit == std::end(kUnits) ? std::nullopt : std::optional(unit->second);
+}
+
+}  // namespace toile
