@@ -48,7 +48,11 @@ constexpr const char* kDxfPresetNames[] = {TR("CLO, Marvelous Designer"),
                                            TR("Lectra"),
                                            TR("Illustrator"),
                                            TR("Laser cutter")};
-/// In the order of the presets.
+/// In the order of the presets. All that these programs are known to need of the profiles is their
+/// unit: CLO draws its own METRIC files in millimetres, AccuMark works in inches, where METRIC is
+/// read in more than one way, and Optitex takes METRIC for centimetres. Lectra has taken boundaries
+/// that are polylines in an AAMA file, and refused them in an ASTM one. Drawing programs and lasers
+/// know layers by name and no blocks.
 constexpr DxfOptions kOfPresets[] = {
     {DxfProfile::Astm, LengthUnit::Millimetre},  {DxfProfile::Astm, LengthUnit::Inch},
     {DxfProfile::Astm, LengthUnit::Centimetre},  {DxfProfile::Aama, LengthUnit::Millimetre},

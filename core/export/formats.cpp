@@ -6,6 +6,9 @@
 
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/export/apparel_dxf.h"
+#include "core/export/apparel_text.h"
+#include "core/export/dxf_read_back.h"
 #include "core/export/html_report.h"
 #include "core/export/mesh_read_back.h"
 #include "core/export/piece_meshes.h"
@@ -27,7 +30,15 @@ Result<ExportedFiles> makeSvg(const ExportSource& source) {
 }
 
 Result<ExportedFiles> makeDxf(const ExportSource& source) {
-    return oneFile(writePlainDxf(source.drawing(), source.options().dxf.unit));
+    const DxfOptions& options = source.options().dxf;
+    if (options.profile == DxfProfile::Plain) {
+        return oneFile(writePlainDxf(source.drawing(), options.unit));
+    }
+    ExportedFiles files = oneFile(writeApparelDxf(source));
+    if (options.ruleTable) {
+        files.push_back({".rul", writeRuleTable(source)});
+    }
+    return files;
 }
 
 Result<ExportedFiles> makeReport(const ExportSource& source) {
@@ -118,7 +129,8 @@ std::array kFormats{
            .endings = kDxf,
            .layers = true,
            .trueScale = true,
-           .write = makeDxf},
+           .write = makeDxf,
+           .readBack = readDxfBack},
     Format{.id = FormatId::Png,
            .name = TR("PNG picture"),
            .use = TR("mails and web pages, at a stated resolution"),

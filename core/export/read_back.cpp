@@ -202,8 +202,11 @@ double lengthOn(const Measured& read, const Measured& drawn, double start, const
     const double first = nearestAround(read, edge.from - start, drawn.pointAt(edge.from)).at;
     const double second = nearestAround(read, edge.to - start, drawn.pointAt(edge.to)).at;
     const double length = second - first;
-    // Over the first point again, or all the way round.
-    return length < 0.5 * (edge.to - edge.from) && read.closed ? length + read.length() : length;
+    // Over the first point again, or all the way round: its ends may be one place.
+    const double missing = edge.to - edge.from - length;
+    return read.closed && read.length() > 0
+               ? length + std::round(missing / read.length()) * read.length()
+               : length;
 }
 
 }  // namespace
@@ -257,7 +260,8 @@ Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& dra
             ++found.seams;
             ++sides;
         }
-        const double allowed = kReadBackLengths * (line->hasKeyPoints ? std::max(sides, 1) : 1);
+        const double allowed =
+            kReadBackLengths * (line->hasKeyPoints ? std::max({sides, line->stretches, 1}) : 1);
         if (const double difference = is.length() - should.length();
             path.closed && !(std::abs(difference) <= allowed)) {
             return notReadBack(path.id, "longer by " + millimetres(difference));

@@ -34,6 +34,7 @@ struct ReadLine {
     bool closed = false;
     /// Only some points of the line, which are on it; lengths are those of these.
     bool hasKeyPoints = false;
+    int stretches = 1;  ///< of one with key points: from one turn point to the next
 };
 
 struct ReadDrawing {
@@ -43,7 +44,8 @@ struct ReadDrawing {
 
 /// Compares lines with those of a drawing: each line of these layers is there once (by id, else in
 /// order), none that is not meant, no point of one farther from the other than
-/// kReadBackCoordinates, no closed line and no side of a seam off by more than kReadBackLengths.
+/// kReadBackCoordinates, no closed line and no side of a seam off by more than kReadBackLengths,
+/// of key points each stretch.
 /// @param layers  that the format carries  Errors: NotReadBack, with the line and the figure.
 /// Cost: linear in the points. Pure.
 Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& drawing,

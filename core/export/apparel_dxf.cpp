@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/apparel_dxf.h"
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/export/apparel_pieces.h"
+#include "core/export/apparel_text.h"
+#include "core/export/dxf_tags.h"
+#include "core/pattern/label.h"
+#include "core/pattern/notch_mark.h"
+
+namespace toile {
+namespace {
+
+constexpr double kSystemText = 2.5;   // mm, height
+constexpr double kSystemLine = 3.75;  // mm, from one to the next
+
+class ApparelWriter {
+public:
+    ApparelWriter(const ExportSource& source, const Drawing& drawing,
+                  const std::vector<ApparelPiece>& pieces)
+        : source_(source),
+          drawing_(drawing),
+          pieces_(pieces),
+          options_(source.options().dxf),
+          out_(options_.unit) {}
+
+    std::string written() {
+        out_.beginSection("HEADER");
+        out_.endSection();
+        out_.beginSection("BLOCKS");
+        for (const ApparelPiece& piece : pieces_) {
+            addPiece(piece);
+        }
+        if (options_.controlPiece) {
+            addControlPiece();
+        }
+        out_.endSection();
+        out_.beginSection("ENTITIES");
+        addTexts(styleTexts(source_), {0, 0});
+        for (const ApparelPiece& piece : pieces_) {
+            addInsert(piece.name);
+        }
+        if (options_.controlPiece) {
+            addInsert(kControlName);
+        }
+        out_.endSection();
+        out_.tag(0, "EOF");
+        return out_.take();
+    }
+
+private:
+    bool isAstm() const { return options_.profile == DxfProfile::Astm; }
+
+    void begin(const char* kind, int layer) {
+        out_.tag(0, kind);
+        out_.tag(8, std::to_string(layer));
+    }
+
+    void beginBlock(const std::string& name) {
+        begin("BLOCK", kCutLayer);
+        out_.tag(2, name);
+        out_.tag(70, 64);  // referenced
+        out_.flatPoint(10, {0, 0});
+        out_.tag(3, name);
+    }
+
+    void endBlock() { begin("ENDBLK", kCutLayer); }
+
+    void addInsert(const std::string& name) {
+        begin("INSERT", kCutLayer);
+        out_.tag(2, name);
+        out_.flatPoint(10, {0, 0});
+    }
+
+    void addText(int layer, const std::string& text, const Eigen::Vector2d& at, double height,
+                 double angle = 0) {
+        begin("TEXT", layer);
+        out_.flatPoint(10, at);
+        out_.length(40, height);
+        out_.tag(1, text);
+        if (angle != 0) {
+            out_.number(50, angle / kDegree);
+        }
+    }
+
+    void addTexts(const std::vector<std::string>& texts, Eigen::Vector2d at) {
+        for (const std::string& text : texts) {
+            addText(kCutLayer, text, at, kSystemText);
+            at.y() -= kSystemLine;
+        }
+    }
+
+    using Digits = std::pair<std::string, std::string>;
+
+    Digits digitsOf(const Points2& points, Eigen::Index k) const {
+        return {out_.digits(points(k, 0)), out_.digits(points(k, 1))};
+    }
+
+    /// Places that are written alike, one after the other, are one. @return rows that are written
+    std::vector<Eigen::Index> addPolyline(int layer, const Points2& points, bool closed) {
+        begin("POLYLINE", layer);
+        out_.tag(66, 1);  // vertices follow
+        out_.tag(70, closed ? 1 : 0);
+        std::vector<Eigen::Index> rows;
+        Digits first, before;
+        for (Eigen::Index k = 0; k < points.rows(); ++k) {
+            Digits digits = digitsOf(points, k);
+            const bool isLast = k + 1 == points.rows();
+            if (k > 0 && (digits == before || (closed && isLast && digits == first))) {
+                continue;
+            }
+            begin("VERTEX", layer);
+            out_.tag(10, digits.first);
+            out_.tag(20, digits.second);
+            first = k == 0 ? digits : first;
+            before = std::move(digits);
+            rows.push_back(k);
+        }
+        begin("SEQEND", layer);
+        return rows;
+    }
+
+    void addPoint(int layer, const Digits& digits) {
+        begin("POINT", layer);
+        out_.tag(10, digits.first);
+        out_.tag(20, digits.second);
+    }
+
+    void addLine(int layer, const Chord& line) {
+        begin("LINE", layer);
+        out_.flatPoint(10, line.from);
+        out_.flatPoint(11, line.to);
+    }
+
+    /// Lines that meet name their common place once; it turns where one of them does.
+    void addPrimaries(const ApparelPiece& piece) {
+        std::set<Digits> turns, named;
+        for (const ApparelLine& line : piece.lines) {
+            for (Eigen::Index k = 0; k < line.keys.rows(); ++k) {
+                if (line.isTurn[static_cast<std::size_t>(k)]) {
+                    turns.insert(digitsOf(line.keys, k));
+                }
+            }
+        }
+        for (const ApparelLine& line : piece.lines) {
+            for (const Eigen::Index k : addPolyline(line.layer, line.keys, line.closed)) {
+                const Digits digits = digitsOf(line.keys, k);
+                if (named.insert(digits).second) {
+                    addPoint(turns.contains(digits) ? kTurnLayer : kCurveLayer, digits);
+                }
+            }
+            if (isAstm()) {
+                addPolyline(validationLayer(line.layer), line.dense, line.closed);
+            }
+        }
+    }
+
+    void addNotch(const ApparelNotch& notch) {
+        const NotchForm form = source_.laid().pattern.notchForm;
+        const bool hasWidth = form == NotchForm::V || (form != NotchForm::Slit && isAstm());
+        const bool isT = form == NotchForm::T, isCastle = form == NotchForm::Castle;
+        begin("POINT", isAstm() && isT        ? kTNotchLayer
+                       : isAstm() && isCastle ? kCastleNotchLayer
+                                              : kNotchLayer);
+        out_.flatPoint(10, notch.point);
+        out_.length(30, notch.depth);
+        if (hasWidth) {
+            out_.length(39, NotchSize{}.width);
+        }
+        const double angle = std::atan2(notch.inwards.y(), notch.inwards.x());
+        out_.number(50, angle < 0 ? angle / kDegree + 360 : angle / kDegree);
+    }
+
+    void addLabel(const DrawnBlock& block) {
+        for (std::size_t k = block.text; k < block.text + block.textCount; ++k) {
+            const DrawnText& text = drawing_.texts[k];
+            if (text.layer != LayerKind::Text) {
+                continue;
+            }
+            Eigen::Vector2d middle = text.position - Eigen::Vector2d(0, 0.5 * text.height);
+            for (const std::string& words : text.lines) {
+                const std::string line = dxfText(words);
+                const double width = textExtent({line}, text.height).x();
+                addText(kTextLayer, line, middle - Eigen::Vector2d(0.5 * width, 0), text.height);
+                middle.y() -= kLineSpacing * text.height;
+            }
+        }
+    }
+
+    void addPiece(const ApparelPiece& piece) {
+        const DrawnBlock& block = drawing_.blocks[piece.block];
+        beginBlock(piece.name);
+        addTexts(pieceTexts(source_, block, piece.name), piece.middle);
+        addPrimaries(piece);
+        addLine(kGrainLayer, piece.grain);
+        if (piece.mirror) {
+            addLine(kMirrorLayer, *piece.mirror);
+        }
+        for (const ApparelNotch& notch : piece.notches) {
+            addNotch(notch);
+        }
+        for (const Eigen::Vector2d& drill : piece.drills) {
+            begin("POINT", kDrillLayer);
+            out_.flatPoint(10, drill);
+            out_.length(30, kDrillDiameter);
+        }
+        addLabel(block);
+        endBlock();
+    }
+
+    void addControlPiece() {
+        for (const DrawnPath& path : drawing_.paths) {
+            if (path.layer != LayerKind::Check) {
+                continue;
+            }
+            const Eigen::Vector2d middle = path.points.colwise().mean().transpose();
+            const Eigen::Vector2d up(0, 0.25 * (path.points.row(2) - path.points.row(1)).norm());
+            beginBlock(kControlName);
+            addTexts(controlTexts(source_), middle);
+            for (const Eigen::Index k : addPolyline(kCutLayer, path.points, true)) {
+                addPoint(kTurnLayer, digitsOf(path.points, k));
+            }
+            if (isAstm()) {
+                addPolyline(validationLayer(kCutLayer), path.points, true);
+            }
+            addLine(kGrainLayer, {middle - up, middle + up});
+            endBlock();
+        }
+    }
+
+    const ExportSource& source_;
+    const Drawing& drawing_;
+    const std::vector<ApparelPiece>& pieces_;
+    DxfOptions options_;
+    DxfTags out_;
+};
+
+}  // namespace
+
+std::string writeApparelDxf(const ExportSource& source) {
+    const ApparelDrawing made = apparelDrawing(source);
+    const std::vector<ApparelPiece> pieces = apparelPieces(source, made);
+    return ApparelWriter(source, made.drawing, pieces).written();
+}
+
+}  // namespace toile

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/export/export_source.h"
+#include "core/export/key_points.h"
+#include "core/pattern/grain_line.h"
+
+namespace toile {
+
+/// The numbers by which ASTM D6673 and ANSI/AAMA-292 call layers.
+enum ApparelLayer {
+    kCutLayer = 1,
+    kTurnLayer = 2,
+    kCurveLayer = 3,
+    kNotchLayer = 4,
+    kMirrorLayer = 6,
+    kGrainLayer = 7,
+    kInternalLayer = 8,
+    kHoleLayer = 11,
+    kDrillLayer = 13,
+    kSewLayer = 14,
+    kTextLayer = 15,
+    kTNotchLayer = 80,
+    kCastleNotchLayer = 81,
+};
+
+/// The layer of the validation curve of a primary one: 84 to 87.
+int validationLayer(int layer);
+
+/// A line of a piece: few points to lay curves through, and what it is exactly.
+struct ApparelLine {
+    int layer = kCutLayer;
+    std::size_t path = 0;  ///< index into ApparelPattern::drawing.paths
+    bool closed = false;
+    Points2 keys = Points2(0, 2);   ///< mm, of a closed line from a turn point where it has one
+    std::vector<bool> isTurn{};     ///< of each
+    Points2 dense = Points2(0, 2);  ///< the line's own points and the keys among them
+};
+
+/// A notch as a record on the line that is cut.
+struct ApparelNotch {
+    Eigen::Vector2d point{0, 0};
+    Eigen::Vector2d inwards{0, 0};  ///< unit
+    double depth = 0;               ///< mm
+};
+
+struct ApparelPiece {
+    std::string name;       ///< [A-Z0-9_-], 1 to 20, unique
+    std::size_t block = 0;  ///< index into Drawing::blocks
+    std::vector<ApparelLine> lines{};
+    std::vector<ApparelNotch> notches{};  ///< two of a double one
+    std::vector<Eigen::Vector2d> drills{};
+    Chord grain{{0, 0}, {0, 0}};
+    std::optional<Chord> mirror{};  ///< of a piece on the fold
+    Eigen::Vector2d middle{0, 0};   ///< inside: where its texts begin
+};
+
+/// What the apparel profiles of DXF have of a drawing.
+struct ApparelDrawing {
+    struct Line {
+        std::size_t path = 0;  ///< index into the drawing's
+        int layer = kCutLayer;
+    };
+
+    /// The drawing with the legs of capped darts behind its lines, on the layer Internal
+    /// ("piece-<slug>--dart-<k>-legs"), and without circles and crosses of drill points, which are
+    /// records here, on it: they are Marks.
+    Drawing drawing;
+    std::vector<std::vector<Line>> lines;  ///< of each block, in the order of the file
+};
+
+/// Cost: that of `findDarts`, and linear. Pure.
+ApparelDrawing apparelDrawing(const ExportSource& source);
+
+/// One piece for each block.  Cost: that of `keyPoints`. Pure.
+std::vector<ApparelPiece> apparelPieces(const ExportSource& source, const ApparelDrawing& drawing);
+
+/// Diameter of drill holes, mm.
+inline constexpr double kDrillDiameter = 3;
+
+/// A name that every reader takes: capitals, digits, '-' and '_', at most 20 of them.
+/// @param otherwise  where no letter or digit is left of it
+std::string apparelName(std::string_view name, std::string_view otherwise);
+
+/// What the check square is called as a piece of its own.
+inline constexpr const char* kControlName = "CONTROL";
+
+/// What is said to be the largest distance of a line from its key points, mm: kKeyFar, rounded.
+inline constexpr double kKeyTolerance = 0.1;
+
+}  // namespace toile
