@@ -95,7 +95,7 @@ step_clients() {
     for sample in tshirt skirt cap; do
         file=$work/$sample
         build/ci/app/toile flatten "resources/samples/$sample.obj" --unit mm \
-            -o "$file.svg" -o "$file.dxf" || return
+            -o "$file.svg" -o "$file.dxf" --dxf-profile plain || return
         if command -v rsvg-convert >/dev/null; then
             rsvg-convert "$file.svg" -o "$file.png" && [ -s "$file.png" ] || status=1
         fi
