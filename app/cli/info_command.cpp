@@ -5,6 +5,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
+#include "app/cli/pattern_info.h"
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/export/writers.h"
@@ -86,6 +87,9 @@ void printSeams(const Garment& garment, std::ostream& out) {
 }  // namespace
 
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+    if (std::ranges::all_of(arguments.inputs, isPatternFile)) {
+        return runPatternInfo(arguments, out, err);
+    }
     Progress progress;
     const auto garment = readInput(arguments, progress, err);
     if (!garment) {

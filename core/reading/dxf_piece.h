@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "core/reading/dxf_document.h"
+#include "core/reading/pattern_file.h"
+
+namespace toile {
+
+/// What a layer of a pattern in DXF holds, by AAMA's and ASTM's numbers or by its name.
+enum class DxfRole {
+    Other,
+    Cut,
+    Sew,
+    Internal,
+    CutOut,
+    Notch,
+    Drill,
+    Grain,
+    Fold,
+    Text,
+    FineCut,  ///< quality lines: the same line with other points, as the next
+    FineSew,
+    FineInternal,
+    FineCutOut,
+};
+
+DxfRole dxfRole(std::string_view layer);
+
+/// "Piece Name: front" as "piece name" and "front"; none where it has no such form.
+struct DxfField {
+    std::string key{};  ///< lower case, without blanks around it
+    std::string value{};
+};
+std::optional<DxfField> dxfField(std::string_view text);
+
+/// The fields of texts by their keys, the first of each.
+using DxfFields = std::map<std::string, std::string>;
+DxfFields dxfFields(const std::vector<DxfEntity>& entities);
+
+/// How the coordinates of a block come to lie in the plane, mm.
+struct DxfPlace {
+    Eigen::Affine2d map = Eigen::Affine2d::Identity();
+    double scale = 1;  ///< of lengths
+};
+
+/// A piece of the entities of one block; its fold undone. Without an outline it has no points.
+/// @param notes  what was left out or put right is added, with the piece's name
+/// Cost: about n log n in the points. Pure but for the notes.
+FilePiece dxfPiece(const std::vector<DxfEntity>& entities, const DxfPlace& place,
+                   std::vector<Wording>& notes);
+
+/// The closed lines of these entities in a role, largest first, and open lines of others, mm.
+std::vector<FileLine> dxfLines(const std::vector<DxfEntity>& entities, DxfRole role,
+                               const DxfPlace& place);
+
+/// How far apart the ends of lines may be that are one, for entities of this extent, mm.
+double dxfNearness(double extent);
+
+}  // namespace toile

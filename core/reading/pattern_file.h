@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/base/wording.h"
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+/// A sewing pattern as another program, or we, have written it to a file. Everything is in mm, y
+/// up, whatever the file's own unit.
+
+struct FileNotch {
+    Eigen::Vector2d point{0, 0};
+    std::optional<double> angle{};  ///< radians, anti-clockwise from the x axis, into the piece
+    std::optional<double> depth{};  ///< mm
+};
+
+struct FileDrill {
+    Eigen::Vector2d point{0, 0};
+    std::optional<double> diameter{};  ///< mm
+};
+
+struct FileLine {
+    Points2 points = Points2(0, 2);
+    bool closed = false;
+};
+
+/// From the first point to the second, mm.
+using FileChord = std::array<Eigen::Vector2d, 2>;
+
+struct FilePiece {
+    std::string id{};  ///< of the file: a block, a panel, a group
+    std::string name{};
+    std::string size{};  ///< empty where the file names none
+    std::string material{}, category{}, annotation{};
+    int quantity = 1;          ///< how many are cut as drawn
+    int mirroredQuantity = 0;  ///< and how many mirrored
+    /// Closed lines, anti-clockwise, first point not repeated; no points where there is none.
+    Points2 cut = Points2(0, 2), sew = Points2(0, 2);
+    std::vector<Points2> holes{};
+    std::vector<FileLine> internals{};
+    std::vector<FileNotch> notches{};
+    std::vector<FileDrill> drills{};
+    std::optional<FileChord> grain{}, fold{};
+    std::map<std::string, int> layers{};  ///< entities on each layer
+    /// Half of it is in the file; here it is whole.
+    bool isUnfolded = false;
+};
+
+/// The line that a piece is cut along, or its seam line where the file has no other.
+inline const Points2& outlineOf(const FilePiece& piece) {
+    return piece.cut.rows() > 0 ? piece.cut : piece.sew;
+}
+
+struct PatternFile {
+    Wording format{};  ///< "DXF of AccuMark, AAMA"
+    LengthUnit unit = LengthUnit::Millimetre;
+    Wording unitReason{};  ///< how it is known
+    bool unitInDoubt = false;
+    std::string style{};
+    std::string sampleSize{};
+    std::vector<std::string> sizes{};  ///< in the order of the file
+    std::vector<FilePiece> pieces{};
+    std::vector<Wording> notes{};  ///< what was left out or put right
+};
+
+/// Of a closed line, mm and mm2; 0 where it has fewer than two points. Pure, linear.
+double perimeterOf(const Points2& closed);
+/// Positive where it runs anti-clockwise.
+double signedAreaOf(const Points2& closed);
+/// By crossings of a ray: true inside of a closed line. Pure, linear.
+bool isInside(const Points2& closed, const Eigen::Vector2d& point);
+/// The same line anti-clockwise: as it is, or from its last point to its first.
+Points2 antiClockwise(const Points2& closed);
+
+/// The pieces of one size: of the sample size where the file has several and says which, else of
+/// the first. Indices into `pieces`.
+std::vector<int> sampleOf(const PatternFile& file);
+
+}  // namespace toile

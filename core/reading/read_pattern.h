@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "core/base/result.h"
+#include "core/reading/pattern_file.h"
+
+namespace toile {
+
+enum class PatternFileKind { Dxf, GarmentCode };
+
+/// By the ending, in any case; none where it is none of a pattern.
+std::optional<PatternFileKind> patternFileKind(const std::filesystem::path& path);
+
+/// Reads a pattern by its ending.
+/// @param unit  of its coordinates, where a person has said it
+/// Errors: UnknownFormat, FileUnreadable, MalformedFile, NoGeometry, with the file's name.
+Result<PatternFile> readPatternFile(const std::filesystem::path& path,
+                                    std::optional<LengthUnit> unit = std::nullopt);
+
+}  // namespace toile
