@@ -9,6 +9,7 @@
 #include "core/export/apparel_dxf.h"
 #include "core/export/apparel_text.h"
 #include "core/export/dxf_read_back.h"
+#include "core/export/garmentcode_writer.h"
 #include "core/export/html_report.h"
 #include "core/export/mesh_read_back.h"
 #include "core/export/piece_meshes.h"
@@ -105,12 +106,21 @@ Result<ReadBack> readMeshesBack(const ExportedFiles& files, const ExportSource& 
                 : Error{ErrorCode::NotReadBack, {}, std::string(sentence(file.error()))};
 }
 
+Result<ExportedFiles> makeGarmentCode(const ExportSource& source) {
+    return oneFile(writeGarmentCode(sewnPanels(source)));
+}
+
+Result<ReadBack> readGarmentCodeBack(const ExportedFiles& files, const ExportSource& source) {
+    return readBackGarmentCode(files.front().bytes, source.laid().wholePattern);
+}
+
 constexpr const char* kSvg[] = {".svg"};
 constexpr const char* kDxf[] = {".dxf"};
 constexpr const char* kPng[] = {".png"};
 constexpr const char* kObj[] = {".obj"};
 constexpr const char* kUsd[] = {".usda"};
 constexpr const char* kGlb[] = {".glb"};
+constexpr const char* kGarmentCode[] = {".specification.json"};
 constexpr const char* kReport[] = {".json"};
 constexpr const char* kHtml[] = {".html", ".htm"};
 constexpr const char* kCsv[] = {".csv"};
@@ -157,6 +167,14 @@ std::array kFormats{
            .trueScale = true,
            .write = makeMeshes<writeGlb>,
            .readBack = readMeshesBack<readGlb>},
+    Format{.id = FormatId::GarmentCode,
+           .name = TR("GarmentCode pattern"),
+           .use = TR("research and simulation: panels, curves and stitches"),
+           .endings = kGarmentCode,
+           .trueScale = true,
+           .curves = true,
+           .write = makeGarmentCode,
+           .readBack = readGarmentCodeBack},
     Format{.id = FormatId::Html,
            .name = TR("HTML report"),
            .use = TR("reading and printing: the drawing with all measures"),
