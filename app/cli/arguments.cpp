@@ -298,6 +298,18 @@ void addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
     addMethodOptions(compare, arguments.stated, false);
     addReading(compare, arguments);
     compare.add_flag("--per-piece", arguments.perPiece, "Print a table for each piece too");
+    CLI::Option* pattern =
+        compare
+            .add_option("--pattern", arguments.pattern,
+                        "Compare with the pieces of this pattern instead: .dxf or GarmentCode's "
+                        ".specification.json")
+            ->type_name("FILE");
+    compare
+        .add_option("-o,--output", arguments.outputs,
+                    "With --pattern: a picture of each pair, .svg")
+        ->type_name("FILE.svg")
+        ->needs(pattern)
+        ->allow_extra_args(false);  // so that inputs may follow
     CLI::Option* json = compare.add_flag("--json", arguments.json, "Print as JSON");
     compare.add_flag("--markdown", arguments.markdown, "Print tables as Markdown")->excludes(json);
 }

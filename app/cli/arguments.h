@@ -61,6 +61,7 @@ struct Arguments {
     bool json = false;                 ///< info, compare, check, walk: as JSON
     bool markdown = false;             ///< compare: as Markdown
     bool perPiece = false;             ///< compare: a table per piece too
+    std::filesystem::path pattern{};   ///< compare: with this pattern from a file
     bool ledger = false;               ///< flatten: print the seams
     ExportOptions exporting{};         ///< flatten: of the files to write
     StatedOptions stated{};            ///< how pieces are flattened, as far as it was typed

@@ -24,6 +24,8 @@ int runCommand(const Arguments& typed);
 int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err);
+/// With `--pattern`: compares with a pattern from a file.
+int runComparePattern(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runWalk(const Arguments& arguments, std::ostream& out, std::ostream& err);
 

@@ -67,6 +67,9 @@ bool printFailures(const Garment& garment, const Comparison& comparison, std::os
 }  // namespace
 
 int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+    if (!arguments.pattern.empty()) {
+        return runComparePattern(arguments, out, err);
+    }
     Progress progress;
     const auto garment = readInput(arguments, progress, err);
     if (!garment) {

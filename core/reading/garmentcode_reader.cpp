@@ -346,8 +346,8 @@ Points2 outlineOf(const GarmentCodePanel& panel) {
 
 PatternFile patternOf(const GarmentCode& code) {
     PatternFile file;
-    file.format = worded("GarmentCode JSON, %1",
-                         {countWording(static_cast<long long>(code.stitches.size()), "seam")});
+    file.format = worded("GarmentCode JSON, %1 of stitched edges",
+                         {countWording(static_cast<long long>(code.stitches.size()), "pair")});
     file.unit = unitOf(code.unit);
     file.unitReason = code.unitReason;
     file.unitInDoubt = code.unitInDoubt;

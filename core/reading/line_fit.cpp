@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/line_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <vector>
+
+#include "core/geometry/segment.h"
+#include "core/reading/pattern_file.h"
+
+namespace toile {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int kRoughPoints = 128;
+constexpr int kFinePoints = 400;
+constexpr int kMostRounds = 40;
+constexpr double kSettled = 1e-7;       // mm, of the mean from one round to the next
+constexpr double kMirrorShare = 0.8;    // a mirrored fit must be better by so much
+constexpr double kMirrorLength = 0.05;  // and by so much, mm
+
+/// Points of a closed line at even shares of its length, from its first on.
+Points2 evenPoints(const Points2& closed, int count) {
+    const double length = perimeterOf(closed);
+    Points2 points(count, 2);
+    Eigen::Index k = 0;
+    double begin = 0;
+    double step = (closed.row(1 % closed.rows()) - closed.row(0)).norm();
+    for (int n = 0; n < count; ++n) {
+        const double at = length * n / count;
+        while (k + 1 < closed.rows() && begin + step < at) {
+            begin += step;
+            ++k;
+            step = (closed.row((k + 1) % closed.rows()) - closed.row(k)).norm();
+        }
+        const double share = step > 0 ? std::clamp((at - begin) / step, 0.0, 1.0) : 0;
+        points.row(n) =
+            closed.row(k) + share * (closed.row((k + 1) % closed.rows()) - closed.row(k));
+    }
+    return points;
+}
+
+Points2 mirroredLine(const Points2& closed) {
+    Points2 image = closed.colwise().reverse();  // so that it runs anti-clockwise again
+    image.col(0) *= -1;
+    return image;
+}
+
+std::vector<Complex> centred(const Points2& points, Eigen::RowVector2d& middle) {
+    middle = points.colwise().mean();
+    std::vector<Complex> numbers;
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
+        numbers.emplace_back(points(k, 0) - middle.x(), points(k, 1) - middle.y());
+    }
+    return numbers;
+}
+
+/// What turns the second of two lists of points, of one middle, nearest to the first.
+struct Turn {
+    double angle = 0;
+    double square = std::numeric_limits<double>::infinity();  ///< sum of squared distances
+};
+
+/// From which point on, and by which turn, even points of a line come nearest to another's.
+Turn bestTurn(const std::vector<Complex>& line, const std::vector<Complex>& other) {
+    const std::size_t count = line.size();
+    double squares = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        squares += std::norm(line[k]) + std::norm(other[k]);
+    }
+    Complex best = 0;
+    for (std::size_t start = 0; start < count; ++start) {
+        Complex sum = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            sum += line[k] * std::conj(other[(k + start) % count]);
+        }
+        best = std::abs(sum) > std::abs(best) ? sum : best;
+    }
+    return {std::arg(best), std::max(0.0, squares - 2 * std::abs(best))};
+}
+
+bool isLine(const Points2& closed) {
+    return closed.rows() > 2 && closed.allFinite() && perimeterOf(closed) > 0;
+}
+
+Points2 turned(const Points2& points, double angle, const Eigen::RowVector2d& from,
+               const Eigen::RowVector2d& to) {
+    const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    return ((points.rowwise() - from) * rotation.transpose()).rowwise() + to;
+}
+
+Eigen::RowVector2d nearestOn(const Points2& closed, const Eigen::RowVector2d& point) {
+    Eigen::RowVector2d best = closed.row(0);
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index k = 0; k < closed.rows(); ++k) {
+        const Eigen::RowVector2d a = closed.row(k), b = closed.row((k + 1) % closed.rows());
+        const Eigen::RowVector2d place = a + geometry::nearestShare(point, a, b) * (b - a);
+        if (const double square = (place - point).squaredNorm(); square < least) {
+            least = square;
+            best = place;
+        }
+    }
+    return best;
+}
+
+/// Pairs of points of two lines that lie nearest to each other, from either side.
+struct NearPairs {
+    Points2 first, second;
+
+    NearPairs(const Points2& line, const Points2& points, const Points2& other,
+              const Points2& otherPoints)
+        : first(points.rows() + otherPoints.rows(), 2), second(first.rows(), 2) {
+        for (Eigen::Index k = 0; k < points.rows(); ++k) {
+            first.row(k) = points.row(k);
+            second.row(k) = nearestOn(other, points.row(k));
+        }
+        for (Eigen::Index k = 0; k < otherPoints.rows(); ++k) {
+            first.row(points.rows() + k) = nearestOn(line, otherPoints.row(k));
+            second.row(points.rows() + k) = otherPoints.row(k);
+        }
+    }
+
+    Eigen::VectorXd distances() const { return (first - second).rowwise().norm(); }
+};
+
+/// The corners of a line count too: even points pass by them.
+Points2 pointsToTry(const Points2& closed) {
+    const Points2 even = evenPoints(closed, kFinePoints);
+    if (closed.rows() > kFinePoints) {
+        return even;
+    }
+    Points2 all(even.rows() + closed.rows(), 2);
+    all << even, closed;
+    return all;
+}
+
+LineFit settledFit(const Points2& line, Points2 other, bool mirrored) {
+    other = mirrored ? mirroredLine(other) : other;
+    Eigen::RowVector2d middle, otherMiddle;
+    const auto even = centred(evenPoints(line, kRoughPoints), middle);
+    const auto otherEven = centred(evenPoints(other, kRoughPoints), otherMiddle);
+    other = turned(other, bestTurn(even, otherEven).angle, otherMiddle, middle);
+    const Points2 points = pointsToTry(line);
+    LineFit fit{other, mirrored, std::numeric_limits<double>::infinity(), 0};
+    for (int round = 0; round < kMostRounds; ++round) {
+        const NearPairs pairs(line, points, other, pointsToTry(other));
+        const Eigen::VectorXd distances = pairs.distances();
+        const double mean = distances.mean();
+        if (!(mean < fit.mean)) {
+            break;
+        }
+        const bool isSettled = fit.mean - mean < kSettled;
+        fit = {other, mirrored, mean, distances.maxCoeff()};
+        if (isSettled) {
+            break;
+        }
+        const auto first = centred(pairs.first, middle);
+        const auto second = centred(pairs.second, otherMiddle);
+        Complex sum = 0;
+        for (std::size_t k = 0; k < first.size(); ++k) {
+            sum += first[k] * std::conj(second[k]);
+        }
+        other = turned(other, std::arg(sum), otherMiddle, middle);
+    }
+    return fit;
+}
+
+}  // namespace
+
+double roughDistance(const Points2& line, const Points2& other, bool mirrored) {
+    if (!isLine(line) || !isLine(other)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    Eigen::RowVector2d middle;
+    const auto even = centred(evenPoints(line, kRoughPoints), middle);
+    const auto otherEven =
+        centred(evenPoints(mirrored ? mirroredLine(other) : other, kRoughPoints), middle);
+    return std::sqrt(bestTurn(even, otherEven).square / kRoughPoints);
+}
+
+LineFit fitLine(const Points2& line, const Points2& other, bool canMirror) {
+    if (!isLine(line) || !isLine(other)) {
+        return {};
+    }
+    const Points2 first = antiClockwise(line), second = antiClockwise(other);
+    LineFit plain = settledFit(first, second, false);
+    if (!canMirror) {
+        return plain;
+    }
+    LineFit image = settledFit(first, second, true);
+    const bool isBetter = image.mean < kMirrorShare * plain.mean - kMirrorLength;
+    return isBetter ? image : plain;
+}
+
+}  // namespace toile
