@@ -194,6 +194,18 @@ private:
         }
     }
 
+    /// By which it is in a piece.
+    static std::optional<Eigen::Vector2d> placeOf(const DxfEntity& entity, DxfRole role) {
+        if (entity.points.rows() == 0) {
+            const bool isText = entity.kind == "TEXT" || entity.kind == "MTEXT";
+            return entity.point(isText && entity.point(11) ? 11 : 10);
+        }
+        if (role == DxfRole::Cut || role == DxfRole::Sew) {
+            return entity.points.colwise().mean().transpose();  // its points are on the edge
+        }
+        return entity.points.row(0).transpose();
+    }
+
     void addEntity(const DxfEntity& entity) {
         const DxfRole role = dxfRole(entity.layer);
         const std::vector<DxfEntity> alone{entity};
@@ -204,9 +216,7 @@ private:
                         role == DxfRole::Drill || role == DxfRole::Grain)) {
             inside = dxfPiece(alone, place_, ignored);
         }
-        const auto first = entity.points.rows() > 0
-                               ? std::optional<Eigen::Vector2d>(entity.points.row(0).transpose())
-                               : entity.point(isText && entity.point(11) ? 11 : 10);
+        const auto first = placeOf(entity, role);
         FilePiece* const piece = first ? around(place_.map * *first) : nullptr;
         if (!piece) {
             return;

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/dxf_pattern.h"
+
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/base/file.h"
+#include "core/export/writers.h"
+#include "core/reading/joined_lines.h"
+#include "tests/core/export/export_fixtures.h"
+#include "tests/core/reading/dxf_text.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+using test::DxfText;
+
+Points2 points(std::initializer_list<std::array<double, 2>> places) {
+    Points2 line(static_cast<Eigen::Index>(places.size()), 2);
+    Eigen::Index row = 0;
+    for (const auto& place : places) {
+        line.row(row++) << place[0], place[1];
+    }
+    return line;
+}
+
+const Points2 kPanelOutline =
+    points({{0, 0}, {400, 0}, {400, 300}, {250, 500}, {0, 500}});  // 400 + 300 + 250 + 250 + 500
+
+/// One block in mm, all capitals, closed.
+std::string closedFile() {
+    return DxfText()
+        .section("BLOCKS")
+        .block("front_M")
+        .text("PIECE NAME: front")
+        .text("SIZE: M")
+        .text("QUANTITY: 1,1")
+        .text("MATERIAL: wool: heavy")
+        .polyline("1", kPanelOutline, true)
+        .line("7", 50, 100, 50, 300)
+        .point("4", 400, 100)
+        .number(30, 5)
+        .number(50, 180)
+        .point("13", 200, 200)
+        .number(30, 2)
+        .polyline("11", points({{100, 100}, {120, 100}, {120, 120}}), true)
+        .line("8", 10, 10, 20, 20)
+        .endBlock()
+        .end()
+        .section("ENTITIES")
+        .insert("front_M")
+        .text("STYLE NAME: a dress")
+        .text("SAMPLE SIZE: M")
+        .text("UNITS: METRIC")
+        .end()
+        .take();
+}
+
+/// @param parts  of its outline, by pairs of points
+std::string fileOfParts(const std::vector<Points2>& parts) {
+    DxfText text;
+    text.section("BLOCKS").block("a");
+    for (const Points2& part : parts) {
+        text.polyline("1", part, false);
+    }
+    return text.endBlock().end().section("ENTITIES").text("Units: METRIC").end().take();
+}
+
+PatternFile readAll(const std::string& bytes, std::optional<LengthUnit> unit = {}) {
+    auto file = readDxfPattern(bytes, unit);
+    EXPECT_TRUE(file) << (file ? "" : sentence(file.error()));
+    return file ? std::move(*file) : PatternFile{};
+}
+
+TEST(DxfPattern, ReadsAPieceWithAllThatIsOnIt) {
+    const PatternFile file = readAll(closedFile());
+    EXPECT_EQ(file.style, "a dress");
+    EXPECT_EQ(file.sampleSize, "M");
+    EXPECT_EQ(file.sizes, std::vector<std::string>{"M"});
+    EXPECT_EQ(file.unit, LengthUnit::Millimetre);
+    EXPECT_FALSE(file.unitInDoubt);
+    ASSERT_EQ(file.pieces.size(), 1U);
+    const FilePiece& piece = file.pieces.front();
+    EXPECT_EQ(piece.id, "front_M");
+    EXPECT_EQ(piece.name, "front");
+    EXPECT_EQ(piece.size, "M");
+    EXPECT_EQ(piece.material, "wool: heavy");
+    EXPECT_EQ(piece.quantity, 1);
+    EXPECT_EQ(piece.mirroredQuantity, 1);
+    EXPECT_EQ(piece.cut, kPanelOutline);
+    EXPECT_EQ(piece.sew.rows(), 0);
+    EXPECT_DOUBLE_EQ(perimeterOf(piece.cut), 1700);
+    EXPECT_DOUBLE_EQ(signedAreaOf(piece.cut), 400 * 300 + 0.5 * (400 + 250) * 200);
+    ASSERT_TRUE(piece.grain);
+    EXPECT_EQ((*piece.grain)[1], Eigen::Vector2d(50, 300));
+    ASSERT_EQ(piece.notches.size(), 1U);
+    EXPECT_NEAR(std::abs(*piece.notches.front().angle), kPi, 1e-12);
+    EXPECT_EQ(piece.notches.front().depth, 5);
+    ASSERT_EQ(piece.drills.size(), 1U);
+    EXPECT_EQ(piece.drills.front().diameter, 2);
+    ASSERT_EQ(piece.holes.size(), 1U);
+    EXPECT_LT(signedAreaOf(piece.holes.front()), 0);
+    EXPECT_EQ(piece.internals.size(), 1U);
+    EXPECT_EQ(piece.layers.at("1"), 5);
+}
+
+TEST(DxfPattern, JoinsOpenLinesInAnyOrderAndDirection) {
+    std::vector<Points2> parts{points({{0, 0}, {400, 0}}), points({{400, 0}, {400, 300}}),
+                               points({{400, 300}, {250, 500}, {0, 500}}),
+                               points({{0, 500}, {0, 0}})};
+    std::mt19937 random(1);
+    for (int trial = 0; trial < 20; ++trial) {
+        std::shuffle(parts.begin(), parts.end(), random);
+        for (Points2& part : parts) {
+            part = random() % 2 == 0 ? part : Points2(part.colwise().reverse());
+        }
+        const PatternFile file = readAll(fileOfParts(parts));
+        ASSERT_EQ(file.pieces.size(), 1U);
+        EXPECT_EQ(file.pieces.front().cut.rows(), 5);
+        EXPECT_NEAR(perimeterOf(file.pieces.front().cut), 1700, 1e-9);
+        EXPECT_NEAR(signedAreaOf(file.pieces.front().cut), signedAreaOf(kPanelOutline), 1e-6);
+    }
+}
+
+TEST(DxfPattern, MakesHalvesWhole) {
+    DxfText text;
+    text.section("BLOCKS")
+        .block("back")
+        .polyline("1", kPanelOutline, true)
+        .line("6", 0, 0, 0, 500)
+        .polyline("14", points({{0, 10}, {390, 10}, {390, 300}, {245, 490}, {0, 490}}), false)
+        .point("4", 400, 100)
+        .number(50, 180)
+        .point("4", 0, 500)
+        .line("8", 100, 100, 200, 100)
+        .endBlock()
+        .end()
+        .section("ENTITIES")
+        .end();
+    const PatternFile file = readAll(text.take());
+    ASSERT_EQ(file.pieces.size(), 1U);
+    const FilePiece& piece = file.pieces.front();
+    EXPECT_TRUE(piece.isUnfolded);
+    EXPECT_NEAR(signedAreaOf(piece.cut), 2 * signedAreaOf(kPanelOutline), 1e-6);
+    EXPECT_NEAR(perimeterOf(piece.cut), 2 * (1700 - 500), 1e-9);
+    // The seam line is open where the fold is.
+    EXPECT_NEAR(piece.sew.col(0).minCoeff(), -390, 1e-9);
+    // That on the fold is there once.
+    ASSERT_EQ(piece.notches.size(), 3U);
+    EXPECT_EQ(piece.notches.back().point, Eigen::Vector2d(-400, 100));
+    EXPECT_NEAR(std::remainder(*piece.notches.back().angle, 2 * kPi), 0, 1e-9);
+    EXPECT_EQ(piece.internals.size(), 2U);
+}
+
+TEST(DxfPattern, LeavesAWholePieceWithAMirrorLineAsItIs) {
+    DxfText text;
+    text.section("BLOCKS")
+        .block("a")
+        .polyline("1", kPanelOutline, true)
+        .line("6", 200, 0, 200, 500)
+        .endBlock()
+        .end()
+        .section("ENTITIES")
+        .end();
+    const PatternFile file = readAll(text.take());
+    EXPECT_FALSE(file.pieces.front().isUnfolded);
+    EXPECT_EQ(file.pieces.front().cut, kPanelOutline);
+    EXPECT_EQ(file.notes.size(), 1U);
+}
+
+TEST(DxfPattern, TakesTheFinerOfALineAndItsQualityLine) {
+    const Points2 fine = test::curvedPanel(200, 150);
+    Points2 coarse(50, 2);
+    for (Eigen::Index k = 0; k < 50; ++k) {
+        coarse.row(k) = fine.row(4 * k);
+    }
+    for (const bool isSwapped : {false, true}) {
+        DxfText text;
+        text.section("BLOCKS")
+            .block("a")
+            .polyline(isSwapped ? "84" : "1", coarse, true)
+            .polyline(isSwapped ? "1" : "84", fine, true)
+            .endBlock()
+            .end()
+            .section("ENTITIES")
+            .end();
+        const PatternFile file = readAll(text.take());
+        EXPECT_NEAR(perimeterOf(file.pieces.front().cut), perimeterOf(fine), 1e-3);
+    }
+}
+
+TEST(DxfPattern, PlacesBlocksAsTheyAreInserted) {
+    DxfText text;
+    text.section("BLOCKS")
+        .block("a", 10, 20)
+        .polyline("1", kPanelOutline, true)
+        .endBlock()
+        .end()
+        .section("ENTITIES")
+        .insert("a", 100, 200)
+        .number(50, 90)
+        .end();
+    const PatternFile file = readAll(text.take());
+    // The base goes to the place of insertion; what is to its right lies above it.
+    const Points2& cut = file.pieces.front().cut;
+    EXPECT_NEAR(cut(0, 0), 100 + 20, 1e-9);
+    EXPECT_NEAR(cut(0, 1), 200 - 10, 1e-9);
+    EXPECT_NEAR(cut(1, 0), 100 + 20, 1e-9);
+    EXPECT_NEAR(cut(1, 1), 200 + 390, 1e-9);
+}
+
+/// A square without blocks of texts.
+std::string squareFile(double side, std::string_view units, const char* header = nullptr) {
+    DxfText text;
+    if (header) {
+        text.section("HEADER").tag(9, "$INSUNITS").tag(70, header).end();
+    }
+    text.section("BLOCKS")
+        .block("12")
+        .text("Piece Name: FRONT")
+        .text("Size: 38")
+        .polyline("1", points({{0, 0}, {side, 0}, {side, side}, {0, side}}), true)
+        .endBlock()
+        .end()
+        .section("ENTITIES");
+    if (!units.empty()) {
+        text.text("Units: " + std::string(units));
+    }
+    return text.end().take();
+}
+
+TEST(DxfPattern, JudgesTheUnitByWhatItSaysAndByTheSize) {
+    const struct {
+        double side;
+        const char *units, *header;
+        LengthUnit unit;
+        bool inDoubt;
+    } cases[] = {{600, "METRIC", nullptr, LengthUnit::Millimetre, false},
+                 {100, "METRIC", nullptr, LengthUnit::Millimetre, true},
+                 {40, "METRIC", nullptr, LengthUnit::Centimetre, true},
+                 {24, "ENGLISH", nullptr, LengthUnit::Inch, false},
+                 {118, "english", nullptr, LengthUnit::Inch, true},
+                 {600, "ENGLISH", nullptr, LengthUnit::Millimetre, true},
+                 {600, "", "4", LengthUnit::Millimetre, false},
+                 {60, "", "5", LengthUnit::Centimetre, false},
+                 {30, "", "6", LengthUnit::Centimetre, true},
+                 {0.6, "", nullptr, LengthUnit::Metre, true},
+                 {60, "", nullptr, LengthUnit::Centimetre, true}};
+    for (const auto& [side, units, header, unit, inDoubt] : cases) {
+        const PatternFile file = readAll(squareFile(side, units, header));
+        EXPECT_EQ(file.unit, unit) << side << units;
+        EXPECT_EQ(file.unitInDoubt, inDoubt) << side << units;
+        EXPECT_FALSE(file.unitReason.empty());
+        EXPECT_EQ(file.pieces.front().name, "FRONT");
+        EXPECT_NEAR(perimeterOf(file.pieces.front().cut), 4 * side * millimetresPer(unit), 1e-3);
+    }
+    const PatternFile stated = readAll(squareFile(600, "METRIC"), LengthUnit::Inch);
+    EXPECT_NEAR(perimeterOf(stated.pieces.front().cut), 4 * 600 * 25.4, 1e-6);
+    EXPECT_FALSE(stated.unitInDoubt);
+}
+
+TEST(DxfPattern, KnowsTheSampleSize) {
+    DxfText text;
+    text.section("BLOCKS");
+    for (const char* size : {"36", "38", "40"}) {
+        text.block(std::string("front_") + size)
+            .text("Piece Name: front")
+            .text(std::string("Size: ") + size)
+            .polyline("1", kPanelOutline, true);
+        if (size == std::string("38")) {
+            text.text("Material: 2").text("Quantity: 4");
+        }
+        text.endBlock();
+    }
+    text.end().section("ENTITIES").text("Sample Size: 38").end();
+    const PatternFile file = readAll(text.take());
+    EXPECT_EQ(file.sizes, (std::vector<std::string>{"36", "38", "40"}));
+    EXPECT_EQ(sampleOf(file), std::vector<int>{1});
+    EXPECT_EQ(file.pieces[2].quantity, 4);  // said of one size, meant of all
+}
+
+TEST(DxfPattern, ReadsOurOwnDrawing) {
+    const Drawing drawing = test::sewingDrawing();
+    const PatternFile file = readAll(writeDxf(drawing));
+    EXPECT_EQ(file.unit, LengthUnit::Millimetre);
+    ASSERT_EQ(file.pieces.size(), drawing.blocks.size());
+    std::vector<double> is, should;
+    for (const FilePiece& piece : file.pieces) {
+        is.push_back(perimeterOf(piece.cut));
+        EXPECT_FALSE(piece.name.empty());
+    }
+    for (const DrawnBlock& block : drawing.blocks) {
+        should.push_back(perimeterOf(drawing.paths[block.path].points));
+    }
+    std::ranges::sort(is);
+    std::ranges::sort(should);
+    for (std::size_t k = 0; k < is.size(); ++k) {
+        EXPECT_NEAR(is[k], should[k], 0.01);
+    }
+}
+
+TEST(DxfPattern, RefusesWhatHasNoPieces) {
+    const auto file =
+        readDxfPattern(DxfText().section("ENTITIES").line("1", 0, 0, 1, 1).end().take());
+    ASSERT_FALSE(file);
+    EXPECT_EQ(file.error().code, ErrorCode::NoGeometry);
+    EXPECT_FALSE(readDxfPattern("nothing"));
+}
+
+TEST(DxfPattern, SurvivesWhateverIsChanged) {
+    const std::string whole = closedFile() + fileOfParts({kPanelOutline});
+    std::mt19937 random(7);
+    for (int trial = 0; trial < 3000; ++trial) {
+        std::string bytes = whole;
+        for (int change = 0; change < 3; ++change) {
+            bytes[random() % bytes.size()] = "0123456789-.\n\re"[random() % 15];
+        }
+        bytes.resize(trial % 3 == 0 ? random() % bytes.size() : bytes.size());
+        const auto file = readDxfPattern(bytes);
+        for (const FilePiece& piece : file ? file->pieces : std::vector<FilePiece>{}) {
+            EXPECT_TRUE(outlineOf(piece).allFinite());
+            EXPECT_GT(std::abs(signedAreaOf(outlineOf(piece))), 0);
+        }
+    }
+}
+
+TEST(DxfPattern, ReadsThePatternsOfOtherPrograms) {
+    const struct {
+        const char* name;
+        std::size_t pieces, sizes, sample;
+        bool isUnfolded;
+    } files[] = {{"clo-box", 1, 1, 1, false},
+                 {"clo-pattern", 9, 1, 9, false},
+                 {"men_classic_tee_aama", 105, 15, 7, true},
+                 {"graded_a_aama", 42, 14, 3, false},
+                 {"graded_a_astm", 42, 14, 3, false},
+                 {"with_sewline_aama", 56, 14, 4, true},
+                 {"skirt_clo", 4, 1, 4, false}};
+    for (const auto& [name, pieces, sizes, sample, isUnfolded] : files) {
+        const auto path = test::dataFile("patterns/" + std::string(name) + ".dxf");
+        TOILE_NEEDS_SHARED(path);
+        const auto bytes = readFile(path);
+        ASSERT_TRUE(bytes);
+        const PatternFile file = readAll(*bytes);
+        EXPECT_EQ(file.pieces.size(), pieces) << name;
+        EXPECT_EQ(file.sizes.size(), sizes) << name;
+        EXPECT_EQ(sampleOf(file).size(), sample) << name;
+        EXPECT_EQ(std::ranges::any_of(file.pieces, &FilePiece::isUnfolded), isUnfolded) << name;
+        for (const FilePiece& piece : file.pieces) {
+            EXPECT_TRUE(piece.grain) << name << ' ' << piece.name;
+        }
+    }
+}
+
+TEST(DxfPattern, FindsTheSameInBothFormsOfAStyle) {
+    const auto path = test::dataFile("patterns/graded_a_aama.dxf"),
+               other = test::dataFile("patterns/graded_a_astm.dxf");
+    TOILE_NEEDS_SHARED(path);
+    TOILE_NEEDS_SHARED(other);
+    const PatternFile aama = readAll(*readFile(path)), astm = readAll(*readFile(other));
+    ASSERT_EQ(aama.pieces.size(), astm.pieces.size());
+    for (std::size_t k = 0; k < aama.pieces.size(); ++k) {
+        EXPECT_EQ(aama.pieces[k].id, astm.pieces[k].id);
+        const double coarse = perimeterOf(aama.pieces[k].cut);
+        EXPECT_NEAR(perimeterOf(astm.pieces[k].cut), coarse, 2e-3 * coarse);
+    }
+}
+
+}  // namespace
+}  // namespace toile
