@@ -16,6 +16,7 @@ struct Character {
     char32_t code;
     Turn turn;
     std::uint32_t script;
+    bool isAttached;  ///< to what stands before it
     bool isRightToLeft = false;
     int level = 0;  ///< of nested directions, even ones to the right
 };
@@ -52,7 +53,8 @@ std::vector<Character> charactersOf(std::string_view line) {
     std::vector<Character> all;
     for (const char32_t code : codePoints(cleanText(line))) {
         const hb_script_t script = hb_unicode_script(unicode, code);
-        all.push_back({code, turnOf(hb_unicode_general_category(unicode, code), script), script});
+        const Turn turn = turnOf(hb_unicode_general_category(unicode, code), script);
+        all.push_back({code, turn, script, turn == Turn::AsBefore});
     }
     return all;
 }
@@ -146,17 +148,12 @@ void reorder(std::vector<LevelRun>& runs) {
 std::vector<TextRun> textRuns(std::string_view line,
                               const std::function<std::size_t(char32_t)>& fontOf) {
     std::vector<Character> characters = charactersOf(line);
-    std::vector<bool> isAttached;
-    for (const Character& character : characters) {
-        isAttached.push_back(character.turn == Turn::AsBefore);
-    }
     settleScripts(characters);
     settleDirections(characters);
     std::vector<LevelRun> runs;
-    for (std::size_t k = 0; k < characters.size(); ++k) {
-        const Character& character = characters[k];
+    for (const Character& character : characters) {
         const std::size_t font =
-            isAttached[k] && !runs.empty() ? runs.back().font : fontOf(character.code);
+            character.isAttached && !runs.empty() ? runs.back().font : fontOf(character.code);
         if (runs.empty() || runs.back().font != font || runs.back().script != character.script ||
             runs.back().level != character.level) {
             runs.push_back(
