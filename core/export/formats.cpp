@@ -14,6 +14,7 @@
 #include "core/export/mesh_read_back.h"
 #include "core/export/piece_meshes.h"
 #include "core/export/report_tables.h"
+#include "core/export/svg_read_back.h"
 #include "core/export/writers.h"
 
 /// Marks what a window translates: its collector of texts looks for this. Says the text as it is.
@@ -27,7 +28,11 @@ ExportedFiles oneFile(std::string bytes) {
 }
 
 Result<ExportedFiles> makeSvg(const ExportSource& source) {
-    return oneFile(writeSvg(source.drawing()));
+    return oneFile(writeSvg(source.drawing(), source.options().svg));
+}
+
+Result<ReadBack> readSvgFile(const ExportedFiles& files, const ExportSource& source) {
+    return readBackSvg(files.front().bytes, source.drawing(), source.options().svg);
 }
 
 Result<ExportedFiles> makeDxf(const ExportSource& source) {
@@ -132,7 +137,8 @@ std::array kFormats{
            .endings = kSvg,
            .layers = true,
            .trueScale = true,
-           .write = makeSvg},
+           .write = makeSvg,
+           .readBack = readSvgFile},
     Format{.id = FormatId::Dxf,
            .name = TR("DXF pattern"),
            .use = TR("pattern programs, CAD and cutting machines"),

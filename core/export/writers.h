@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "core/export/drawing.h"
+#include "core/export/export_options.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/layout/marker.h"
@@ -19,9 +20,13 @@ namespace toile {
 /// Of a millimetre, in drawings.
 inline constexpr int kDrawingDecimals = 4;
 
-/// SVG in true millimetres: width and height in mm, a viewBox in mm, one layer per kind, closed
-/// paths ending in Z, ids kept; no transforms but of the names along seams. 4 decimals.
-std::string writeSvg(const Drawing& drawing);
+/// SVG at true scale: page, viewBox and every number in one unit (millimetres; points where the
+/// program asks for them), one layer per kind or one group per piece with such layers in it, closed
+/// paths ending in Z, ids kept; no transforms but of the names along seams. 4 decimals. Paths name
+/// their piece (data-piece), and the layer "seams" has the sides of the seams, not to be seen, with
+/// data-seam, data-pair and data-length-3d (mm) but for machines, which would follow them. Letters
+/// as outlines keep their text as data-text. Cost: linear in the points.
+std::string writeSvg(const Drawing& drawing, const SvgOptions& options = {});
 
 /// DXF R12 ASCII, profile "plain": LTYPE and LAYER tables, no blocks, POLYLINEs, closed but for
 /// ticks and grain lines, on named coloured layers (CUT, MARKS, TEXT, CHECK, and SEW, NOTCHES,

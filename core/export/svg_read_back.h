@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/export/drawing.h"
+#include "core/export/export_options.h"
+#include "core/export/read_back.h"
+#include "core/reading/svg_reader.h"
+
+namespace toile {
+
+/// The lines of one of our SVG files as those of a drawing, by the names of its layers; without its
+/// letters and the sides of its seams. Pure.
+ReadDrawing drawingOf(const ReadSvg& svg);
+
+/// Reads an SVG file and compares its page, its lines with their layers, and the sides of its seams
+/// with what they are asked to be. Errors: NotReadBack. Cost: linear in the points. Pure.
+Result<ReadBack> readBackSvg(std::string_view bytes, const Drawing& drawing,
+                             const SvgOptions& options);
+
+}  // namespace toile

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/svg_style.h"
+
+#include <algorithm>
+
+#include "core/base/text.h"
+#include "core/export/writers.h"
+
+namespace toile {
+namespace {
+
+constexpr double kPointsPerMillimetre = 72 / 25.4;
+
+constexpr const char* kSvgLayerNames[] = {"cut",   "sew",   "notches", "internal",
+                                          "marks", "grain", "text",    "check"};
+static_assert(std::size(kSvgLayerNames) == kLayerKinds.size());
+
+using SvgColours = std::array<const char*, kLayerKinds.size()>;
+
+constexpr SvgColours kScreenColours{"#ff0000", "#606060", "#c06000", "#0070c0",
+                                    "#008000", "#800080", "#000000", "#0000ff"};
+
+/// LightBurn knows its operations by colours of its palette and takes others for the nearest of
+/// them, so that two of ours could fall together. In its numbers: 02, 01, 05, 06, 03, 07, 00, 09.
+constexpr SvgColours kLaserColours{"#ff0000", "#0000ff", "#ff8000", "#00e0e0",
+                                   "#00e000", "#ff00ff", "#000000", "#0000a0"};
+
+/// A thousandth of an inch: what drivers of lasers take for a line to follow, not to fill.
+constexpr double kHairline = 0.0254;  // mm
+
+/// What holds the piece is done last: a piece that has come loose may move.
+std::vector<LayerKind> cutLast() {
+    std::vector<LayerKind> order(kLayerKinds.begin(), kLayerKinds.end());
+    std::ranges::rotate(order, order.begin() + 1);
+    return order;
+}
+
+}  // namespace
+
+SvgStyle svgStyle(const SvgOptions& options) {
+    SvgStyle style;
+    style.textAsPaths = options.textAsPaths;
+    style.colours = kScreenColours;
+    style.order.assign(kLayerKinds.begin(), kLayerKinds.end());
+    // These programs take a number without a unit for a point, a 72nd of an inch, whatever the
+    // page says of its size. A page in points says the same to all others.
+    if (options.preset == SvgPreset::Illustrator || options.preset == SvgPreset::Silhouette ||
+        options.preset == SvgPreset::Cricut) {
+        style.unit = "pt";
+        style.perMillimetre = kPointsPerMillimetre;
+    }
+    // Cutters follow lines that are not seen too.
+    style.hasSeams =
+        options.preset == SvgPreset::Inkscape || options.preset == SvgPreset::Illustrator;
+    if (options.preset == SvgPreset::Cricut) {
+        style.textAsPaths = true;  // Design Space reads neither texts nor most transforms
+    }
+    if (options.preset == SvgPreset::Laser) {
+        style.colours = kLaserColours;
+        style.stroke = kHairline;
+        style.order = cutLast();
+    }
+    return style;
+}
+
+const char* svgLayerName(LayerKind kind) {
+    return kSvgLayerNames[static_cast<std::size_t>(kind)];
+}
+
+void SvgScale::append(std::string& out, const Eigen::Vector2d& point) const {
+    appendFixed(out, scale_ * point.x(), kDrawingDecimals);
+    out += ',';
+    appendFixed(out, scale_ * (height_ - point.y()), kDrawingDecimals);
+}
+
+std::string SvgScale::x(const Eigen::Vector2d& point) const {
+    return length(point.x());
+}
+
+std::string SvgScale::y(const Eigen::Vector2d& point) const {
+    return length(height_ - point.y());
+}
+
+std::string SvgScale::length(double millimetres) const {
+    return fixed(scale_ * millimetres, kDrawingDecimals);
+}
+
+std::string SvgScale::size(double millimetres) const {
+    return scale_ == 1 ? shortest(millimetres) : length(millimetres);
+}
+
+}  // namespace toile

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/svg_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "core/reading/svg_numbers.h"
+
+namespace toile {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kFineness = 0.005;     // of curves, mm
+constexpr double kFarthest = 1e7;       // of a point, mm
+constexpr double kMostPerCurve = 4096;  // points
+
+/// Draws the commands of a path one by one.
+class PathBuilder {
+public:
+    PathBuilder(const Eigen::Affine2d& place, std::size_t& most) : place_(place), most_(most) {}
+
+    const Vector2d& at() const { return at_; }
+    /// What S and T reflect: the last handle of a curve before, else where the path is.
+    Vector2d reflected(bool isCubic) const {
+        return isCubic == isCubic_ && hasHandle_ ? Vector2d(2 * at_ - handle_) : at_;
+    }
+
+    void move(const Vector2d& to) {
+        finish(false);
+        start_ = at_ = to;
+        hasHandle_ = false;
+    }
+
+    void line(const Vector2d& to) {
+        begin();
+        push(place_ * to);
+        at_ = to;
+        hasHandle_ = false;
+    }
+
+    void cubic(const Vector2d& first, const Vector2d& second, const Vector2d& to) {
+        begin();
+        const Vector2d a = place_ * at_, b = place_ * first, c = place_ * second, d = place_ * to;
+        const double bend = std::max((a - 2 * b + c).norm(), (b - 2 * c + d).norm());
+        const double count = std::ceil(std::sqrt(0.75 * bend / kFineness));
+        if (!std::isfinite(count)) {
+            isBroken_ = true;
+            return;
+        }
+        const int steps = static_cast<int>(std::clamp(count, 1.0, kMostPerCurve));
+        for (int k = 1; k < steps && most_ > 0; ++k) {
+            const double t = static_cast<double>(k) / steps, s = 1 - t;
+            push(s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d);
+        }
+        push(d);
+        at_ = to;
+        keepHandle(second, true);
+    }
+
+    void quadratic(const Vector2d& handle, const Vector2d& to) {
+        cubic(at_ + (handle - at_) * 2 / 3, to + (handle - to) * 2 / 3, to);
+        keepHandle(handle, false);
+    }
+
+    void arc(Vector2d radii, double degrees, bool isLong, bool isPositive, const Vector2d& to);
+
+    void close() {
+        finish(true);
+        at_ = start_;
+        hasHandle_ = false;
+    }
+
+    std::vector<SvgContour> taken() {
+        finish(false);
+        return std::move(contours_);
+    }
+
+private:
+    void keepHandle(const Vector2d& handle, bool isCubic) {
+        handle_ = handle;
+        isCubic_ = isCubic;
+        hasHandle_ = true;
+    }
+
+    void begin() {
+        if (points_.empty()) {
+            push(place_ * at_);
+        }
+    }
+
+    void push(const Vector2d& point) {
+        isBroken_ = isBroken_ || !(point.cwiseAbs().maxCoeff() < kFarthest) || most_ == 0;
+        if (!isBroken_) {
+            points_.push_back(point);
+            --most_;
+        }
+    }
+
+    void finish(bool isClosed) {
+        if (isClosed && points_.size() > 2 &&
+            (points_.front() - points_.back()).norm() < 1e-3 * kFineness) {
+            points_.pop_back();
+        }
+        if (!isBroken_ && points_.size() > 1) {
+            SvgContour& contour = contours_.emplace_back();
+            contour.closed = isClosed;
+            contour.points.resize(static_cast<Eigen::Index>(points_.size()), 2);
+            for (std::size_t k = 0; k < points_.size(); ++k) {
+                contour.points.row(static_cast<Eigen::Index>(k)) = points_[k].transpose();
+            }
+        }
+        points_.clear();
+        isBroken_ = false;
+    }
+
+    const Eigen::Affine2d& place_;
+    std::size_t& most_;
+    Vector2d at_{0, 0}, start_{0, 0}, handle_{0, 0};
+    bool hasHandle_ = false, isCubic_ = false, isBroken_ = false;
+    std::vector<Vector2d> points_;
+    std::vector<SvgContour> contours_;
+};
+
+/// By the middle of the ellipse, in curves of at most a sixteenth of a turn.
+void PathBuilder::arc(Vector2d radii, double degrees, bool isLong, bool isPositive,
+                      const Vector2d& to) {
+    radii = radii.cwiseAbs();
+    const Eigen::Rotation2Dd turn(degrees * std::numbers::pi / 180);
+    if (!(radii.minCoeff() > 0) || to == at_) {
+        line(to);
+        return;
+    }
+    // In the frame where the ellipse is the unit circle about `middle`.
+    const auto toCircle = [&](const Vector2d& point) -> Vector2d {
+        return (turn.inverse() * point).cwiseQuotient(radii);
+    };
+    Vector2d from = toCircle(at_), end = toCircle(to);
+    const double half = (end - from).norm() / 2;
+    if (half > 1) {  // too small: as large as they have to be
+        radii *= half;
+        from = toCircle(at_);
+        end = toCircle(to);
+    }
+    const Vector2d chord = end - from;
+    const double away = std::sqrt(std::max(0.0, 1 / chord.squaredNorm() - 0.25));
+    const Vector2d side = Vector2d(-chord.y(), chord.x()) * (isLong == isPositive ? -away : away);
+    const Vector2d middle = (from + end) / 2 + side;
+    const auto angleOf = [&middle](const Vector2d& point) {
+        return std::atan2(point.y() - middle.y(), point.x() - middle.x());
+    };
+    const double first = angleOf(from);
+    double sweep = angleOf(end) - first;
+    constexpr double kTurn = 2 * std::numbers::pi;
+    sweep += isPositive && sweep < 0 ? kTurn : !isPositive && sweep > 0 ? -kTurn : 0;
+    if (!std::isfinite(sweep)) {
+        isBroken_ = true;
+        return;
+    }
+    const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / (kTurn / 16))));
+    const double step = sweep / parts, reach = 4.0 / 3 * std::tan(step / 4);
+    const auto fromCircle = [&](const Vector2d& point) -> Vector2d {
+        return turn * (middle + point).cwiseProduct(radii);
+    };
+    for (int k = 0; k < parts; ++k) {
+        const double a = first + k * step, b = a + step;
+        const Vector2d p(std::cos(a), std::sin(a)), q(std::cos(b), std::sin(b));
+        cubic(fromCircle(p + reach * Vector2d(-p.y(), p.x())),
+              fromCircle(q - reach * Vector2d(-q.y(), q.x())), k + 1 == parts ? to : fromCircle(q));
+    }
+    hasHandle_ = false;
+}
+
+/// Takes the numbers of one command and draws it; false where they are wrong.
+bool drawCommand(char command, SvgNumbers& numbers, PathBuilder& path) {
+    const bool isRelative = command >= 'a';
+    const Vector2d base = isRelative ? path.at() : Vector2d(0, 0);
+    const auto place = [&]() -> std::optional<Vector2d> {
+        const auto pair = numbers.pair();
+        return pair ? std::optional<Vector2d>(base + *pair) : std::nullopt;
+    };
+    const char kind = isRelative ? static_cast<char>(command - 'a' + 'A') : command;
+    if (kind == 'H' || kind == 'V') {
+        const auto value = numbers.number();
+        if (value) {
+            path.line(kind == 'H' ? Vector2d(base.x() + *value, path.at().y())
+                                  : Vector2d(path.at().x(), base.y() + *value));
+        }
+        return value.has_value();
+    }
+    if (kind == 'A') {
+        const auto radii = numbers.pair();
+        const auto degrees = radii ? numbers.number() : std::nullopt;
+        const auto isLong = degrees ? numbers.flag() : std::nullopt;
+        const auto isPositive = isLong ? numbers.flag() : std::nullopt;
+        const auto to = isPositive ? place() : std::nullopt;
+        if (to) {
+            path.arc(*radii, *degrees, *isLong, *isPositive, *to);
+        }
+        return to.has_value();
+    }
+    const int count = kind == 'C' ? 3 : kind == 'S' || kind == 'Q' ? 2 : 1;
+    Vector2d points[3];
+    for (int k = 0; k < count; ++k) {
+        const auto point = place();
+        if (!point) {
+            return false;
+        }
+        points[k] = *point;
+    }
+    switch (kind) {
+        case 'M':
+            path.move(points[0]);
+            return true;
+        case 'L':
+            path.line(points[0]);
+            return true;
+        case 'C':
+            path.cubic(points[0], points[1], points[2]);
+            return true;
+        case 'S':
+            path.cubic(path.reflected(true), points[0], points[1]);
+            return true;
+        case 'Q':
+            path.quadratic(points[0], points[1]);
+            return true;
+        case 'T':
+            path.quadratic(path.reflected(false), points[0]);
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
+std::vector<SvgContour> svgContours(std::string_view data, const Eigen::Affine2d& place,
+                                    std::size_t& most) {
+    SvgNumbers numbers(data);
+    PathBuilder path(place, most);
+    char command = 0;
+    while (most > 0) {
+        if (const auto letter = numbers.letter()) {
+            command = *letter;
+            if (command == 'Z' || command == 'z') {
+                path.close();
+                continue;
+            }
+        } else if (command == 'Z' || command == 'z') {
+            break;
+        }
+        if (command == 0 || !drawCommand(command, numbers, path)) {
+            break;
+        }
+        // More pairs behind M are lines.
+        command = command == 'M' ? 'L' : command == 'm' ? 'l' : command;
+    }
+    return path.taken();
+}
+
+}  // namespace toile
