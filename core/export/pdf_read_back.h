@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/export/drawing.h"
+#include "core/export/export_options.h"
+#include "core/export/read_back.h"
+
+namespace toile {
+
+/// Reads a PDF file again and compares it with what it shows: every line (`comparedWithDrawing`),
+/// the size of the pages, their scale, that together they show all of the drawing, the two squares,
+/// and the layers.
+/// Errors: NotReadBack. Cost: linear in the lines, and their points by the pages. Pure.
+Result<ReadBack> readBackPdf(std::string_view bytes, const Drawing& drawing,
+                             const PdfOptions& options);
+
+}  // namespace toile
