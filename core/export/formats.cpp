@@ -12,6 +12,8 @@
 #include "core/export/garmentcode_writer.h"
 #include "core/export/html_report.h"
 #include "core/export/mesh_read_back.h"
+#include "core/export/pdf_read_back.h"
+#include "core/export/pdf_writer.h"
 #include "core/export/piece_meshes.h"
 #include "core/export/report_tables.h"
 #include "core/export/svg_read_back.h"
@@ -45,6 +47,19 @@ Result<ExportedFiles> makeDxf(const ExportSource& source) {
         files.push_back({".rul", writeRuleTable(source)});
     }
     return files;
+}
+
+Result<ExportedFiles> makePdf(const ExportSource& source) {
+    Result<std::string> made =
+        writePdf(source.drawing(), source.laid().pattern, source.options().pdf);
+    if (!made) {
+        return made.error();
+    }
+    return oneFile(std::move(*made));
+}
+
+Result<ReadBack> readPdfBack(const ExportedFiles& files, const ExportSource& source) {
+    return readBackPdf(files.front().bytes, source.drawing(), source.options().pdf);
 }
 
 Result<ExportedFiles> makeReport(const ExportSource& source) {
@@ -121,6 +136,7 @@ Result<ReadBack> readGarmentCodeBack(const ExportedFiles& files, const ExportSou
 
 constexpr const char* kSvg[] = {".svg"};
 constexpr const char* kDxf[] = {".dxf"};
+constexpr const char* kPdf[] = {".pdf"};
 constexpr const char* kPng[] = {".png"};
 constexpr const char* kObj[] = {".obj"};
 constexpr const char* kUsd[] = {".usda"};
@@ -147,6 +163,16 @@ std::array kFormats{
            .trueScale = true,
            .write = makeDxf,
            .readBack = readDxfBack},
+    Format{.id = FormatId::Pdf,
+           .name = TR("PDF to print"),
+           .use = TR("home printers, copy shops and projectors"),
+           .endings = kPdf,
+           .layers = true,
+           .trueScale = true,
+           .curves = true,
+           .pages = true,
+           .write = makePdf,
+           .readBack = readPdfBack},
     Format{.id = FormatId::Png,
            .name = TR("PNG picture"),
            .use = TR("mails and web pages, at a stated resolution"),

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/pdf_sheets.h"
+
+#include <algorithm>
+
+#include "core/base/characters.h"
+#include "core/base/text.h"
+#include "core/export/pdf_content.h"
+
+namespace toile {
+namespace {
+
+using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
+
+constexpr double kPageScale = 72 / 25.4;  // points per mm
+constexpr double kInch = 25.4;
+constexpr double kThin = 0.15, kMarkWidth = 0.25, kSquareWidth = 0.2;  // mm
+constexpr double kPale = 0.65, kGrey = 0.4;                            // of frames and names
+constexpr double kMarkSize = 4;    // mm, from the middle of a diamond to its corners
+constexpr double kSquareGap = 8;   // mm, about the squares
+constexpr double kSquareText = 3;  // mm
+constexpr double kTileName = 7, kTileText = 2.5, kTileInset = 4;  // mm
+constexpr double kTitle = 7, kPlain = 3, kSmallPlain = 2.5;       // mm, on the cover
+constexpr std::size_t kMostOfName = 60;                           // characters
+constexpr int kCheckLayer = static_cast<int>(LayerKind::Check);
+
+const DrawnPath* checkSquare(const Drawing& drawing) {
+    const auto at = std::ranges::find_if(drawing.paths, [](const DrawnPath& path) -> bool {
+        return path.layer == LayerKind::Check;
+    });
+    return at == drawing.paths.end() || at->points.rows() == 0 ? nullptr : &*at;
+}
+
+/// Both squares from the lower left corner of the first.
+void addSquares(PdfContent& out, const Vector2d& corner) {
+    out.beginLayer(kCheckLayer);
+    out.save();
+    out.setGrey(0);
+    out.setWidth(kSquareWidth);
+    const auto square = [&](const Vector2d& low, double side, const char* id, const char* text) {
+        out.beginItem(id);
+        out.box({low, low + Vector2d::Constant(side)});
+        out.end();
+        const Vector2d middle = low + Vector2d::Constant(0.5 * side);
+        out.text(text, middle - Vector2d(0, 0.5 * kSquareText), kSquareText, TextStart::Middle);
+    };
+    square(corner, kMetricSquare, "square-50-mm", "50 mm");
+    square(corner + Vector2d(kMetricSquare + kSquareGap, 0), kInchSquare, "square-1-in", "1 in");
+    out.restore();
+    out.end();
+}
+
+/// From the sheet to a page.
+Vector2d moveOf(const PdfPlan& plan, const PdfPage& page) {
+    return plan.origin - page.window.min();
+}
+
+void useDrawing(PdfContent& out, const PdfPlan& plan, const PdfPage& page) {
+    if (plan.turned) {
+        out.transform(0, 1, -1, 0, moveOf(plan, page));
+    } else {
+        out.transform(1, 0, 0, 1, moveOf(plan, page));
+    }
+}
+
+void addForm(PdfContent& out, const PdfPlan& plan, const PdfPage& page) {
+    out.save();
+    out.clip({plan.origin, plan.origin + page.window.sizes()});
+    useDrawing(out, plan, page);
+    out.form("P");
+    out.restore();
+}
+
+PdfContent inMillimetres() {
+    PdfContent out;
+    out.save();
+    out.transform(kPageScale, 0, 0, kPageScale, Vector2d::Zero());
+    return out;
+}
+
+std::string finishedPage(PdfContent& out) {
+    out.restore();
+    return out.take();
+}
+
+std::string nameOf(const Drawing& drawing) {
+    return shownText(drawing.title, kMostOfName);
+}
+
+/// The marks of the edges that a page shares, and whom it shares them with.
+void addSharedEdges(PdfContent& out, const PdfPlan& plan, std::size_t index) {
+    const PdfPage& page = plan.pages[index];
+    for (const SharedEdge& edge : plan.shared) {
+        const bool isFirst = edge.page == static_cast<int>(index);
+        if (!isFirst && edge.other != static_cast<int>(index)) {
+            continue;
+        }
+        const PdfPage& other =
+            plan.pages[static_cast<std::size_t>(isFirst ? edge.other : edge.page)];
+        const Vector2d middle = edge.middle + moveOf(plan, page);
+        Points2 diamond(4, 2);
+        diamond << kMarkSize, 0, 0, kMarkSize, -kMarkSize, 0, 0, -kMarkSize;
+        diamond.rowwise() += middle.transpose();
+        out.setGrey(0);
+        out.setWidth(kMarkWidth);
+        out.line(diamond, true);
+        const bool isBeside = other.row == page.row;
+        const Vector2d along = isBeside ? Vector2d(0, kMarkSize) : Vector2d(kMarkSize, 0);
+        out.segment(middle - along, middle + along);
+        const Vector2d inwards =
+            isBeside ? Vector2d(isFirst ? -1 : 1, 0) : Vector2d(0, isFirst ? 1 : -1);
+        out.setGrey(kGrey);
+        out.text(tileName(other),
+                 middle + (kMarkSize + kTileText + 1) * inwards - Vector2d(0, 0.5 * kTileText),
+                 kTileText, TextStart::Middle);
+    }
+}
+
+std::string pageNumber(std::size_t number, const PdfPlan& plan) {
+    return "page " + std::to_string(number) + " of " + std::to_string(plan.pages.size() + 1);
+}
+
+/// A column of lines of text from the top of a page down.
+class TextColumn {
+public:
+    TextColumn(PdfContent& out, const Vector2d& top, double width)
+        : out_(out), at_(top), width_(width) {}
+
+    void add(std::string_view line, double height, double grey) {
+        at_.y() -= height;
+        out_.setGrey(grey);
+        out_.text(line, at_, height, TextStart::Left, 0, width_);
+        at_.y() -= 0.9 * height;
+    }
+
+    double bottom() const { return at_.y(); }
+
+private:
+    PdfContent& out_;
+    Vector2d at_;
+    double width_;
+};
+
+/// Points nearer to each other than this on a map are one, mm.
+constexpr double kMapStep = 0.25;
+
+void addMapLine(PdfContent& out, const PdfPlan& plan, const DrawnPath& path, double scale,
+                const Vector2d& move) {
+    Points2 line(path.points.rows(), 2);
+    Eigen::Index count = 0;
+    for (Eigen::Index k = 0; k < path.points.rows(); ++k) {
+        const Vector2d point = scale * onSheet(plan, path.points.row(k)) + move;
+        if (count == 0 || k + 1 == path.points.rows() ||
+            (line.row(count - 1).transpose() - point).norm() >= kMapStep) {
+            line.row(count++) = point.transpose();
+        }
+    }
+    if (count > 1) {
+        out.line(line.topRows(count), path.closed);
+    }
+}
+
+/// The tiles and the lines that are cut, small, from the top of a box.
+void addMap(PdfContent& out, const Drawing& drawing, const PdfPlan& plan,
+            const AlignedBox2d& room) {
+    AlignedBox2d sheet;
+    for (const PdfPage& page : plan.pages) {
+        sheet.extend(page.frame);
+    }
+    if (sheet.isEmpty() || !(room.sizes().minCoeff() > 0)) {
+        return;
+    }
+    const double scale = room.sizes().cwiseQuotient(sheet.sizes()).minCoeff();
+    const Vector2d move(room.center().x() - scale * sheet.center().x(),
+                        room.max().y() - scale * sheet.max().y());
+    const auto placed = [&](const Vector2d& p) -> Vector2d { return scale * p + move; };
+    double smallest = sheet.sizes().maxCoeff();
+    for (const PdfPage& page : plan.pages) {
+        smallest = std::min(smallest, page.frame.sizes().minCoeff());
+    }
+    const double height = std::min(5.0, 0.3 * scale * smallest);
+    for (const PdfPage& page : plan.pages) {
+        out.setWidth(kThin);
+        out.setGrey(kPale);
+        out.box({placed(page.frame.min()), placed(page.frame.max())});
+        out.text(tileName(page), placed(page.frame.center()) - Vector2d(0, 0.5 * height), height,
+                 TextStart::Middle);
+    }
+    out.setGrey(0);
+    out.setWidth(kMarkWidth);
+    for (const DrawnPath& path : drawing.paths) {
+        if (path.layer == LayerKind::Cut) {
+            addMapLine(out, plan, path, scale, move);
+        }
+    }
+}
+
+}  // namespace
+
+AlignedBox2d squaresBeside(const Drawing& drawing) {
+    const DrawnPath* check = checkSquare(drawing);
+    if (!check) {
+        return {};
+    }
+    const Vector2d corner(check->points.col(0).minCoeff(),
+                          check->points.col(1).maxCoeff() + kSquareGap);
+    return {corner, corner + Vector2d(kMetricSquare + kSquareGap + kInchSquare, kMetricSquare)};
+}
+
+std::string coverPage(const Drawing& drawing, const PdfPlan& plan) {
+    PdfContent out = inMillimetres();
+    const Vector2d paper = plan.coverPaper;
+    const Vector2d top(2 * kPageMargin, paper.y() - 2 * kPageMargin);
+    const double width = paper.x() - 4 * kPageMargin;
+    out.beginLayer(kPageLayer);
+    TextColumn head(out, top, width);
+    head.add(nameOf(drawing), kTitle, 0);
+    const int pieces = static_cast<int>(drawing.blocks.size());
+    head.add(counted(pieces, "piece") + " on " +
+                 counted(static_cast<long long>(plan.pages.size()), "page") + " after this one",
+             kPlain, 0);
+    out.end();
+    const Vector2d squares(top.x(), head.bottom() - kSquareGap - kMetricSquare);
+    addSquares(out, squares);
+    out.beginLayer(kPageLayer);
+    const double right = squares.x() + kMetricSquare + kInchSquare + 2 * kSquareGap;
+    TextColumn how(out, {right, squares.y() + kMetricSquare}, top.x() + width - right);
+    how.add("Print at 100 % (actual size),", kPlain, 0);
+    how.add("not fitted to the page.", kPlain, 0);
+    how.add("Measure both squares first.", kPlain, 0);
+    how.add("", kPlain, 0);
+    how.add("Cut along the grey frames where pages", kSmallPlain, kGrey);
+    how.add("meet, and join them by their marks:", kSmallPlain, kGrey);
+    how.add("the halves make whole diamonds.", kSmallPlain, kGrey);
+    out.setGrey(kGrey);
+    out.text(pageNumber(1, plan), {top.x(), 1.5 * kPageMargin}, kTileText, TextStart::Left);
+    const AlignedBox2d room(Vector2d(top.x(), 2.5 * kPageMargin),
+                            Vector2d(top.x() + width, squares.y() - 1.5 * kSquareGap));
+    addMap(out, drawing, plan, room);
+    out.end();
+    return finishedPage(out);
+}
+
+std::string tilePage(const Drawing& drawing, const PdfPlan& plan, std::size_t index) {
+    const PdfPage& page = plan.pages[index];
+    PdfContent out = inMillimetres();
+    const Vector2d move = moveOf(plan, page);
+    const AlignedBox2d frame(page.frame.min() + move, page.frame.max() + move);
+    out.beginLayer(kPageLayer);
+    out.save();
+    out.clip({plan.origin, plan.origin + page.window.sizes()});
+    out.setWidth(kThin);
+    out.setGrey(kPale);
+    out.box(frame);
+    addSharedEdges(out, plan, index);
+    TextColumn names(out, {frame.min().x() + kTileInset, frame.max().y() - kTileInset},
+                     0.4 * frame.sizes().x());
+    names.add(tileName(page), kTileName, kPale);
+    names.add(pageNumber(index + 2, plan), kTileText, kGrey);
+    names.add(nameOf(drawing), kTileText, kGrey);
+    out.restore();
+    out.end();
+    addForm(out, plan, page);
+    return finishedPage(out);
+}
+
+std::string singlePage(const Drawing& drawing, const PdfPlan& plan, bool hasGrid) {
+    const PdfPage& page = plan.pages.front();
+    PdfContent out = inMillimetres();
+    if (hasGrid) {
+        out.beginLayer(kGridLayer);
+        out.save();
+        out.setGrey(kPale);
+        out.setWidth(2 * kMarkWidth);
+        for (double x = kInch; x < plan.paper.x(); x += kInch) {
+            out.segment({x, 0}, {x, plan.paper.y()});
+        }
+        for (double y = kInch; y < plan.paper.y(); y += kInch) {
+            out.segment({0, y}, {plan.paper.x(), y});
+        }
+        out.restore();
+        out.end();
+    }
+    addForm(out, plan, page);
+    if (const AlignedBox2d squares = squaresBeside(drawing); !squares.isEmpty()) {
+        out.save();
+        useDrawing(out, plan, page);
+        addSquares(out, squares.min());
+        out.restore();
+    }
+    return finishedPage(out);
+}
+
+}  // namespace toile
