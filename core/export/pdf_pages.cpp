@@ -185,7 +185,11 @@ Layout layoutOnRoll(const Vector2d& size, const PaperRow& row, double overlap) {
     const auto strips = [&](double across) -> double {
         return tilesFor(across, row.width - kMargins, overlap);
     };
-    const bool turned = strips(size.y()) * size.x() < strips(size.x()) * size.y();
+    const double across = strips(size.x()), acrossTurned = strips(size.y());
+    // In one strip where that can be, whatever its length.
+    const bool turned =
+        (across > 1 && acrossTurned == 1) ||
+        ((across == 1) == (acrossTurned == 1) && acrossTurned * size.x() < across * size.y());
     const double length = turned ? size.x() : size.y();
     const double longest = kLongestPage - kMargins;
     const double parts = tilesFor(length, longest, overlap);

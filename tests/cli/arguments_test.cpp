@@ -209,7 +209,7 @@ TEST(Arguments, HelpAndVersionAreMessages) {
 TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
     const std::vector<std::vector<const char*>> wrong = {
         {"flatten"},
-        {"flatten", "a.obj", "-o", "a.pdf"},
+        {"flatten", "a.obj", "-o", "a.tiff"},
         {"flatten", "a.obj", "--unit", "ell"},
         {"flatten", "a.obj", "--method", "magic"},
         {"flatten", "a.obj", "--report", "r.txt"},

@@ -179,7 +179,7 @@ TEST(Contract, ABrokenPromiseIsStatusOneAndNoPlainFlat) {
 
 TEST(Contract, WrongUsageIsStatusTwoAndWritesNothing) {
     const test::TemporaryFolder folder;
-    const auto run = test::toileRun({"flatten", kShirt, "-o", (folder / "out.pdf").string()});
+    const auto run = test::toileRun({"flatten", kShirt, "-o", (folder / "out.tiff").string()});
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     EXPECT_TRUE(run.out.empty());
