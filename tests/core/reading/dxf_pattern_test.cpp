@@ -18,7 +18,7 @@ namespace {
 
 using test::DxfText;
 
-Points2 points(std::initializer_list<std::array<double, 2>> places) {
+Points2 rowsOf(std::initializer_list<std::array<double, 2>> places) {
     Points2 line(static_cast<Eigen::Index>(places.size()), 2);
     Eigen::Index row = 0;
     for (const auto& place : places) {
@@ -28,7 +28,7 @@ Points2 points(std::initializer_list<std::array<double, 2>> places) {
 }
 
 const Points2 kPanelOutline =
-    points({{0, 0}, {400, 0}, {400, 300}, {250, 500}, {0, 500}});  // 400 + 300 + 250 + 250 + 500
+    rowsOf({{0, 0}, {400, 0}, {400, 300}, {250, 500}, {0, 500}});  // 400 + 300 + 250 + 250 + 500
 
 /// One block in mm, all capitals, closed.
 std::string closedFile() {
@@ -46,7 +46,7 @@ std::string closedFile() {
         .number(50, 180)
         .point("13", 200, 200)
         .number(30, 2)
-        .polyline("11", points({{100, 100}, {120, 100}, {120, 120}}), true)
+        .polyline("11", rowsOf({{100, 100}, {120, 100}, {120, 120}}), true)
         .line("8", 10, 10, 20, 20)
         .endBlock()
         .end()
@@ -108,9 +108,9 @@ TEST(DxfPattern, ReadsAPieceWithAllThatIsOnIt) {
 }
 
 TEST(DxfPattern, JoinsOpenLinesInAnyOrderAndDirection) {
-    std::vector<Points2> parts{points({{0, 0}, {400, 0}}), points({{400, 0}, {400, 300}}),
-                               points({{400, 300}, {250, 500}, {0, 500}}),
-                               points({{0, 500}, {0, 0}})};
+    std::vector<Points2> parts{rowsOf({{0, 0}, {400, 0}}), rowsOf({{400, 0}, {400, 300}}),
+                               rowsOf({{400, 300}, {250, 500}, {0, 500}}),
+                               rowsOf({{0, 500}, {0, 0}})};
     std::mt19937 random(1);
     for (int trial = 0; trial < 20; ++trial) {
         std::shuffle(parts.begin(), parts.end(), random);
@@ -131,7 +131,7 @@ TEST(DxfPattern, MakesHalvesWhole) {
         .block("back")
         .polyline("1", kPanelOutline, true)
         .line("6", 0, 0, 0, 500)
-        .polyline("14", points({{0, 10}, {390, 10}, {390, 300}, {245, 490}, {0, 490}}), false)
+        .polyline("14", rowsOf({{0, 10}, {390, 10}, {390, 300}, {245, 490}, {0, 490}}), false)
         .point("4", 400, 100)
         .number(50, 180)
         .point("4", 0, 500)
@@ -222,7 +222,7 @@ std::string squareFile(double side, std::string_view units, const char* header =
         .block("12")
         .text("Piece Name: FRONT")
         .text("Size: 38")
-        .polyline("1", points({{0, 0}, {side, 0}, {side, side}, {0, side}}), true)
+        .polyline("1", rowsOf({{0, 0}, {side, 0}, {side, side}, {0, side}}), true)
         .endBlock()
         .end()
         .section("ENTITIES");
@@ -284,7 +284,7 @@ TEST(DxfPattern, KnowsTheSampleSize) {
 
 TEST(DxfPattern, ReadsOurOwnDrawing) {
     const Drawing drawing = test::sewingDrawing();
-    const PatternFile file = readAll(writeDxf(drawing));
+    const PatternFile file = readAll(writePlainDxf(drawing));
     EXPECT_EQ(file.unit, LengthUnit::Millimetre);
     ASSERT_EQ(file.pieces.size(), drawing.blocks.size());
     std::vector<double> is, should;
