@@ -96,7 +96,8 @@ std::vector<ApparelNotch> notchRecords(const Pattern& pattern, const PatternPiec
     size.depth = pattern.notchDepth;
     std::vector<ApparelNotch> records;
     for (const PieceNotch& notch : piece.notches) {
-        const ClosedLine& loop = loops[static_cast<std::size_t>(notch.hole + 1)];
+        const int index = notch.hole + 1;  // the outline comes first
+        const ClosedLine& loop = loops[static_cast<std::size_t>(index)];
         const Points2& cut =
             notch.hole < 0 ? edgeOf(piece) : piece.holes[static_cast<std::size_t>(notch.hole)];
         const double allowance = notch.hole < 0 ? allowanceAt(piece, loop.length(), notch.at) : 0;

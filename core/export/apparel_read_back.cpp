@@ -151,10 +151,10 @@ public:
         if (linesOn(kGrainLayer) != 1 || linesOn(kMirrorLayer) != (isOnFold ? 1 : 0)) {
             return apparelFault(block_.name, "grain or mirror line");
         }
-        if (const auto fault = lineFault()) {
+        if (auto fault = lineFault()) {
             return fault;
         }
-        if (const auto fault = notchFault()) {
+        if (auto fault = notchFault()) {
             return fault;
         }
         return drillFault();

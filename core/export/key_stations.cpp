@@ -194,8 +194,11 @@ std::size_t StationLine::vertexCount() const {
 }
 
 double StationLine::arcOf(std::size_t k) const {
-    const std::size_t n = arc_.size() - 1;
-    return closed_ ? static_cast<double>(k / n) * length() + arc_[k % n] : arc_[k];
+    if (!closed_) {
+        return arc_[k];
+    }
+    const std::size_t n = arc_.size() - 1, turns = k / n;
+    return static_cast<double>(turns) * length() + arc_[k % n];
 }
 
 Eigen::Vector2d StationLine::vertex(std::size_t k) const {

@@ -2,8 +2,10 @@
 #include "tests/fuzz/check_garment.h"
 
 #include <cmath>
+#include <vector>
 
 #include "core/export/drawing.h"
+#include "core/export/formats.h"
 #include "core/export/writers.h"
 #include "core/garment/divide.h"
 #include "core/pipeline/pipeline.h"
@@ -79,8 +81,20 @@ std::string whatBreaksIn(const Garment& garment, const PieceResults& results,
         }
     }
     const Drawing drawing = draw(laid.pattern, laid.marker);
-    for (const std::string& file :
-         {writeSvg(drawing), writePlainDxf(drawing), writeObj(garment, results, laid.whole)}) {
+    std::vector<std::string> files{writeSvg(drawing), writeObj(garment, results, laid.whole)};
+    for (const DxfProfile profile : {DxfProfile::Astm, DxfProfile::Aama, DxfProfile::Plain}) {
+        ExportOptions options;
+        options.dxf.profile = profile;
+        const ExportSource source(garment, results, laid, options);
+        const Format& dxf = formatOf(FormatId::Dxf);
+        const auto written = dxf.write(source);
+        if (!written) {
+            return "DXF is not written";
+        }
+        (void)dxf.readBack(*written, source);
+        files.push_back(written->front().bytes);
+    }
+    for (const std::string& file : files) {
         if (file.find("nan") != std::string::npos || file.find("inf") != std::string::npos) {
             return "a file holds what is no number";
         }
