@@ -143,7 +143,8 @@ void GarmentActions::askAndExport() {
     // "-pattern" keeps an OBJ export from proposing to replace the garment itself.
     const QString name = tr("%1-pattern").arg(first.completeBaseName());
     auto* dialog = new ExportDialog(folder + '/' + name, preferences_.exportFormat(),
-                                    preferences_.exportOptions(), dialogs_, &window_);
+                                    preferences_.exportOptions(),
+                                    {dialogs_.save, dialogs_.mayReplace}, &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     const auto drawing =
         workspace_.drawPattern([asked = QPointer(dialog)](std::shared_ptr<const Drawing> drawn) {

@@ -48,9 +48,9 @@ QString usualEnding(const Format& format) {
 }  // namespace
 
 ExportDialog::ExportDialog(const QString& path, const QString& format, const ExportOptions& options,
-                           const FileDialogs& dialogs, QWidget* parent)
+                           ExportQuestions questions, QWidget* parent)
     : QDialog(parent),
-      dialogs_(dialogs),
+      questions_(std::move(questions)),
       list_(new QListWidget(this)),
       form_(new OptionForm(this)),
       preview_(new DrawingPreview(this)),
@@ -167,7 +167,7 @@ void ExportDialog::onPathEdited() {
 
 void ExportDialog::browse() {
     const QString filter = QString("%1 (*%2)").arg(app::tr(format().name), usualEnding(format()));
-    if (const QString path = dialogs_.save(this, path_->text(), filter); !path.isEmpty()) {
+    if (const QString path = questions_.save(this, path_->text(), filter); !path.isEmpty()) {
         path_->setText(path);
         onPathEdited();
         browsed_ = path_->text() == path ? path : QString();
@@ -201,7 +201,7 @@ void ExportDialog::accept() {
     onPathEdited();
     const QString path = path_->text();
     const bool isAsked = path == browsed_;  // by the dialog of files
-    if (isAsked || !QFileInfo::exists(path) || dialogs_.mayReplace(this, path)) {
+    if (isAsked || !QFileInfo::exists(path) || questions_.mayReplace(this, path)) {
         QDialog::accept();
     }
 }

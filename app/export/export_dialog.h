@@ -2,9 +2,9 @@
 #pragma once
 
 #include <QDialog>
+#include <functional>
 #include <memory>
 
-#include "app/actions/file_dialogs.h"
 #include "core/export/formats.h"
 
 class QCheckBox;
@@ -17,6 +17,14 @@ namespace toile::app {
 
 class DrawingPreview;
 class OptionForm;
+
+/// What the dialog asks beside itself.
+struct ExportQuestions {
+    /// Another place: a suggestion and a filter to a path that may be written to; empty for none.
+    std::function<QString(QWidget* parent, const QString& suggestion, const QString& filter)> save;
+    /// Whether a file that is there may be replaced.
+    std::function<bool(QWidget* parent, const QString& path)> mayReplace;
+};
 
 struct ExportChoice {
     QString path;    ///< with an ending
@@ -32,9 +40,8 @@ class ExportDialog : public QDialog {
 public:
     /// @param path    suggested, without an ending  @param format  an ending, as ExportChoice has
     /// it
-    /// @param dialogs  for another place; must outlive this
     ExportDialog(const QString& path, const QString& format, const ExportOptions& options,
-                 const FileDialogs& dialogs, QWidget* parent);
+                 ExportQuestions questions, QWidget* parent);
 
     /// The page, once it is drawn.
     void setDrawing(std::shared_ptr<const Drawing> drawing);
@@ -53,7 +60,7 @@ private:
 
     std::vector<const Format*> formats_;  ///< that can be written, by rows
     std::shared_ptr<const Drawing> drawing_;
-    const FileDialogs& dialogs_;
+    ExportQuestions questions_;
     QString browsed_;  ///< chosen in the dialog of files, which has asked whether to replace it
     QListWidget* list_;
     OptionForm* form_;

@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/export/drawing.h"
+#include "core/reading/read_drawing.h"
 
 namespace toile {
 
@@ -25,22 +26,6 @@ struct ReadBack {
 
 /// "read back: 13 pieces, largest difference 0.004 mm".
 std::string readBackSentence(const ReadBack& found);
-
-/// A line as a reader found it, mm, y up, where the drawing has it.
-struct ReadLine {
-    LayerKind layer = LayerKind::Cut;
-    std::string id{};  ///< of the drawing; empty where the format names no lines
-    Points2 points = Points2(0, 2);
-    bool closed = false;
-    /// Only some points of the line, which are on it; lengths are those of these.
-    bool hasKeyPoints = false;
-    int stretches = 1;  ///< of one with key points: from one turn point to the next
-};
-
-struct ReadDrawing {
-    std::vector<ReadLine> lines{};
-    int pieces = 0;  ///< by blocks, groups or outlines, as the format has them
-};
 
 /// Compares lines with those of a drawing: each line of these layers is there once (by id, else in
 /// order), none that is not meant, no point of one farther from the other than

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/result.h"
-#include "core/export/read_back.h"
+#include "core/reading/read_drawing.h"
 
 namespace toile {
 

@@ -64,8 +64,8 @@ TEST_F(ReadSoup, SaysHowToReadWhatNeedsAssimp) {
     EXPECT_EQ(
         sentence(readAs("skirt.glb", "").error()),
         "skirt.glb: the file's ending names no format Toile knows (\".glb\" needs Toile built "
-        "with -DTOILE_ASSIMP=ON, or an export as OBJ); read .obj, .off, .ply or .stl; write "
-        ".svg, .dxf, .obj or .json.");
+        "with -DTOILE_ASSIMP=ON, or an export as OBJ); read .obj, .off, .ply or .stl; "
+        "toile flatten --help lists what can be written.");
 }
 #endif
 
