@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/characters.h"
-#include "core/base/text.h"
 #include "core/export/pdf_file.h"
 
 namespace toile {
@@ -18,25 +16,14 @@ constexpr std::array<const char*, kPdfLayerCount> kLayerNames{
     "cut",   "seam line", "notches", "internal lines", "marks",
     "grain", "labels",    "check",   "grid",           "pages"};
 
-constexpr int kMatrixDigits = 12;          // decimals: a page is thousands of millimetres long
-constexpr double kSizePerCapital = 1.393;  // of Helvetica
-constexpr double kLetterUnits = 1000;      // of a capital's height: whole ones are fine enough
-constexpr double kAverageWidth = 0.5;      // of a character of it, in its size
+constexpr int kMatrixDigits = 10;  // decimals: a page is thousands of millimetres long
 
-bool isAscii(std::string_view text) {
-    return std::ranges::all_of(text, [](char c) -> bool { return c >= ' ' && c <= '~'; });
-}
-
-/// The characters of a standard font: Latin ones in one byte each, others unseen ones.
-std::string latinHex(const std::u32string& characters) {
-    std::string hex = "<";
-    for (const char32_t c : characters) {
-        const bool isLatin = (c >= 0x20 && c < 0x7F) || (c >= 0xA0 && c <= 0xFF);
-        const char32_t byte = isLatin ? c : U'?';
-        hex += "0123456789ABCDEF"[byte >> 4];
-        hex += "0123456789ABCDEF"[byte & 15];
-    }
-    return hex + ">";
+/// Numbers and names of tiles, "12" and "B3": they are many, and of few characters.
+bool isCode(std::string_view text) {
+    constexpr std::size_t kLongest = 6;
+    return text.size() <= kLongest && std::ranges::all_of(text, [](char c) -> bool {
+               return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z');
+           });
 }
 
 }  // namespace
@@ -60,10 +47,11 @@ void PdfContent::point(const Vector2d& point) {
 }
 
 void PdfContent::transform(double a, double b, double c, double d, const Vector2d& move) {
-    for (const double value : {a, b, c, d, move.x(), move.y()}) {
-        appendFixed(out_, value, kMatrixDigits);
+    for (const double value : {a, b, c, d}) {
+        appendPdfNumber(out_, value, kMatrixDigits);
         out_ += ' ';
     }
+    point(move);
     out_ += "cm\n";
 }
 
@@ -148,68 +136,39 @@ void PdfContent::segment(const Vector2d& from, const Vector2d& to) {
     out_ += "l S\n";
 }
 
-void PdfContent::text(std::string_view line, const Vector2d& position, double height,
-                      TextStart start, double angle, double most) {
-    const std::string clean = cleanText(line);
-    const std::u32string characters = codePoints(clean);
-    const TextOutlines outlines = textOutlines(clean, kLetterUnits);
-    if (characters.empty() || !std::isfinite(outlines.width) || !(outlines.width > 0)) {
-        return;
-    }
-    double scale = height / kLetterUnits;
-    scale = most > 0 ? std::min(scale, most / outlines.width) : scale;
-    const double left = start == TextStart::Middle ? -0.5 * scale * outlines.width : 0;
-    const Vector2d along(std::cos(angle), std::sin(angle));
-    save();
-    transform(scale * along.x(), scale * along.y(), -scale * along.y(), scale * along.x(),
-              position + left * along);
-    letters(outlines);
-    // Without a font for the outlines the text itself is seen.
-    unseenText(clean, characters, outlines.width, outlines.contours.empty());
-    restore();
-}
-
-void PdfContent::letters(const TextOutlines& outlines) {
-    const auto whole = [this](const Vector2d& point) {
-        for (const double value : {point.x(), point.y()}) {
-            appendFixed(out_, value, 0);
-            out_ += ' ';
+double PdfContent::text(std::string_view text, const Vector2d& position, double height,
+                        TextStart start, double angle, double most) {
+    std::vector<std::string_view> parts;
+    if (isCode(text)) {
+        for (std::size_t k = 0; k < text.size(); ++k) {
+            parts.push_back(text.substr(k, 1));
         }
-    };
-    for (const auto& contour : outlines.contours) {
-        if (contour.empty()) {
+    } else {
+        parts.push_back(text);
+    }
+    double width = 0;
+    for (const std::string_view part : parts) {
+        width += letters_->line(part).width;
+    }
+    if (!(width > 0)) {
+        return 0;
+    }
+    double scale = height / PdfLetters::kHeight;
+    scale = most > 0 ? std::min(scale, most / width) : scale;
+    const Vector2d along = scale * Vector2d(std::cos(angle), std::sin(angle));
+    double at = start == TextStart::Middle ? -0.5 * width : 0;
+    for (const std::string_view part : parts) {
+        const PdfLetters::Line& line = letters_->line(part);
+        if (line.key.empty()) {
             continue;
         }
-        whole(contour.front().start);
-        out_ += "m\n";
-        for (const CubicCurve& curve : contour) {
-            if (!curve.isLine) {
-                whole(curve.startHandle);
-                whole(curve.endHandle);
-            }
-            whole(curve.end);
-            out_ += curve.isLine ? "l\n" : "c\n";
-        }
-        out_ += "h\n";
+        save();
+        transform(along.x(), along.y(), -along.y(), along.x(), position + at * along);
+        form(line.key);
+        restore();
+        at += line.width;
     }
-    out_ += outlines.contours.empty() ? "" : "f\n";
-}
-
-void PdfContent::unseenText(const std::string& text, const std::u32string& characters, double width,
-                            bool isSeen) {
-    const double size = kLetterUnits * kSizePerCapital;
-    const double usual = kAverageWidth * size * static_cast<double>(characters.size());
-    if (!isAscii(text)) {
-        out_ += "/Span << /ActualText " + pdfText(text) + " >> BDC\n";
-    }
-    out_ += isSeen ? "BT 0 Tr /F1 " : "BT 3 Tr /F1 ";
-    number(size);
-    out_ += "Tf ";
-    number(100 * width / usual);
-    out_ += "Tz " + latinHex(characters) + " Tj ET\n";
-    if (!isAscii(text)) {
-        end();
-    }
+    return scale * width;
 }
 
 }  // namespace toile

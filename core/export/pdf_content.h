@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "core/export/drawing.h"
-#include "core/export/text_outlines.h"
+#include "core/export/pdf_letters.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/cubic_curve.h"
 
@@ -32,6 +32,9 @@ enum class TextStart { Left, Middle };
 /// `end`; state that is set between `save` and `restore` ends with it.
 class PdfContent {
 public:
+    /// @param letters  of the same file; they outlive it
+    explicit PdfContent(PdfLetters& letters) : letters_(&letters) {}
+
     void save() { out_ += "q\n"; }
     void restore() { out_ += "Q\n"; }
     void transform(double a, double b, double c, double d, const Eigen::Vector2d& move);
@@ -56,22 +59,20 @@ public:
     void box(const Eigen::AlignedBox2d& box);
     void segment(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
-    /// A line of text as filled outlines, in any script, and the same text beside it unseen, to be
-    /// searched for. @param position  on the baseline  @param height  of a capital
+    /// A line of text, in any script. @param position  on the baseline  @param height  of a capital
     /// @param angle  radians  @param most  it is made smaller where it would be longer; 0: it is
     /// not
-    void text(std::string_view line, const Eigen::Vector2d& position, double height,
-              TextStart start, double angle = 0, double most = 0);
+    /// @return its width
+    double text(std::string_view text, const Eigen::Vector2d& position, double height,
+                TextStart start, double angle = 0, double most = 0);
 
     std::string take() { return std::move(out_); }
 
 private:
     void number(double value);
     void point(const Eigen::Vector2d& point);
-    void letters(const TextOutlines& outlines);
-    void unseenText(const std::string& text, const std::u32string& characters, double width,
-                    bool isSeen);
 
+    PdfLetters* letters_;
     std::string out_;
 };
 

@@ -112,8 +112,13 @@ std::vector<CubicCurve> outlineCurves(const PatternPiece& piece, const Placement
 
 class DrawingWriter {
 public:
-    DrawingWriter(const Drawing& drawing, const Pattern& pattern, const PdfLineWidths& widths)
-        : drawing_(drawing), pattern_(pattern), widths_(widths), blockOf_(drawing.paths.size()) {
+    DrawingWriter(const Drawing& drawing, const Pattern& pattern, const PdfLineWidths& widths,
+                  PdfLetters& letters)
+        : drawing_(drawing),
+          pattern_(pattern),
+          widths_(widths),
+          blockOf_(drawing.paths.size()),
+          out_(letters) {
         for (const DrawnBlock& block : drawing.blocks) {
             std::fill_n(blockOf_.begin() + static_cast<std::ptrdiff_t>(block.path), block.pathCount,
                         &block);
@@ -203,8 +208,9 @@ private:
 }  // namespace
 
 std::string pdfDrawing(const Drawing& drawing, const Pattern& pattern,
-                       const std::vector<LayerKind>& layers, const PdfLineWidths& widths) {
-    DrawingWriter writer(drawing, pattern, widths);
+                       const std::vector<LayerKind>& layers, const PdfLineWidths& widths,
+                       PdfLetters& letters) {
+    DrawingWriter writer(drawing, pattern, widths, letters);
     for (const LayerKind layer : layers) {
         writer.writeLayer(layer);
     }

@@ -14,7 +14,6 @@
 namespace toile {
 namespace {
 
-constexpr int kDecimals = 4;
 constexpr int kLevel = 2;  // of nine: twice as fast as the usual one, for files a tenth longer
 constexpr double kPointsPerMillimetre = 72 / 25.4;
 constexpr std::size_t kOffsetDigits = 10;
@@ -138,9 +137,9 @@ std::string pdfNumber(double value) {
     return text;
 }
 
-void appendPdfNumber(std::string& out, double value) {
+void appendPdfNumber(std::string& out, double value, int decimals) {
     const std::size_t start = out.size();
-    appendFixed(out, value, kDecimals);
+    appendFixed(out, value, decimals);
     if (out.find('.', start) != std::string::npos) {
         while (out.back() == '0') {
             out.pop_back();

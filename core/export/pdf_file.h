@@ -36,8 +36,8 @@ std::string pdfReference(int number);
 std::string pdfText(std::string_view text);
 /// A length of pages in points, from mm.
 std::string pdfPoints(double millimetres);
-/// Up to four decimals, without zeros at the end; never in powers of ten.
+/// Up to so many decimals, without zeros at the end; never in powers of ten.
 std::string pdfNumber(double value);
-void appendPdfNumber(std::string& out, double value);
+void appendPdfNumber(std::string& out, double value, int decimals = 4);
 
 }  // namespace toile

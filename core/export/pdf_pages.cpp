@@ -280,7 +280,7 @@ Result<void> placeOnTiles(PdfPlan& plan, const AlignedBox2d& box, const PrintedC
 
 }  // namespace
 
-Result<PdfPlan> planPages(const PrintedContent& content, const PdfOptions& options) {
+Result<PdfPlan> planPages(const PrintedContent& content, const PdfOptions& options, bool hasMap) {
     const PaperRow& row = kPaperRows[static_cast<std::size_t>(options.paper)];
     AlignedBox2d box = content.box;
     if (box.isEmpty()) {
@@ -308,7 +308,7 @@ Result<PdfPlan> planPages(const PrintedContent& content, const PdfOptions& optio
                  .coverPaper = coverOf(options.paper)};
     box = plan.turned ? turnedQuarter(box) : box;
     const Vector2d room = plan.paper - Vector2d::Constant(kMargins);
-    if (row.kind != PaperKind::Tile && fits(box.sizes(), room)) {
+    if (!hasMap && row.kind != PaperKind::Tile && fits(box.sizes(), room)) {
         placeOnOne(plan, box, room);
     } else if (const auto placed = placeOnTiles(plan, box, content, room, layout.overlap);
                !placed) {

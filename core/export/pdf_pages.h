@@ -52,9 +52,11 @@ struct PdfPlan {
 /// those that would be empty. Large sheets, upright or lying, and rolls, as short as the pattern
 /// turned for it allows: one page where everything fits, else tiles of that size; rolls longer than
 /// kLongestPage are divided evenly.
+/// @param hasMap  tiles even where everything fits on one page
 /// Errors: PageTooSmall where the projector's one page would be too long, with the lengths, or
 /// where there would be more than kMostTiles. Cost: linear in content and pages. Pure.
-Result<PdfPlan> planPages(const PrintedContent& content, const PdfOptions& options);
+Result<PdfPlan> planPages(const PrintedContent& content, const PdfOptions& options,
+                          bool hasMap = false);
 
 inline constexpr int kMostTiles = 4000;
 

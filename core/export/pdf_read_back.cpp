@@ -158,7 +158,8 @@ Result<void> compareSquare(const ReadPdf& read, const std::string& id, double si
                : notAsMeant(id + ": it is no square of " + fixed(side, 1) + " mm");
 }
 
-Result<void> compareLayers(const ReadPdf& read, const std::vector<LayerKind>& layers, bool isGrid) {
+Result<void> comparePdfLayers(const ReadPdf& read, const std::vector<LayerKind>& layers,
+                              bool isGrid) {
     constexpr std::array<const char*, 8> kNames{"cut",   "seam line", "notches", "internal lines",
                                                 "marks", "grain",     "labels",  "check"};
     static_assert(kNames.size() == kLayerKinds.size());
@@ -182,11 +183,11 @@ Result<ReadBack> readBackPdf(std::string_view bytes, const Drawing& drawing,
     if (!read) {
         return notAsMeant(read.error().detail);
     }
-    // The sheets of a printer have squares on their first page, and no other.
+    // Where the first page is a map it has squares, and the drawing has none.
+    const bool hasMap = !read->pages.empty() && read->pages.front().views.empty();
     std::vector<LayerKind> layers;
     for (const LayerKind kind : kLayerKinds) {
-        if (hasLayer(drawing, kind) &&
-            (kind != LayerKind::Check || !expected(options.paper).isForTiles)) {
+        if (hasLayer(drawing, kind) && (kind != LayerKind::Check || !hasMap)) {
             layers.push_back(kind);
         }
     }
@@ -194,10 +195,10 @@ Result<ReadBack> readBackPdf(std::string_view bytes, const Drawing& drawing,
     if (!found) {
         return found;
     }
-    const Result<void> others[] = {comparePages(*read, options.paper),
-                                   compareSquare(*read, "square-50-mm", 50),
-                                   compareSquare(*read, "square-1-in", 25.4),
-                                   compareLayers(*read, layers, options.paper == Paper::Projector)};
+    const Result<void> others[] = {
+        comparePages(*read, options.paper), compareSquare(*read, "square-50-mm", 50),
+        compareSquare(*read, "square-1-in", 25.4),
+        comparePdfLayers(*read, layers, options.paper == Paper::Projector)};
     for (const Result<void>& other : others) {
         if (!other) {
             return other.error();

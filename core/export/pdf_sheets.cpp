@@ -72,8 +72,8 @@ void addForm(PdfContent& out, const PdfPlan& plan, const PdfPage& page) {
     out.restore();
 }
 
-PdfContent inMillimetres() {
-    PdfContent out;
+PdfContent inMillimetres(PdfLetters& letters) {
+    PdfContent out(letters);
     out.save();
     out.transform(kPageScale, 0, 0, kPageScale, Vector2d::Zero());
     return out;
@@ -84,7 +84,7 @@ std::string finishedPage(PdfContent& out) {
     return out.take();
 }
 
-std::string nameOf(const Drawing& drawing) {
+std::string styleName(const Drawing& drawing) {
     return shownText(drawing.title, kMostOfName);
 }
 
@@ -117,8 +117,8 @@ void addSharedEdges(PdfContent& out, const PdfPlan& plan, std::size_t index) {
     }
 }
 
-std::string pageNumber(std::size_t number, const PdfPlan& plan) {
-    return "page " + std::to_string(number) + " of " + std::to_string(plan.pages.size() + 1);
+std::vector<std::string> pageNumber(std::size_t number, const PdfPlan& plan) {
+    return {"page ", std::to_string(number), " of " + std::to_string(plan.pages.size() + 1)};
 }
 
 /// A column of lines of text from the top of a page down.
@@ -131,6 +131,17 @@ public:
         at_.y() -= height;
         out_.setGrey(grey);
         out_.text(line, at_, height, TextStart::Left, 0, width_);
+        at_.y() -= 0.9 * height;
+    }
+
+    /// Parts of a line, of which others have some too: these are in the file once.
+    void addParts(const std::vector<std::string>& parts, double height, double grey) {
+        at_.y() -= height;
+        out_.setGrey(grey);
+        double right = 0;
+        for (const std::string& part : parts) {
+            right += out_.text(part, at_ + Vector2d(right, 0), height, TextStart::Left);
+        }
         at_.y() -= 0.9 * height;
     }
 
@@ -208,14 +219,14 @@ AlignedBox2d squaresBeside(const Drawing& drawing) {
     return {corner, corner + Vector2d(kMetricSquare + kSquareGap + kInchSquare, kMetricSquare)};
 }
 
-std::string coverPage(const Drawing& drawing, const PdfPlan& plan) {
-    PdfContent out = inMillimetres();
+std::string coverPage(const Drawing& drawing, const PdfPlan& plan, PdfLetters& letters) {
+    PdfContent out = inMillimetres(letters);
     const Vector2d paper = plan.coverPaper;
     const Vector2d top(2 * kPageMargin, paper.y() - 2 * kPageMargin);
     const double width = paper.x() - 4 * kPageMargin;
     out.beginLayer(kPageLayer);
     TextColumn head(out, top, width);
-    head.add(nameOf(drawing), kTitle, 0);
+    head.add(styleName(drawing), kTitle, 0);
     const int pieces = static_cast<int>(drawing.blocks.size());
     head.add(counted(pieces, "piece") + " on " +
                  counted(static_cast<long long>(plan.pages.size()), "page") + " after this one",
@@ -233,8 +244,8 @@ std::string coverPage(const Drawing& drawing, const PdfPlan& plan) {
     how.add("Cut along the grey frames where pages", kSmallPlain, kGrey);
     how.add("meet, and join them by their marks:", kSmallPlain, kGrey);
     how.add("the halves make whole diamonds.", kSmallPlain, kGrey);
-    out.setGrey(kGrey);
-    out.text(pageNumber(1, plan), {top.x(), 1.5 * kPageMargin}, kTileText, TextStart::Left);
+    TextColumn(out, {top.x(), 1.5 * kPageMargin + kTileText}, width)
+        .addParts(pageNumber(1, plan), kTileText, kGrey);
     const AlignedBox2d room(Vector2d(top.x(), 2.5 * kPageMargin),
                             Vector2d(top.x() + width, squares.y() - 1.5 * kSquareGap));
     addMap(out, drawing, plan, room);
@@ -242,9 +253,10 @@ std::string coverPage(const Drawing& drawing, const PdfPlan& plan) {
     return finishedPage(out);
 }
 
-std::string tilePage(const Drawing& drawing, const PdfPlan& plan, std::size_t index) {
+std::string tilePage(const Drawing& drawing, const PdfPlan& plan, std::size_t index,
+                     PdfLetters& letters) {
     const PdfPage& page = plan.pages[index];
-    PdfContent out = inMillimetres();
+    PdfContent out = inMillimetres(letters);
     const Vector2d move = moveOf(plan, page);
     const AlignedBox2d frame(page.frame.min() + move, page.frame.max() + move);
     out.beginLayer(kPageLayer);
@@ -257,27 +269,28 @@ std::string tilePage(const Drawing& drawing, const PdfPlan& plan, std::size_t in
     TextColumn names(out, {frame.min().x() + kTileInset, frame.max().y() - kTileInset},
                      0.4 * frame.sizes().x());
     names.add(tileName(page), kTileName, kPale);
-    names.add(pageNumber(index + 2, plan), kTileText, kGrey);
-    names.add(nameOf(drawing), kTileText, kGrey);
+    names.addParts(pageNumber(index + 2, plan), kTileText, kGrey);
+    names.add(styleName(drawing), kTileText, kGrey);
     out.restore();
     out.end();
     addForm(out, plan, page);
     return finishedPage(out);
 }
 
-std::string singlePage(const Drawing& drawing, const PdfPlan& plan, bool hasGrid) {
+std::string singlePage(const Drawing& drawing, const PdfPlan& plan, bool hasGrid,
+                       PdfLetters& letters) {
     const PdfPage& page = plan.pages.front();
-    PdfContent out = inMillimetres();
+    PdfContent out = inMillimetres(letters);
     if (hasGrid) {
         out.beginLayer(kGridLayer);
         out.save();
         out.setGrey(kPale);
         out.setWidth(2 * kMarkWidth);
-        for (double x = kInch; x < plan.paper.x(); x += kInch) {
-            out.segment({x, 0}, {x, plan.paper.y()});
+        for (int k = 1; k * kInch < plan.paper.x(); ++k) {
+            out.segment({k * kInch, 0}, {k * kInch, plan.paper.y()});
         }
-        for (double y = kInch; y < plan.paper.y(); y += kInch) {
-            out.segment({0, y}, {plan.paper.x(), y});
+        for (int k = 1; k * kInch < plan.paper.y(); ++k) {
+            out.segment({0, k * kInch}, {plan.paper.x(), k * kInch});
         }
         out.restore();
         out.end();

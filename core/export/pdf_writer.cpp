@@ -7,6 +7,7 @@
 #include "core/export/pdf_content.h"
 #include "core/export/pdf_drawing.h"
 #include "core/export/pdf_file.h"
+#include "core/export/pdf_letters.h"
 #include "core/export/pdf_pages.h"
 #include "core/export/pdf_sheets.h"
 #include "core/pattern/label.h"
@@ -66,10 +67,27 @@ struct Shared {
     std::string resources;
 };
 
-void addPage(PdfFile& file, const Shared& shared, std::vector<int>& pages,
-             const Eigen::Vector2d& paper, const std::string& content) {
-    const std::string box = "[0 0 " + pdfPoints(paper.x()) + " " + pdfPoints(paper.y()) + "]";
-    const int stream = file.addStream("", content);
+struct Sheet {
+    Eigen::Vector2d paper;
+    std::string content;
+};
+
+std::vector<Sheet> sheetsOf(const Drawing& drawing, const PdfPlan& plan, bool hasGrid,
+                            PdfLetters& letters) {
+    if (!plan.isTiled) {
+        return {{plan.paper, singlePage(drawing, plan, hasGrid, letters)}};
+    }
+    std::vector<Sheet> sheets{{plan.coverPaper, coverPage(drawing, plan, letters)}};
+    for (std::size_t k = 0; k < plan.pages.size(); ++k) {
+        sheets.push_back({plan.paper, tilePage(drawing, plan, k, letters)});
+    }
+    return sheets;
+}
+
+void addPage(PdfFile& file, const Shared& shared, std::vector<int>& pages, const Sheet& sheet) {
+    const std::string box =
+        "[0 0 " + pdfPoints(sheet.paper.x()) + " " + pdfPoints(sheet.paper.y()) + "]";
+    const int stream = file.addStream("", sheet.content);
     pages.push_back(file.add("<< /Type /Page /Parent " + pdfReference(shared.pages) +
                              " /MediaBox " + box + " /CropBox " + box + " /TrimBox " + box +
                              " /Resources " + shared.resources + " /Contents " +
@@ -121,10 +139,10 @@ std::string pageLabels(const PdfPlan& plan) {
 
 }  // namespace
 
-std::vector<LayerKind> pdfLayers(const Drawing& drawing, Paper paper) {
+std::vector<LayerKind> pdfLayers(const Drawing& drawing, bool isTiled) {
     std::vector<LayerKind> layers;
     for (const LayerKind kind : kLayerKinds) {
-        if (hasLayer(drawing, kind) && !(kind == LayerKind::Check && isOnTiles(paper))) {
+        if (hasLayer(drawing, kind) && !(kind == LayerKind::Check && isTiled)) {
             layers.push_back(kind);
         }
     }
@@ -133,8 +151,15 @@ std::vector<LayerKind> pdfLayers(const Drawing& drawing, Paper paper) {
 
 Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
                              const PdfOptions& options) {
-    const std::vector<LayerKind> kinds = pdfLayers(drawing, options.paper);
-    const Result<PdfPlan> plan = planPages(contentOf(drawing, kinds), options);
+    bool isTiled = isOnTiles(options.paper);
+    std::vector<LayerKind> kinds = pdfLayers(drawing, isTiled);
+    Result<PdfPlan> plan = planPages(contentOf(drawing, kinds), options);
+    if (plan && plan->isTiled && !isTiled) {
+        // Too large for one sheet: the squares need no room then.
+        isTiled = true;
+        kinds = pdfLayers(drawing, isTiled);
+        plan = planPages(contentOf(drawing, kinds), options, isTiled);
+    }
     if (!plan) {
         return plan.error();
     }
@@ -160,24 +185,26 @@ Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
     const LayerObjects listed = addLayers(file, layers);
     const int font = file.add(
         "<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>");
+    const std::string fonts = "/F1 " + pdfReference(font);
+    // What pages show is made first: the texts of all of it are in the file once.
+    PdfLetters letters;
+    const std::string drawn =
+        pdfDrawing(drawing, pattern, kinds, isProjected ? kOnScreen : PdfLineWidths{}, letters);
+    const std::vector<Sheet> sheets = sheetsOf(drawing, *plan, isProjected, letters);
+    const std::string texts = letters.addTo(file, fonts);
     const std::string common =
-        "/Font << /F1 " + pdfReference(font) + " >> /Properties <<" + listed.properties + " >>";
+        "/Font << " + fonts + " >> /Properties <<" + listed.properties + " >> /XObject <<" + texts;
     const std::string extent = pdfNumber(drawing.width + 2 * kPageMargin) + " " +
                                pdfNumber(drawing.height + 2 * kPageMargin);
     const int form = file.addStream(
         "/Type /XObject /Subtype /Form /BBox [" + pdfNumber(-2 * kPageMargin) + " " +
-            pdfNumber(-2 * kPageMargin) + " " + extent + "] /Resources << " + common + " >>",
-        pdfDrawing(drawing, pattern, kinds, isProjected ? kOnScreen : PdfLineWidths{}));
-    Shared shared{file.reserve(), pdfReference(file.add("<< " + common + " /XObject << /P " +
-                                                        pdfReference(form) + " >> >>"))};
+            pdfNumber(-2 * kPageMargin) + " " + extent + "] /Resources << " + common + " >> >>",
+        drawn);
+    const Shared shared{file.reserve(), pdfReference(file.add("<< " + common + " /P " +
+                                                              pdfReference(form) + " >> >>"))};
     std::vector<int> pages;
-    if (plan->isTiled) {
-        addPage(file, shared, pages, plan->coverPaper, coverPage(drawing, *plan));
-        for (std::size_t k = 0; k < plan->pages.size(); ++k) {
-            addPage(file, shared, pages, plan->paper, tilePage(drawing, *plan, k));
-        }
-    } else {
-        addPage(file, shared, pages, plan->paper, singlePage(drawing, *plan, isProjected));
+    for (const Sheet& sheet : sheets) {
+        addPage(file, shared, pages, sheet);
     }
     file.set(shared.pages, "<< /Type /Pages /Count " + std::to_string(pages.size()) + " /Kids " +
                                references(pages) + " >>");

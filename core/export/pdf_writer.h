@@ -15,13 +15,13 @@ namespace toile {
 /// shows a part of; a layer (optional content) for each kind of line, and for the projector a grid
 /// of inches that is off at first; no dates, and viewers are told not to scale. Texts are filled
 /// outlines, with the same text beside them unseen.
-/// On printers' papers the drawing's check square is left out: the first page has squares.
+/// Where there are tiles the drawing's check square is left out: the first page has squares.
 /// @param pattern  that was drawn
 /// Errors: those of planPages. Cost: that of pdfDrawing, and of the texts of each page. Pure.
 Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
                              const PdfOptions& options);
 
-/// The kinds of lines that such a file carries.
-std::vector<LayerKind> pdfLayers(const Drawing& drawing, Paper paper);
+/// The kinds of lines that such a file carries, in tiles or on one page.
+std::vector<LayerKind> pdfLayers(const Drawing& drawing, bool isTiled);
 
 }  // namespace toile

@@ -11,6 +11,7 @@
 #include "core/export/pdf_content.h"
 #include "core/export/pdf_drawing.h"
 #include "core/export/pdf_file.h"
+#include "core/export/pdf_letters.h"
 #include "core/export/pdf_read_back.h"
 #include "core/pipeline/pipeline.h"
 #include "core/reading/pdf_reader.h"
@@ -144,8 +145,23 @@ TEST(WritePdf, NumbersItsPagesAndBeginsWithTheMap) {
     }
 }
 
+TEST(WritePdf, GivesAPatternItsSheetAndTheSquaresTheMap) {
+    // With the check square beside it the piece would need another sheet.
+    Drawn made{{"apron", {{{}, "apron", "apron", test::rectangle(0, 0, 1100, 700)}}}, {}};
+    made.drawing = draw(made.pattern, layOut(made.pattern));
+    const PdfOptions options{Paper::A0, 10};
+    const std::string bytes = written(made, options);
+    const auto read = readPdf(bytes);
+    ASSERT_TRUE(read);
+    ASSERT_EQ(read->pages.size(), 2U);
+    EXPECT_EQ(read->pages[0].lines.size(), 2U);
+    EXPECT_TRUE(readBackPdf(bytes, made.drawing, options));
+}
+
 TEST(WritePdf, DrawsFairSeamLinesAsCurves) {
-    const std::string content = pdfDrawing(shirt().drawing, shirt().pattern, {LayerKind::Sew}, {});
+    PdfLetters letters;
+    const std::string content =
+        pdfDrawing(shirt().drawing, shirt().pattern, {LayerKind::Sew}, {}, letters);
     std::size_t curves = 0, lines = 0;
     for (std::size_t at = 0; (at = content.find('\n', at)) != std::string::npos; ++at) {
         curves += at > 0 && content[at - 1] == 'c';
@@ -198,9 +214,9 @@ TEST(ReadBackPdf, RefusesAnotherPaperAndBytesThatWereChanged) {
     const auto found = readBackPdf(bytes, made.drawing, {});
     ASSERT_FALSE(found);
     EXPECT_NE(found.error().detail.find("page 1"), std::string::npos);
-    // A stream that is no longer what was packed.
+    // The drawing, which is the last form, is no longer what was packed.
     bytes = written(made);
-    const std::size_t stream = bytes.find("/Subtype /Form");
+    const std::size_t stream = bytes.rfind("/Subtype /Form");
     ASSERT_NE(stream, std::string::npos);
     bytes[bytes.find("stream\n", stream) + 2000] ^= 1;
     EXPECT_FALSE(readBackPdf(bytes, made.drawing, {}));
