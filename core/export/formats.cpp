@@ -15,6 +15,8 @@
 #include "core/export/pdf_read_back.h"
 #include "core/export/pdf_writer.h"
 #include "core/export/piece_meshes.h"
+#include "core/export/plt_read_back.h"
+#include "core/export/plt_writer.h"
 #include "core/export/report_tables.h"
 #include "core/export/svg_read_back.h"
 #include "core/export/writers.h"
@@ -60,6 +62,14 @@ Result<ExportedFiles> makePdf(const ExportSource& source) {
 
 Result<ReadBack> readPdfBack(const ExportedFiles& files, const ExportSource& source) {
     return readBackPdf(files.front().bytes, source.drawing(), source.options().pdf);
+}
+
+Result<ExportedFiles> makePlt(const ExportSource& source) {
+    return oneFile(writePlt(source.drawing(), source.options().plt));
+}
+
+Result<ReadBack> readPltFile(const ExportedFiles& files, const ExportSource& source) {
+    return readBackPlt(files.front().bytes, source.drawing(), source.options().plt);
 }
 
 Result<ExportedFiles> makeReport(const ExportSource& source) {
@@ -137,6 +147,7 @@ Result<ReadBack> readGarmentCodeBack(const ExportedFiles& files, const ExportSou
 constexpr const char* kSvg[] = {".svg"};
 constexpr const char* kDxf[] = {".dxf"};
 constexpr const char* kPdf[] = {".pdf"};
+constexpr const char* kPlt[] = {".plt", ".hpgl"};
 constexpr const char* kPng[] = {".png"};
 constexpr const char* kObj[] = {".obj"};
 constexpr const char* kUsd[] = {".usda"};
@@ -173,6 +184,14 @@ std::array kFormats{
            .pages = true,
            .write = makePdf,
            .readBack = readPdfBack},
+    Format{.id = FormatId::Plt,
+           .name = TR("HPGL plot"),
+           .use = TR("pen plotters and roll cutters"),
+           .endings = kPlt,
+           .layers = true,
+           .trueScale = true,
+           .write = makePlt,
+           .readBack = readPltFile},
     Format{.id = FormatId::Png,
            .name = TR("PNG picture"),
            .use = TR("mails and web pages, at a stated resolution"),

@@ -31,7 +31,7 @@ constexpr double kHairline = 0.0254;  // mm
 /// What holds the piece is done last: a piece that has come loose may move.
 std::vector<LayerKind> cutLast() {
     std::vector<LayerKind> order(kLayerKinds.begin(), kLayerKinds.end());
-    std::ranges::rotate(order, order.begin() + 1);
+    std::rotate(order.begin(), order.begin() + 1, order.end());
     return order;
 }
 

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/plotter_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/segment.h"
+
+namespace toile {
+namespace {
+
+constexpr double kOffLine = 0.019;    // mm; of reading back, 0.02, all but what arithmetic needs
+constexpr double kOffLength = 0.004;  // mm, that a long step may be off
+constexpr double kPerOffset = 0.15;   // mm of length for each that a point is off
+/// Many short steps are a zigzag, and each makes the line longer: mm of length, times mm of step.
+constexpr double kPerStep = 0.002;
+constexpr Eigen::Index kMostPassed = 200;  // points by one step
+
+/// Steps along a line over the places of a plotter.
+class PlotterWalk {
+public:
+    PlotterWalk(const Points2& line, bool closed) : line_(line) {
+        if (closed) {
+            line_.conservativeResize(line.rows() + 1, 2);
+            line_.row(line.rows()) = line.row(0);
+        }
+        arc_.push_back(0);
+        for (Eigen::Index k = 1; k < line_.rows(); ++k) {
+            arc_.push_back(arc_.back() + (line_.row(k) - line_.row(k - 1)).norm());
+        }
+        isClosed_ = closed;
+    }
+
+    std::vector<Eigen::Vector2d> walk() {
+        at_ = rounded(0);
+        const Eigen::Index before = isClosed_ ? line_.rows() - 2 : 0;
+        error_ = -ahead(0, at_, line_.row(0) - line_.row(before));
+        std::vector<Eigen::Vector2d> places{at_};
+        for (Eigen::Index k = 0; k + 1 < line_.rows();) {
+            const Step step = next(k, places.front());
+            error_ = step.error;
+            k = step.end;
+            if (step.place != at_ || places.size() == 1) {
+                places.push_back(step.place);
+            }
+            at_ = step.place;
+        }
+        return places;
+    }
+
+private:
+    struct Step {
+        Eigen::Index end = 0;
+        Eigen::Vector2d place{0, 0};  ///< units
+        double error = 0;             ///< of the length up to the place, mm
+        /// Of the length up to where the new line is nearest to the point.
+        double seen = std::numeric_limits<double>::infinity();
+    };
+
+    Eigen::Vector2d rounded(Eigen::Index k) const {
+        return (kPlotterUnits * line_.row(k).transpose()).array().round();
+    }
+
+    /// The farthest point that a step may end at with the length right, else the best of all.
+    Step next(Eigen::Index from, const Eigen::Vector2d& first) const {
+        Step best, farthest;
+        double least = std::numeric_limits<double>::infinity();
+        const Eigen::Index last = std::min(line_.rows() - 1, from + kMostPassed);
+        int misses = 0;
+        for (Eigen::Index end = from + 1; end <= last && misses < 3; ++end) {
+            const Step step = stepTo(from, end, first);
+            if (!std::isfinite(step.seen)) {
+                ++misses;  // the next may round to the better side
+                continue;
+            }
+            misses = 0;
+            const double cost = std::abs(step.seen) + kPerStep / lengthBetween(from, end);
+            if (cost < least) {  // false of points that lie on each other
+                best = step;
+                least = cost;
+            }
+            farthest = std::abs(step.seen) <= kOffLength ? step : farthest;
+        }
+        if (farthest.end > 0 || best.end > 0) {
+            return farthest.end > 0 ? farthest : best;
+        }
+        // Points closer together than the plotter's places.
+        const Eigen::Vector2d place = rounded(from + 1);
+        return {from + 1, place,
+                error_ + (place - at_).norm() / kPlotterUnits - lengthBetween(from, from + 1)};
+    }
+
+    double lengthBetween(Eigen::Index from, Eigen::Index end) const {
+        return arc_[static_cast<std::size_t>(end)] - arc_[static_cast<std::size_t>(from)];
+    }
+
+    /// With the least error of length and place; infinite where the line would be too far off.
+    Step stepTo(Eigen::Index from, Eigen::Index end, const Eigen::Vector2d& first) const {
+        Step best{end};
+        double least = std::numeric_limits<double>::infinity();
+        const double length = lengthBetween(from, end);
+        const bool isEnd = isClosed_ && end + 1 == line_.rows();
+        const Eigen::Vector2d exact = kPlotterUnits * line_.row(end).transpose();
+        for (int side = 0; side < (isEnd ? 1 : 4); ++side) {
+            const Eigen::Vector2d place =
+                isEnd
+                    ? first
+                    : Eigen::Vector2d(exact.array().floor() + Eigen::Array2d(side & 1, side >> 1));
+            const double off = (place - exact).norm() / kPlotterUnits;
+            const double error = error_ + (place - at_).norm() / kPlotterUnits - length;
+            const double seen = error + ahead(end, place, (place - at_).transpose());
+            const double cost = std::abs(seen) + kPerOffset * off;
+            const bool isShort = place == at_ && end + 1 < line_.rows();
+            if (!isShort && off <= kOffLine && cost < least && isNear(from, end, place)) {
+                best = {end, place, error, seen};
+                least = cost;
+            }
+        }
+        return best;
+    }
+
+    /// How far beyond a place the line through it is nearest to its point, mm: at a corner the
+    /// point may be beside the step that comes, or beside the next.
+    /// @param step  that comes to it
+    double ahead(Eigen::Index k, const Eigen::Vector2d& place,
+                 const Eigen::RowVector2d& step) const {
+        const Eigen::Vector2d off = line_.row(k).transpose() - place / kPlotterUnits;
+        const Eigen::Index next = k + 1 < line_.rows() ? k + 1 : isClosed_ ? 1 : k;
+        const Eigen::Vector2d before = step.transpose().normalized();
+        const Eigen::Vector2d behind = (line_.row(next) - line_.row(k)).normalized();
+        const double back = std::min(0.0, off.dot(before)), on = std::max(0.0, off.dot(behind));
+        const bool isBehind = (off - on * behind).norm() < (off - back * before).norm();
+        return isBehind ? on : back;
+    }
+
+    /// Whether all points that a step passes are near it.
+    bool isNear(Eigen::Index from, Eigen::Index end, const Eigen::Vector2d& place) const {
+        const Eigen::Vector2d a = at_ / kPlotterUnits, b = place / kPlotterUnits;
+        for (Eigen::Index k = from + 1; k < end; ++k) {
+            const Eigen::Vector2d point = line_.row(k);
+            const double share = geometry::nearestShare(point, a, b);
+            if ((a + share * (b - a) - point).norm() > kOffLine) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    Points2 line_;  ///< a closed one with its first point once more
+    std::vector<double> arc_;
+    bool isClosed_ = false;
+    Eigen::Vector2d at_{0, 0};  ///< units
+    double error_ = 0;          ///< of the length so far, mm
+};
+
+}  // namespace
+
+Points2 plotterLine(const Points2& line, bool closed) {
+    const std::vector<Eigen::Vector2d> places = PlotterWalk(line, closed).walk();
+    Points2 units(static_cast<Eigen::Index>(places.size()), 2);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        units.row(static_cast<Eigen::Index>(k)) = places[k].transpose();
+    }
+    return units;
+}
+
+}  // namespace toile

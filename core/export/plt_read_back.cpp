@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/plt_read_back.h"
+
+#include <algorithm>
+#include <string>
+
+namespace toile {
+namespace {
+
+/// As the drawing lies.
+Points2 turnedBack(const Points2& line, const Drawing& drawing, const PltOptions& options) {
+    if (!options.turned) {
+        return line;
+    }
+    Points2 back(line.rows(), 2);
+    back.col(0) = line.col(1);
+    back.col(1) = drawing.height - line.col(0).array();
+    return back;
+}
+
+/// By the crossings of a ray to the right.
+bool isAround(const Points2& outline, const Eigen::Vector2d& point) {
+    bool isInside = false;
+    for (Eigen::Index k = 0, before = outline.rows() - 1; k < outline.rows(); before = k++) {
+        const auto a = outline.row(before), b = outline.row(k);
+        if ((a.y() > point.y()) != (b.y() > point.y()) &&
+            point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+            isInside = !isInside;
+        }
+    }
+    return isInside;
+}
+
+/// What is cut out and lies in no other, or in a hole: pieces.
+int countPieces(const std::vector<ReadLine>& lines) {
+    int pieces = 0;
+    for (const ReadLine& line : lines) {
+        const Eigen::Vector2d point = line.points.row(0);
+        const auto around = std::ranges::count_if(lines, [&](const ReadLine& other) {
+            return &other != &line && other.layer == LayerKind::Cut && other.closed &&
+                   isAround(other.points, point);
+        });
+        pieces += line.layer == LayerKind::Cut && line.closed && around % 2 == 0 ? 1 : 0;
+    }
+    return pieces;
+}
+
+Error pltDiffers(const std::string& what, const std::string& how) {
+    return {ErrorCode::NotReadBack, {}, what + ": " + how};
+}
+
+/// @return  false where a line is off the page by more than the writing of places allows
+bool isOnPage(const std::vector<PltLine>& plot, const Drawing& drawing, const PltOptions& options) {
+    return std::ranges::all_of(plot, [&](const PltLine& line) {
+        const Points2 points = turnedBack(line.points, drawing, options);
+        return points.minCoeff() >= -kReadBackCoordinates &&
+               points.col(0).maxCoeff() <= drawing.width + kReadBackCoordinates &&
+               points.col(1).maxCoeff() <= drawing.height + kReadBackCoordinates;
+    });
+}
+
+}  // namespace
+
+ReadDrawing drawingOf(const std::vector<PltLine>& plot, const Drawing& drawing,
+                      const PltOptions& options) {
+    std::vector<const DrawnPath*> inner, cuts;
+    for (const DrawnPath& path : drawing.paths) {
+        (path.layer == LayerKind::Cut ? cuts : inner).push_back(&path);
+    }
+    std::ranges::reverse(cuts);
+    ReadDrawing read;
+    std::size_t nextInner = 0, nextCut = 0;
+    for (const PltLine& line : plot) {
+        constexpr int kCut = 1, kInner = 2;
+        if (line.pen != kCut && line.pen != kInner) {
+            continue;
+        }
+        const bool isCut = line.pen == kCut;
+        const std::vector<const DrawnPath*>& meant = isCut ? cuts : inner;
+        std::size_t& next = isCut ? nextCut : nextInner;
+        ReadLine& found = read.lines.emplace_back();
+        found.layer = isCut ? LayerKind::Cut : LayerKind::Internal;
+        if (next < meant.size()) {
+            found.layer = meant[next]->layer;
+            found.id = meant[next]->id;
+            ++next;
+        }
+        found.points = turnedBack(line.points, drawing, options);
+        found.closed = line.closed;
+    }
+    read.pieces = countPieces(read.lines);
+    return read;
+}
+
+Result<ReadBack> readBackPlt(std::string_view bytes, const Drawing& drawing,
+                             const PltOptions& options) {
+    const auto plot = readPlt(bytes);
+    if (!plot) {
+        return pltDiffers(drawing.title, sentence(plot.error()));
+    }
+    if (!isOnPage(*plot, drawing, options)) {
+        return pltDiffers("the page", "a line leaves it");
+    }
+    const ReadDrawing read = drawingOf(*plot, drawing, options);
+    return comparedWithDrawing(read, drawing, {kLayerKinds.begin(), kLayerKinds.end()});
+}
+
+}  // namespace toile

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/plt_writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/export/placed_text.h"
+#include "core/export/plotter_line.h"
+
+namespace toile {
+namespace {
+
+constexpr int kCutPen = 1, kLinePen = 2, kLetterPen = 3;
+constexpr Eigen::Index kMostInList = 64;  // points: what buffers of old plotters hold
+constexpr int kPerLetterCurve = 8;        // points
+
+class PltWriter {
+public:
+    PltWriter(const Drawing& drawing, const PltOptions& options)
+        : drawing_(drawing), options_(options) {}
+
+    std::string write() {
+        bytes_ = "IN;PA;";
+        for (const DrawnText& text : drawing_.texts) {
+            for (const std::vector<CubicCurve>& contour : placedOutlines(text)) {
+                add(kLetterPen, sampled(contour, kPerLetterCurve), false);
+            }
+        }
+        for (const DrawnPath& path : drawing_.paths) {
+            if (path.layer != LayerKind::Cut) {
+                add(kLinePen, path.points, path.closed);
+            }
+        }
+        // A piece's holes stand behind its outline.
+        for (auto path = drawing_.paths.rbegin(); path != drawing_.paths.rend(); ++path) {
+            if (path->layer == LayerKind::Cut) {
+                add(kCutPen, path->points, path->closed);
+            }
+        }
+        return bytes_ + "PU0,0;SP0;";
+    }
+
+private:
+    Points2 placed(const Points2& line) const {
+        Points2 moved = line;
+        if (options_.turned) {
+            moved.col(0) = drawing_.height - line.col(1).array();
+            moved.col(1) = line.col(0);
+        }
+        return moved.cwiseMax(0);  // of letters that reach over the page
+    }
+
+    void add(int pen, const Points2& line, bool closed) {
+        if (line.rows() == 0) {
+            return;
+        }
+        if (pen != pen_) {
+            bytes_ += "SP" + std::to_string(pen) + ';';
+            pen_ = pen;
+        }
+        const Points2 units = plotterLine(placed(line), closed);
+        bytes_ += "PU";
+        append(units, 0);
+        for (Eigen::Index k = 1; k < units.rows(); ++k) {
+            bytes_ += k % kMostInList == 1 ? ";PD" : ",";
+            append(units, k);
+        }
+        bytes_ += ";PU;";
+    }
+
+    void append(const Points2& units, Eigen::Index k) {
+        appendFixed(bytes_, units(k, 0), 0);
+        bytes_ += ',';
+        appendFixed(bytes_, units(k, 1), 0);
+    }
+
+    const Drawing& drawing_;
+    const PltOptions& options_;
+    std::string bytes_;
+    int pen_ = 0;
+};
+
+}  // namespace
+
+std::string writePlt(const Drawing& drawing, const PltOptions& options) {
+    return PltWriter(drawing, options).write();
+}
+
+}  // namespace toile
