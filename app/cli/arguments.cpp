@@ -300,9 +300,10 @@ void addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
     compare.add_flag("--per-piece", arguments.perPiece, "Print a table for each piece too");
     CLI::Option* pattern =
         compare
-            .add_option("--pattern", arguments.pattern,
-                        "Compare with the pieces of this pattern instead: .dxf or GarmentCode's "
-                        ".specification.json")
+            .add_option(
+                "--pattern", arguments.pattern,
+                "Compare with the pieces of this pattern instead: .dxf, .svg or GarmentCode's "
+                ".specification.json")
             ->type_name("FILE");
     compare
         .add_option("-o,--output", arguments.outputs,

@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "core/reading/dxf_pattern.h"
 #include "core/reading/garmentcode_reader.h"
+#include "core/reading/svg_pattern.h"
 
 namespace toile {
 
@@ -14,6 +15,7 @@ std::optional<PatternFileKind> patternFileKind(const std::filesystem::path& path
     std::string name = pathText(path.filename());
     std::ranges::transform(name, name.begin(), lowered);
     return name.ends_with(".dxf")                 ? std::optional(PatternFileKind::Dxf)
+           : name.ends_with(".svg")               ? std::optional(PatternFileKind::Svg)
            : name.ends_with("specification.json") ? std::optional(PatternFileKind::GarmentCode)
                                                   : std::nullopt;
 }
@@ -32,8 +34,9 @@ Result<PatternFile> readPatternFile(const std::filesystem::path& path,
     if (!bytes) {
         return bytes.error();
     }
-    if (*kind == PatternFileKind::Dxf) {
-        Result<PatternFile> file = readDxfPattern(*bytes, unit);
+    if (*kind != PatternFileKind::GarmentCode) {
+        Result<PatternFile> file = *kind == PatternFileKind::Svg ? readSvgPattern(*bytes, unit)
+                                                                 : readDxfPattern(*bytes, unit);
         return file ? std::move(file) : about(file.error());
     }
     Result<GarmentCode> code = readGarmentCode(*bytes, unit);

@@ -9,7 +9,7 @@
 
 namespace toile {
 
-enum class PatternFileKind { Dxf, GarmentCode };
+enum class PatternFileKind { Dxf, Svg, GarmentCode };
 
 /// By the ending, in any case; none where it is none of a pattern.
 std::optional<PatternFileKind> patternFileKind(const std::filesystem::path& path);

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/svg_pattern.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/file.h"
+#include "core/export/writers.h"
+#include "core/reading/pattern_match.h"
+#include "tests/core/export/export_fixtures.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+TEST(SvgPattern, ReadsOurOwnFilesByTheirPieces) {
+    const Pattern pattern = test::sewingPattern();
+    const Drawing drawing = draw(pattern, layOut(pattern));
+    for (const SvgGroups groups : {SvgGroups::Kind, SvgGroups::Piece}) {
+        SvgOptions options;
+        options.groups = groups;
+        const auto file = readSvgPattern(writeSvg(drawing, options));
+        ASSERT_TRUE(file) << sentence(file.error());
+        ASSERT_EQ(file->pieces.size(), drawing.blocks.size());
+        const PatternMatch match = matchPatterns(pattern, *file);
+        ASSERT_EQ(match.pairs.size(), file->pieces.size());
+        for (const PieceMatch& pair : match.pairs) {
+            EXPECT_EQ(pair.by, MatchedBy::Id);
+            EXPECT_LT(pair.lines.front().fit.farthest, 0.02);
+        }
+    }
+}
+
+TEST(SvgPattern, TakesOuterLinesForPieces) {
+    const std::string page =
+        "<svg xmlns='http://www.w3.org/2000/svg' width='500mm' height='300mm' "
+        "viewBox='0 0 500 300'>"
+        "<path d='M10,10 H210 V110 H10 Z M50,50 H70 V90 H50 Z'/>"
+        "<path id='sleeve' d='M250,10 L400,10 L400,200 L250,10'/>"
+        "<path d='M10,10 H210 V110 H10 Z'/><path d='M0,200 H100'/></svg>";
+    const auto file = readSvgPattern(page);
+    ASSERT_TRUE(file);
+    EXPECT_FALSE(file->unitInDoubt);
+    ASSERT_EQ(file->pieces.size(), 2U);
+    EXPECT_EQ(file->pieces[0].holes.size(), 1U);
+    EXPECT_NEAR(perimeterOf(file->pieces[0].cut), 600, 1e-6);
+    EXPECT_EQ(file->pieces[1].name, "sleeve");
+    EXPECT_EQ(file->pieces[1].cut.rows(), 3);
+    EXPECT_GT(signedAreaOf(file->pieces[1].cut), 0);
+    const auto none = readSvgPattern("<svg xmlns='http://www.w3.org/2000/svg'/>");
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::NoGeometry);
+}
+
+TEST(SvgPattern, ReadsTheFilesOfOtherPrograms) {
+    const struct {
+        const char* name;
+        std::size_t pieces;
+    } files[] = {{"patterns/wetsuit_patches.svg", 50}, {"garments/tee_sim.pattern.svg", 6}};
+    for (const auto& [name, pieces] : files) {
+        const auto path = test::dataFile(name);
+        TOILE_NEEDS_SHARED(path);
+        const auto file = readSvgPattern(*readFile(path));
+        ASSERT_TRUE(file);
+        EXPECT_EQ(file->pieces.size(), pieces) << name;
+    }
+}
+
+}  // namespace
+}  // namespace toile
