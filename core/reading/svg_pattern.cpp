@@ -14,10 +14,12 @@ namespace {
 
 constexpr std::string_view kPiecePrefix = "piece-";
 constexpr double kMillimetresPerPixel = 25.4 / 96;
-constexpr double kClosedNear = 0.01;         // mm, between the ends of a line that is closed
-constexpr double kLeastArea = 100;           // mm2: what is smaller is a mark, no piece
-constexpr std::size_t kMostOutlines = 2000;  // of a drawing
-constexpr double kMostSteps = 5e8;           // of looking what is in what
+constexpr double kClosedNear = 0.01;  // mm, between the ends of a line that is closed
+constexpr double kLeastArea = 100;    // mm2: what is smaller is a mark, no piece
+/// What fills more of a piece than this is no hole: it is the seam line within the cutting line.
+constexpr double kSeamLineShare = 0.3;
+constexpr std::size_t kMostOuterLines = 2000;  // of a drawing
+constexpr double kMostSteps = 5e8;             // of looking what is in what
 
 Eigen::AlignedBox2d boxAround(const Points2& points) {
     Eigen::AlignedBox2d box;
@@ -125,9 +127,12 @@ std::vector<FilePiece> outerPieces(const ReadSvg& svg) {
         if (isThere) {
             continue;
         }
-        if (outer) {
+        if (outer && outer->sew.rows() == 0 &&
+            line.area > kSeamLineShare * signedAreaOf(outer->cut)) {
+            outer->sew = line.points;
+        } else if (outer) {
             outer->holes.emplace_back(line.points.colwise().reverse());
-        } else if (pieces.size() < kMostOutlines) {
+        } else if (pieces.size() < kMostOuterLines) {
             FilePiece& piece = pieces.emplace_back();
             piece.cut = line.points;
             piece.id = readableName(line.line->id);

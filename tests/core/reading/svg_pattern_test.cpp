@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/svg_pattern.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "core/base/file.h"
@@ -54,14 +56,19 @@ TEST(SvgPattern, TakesOuterLinesForPieces) {
 TEST(SvgPattern, ReadsTheFilesOfOtherPrograms) {
     const struct {
         const char* name;
-        std::size_t pieces;
-    } files[] = {{"patterns/wetsuit_patches.svg", 50}, {"garments/tee_sim.pattern.svg", 6}};
-    for (const auto& [name, pieces] : files) {
+        std::size_t pieces, seamLines;
+    } files[] = {// Cutting lines with their seam lines; two patches have one in common.
+                 {"patterns/wetsuit_patches.svg", 49, 49},
+                 {"garments/tee_sim.pattern.svg", 6, 0}};
+    for (const auto& [name, pieces, seamLines] : files) {
         const auto path = test::dataFile(name);
         TOILE_NEEDS_SHARED(path);
         const auto file = readSvgPattern(*readFile(path));
         ASSERT_TRUE(file);
         EXPECT_EQ(file->pieces.size(), pieces) << name;
+        EXPECT_EQ(static_cast<std::size_t>(std::ranges::count_if(
+                      file->pieces, [](const FilePiece& piece) { return piece.sew.rows() > 0; })),
+                  seamLines);
     }
 }
 
