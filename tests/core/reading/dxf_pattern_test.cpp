@@ -18,11 +18,7 @@ namespace {
 
 using test::DxfText;
 
-<<<<<<< HEAD
-Points2 rowsOf(std::initializer_list<std::array<double, 2>> places) {
-=======
 Points2 lineThrough(std::initializer_list<std::array<double, 2>> places) {
->>>>>>> 283d279 (reading: Tell a seam line within a cutting line from a hole)
     Points2 line(static_cast<Eigen::Index>(places.size()), 2);
     Eigen::Index row = 0;
     for (const auto& place : places) {
@@ -31,13 +27,8 @@ Points2 lineThrough(std::initializer_list<std::array<double, 2>> places) {
     return line;
 }
 
-<<<<<<< HEAD
-const Points2 kPanelOutline =
-    rowsOf({{0, 0}, {400, 0}, {400, 300}, {250, 500}, {0, 500}});  // 400 + 300 + 250 + 250 + 500
-=======
 const Points2 kPanelOutline = lineThrough(
     {{0, 0}, {400, 0}, {400, 300}, {250, 500}, {0, 500}});  // 400 + 300 + 250 + 250 + 500
->>>>>>> 283d279 (reading: Tell a seam line within a cutting line from a hole)
 
 /// One block in mm, all capitals, closed.
 std::string closedFile() {
@@ -55,11 +46,7 @@ std::string closedFile() {
         .number(50, 180)
         .point("13", 200, 200)
         .number(30, 2)
-<<<<<<< HEAD
-        .polyline("11", rowsOf({{100, 100}, {120, 100}, {120, 120}}), true)
-=======
         .polyline("11", lineThrough({{100, 100}, {120, 100}, {120, 120}}), true)
->>>>>>> 283d279 (reading: Tell a seam line within a cutting line from a hole)
         .line("8", 10, 10, 20, 20)
         .endBlock()
         .end()
@@ -121,15 +108,9 @@ TEST(DxfPattern, ReadsAPieceWithAllThatIsOnIt) {
 }
 
 TEST(DxfPattern, JoinsOpenLinesInAnyOrderAndDirection) {
-<<<<<<< HEAD
-    std::vector<Points2> parts{rowsOf({{0, 0}, {400, 0}}), rowsOf({{400, 0}, {400, 300}}),
-                               rowsOf({{400, 300}, {250, 500}, {0, 500}}),
-                               rowsOf({{0, 500}, {0, 0}})};
-=======
     std::vector<Points2> parts{lineThrough({{0, 0}, {400, 0}}), lineThrough({{400, 0}, {400, 300}}),
                                lineThrough({{400, 300}, {250, 500}, {0, 500}}),
                                lineThrough({{0, 500}, {0, 0}})};
->>>>>>> 283d279 (reading: Tell a seam line within a cutting line from a hole)
     std::mt19937 random(1);
     for (int trial = 0; trial < 20; ++trial) {
         std::shuffle(parts.begin(), parts.end(), random);
@@ -150,11 +131,7 @@ TEST(DxfPattern, MakesHalvesWhole) {
         .block("back")
         .polyline("1", kPanelOutline, true)
         .line("6", 0, 0, 0, 500)
-<<<<<<< HEAD
-        .polyline("14", rowsOf({{0, 10}, {390, 10}, {390, 300}, {245, 490}, {0, 490}}), false)
-=======
         .polyline("14", lineThrough({{0, 10}, {390, 10}, {390, 300}, {245, 490}, {0, 490}}), false)
->>>>>>> 283d279 (reading: Tell a seam line within a cutting line from a hole)
         .point("4", 400, 100)
         .number(50, 180)
         .point("4", 0, 500)
@@ -245,11 +222,7 @@ std::string squareFile(double side, std::string_view units, const char* header =
         .block("12")
         .text("Piece Name: FRONT")
         .text("Size: 38")
-<<<<<<< HEAD
-        .polyline("1", rowsOf({{0, 0}, {side, 0}, {side, side}, {0, side}}), true)
-=======
         .polyline("1", lineThrough({{0, 0}, {side, 0}, {side, side}, {0, side}}), true)
->>>>>>> 283d279 (reading: Tell a seam line within a cutting line from a hole)
         .endBlock()
         .end()
         .section("ENTITIES");
