@@ -2,6 +2,7 @@
 #include "core/export/pattern_match_writer.h"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/base/text.h"
@@ -125,12 +126,15 @@ Drawing drawPatternMatch(const Pattern& pattern, const PatternFile& file,
         std::vector<std::string> lines{piece.name + " / " + filePieceOf(file, pair.filePiece).name};
         for (std::size_t n = 0; n < pair.lines.size(); ++n) {
             const LineMatch& line = pair.lines[n];
-            const std::string id = "piece-" + piece.slug,
-                              ending = n == 0 ? "" : "-" + std::to_string(n + 1);
+            const std::string ending = n == 0 ? "" : "-" + std::to_string(n + 1);
+            std::string ours = "piece-" + piece.slug;
+            std::string theirs = ours;
+            ours.append("-ours").append(ending);
+            theirs.append("-theirs").append(ending);
             drawing.paths.push_back(
-                {id + "-ours" + ending, LayerKind::Cut, moved(ourLine(piece, line)), true});
+                {std::move(ours), LayerKind::Cut, moved(ourLine(piece, line)), true});
             drawing.paths.push_back(
-                {id + "-theirs" + ending, LayerKind::Sew, moved(line.fit.laid), true});
+                {std::move(theirs), LayerKind::Sew, moved(line.fit.laid), true});
             lines.push_back(std::string(lineWord(line.ours)) + " line: mean " +
                             fixed(line.fit.mean, 2) + " mm, farthest " +
                             fixed(line.fit.farthest, 2) + " mm");

@@ -247,9 +247,8 @@ std::string styleField(const DxfFields& fields, const char* key) {
 Wording formatOf(const DxfDocument& document, const DxfFields& fields) {
     const std::string program = styleField(fields, "author") + ' ' + styleField(fields, "product");
     const auto names = [&program](std::string_view word) {
-        return std::ranges::search(program, word, [](char a, char b) {
-                   return lowered(a) == b;
-               }).begin() != program.end();
+        return std::search(program.begin(), program.end(), word.begin(), word.end(),
+                           [](char a, char b) { return lowered(a) == b; }) != program.end();
     };
     const bool isAstm = std::ranges::any_of(
         fields, [](const auto& field) { return field.first.starts_with("astm"); });

@@ -212,7 +212,7 @@ private:
 
     std::vector<CubicCurve> readCurve(JsonFields& fields, const Eigen::Vector2d& from,
                                       const Eigen::Vector2d& to) {
-        const std::vector<CubicCurve> straight{straightCurve(from, to)};
+        std::vector<CubicCurve> straight{straightCurve(from, to)};
         const JsonDocument* json = fields.find("curvature");
         if (!json || json->is_null()) {
             return straight;

@@ -128,7 +128,7 @@ struct NearPairs {
 
 /// The corners of a line count too: even points pass by them.
 Points2 pointsToTry(const Points2& closed) {
-    const Points2 even = evenPoints(closed, kFinePoints);
+    Points2 even = evenPoints(closed, kFinePoints);
     if (closed.rows() > kFinePoints) {
         return even;
     }
