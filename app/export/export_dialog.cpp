@@ -16,6 +16,8 @@
 #include "app/base/text.h"
 #include "app/export/drawing_preview.h"
 #include "app/export/option_form.h"
+#include "app/text/error_text.h"
+#include "core/export/pdf_writer.h"
 
 namespace toile::app {
 
@@ -45,6 +47,20 @@ QString usualEnding(const Format& format) {
     return QString::fromLatin1(format.endings.front());
 }
 
+/// What the pages show of the drawing, y down from its upper left corner.
+QVector<QRectF> sheetsOf(const PdfPlan& plan, double height) {
+    QVector<QRectF> sheets;
+    for (const PdfPage& page : plan.pages) {
+        const auto back = [&plan](const Eigen::Vector2d& at) {
+            return plan.turned ? Eigen::Vector2d(at.y(), -at.x()) : at;
+        };
+        const Eigen::Vector2d a = back(page.frame.min()), b = back(page.frame.max());
+        sheets
+            << QRectF(QPointF(a.x(), height - a.y()), QPointF(b.x(), height - b.y())).normalized();
+    }
+    return sheets;
+}
+
 }  // namespace
 
 ExportDialog::ExportDialog(const QString& path, const QString& format, const ExportOptions& options,
@@ -64,6 +80,7 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
     use_->setWordWrap(true);
     use_->setObjectName("exportUse");
     page_->setObjectName("exportPage");
+    page_->setWordWrap(true);
     preview_->setObjectName("exportPreview");
 
     auto* choices = new QVBoxLayout;
@@ -181,10 +198,23 @@ void ExportDialog::describe() {
         return;
     }
     const auto pieces = static_cast<int>(drawing_->blocks.size());
-    page_->setText(tr("%1 x %2 mm, %3")
+    QString said = tr("%1 x %2 mm, %3")
                        .arg(drawing_->width)
                        .arg(drawing_->height)
-                       .arg(pieces == 1 ? tr("1 piece") : tr("%n pieces", nullptr, pieces)));
+                       .arg(pieces == 1 ? tr("1 piece") : tr("%n pieces", nullptr, pieces));
+    QVector<QRectF> sheets;
+    if (format().id == FormatId::Pdf) {
+        const Result<PdfPlan> plan = planPdf(*drawing_, form_->options().pdf);
+        if (plan) {
+            sheets = sheetsOf(*plan, drawing_->height);
+            const auto pages = static_cast<int>(plan->pages.size());
+            said += ", " + (pages == 1 ? tr("1 page") : tr("%n pages", nullptr, pages));
+        } else {
+            said += "; " + errorDescription(plan.error());
+        }
+    }
+    preview_->setSheets(sheets);
+    page_->setText(said);
 }
 
 void ExportDialog::setDrawing(std::shared_ptr<const Drawing> drawing) {

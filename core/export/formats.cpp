@@ -76,6 +76,10 @@ Result<ExportedFiles> makeReport(const ExportSource& source) {
     return oneFile(writeReport(source.garment(), source.results(), source.laid().pattern));
 }
 
+Result<ReadBack> readReportBack(const ExportedFiles& files, const ExportSource& source) {
+    return readBackReport(files.front().bytes, source.garment(), source.results());
+}
+
 Result<ExportedFiles> makeHtml(const ExportSource& source) {
     return oneFile(writeHtmlReport(source));
 }
@@ -240,7 +244,8 @@ std::array kFormats{
            .name = TR("JSON report"),
            .use = TR("scripts: every figure of every piece"),
            .endings = kReport,
-           .write = makeReport},
+           .write = makeReport,
+           .readBack = readReportBack},
 };
 
 }  // namespace

@@ -149,20 +149,24 @@ std::vector<LayerKind> pdfLayers(const Drawing& drawing, bool isTiled) {
     return layers;
 }
 
-Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
-                             const PdfOptions& options) {
-    bool isTiled = isOnTiles(options.paper);
-    std::vector<LayerKind> kinds = pdfLayers(drawing, isTiled);
-    Result<PdfPlan> plan = planPages(contentOf(drawing, kinds), options);
+Result<PdfPlan> planPdf(const Drawing& drawing, const PdfOptions& options) {
+    const bool isTiled = isOnTiles(options.paper);
+    Result<PdfPlan> plan = planPages(contentOf(drawing, pdfLayers(drawing, isTiled)), options);
     if (plan && plan->isTiled && !isTiled) {
         // Too large for one sheet: the squares need no room then.
-        isTiled = true;
-        kinds = pdfLayers(drawing, isTiled);
-        plan = planPages(contentOf(drawing, kinds), options, isTiled);
+        plan = planPages(contentOf(drawing, pdfLayers(drawing, true)), options, true);
     }
+    return plan;
+}
+
+Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
+                             const PdfOptions& options) {
+    const Result<PdfPlan> plan = planPdf(drawing, options);
     if (!plan) {
         return plan.error();
     }
+    const std::vector<LayerKind> kinds =
+        pdfLayers(drawing, isOnTiles(options.paper) || plan->isTiled);
     const bool isProjected = options.paper == Paper::Projector;
     std::vector<int> layers;
     for (const LayerKind kind : kLayerKinds) {

@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/export/drawing.h"
 #include "core/export/export_options.h"
+#include "core/export/pdf_pages.h"
 #include "core/pattern/pattern.h"
 
 namespace toile {
@@ -20,6 +21,9 @@ namespace toile {
 /// Errors: those of planPages. Cost: that of pdfDrawing, and of the texts of each page. Pure.
 Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
                              const PdfOptions& options);
+
+/// The pages of such a file: those of what is drawn. Errors: those of planPages. Pure.
+Result<PdfPlan> planPdf(const Drawing& drawing, const PdfOptions& options);
 
 /// The kinds of lines that such a file carries, in tiles or on one page.
 std::vector<LayerKind> pdfLayers(const Drawing& drawing, bool isTiled);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/base/units.h"
 #include "core/export/drawing.h"
 #include "core/export/export_options.h"
@@ -13,6 +14,8 @@
 #include "core/symmetry/symmetry.h"
 
 namespace toile {
+
+struct ReadBack;
 
 /// Each writer makes the whole file as bytes; the same input gives the same bytes. Numbers never
 /// follow the user's locale.
@@ -52,6 +55,11 @@ std::string writeObjLines(const Drawing& drawing, double unit);
 /// @param pattern   as it is cut (`asCut`): says how, and how often; without pieces: once
 std::string writeReport(const Garment& garment, const PieceResults& results,
                         const Pattern& pattern = {});
+
+/// Compares a report with the lengths it was made from: of each outline and each side of a seam.
+/// Errors: NotReadBack. Cost: linear. Pure.
+Result<ReadBack> readBackReport(const std::string& bytes, const Garment& garment,
+                                const PieceResults& results);
 
 /// What a garment holds before it is flat: files, pieces, cuts, seams and problems, as JSON.
 std::string writeInfo(const Garment& garment);

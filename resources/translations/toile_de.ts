@@ -78,6 +78,10 @@
         <source>Writing %1</source>
         <translation>%1 wird geschrieben</translation>
     </message>
+    <message>
+        <source>Drawing the pattern</source>
+        <translation>Schnitt wird gezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -148,25 +152,6 @@
     <message>
         <source>Save as…</source>
         <translation>Speichern unter…</translation>
-    </message>
-</context>
-<context>
-    <name>GarmentActions</name>
-    <message>
-        <source>SVG drawing (*.svg)</source>
-        <translation>SVG-Zeichnung (*.svg)</translation>
-    </message>
-    <message>
-        <source>DXF drawing (*.dxf)</source>
-        <translation>DXF-Zeichnung (*.dxf)</translation>
-    </message>
-    <message>
-        <source>OBJ mesh (*.obj)</source>
-        <translation>OBJ-Netz (*.obj)</translation>
-    </message>
-    <message>
-        <source>JSON report (*.json)</source>
-        <translation>JSON-Bericht (*.json)</translation>
     </message>
 </context>
 <context>
@@ -485,20 +470,111 @@
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Write the pattern to a file</source>
-        <translation>Das Schnittmuster in eine Datei schreiben</translation>
-    </message>
-    <message>
         <source>More</source>
         <translation>Mehr</translation>
     </message>
     <message>
         <source>More overlays</source>
         <translation>Weitere Überlagerungen</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>drawing programs, laser and blade cutters</source>
+        <translation>Zeichenprogramme, Laser- und Messerplotter</translation>
+    </message>
+    <message>
+        <source>DXF pattern</source>
+        <translation>DXF-Schnitt</translation>
+    </message>
+    <message>
+        <source>pattern programs, CAD and cutting machines</source>
+        <translation>Schnittprogramme, CAD und Schneidmaschinen</translation>
+    </message>
+    <message>
+        <source>PDF to print</source>
+        <translation>PDF zum Drucken</translation>
+    </message>
+    <message>
+        <source>home printers, copy shops and projectors</source>
+        <translation>Drucker zu Hause, Kopierläden und Projektoren</translation>
+    </message>
+    <message>
+        <source>HPGL plot</source>
+        <translation>HPGL-Plot</translation>
+    </message>
+    <message>
+        <source>pen plotters and roll cutters</source>
+        <translation>Stift- und Schneideplotter</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-Bild</translation>
+    </message>
+    <message>
+        <source>mails and web pages, at a stated resolution</source>
+        <translation>Nachrichten und Webseiten, mit angegebener Auflösung</translation>
+    </message>
+    <message>
+        <source>OBJ with UV map</source>
+        <translation>OBJ mit UV-Abwicklung</translation>
+    </message>
+    <message>
+        <source>3D programs: the garment with its pattern as its texture</source>
+        <translation>3D-Programme: das Kleidungsstück mit seinem Schnitt als Textur</translation>
+    </message>
+    <message>
+        <source>USD scene</source>
+        <translation>USD-Szene</translation>
+    </message>
+    <message>
+        <source>film and simulation: garment, flat pattern and seams</source>
+        <translation>Film und Simulation: Kleidungsstück, flacher Schnitt und Nähte</translation>
+    </message>
+    <message>
+        <source>GLB mesh</source>
+        <translation>GLB-Netz</translation>
+    </message>
+    <message>
+        <source>games and web pages: the garment with its pattern as its texture</source>
+        <translation>Spiele und Webseiten: das Kleidungsstück mit seinem Schnitt als Textur</translation>
+    </message>
+    <message>
+        <source>GarmentCode pattern</source>
+        <translation>GarmentCode-Schnitt</translation>
+    </message>
+    <message>
+        <source>research and simulation: panels, curves and stitches</source>
+        <translation>Forschung und Simulation: Teile, Kurven und Nähte</translation>
+    </message>
+    <message>
+        <source>HTML report</source>
+        <translation>HTML-Bericht</translation>
+    </message>
+    <message>
+        <source>reading and printing: the drawing with all measures</source>
+        <translation>Lesen und Drucken: die Zeichnung mit allen Maßen</translation>
+    </message>
+    <message>
+        <source>CSV tables</source>
+        <translation>CSV-Tabellen</translation>
+    </message>
+    <message>
+        <source>spreadsheets: pieces, seams and the walk along them</source>
+        <translation>Tabellenprogramme: Teile, Nähte und der Weg entlang der Nähte</translation>
+    </message>
+    <message>
+        <source>JSON report</source>
+        <translation>JSON-Bericht</translation>
+    </message>
+    <message>
+        <source>scripts: every figure of every piece</source>
+        <translation>Skripte: jede Zahl jedes Teils</translation>
     </message>
 </context>
 <context>
@@ -522,10 +598,6 @@
     <message>
         <source>the file&apos;s ending names no format Toile knows</source>
         <translation>die Endung der Datei nennt kein Format, das Toile kennt</translation>
-    </message>
-    <message>
-        <source>Read .obj, .off, .ply or .stl; write .svg, .dxf, .obj or .json</source>
-        <translation>Lesen Sie .obj, .off, .ply oder .stl; schreiben Sie .svg, .dxf, .obj oder .json</translation>
     </message>
     <message>
         <source>the file breaks the rules of its format</source>
@@ -1691,6 +1763,361 @@
         <source>Make the facing narrower, or take it away</source>
         <translation>Machen Sie den Beleg schmaler, oder entfernen Sie ihn</translation>
     </message>
+    <message>
+        <source>Read .obj, .off, .ply or .stl; toile flatten --help lists what can be written</source>
+        <translation>Gelesen werden .obj, .off, .ply und .stl; was geschrieben wird, nennt toile flatten --help</translation>
+    </message>
+    <message>
+        <source>this build of Toile does not write the format</source>
+        <translation>dieses Toile schreibt das Format nicht</translation>
+    </message>
+    <message>
+        <source>Use one that has the window</source>
+        <translation>Nehmen Sie eines mit Fenster</translation>
+    </message>
+    <message>
+        <source>the file made says something else than the pattern</source>
+        <translation>die erzeugte Datei sagt etwas anderes als der Schnitt</translation>
+    </message>
+    <message>
+        <source>Nothing was written; use another format and report this with the garment</source>
+        <translation>Nichts wurde geschrieben; nehmen Sie ein anderes Format und melden Sie dies mit dem Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>the pattern does not fit the page</source>
+        <translation>der Schnitt passt nicht auf die Seite</translation>
+    </message>
+    <message>
+        <source>Choose other paper, or lay the pieces closer together</source>
+        <translation>Wählen Sie anderes Papier, oder legen Sie die Teile enger</translation>
+    </message>
+    <message>
+        <source>ASTM D6673</source>
+        <translation>ASTM D6673</translation>
+    </message>
+    <message>
+        <source>ANSI/AAMA-292</source>
+        <translation>ANSI/AAMA-292</translation>
+    </message>
+    <message>
+        <source>Plain drawing</source>
+        <translation>Einfache Zeichnung</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>A4 tiles</source>
+        <translation>A4-Blätter</translation>
+    </message>
+    <message>
+        <source>Letter tiles</source>
+        <translation>Letter-Blätter</translation>
+    </message>
+    <message>
+        <source>Tiles for A4 and Letter</source>
+        <translation>Blätter für A4 und Letter</translation>
+    </message>
+    <message>
+        <source>A0</source>
+        <translation>A0</translation>
+    </message>
+    <message>
+        <source>Arch D</source>
+        <translation>Arch D</translation>
+    </message>
+    <message>
+        <source>Arch E</source>
+        <translation>Arch E</translation>
+    </message>
+    <message>
+        <source>Roll, 610 mm</source>
+        <translation>Rolle, 610 mm</translation>
+    </message>
+    <message>
+        <source>Roll, 841 mm</source>
+        <translation>Rolle, 841 mm</translation>
+    </message>
+    <message>
+        <source>Roll, 914 mm</source>
+        <translation>Rolle, 914 mm</translation>
+    </message>
+    <message>
+        <source>Projector</source>
+        <translation>Projektor</translation>
+    </message>
+    <message>
+        <source>Inkscape</source>
+        <translation>Inkscape</translation>
+    </message>
+    <message>
+        <source>Illustrator</source>
+        <translation>Illustrator</translation>
+    </message>
+    <message>
+        <source>Silhouette</source>
+        <translation>Silhouette</translation>
+    </message>
+    <message>
+        <source>Laser (LightBurn)</source>
+        <translation>Laser (LightBurn)</translation>
+    </message>
+    <message>
+        <source>Cricut</source>
+        <translation>Cricut</translation>
+    </message>
+    <message>
+        <source>Layers by kind</source>
+        <translation>Ebenen nach Art</translation>
+    </message>
+    <message>
+        <source>Groups by piece</source>
+        <translation>Gruppen nach Teil</translation>
+    </message>
+    <message>
+        <source>Stays text</source>
+        <translation>Bleibt Text</translation>
+    </message>
+    <message>
+        <source>Outlines of letters</source>
+        <translation>Umrisse der Buchstaben</translation>
+    </message>
+    <message>
+        <source>As drawn</source>
+        <translation>Wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Exact outlines</source>
+        <translation>Genaue Umrisse</translation>
+    </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
+    </message>
+    <message>
+        <source>AccuMark</source>
+        <translation>AccuMark</translation>
+    </message>
+    <message>
+        <source>Optitex</source>
+        <translation>Optitex</translation>
+    </message>
+    <message>
+        <source>Lectra</source>
+        <translation>Lectra</translation>
+    </message>
+    <message>
+        <source>Laser cutter</source>
+        <translation>Laserschneider</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Für</translation>
+    </message>
+    <message>
+        <source>The program that is to open the DXF file: profile and unit as it expects them</source>
+        <translation>Das Programm, das die DXF-Datei öffnen soll: Profil und Einheit, wie es sie erwartet</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>ASTM D6673 or ANSI/AAMA-292 for pattern programs, plain for drawing and cutting</source>
+        <translation>ASTM D6673 oder ANSI/AAMA-292 für Schnittprogramme, einfach zum Zeichnen und Schneiden</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Unit of the DXF file&apos;s numbers</source>
+        <translation>Einheit der Zahlen in der DXF-Datei</translation>
+    </message>
+    <message>
+        <source>Rule table</source>
+        <translation>Sprungwerttabelle</translation>
+    </message>
+    <message>
+        <source>Write a rule table of one size (.rul) beside the DXF file</source>
+        <translation>Neben die DXF-Datei eine Sprungwerttabelle mit einer Größe (.rul) schreiben</translation>
+    </message>
+    <message>
+        <source>Control piece</source>
+        <translation>Kontrollteil</translation>
+    </message>
+    <message>
+        <source>A square of 100 mm as a piece of its own, to measure in the other program</source>
+        <translation>Ein Quadrat von 100 mm als eigenes Teil, zum Nachmessen im anderen Programm</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>What the PDF file is printed on: tiles of a4, letter or tile, which fits both; one page of a0, arch-d or arch-e; a roll; or projector</source>
+        <translation>Worauf die PDF-Datei gedruckt wird: Blätter in a4, letter oder tile, das auf beide passt; ein Bogen a0, arch-d oder arch-e; eine Rolle; oder projector</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>By how much the tiles of a PDF file overlap, mm</source>
+        <translation>Um wie viel die Blätter einer PDF-Datei überlappen, mm</translation>
+    </message>
+    <message>
+        <source>The program or machine that is to open the SVG file</source>
+        <translation>Das Programm oder die Maschine, die die SVG-Datei öffnen soll</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Layers of one kind of line each, or a group for each piece</source>
+        <translation>Ebenen mit je einer Art von Linien, oder eine Gruppe je Teil</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Text that stays text, or the outlines of its letters</source>
+        <translation>Text, der Text bleibt, oder die Umrisse seiner Buchstaben</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>Turn the plot by a quarter</source>
+        <translation>Den Plot um ein Viertel drehen</translation>
+    </message>
+    <message>
+        <source>Dots per inch</source>
+        <translation>Punkte pro Zoll</translation>
+    </message>
+    <message>
+        <source>Dots per inch of the PNG picture</source>
+        <translation>Punkte pro Zoll des PNG-Bildes</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Texture coordinates of OBJ, USD and GLB files: the pattern as it is drawn, or with exact outlines</source>
+        <translation>Texturkoordinaten von OBJ-, USD- und GLB-Dateien: der Schnitt wie gezeichnet, oder mit genauen Umrissen</translation>
+    </message>
+    <message>
+        <source>A file for each piece</source>
+        <translation>Eine Datei je Teil</translation>
+    </message>
+    <message>
+        <source>Write each piece as an OBJ file of its own too</source>
+        <translation>Auch jedes Teil als eigene OBJ-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>%1 mm x %2 mm; a page can be %3 mm long</source>
+        <translation>%1 mm x %2 mm; eine Seite kann %3 mm lang sein</translation>
+    </message>
+    <message>
+        <source>%1 mm x %2 mm, more than %3 pages</source>
+        <translation>%1 mm x %2 mm, mehr als %3 Seiten</translation>
+    </message>
+    <message>
+        <source>it has no closed outline</source>
+        <translation>es hat keinen geschlossenen Umriss</translation>
+    </message>
+    <message>
+        <source>its outline is out of all bounds</source>
+        <translation>sein Umriss ist jenseits aller Grenzen</translation>
+    </message>
+    <message>
+        <source>its outline has no area</source>
+        <translation>sein Umriss hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>%1 is left out: %2</source>
+        <translation>%1 fehlt: %2</translation>
+    </message>
+    <message>
+        <source>DXF (%1)</source>
+        <translation>DXF (%1)</translation>
+    </message>
+    <message>
+        <source>DXF of %1 (%2)</source>
+        <translation>DXF von %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: its mirror line is no part of its outline; it stays as it is</source>
+        <translation>%1: die Spiegellinie ist kein Teil des Umrisses; es bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>%1: %2 of its outlines that do not close</source>
+        <translation>%1: %2 Umrisse, die sich nicht schließen</translation>
+    </message>
+    <message>
+        <source>%1; the largest piece is %2 mm then</source>
+        <translation>%1; das größte Teil misst dann %2 mm</translation>
+    </message>
+    <message>
+        <source>%1, but the largest piece would be %2 mm; in %3 it is %4 mm</source>
+        <translation>%1, aber das größte Teil hätte %2 mm; in %3 hat es %4 mm</translation>
+    </message>
+    <message>
+        <source>its text says Units: %1</source>
+        <translation>sein Text sagt Units: %1</translation>
+    </message>
+    <message>
+        <source>$INSUNITS %1</source>
+        <translation>$INSUNITS %1</translation>
+    </message>
+    <message>
+        <source>the file says none; the largest piece is %1 mm then</source>
+        <translation>die Datei nennt keine; das größte Teil misst dann %1 mm</translation>
+    </message>
+    <message>
+        <source>GarmentCode JSON, %1 of stitched edges</source>
+        <translation>GarmentCode-JSON, %1 genähter Kanten</translation>
+    </message>
+    <message>
+        <source>SVG of Toile</source>
+        <translation>SVG von Toile</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>the size of its page</source>
+        <translation>die Größe der Seite</translation>
+    </message>
+    <message>
+        <source>it says no size of its page: 96 units to the inch</source>
+        <translation>die Größe der Seite fehlt: 96 Einheiten pro Zoll</translation>
+    </message>
+</context>
+<context>
+    <name>toile::GarmentCodeReader</name>
+    <message>
+        <source>units_in_meter %1</source>
+        <translation>units_in_meter %1</translation>
+    </message>
+    <message>
+        <source>the file says none; this format is usually in cm</source>
+        <translation>die Datei nennt keine; das Format ist meist in cm</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -1725,38 +2152,6 @@
     <message>
         <source>Save everything done with this garment in another project file</source>
         <translation>Alles, was mit diesem Kleidungsstück getan wurde, in einer anderen Projektdatei speichern</translation>
-    </message>
-    <message>
-        <source>As &amp;SVG drawing…</source>
-        <translation>Als &amp;SVG-Zeichnung…</translation>
-    </message>
-    <message>
-        <source>Write the pattern at true scale for printing and drawing programs</source>
-        <translation>Das Schnittmuster maßstäblich schreiben, für Druck- und Zeichenprogramme</translation>
-    </message>
-    <message>
-        <source>As &amp;DXF drawing…</source>
-        <translation>Als &amp;DXF-Zeichnung…</translation>
-    </message>
-    <message>
-        <source>Write the pattern at true scale for pattern and cutting programs</source>
-        <translation>Das Schnittmuster maßstäblich schreiben, für Schnitt- und Zuschnittprogramme</translation>
-    </message>
-    <message>
-        <source>As &amp;OBJ with UV map…</source>
-        <translation>Als &amp;OBJ mit UV-Karte…</translation>
-    </message>
-    <message>
-        <source>Write the garment again with the pattern as its UV map</source>
-        <translation>Das Kleidungsstück noch einmal schreiben, mit dem Schnittmuster als UV-Karte</translation>
-    </message>
-    <message>
-        <source>&amp;Report (JSON)…</source>
-        <translation>&amp;Bericht (JSON)…</translation>
-    </message>
-    <message>
-        <source>Write every figure of every piece for other programs</source>
-        <translation>Alle Zahlen aller Schnittteile schreiben, für andere Programme</translation>
     </message>
     <message>
         <source>Read&amp;y to cut?</source>
@@ -3103,10 +3498,6 @@
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
-        <source>&amp;Export pattern</source>
-        <translation>Schnittmuster &amp;exportieren</translation>
-    </message>
-    <message>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
     </message>
@@ -3745,6 +4136,26 @@
         <source>Throw the line away, take the drag back; without either: back to selecting</source>
         <translation>Die Linie verwerfen, das Ziehen zurücknehmen; ohne beides: zurück zum Auswählen</translation>
     </message>
+    <message>
+        <source>&amp;Export pattern…</source>
+        <translation>Schnitt &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the pattern to a file: for printing, cutting, pattern and 3D programs</source>
+        <translation>Den Schnitt in eine Datei schreiben: zum Drucken, zum Schneiden, für Schnitt- und 3D-Programme</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>%1 x %2 dots; at most %3 dpi fit</source>
+        <translation>%1 x %2 Punkte; höchstens %3 dpi passen</translation>
+    </message>
+    <message>
+        <source>read back: %1, largest difference %2 mm</source>
+        <translation>zurückgelesen: %1, größter Unterschied %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -4241,6 +4652,71 @@
     <message>
         <source>Ease no longer drawn</source>
         <translation>Einhalteweite nicht mehr zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::DrawingPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>The pattern is being drawn…</source>
+        <translation>Der Schnitt wird gezeichnet…</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::ExportDialog</name>
+    <message>
+        <source>Export pattern</source>
+        <translation>Schnitt exportieren</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;File:</source>
+        <translation>&amp;Datei:</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>D&amp;urchsuchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Show in folder</source>
+        <translation>Im &amp;Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Show the folder once the file is written.</source>
+        <translation>Den Ordner zeigen, sobald die Datei geschrieben ist.</translation>
+    </message>
+    <message>
+        <source>For %1.</source>
+        <translation>Für: %1.</translation>
+    </message>
+    <message>
+        <source>%1 x %2 mm, %3</source>
+        <translation>%1 x %2 mm, %3</translation>
+    </message>
+    <message>
+        <source>1 piece</source>
+        <translation>1 Teil</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n Teile</numerusform>
+            <numerusform>%n Teile</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -162,6 +162,17 @@ private slots:
         QCOMPARE(shown, QFileInfo(fixture_.path("shown.svg")).absolutePath());
     }
 
+    void saysHowManyPagesThereAre() {
+        auto& page = *dialog()->findChild<QLabel*>("exportPage");
+        QTRY_VERIFY_WITH_TIMEOUT(page.text().contains("2 pieces"), test::kPatience);
+        chooseFormat(FormatId::Pdf);
+        QVERIFY(page.text().contains("pages"));
+        chooseWord("paper", "projector");
+        QVERIFY2(page.text().contains("1 page"), qPrintable(page.text()));
+        typePath("wall.pdf");
+        QCOMPARE(exportNow(), fixture_.path("wall.pdf"));
+    }
+
     void aPictureHasItsResolution() {
         chooseFormat(FormatId::Png);
         typePath("page.png");

@@ -164,7 +164,8 @@ private slots:
         fixture_.action(ActionId::ExportPattern).trigger();
         auto& exporting = fixture_.find<ExportDialog>("exportDialog");
         QVERIFY(fixture_.waitUntilIdle());
-        exporting.findChild<QLineEdit*>("exportPath")->setText("/home/me/patterns/tshirt.svg");
+        exporting.findChild<QLineEdit*>("exportPath")->setText("/home/me/patterns/tshirt.pdf");
+        emit exporting.findChild<QLineEdit*>("exportPath")->editingFinished();
         keep("export-dialog.png", exporting);
         exporting.reject();
 
