@@ -592,8 +592,10 @@ Arguments parseArguments(int argc, const char* const* argv) {
         return wrongUsage("--split seams divides by the cuts of a file: give it with --seams");
     }
     for (const FormatOption& row : formatOptions()) {
-        if (const auto value = typed.exporting.find(row.name); value != typed.exporting.end()) {
-            row.set(arguments.exporting, value->second);
+        const auto value = typed.exporting.find(row.name);
+        if (value != typed.exporting.end() && !row.set(arguments.exporting, value->second)) {
+            return wrongUsage(std::string("--") + row.name + " takes a number from " +
+                              shortest(row.least) + " to " + shortest(row.most));
         }
     }
     arguments.options = arguments.stated.over(FlattenOptions{});

@@ -57,7 +57,7 @@ void printLayers(const PatternFile& file, std::ostream& out) {
     out << "layers:";
     const char* joint = " ";
     for (const auto& [layer, count] : layers) {
-        out << joint << (layer.empty() ? "-" : shownText(layer)) << " (" << counted(count, "thing")
+        out << joint << (layer.empty() ? "-" : shownText(layer)) << " (" << counted(count, "line")
             << ")";
         joint = ", ";
     }

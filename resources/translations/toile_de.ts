@@ -4718,6 +4718,17 @@
             <numerusform>%n Teile</numerusform>
         </translation>
     </message>
+    <message>
+        <source>1 page</source>
+        <translation>1 Seite</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pages</source>
+        <translation>
+            <numerusform>%n Seiten</numerusform>
+            <numerusform>%n Seiten</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>toile::app::FabricPanel</name>

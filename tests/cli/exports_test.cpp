@@ -15,7 +15,7 @@
 namespace toile {
 namespace {
 
-const std::string kShirt = std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.obj";
+const std::string kExportedShirt = std::string(TOILE_SOURCE_DIR) + "/resources/samples/tshirt.obj";
 
 std::string joined(std::span<const char* const> words, const char* between) {
     std::string text;
@@ -55,7 +55,7 @@ TEST(ExportsPage, TheChoicesAreThoseOfTheProgram) {
 
 TEST(ExportsPage, WhatIsReadBackIsWhatIsMeasured) {
     Progress progress;
-    const auto garment = loadGarment({kShirt}, {}, progress);
+    const auto garment = loadGarment({kExportedShirt}, {}, progress);
     ASSERT_TRUE(garment);
     const LineSettings lines = withPattern({});
     const PieceResults results = flattenGarment(*garment, {}, progress, 0, lines);
@@ -99,7 +99,8 @@ TEST(ExportsPage, WhatIsReadBackIsWhatIsMeasured) {
 
 TEST(Exports, WriteEveryFormatAtOnceAndSayWhatWasReadBack) {
     const test::TemporaryFolder folder;
-    std::vector<std::string> arguments{"flatten", kShirt, "--pattern", "--dxf-rul", "--obj-pieces"};
+    std::vector<std::string> arguments{"flatten", kExportedShirt, "--pattern", "--dxf-rul",
+                                       "--obj-pieces"};
     int read = 0;
     for (const Format& format : formats()) {
         if (format.id == FormatId::Png) {
@@ -125,7 +126,8 @@ TEST(Exports, WriteEveryFormatAtOnceAndSayWhatWasReadBack) {
 TEST(Exports, PresetsChooseAndWhatIsTypedGoesBefore) {
     const test::TemporaryFolder folder;
     const auto written = [&](const std::vector<std::string>& options) {
-        std::vector<std::string> arguments{"flatten", kShirt, "-o", (folder / "a.dxf").string()};
+        std::vector<std::string> arguments{"flatten", kExportedShirt, "-o",
+                                           (folder / "a.dxf").string()};
         arguments.insert(arguments.end(), options.begin(), options.end());
         EXPECT_EQ(test::run(TOILE_PROGRAM, arguments).status, 0);
         return folder.read("a.dxf");
@@ -143,7 +145,7 @@ TEST(Exports, PresetsChooseAndWhatIsTypedGoesBefore) {
                                                       {"--png-dpi", "0"},
                                                       {"--paper", "a5"}};
     for (std::vector<std::string> options : wrong) {
-        options.insert(options.begin(), {"flatten", kShirt});
+        options.insert(options.begin(), {"flatten", kExportedShirt});
         EXPECT_EQ(test::run(TOILE_PROGRAM, options).status, 2) << options.back();
     }
 }
