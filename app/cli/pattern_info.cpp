@@ -57,8 +57,8 @@ void printLayers(const PatternFile& file, std::ostream& out) {
     out << "layers:";
     const char* joint = " ";
     for (const auto& [layer, count] : layers) {
-        out << joint << (layer.empty() ? "-" : shownText(layer)) << " (" << counted(count, "line")
-            << ")";
+        out << joint << (layer.empty() ? "-" : shownText(layer)) << " ("
+            << (count == 1 ? "1 entity" : std::to_string(count) + " entities") << ")";
         joint = ", ";
     }
     out << '\n';
