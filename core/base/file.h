@@ -18,8 +18,8 @@ std::string pathText(const std::filesystem::path& path);
 
 /// Writes beside the target, flushes to the disk, renames: the target is either the old file or the
 /// whole new one, whatever happens, and nothing else is left: what a process killed at the wrong
-/// moment leaves is taken away at the next write of the same file. Links lead on to what they name, also
-/// where that is not there yet; owner, permissions and access list of an old file stay.
+/// moment leaves is taken away at the next write of the same file. Links lead on to what they name,
+/// also where that is not there yet; owner, permissions and access list of an old file stay.
 /// Written in place, so not in one step, is what cannot be replaced: a pipe or a terminal, a file
 /// in a folder that lets nothing be made, a file of another's that a new one would take from them.
 /// Errors: FileUnwritable.

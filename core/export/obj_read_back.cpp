@@ -21,7 +21,7 @@ class Positions {
 public:
     explicit Positions(const Garment& garment) {
         for (std::size_t f = 0; f < garment.files.size(); ++f) {
-            const auto own = static_cast<int>(of_.size());
+            const std::size_t own = of_.size();
             of_.resize(of_.size() + garment.files[f]->soup->positions.size());
             for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
                 if (garment.pieces[p]->file == static_cast<int>(f)) {
@@ -38,13 +38,13 @@ public:
     }
 
 private:
-    void addPiece(const Piece& piece, int index, int own) {
+    void addPiece(const Piece& piece, int index, std::size_t own) {
         for (std::size_t v = 0; v < piece.sourceVertex.size(); ++v) {
             const int source = piece.sourceVertex[v];
             if (source < 0) {
                 of_.emplace_back();
             }
-            (source < 0 ? of_.back() : of_[static_cast<std::size_t>(own + source)])
+            (source < 0 ? of_.back() : of_[own + static_cast<std::size_t>(source)])
                 .push_back({index, static_cast<int>(v)});
         }
     }

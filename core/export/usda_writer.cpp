@@ -93,8 +93,9 @@ void appendSeam(std::string& out, const PieceMeshes& meshes, const MeshSeam& sea
     for (std::size_t k = 0; k < 2; ++k) {
         const PieceMesh& mesh = meshes.meshes[static_cast<std::size_t>(seam.mesh[k])];
         const std::string side = std::string("toile:") + kSides[k];
-        out += "            custom rel " + side + " = </Toile/garment/" + primName(mesh.slug) +
-               ">\n            custom int[] " + side + "Vertices = ";
+        out.append("            custom rel ").append(side).append(" = </Toile/garment/");
+        out.append(primName(mesh.slug)).append(">\n            custom int[] ");
+        out.append(side).append("Vertices = ");
         appendInts(out, seam.vertices[k]);
         out += '\n';
     }

@@ -147,7 +147,8 @@ TEST(PieceMeshes, EachPieceIsAFileOfItsOwn) {
     ASSERT_EQ(written->files.size(), shirt.garment.pieces.size() + 1);
     for (std::size_t p = 0; p < shirt.garment.pieces.size(); ++p) {
         Progress progress;
-        const auto again = loadGarment({written->files[p + 1]}, {.unit = shirt.garment.files[0]->unit}, progress);
+        const auto again =
+            loadGarment({written->files[p + 1]}, {.unit = shirt.garment.files[0]->unit}, progress);
         ASSERT_TRUE(again);
         ASSERT_EQ(again->pieces.size(), 1U);
         const MeshArrays& mesh = again->pieces[0]->mesh;

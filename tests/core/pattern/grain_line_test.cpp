@@ -96,7 +96,8 @@ TEST(GrainLine, KeepsOffHoles) {
 
 TEST(GrainLine, IsDrawnOnALayerOfItsOwnWhereStated) {
     Pattern pattern = test::sewingPattern();
-    EXPECT_EQ(test::DxfFile(writePlainDxf(draw(pattern, layOut(pattern)))).layers.count("GRAIN"), 0U);
+    EXPECT_EQ(test::DxfFile(writePlainDxf(draw(pattern, layOut(pattern)))).layers.count("GRAIN"),
+              0U);
     pattern.pieces[0].grain = 0.5;
     const Drawing drawing = draw(pattern, layOut(pattern, {Placement{{0, 0}, 0.3, true}}));
     const test::DxfFile file(writePlainDxf(drawing));
