@@ -142,9 +142,14 @@ void GarmentActions::askAndExport() {
     const QString folder = remembered.isEmpty() ? first.absolutePath() : remembered;
     // "-pattern" keeps an OBJ export from proposing to replace the garment itself.
     const QString name = tr("%1-pattern").arg(first.completeBaseName());
+    // Asked when it is pressed: tests answer otherwise by then.
+    const ExportQuestions questions{
+        [this](QWidget* parent, const QString& suggestion, const QString& filter) {
+            return dialogs_.save(parent, suggestion, filter);
+        },
+        [this](QWidget* parent, const QString& path) { return dialogs_.mayReplace(parent, path); }};
     auto* dialog = new ExportDialog(folder + '/' + name, preferences_.exportFormat(),
-                                    preferences_.exportOptions(),
-                                    {dialogs_.save, dialogs_.mayReplace}, &window_);
+                                    preferences_.exportOptions(), questions, &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     const auto drawing =
         workspace_.drawPattern([asked = QPointer(dialog)](std::shared_ptr<const Drawing> drawn) {
