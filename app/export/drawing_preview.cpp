@@ -46,9 +46,12 @@ void DrawingPreview::paintEvent(QPaintEvent*) {
         painter.drawText(rect(), Qt::AlignCenter, tr("The pattern is being drawn…"));
         return;
     }
-    QRectF all(0, 0, drawing_->width, drawing_->height);
+    QRectF all;
     for (const QRectF& sheet : sheets_) {
         all |= sheet;
+    }
+    if (sheets_.isEmpty()) {
+        all = QRectF(0, 0, drawing_->width, drawing_->height);
     }
     const QRectF room = QRectF(rect()).adjusted(kEdge, kEdge, -kEdge, -kEdge);
     const double scale = std::min(room.width() / all.width(), room.height() / all.height());
@@ -62,9 +65,10 @@ void DrawingPreview::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(Qt::lightGray, 1 / scale));
         painter.drawRect(sheet);
     }
-    paintDrawing(
-        painter, *drawing_,
-        {.line = std::max(0.3, 1 / scale), .texts = kUsualLetters * scale >= kSmallestLetters});
+    paintDrawing(painter, *drawing_,
+                 {.line = std::max(0.3, 1 / scale),
+                  .texts = kUsualLetters * scale >= kSmallestLetters,
+                  .check = sheets_.size() < 2});
 }
 
 }  // namespace toile::app

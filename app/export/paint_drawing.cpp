@@ -84,7 +84,13 @@ Result<ExportedFiles> makePng(const ExportSource& source) {
 }  // namespace
 
 void paintDrawing(QPainter& painter, const Drawing& drawing, const DrawingLook& look) {
+    const auto isSeen = [&look](LayerKind layer) -> bool {
+        return look.check || layer != LayerKind::Check;
+    };
     for (const DrawnPath& path : drawing.paths) {
+        if (!isSeen(path.layer)) {
+            continue;
+        }
         painter.setPen(
             QPen(colourOf(path.layer), look.line, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         const QPolygonF polygon = polygonOf(path, drawing.height);
@@ -96,7 +102,7 @@ void paintDrawing(QPainter& painter, const Drawing& drawing, const DrawingLook& 
         }
     }
     for (const DrawnText& text : drawing.texts) {
-        if (look.texts) {
+        if (look.texts && isSeen(text.layer)) {
             paintText(painter, text, drawing.height);
         }
     }

@@ -17,6 +17,7 @@ namespace toile::app {
 struct DrawingLook {
     double line = 0.3;  ///< width of lines, mm
     bool texts = true;
+    bool check = true;  ///< the check square, which tiles of paper have in another place
 };
 
 /// Paints in the painter's units, which are millimetres with y down, the page's upper left corner

@@ -166,6 +166,7 @@ private slots:
         QVERIFY(fixture_.waitUntilIdle());
         exporting.findChild<QLineEdit*>("exportPath")->setText("/home/me/patterns/tshirt.pdf");
         emit exporting.findChild<QLineEdit*>("exportPath")->editingFinished();
+        QApplication::processEvents();  // new fields are shown then
         keep("export-dialog.png", exporting);
         exporting.reject();
 
