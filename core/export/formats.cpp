@@ -2,7 +2,6 @@
 #include "core/export/formats.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/base/file.h"
 #include "core/base/text.h"
@@ -161,7 +160,7 @@ constexpr const char* kReport[] = {".json"};
 constexpr const char* kHtml[] = {".html", ".htm"};
 constexpr const char* kCsv[] = {".csv"};
 
-std::array kFormats{
+Format kFormats[] = {
     Format{.id = FormatId::Svg,
            .name = TR("SVG drawing"),
            .use = TR("drawing programs, laser and blade cutters"),

@@ -61,6 +61,12 @@ std::vector<CubicCurve> arcCurves(const Eigen::Vector2d& from, const Eigen::Vect
     return curves;
 }
 
+/// Beside the reader: texts are collected by the class they stand in.
+Wording reasonOfUnit(double perMetre) {
+    return perMetre > 0 ? worded("units_in_meter %1", {Wording(shortest(perMetre))})
+                        : worded("the file says none; this format is usually in cm");
+}
+
 class GarmentCodeReader {
 public:
     explicit GarmentCodeReader(std::optional<LengthUnit> stated) : stated_(stated) {}
@@ -97,10 +103,10 @@ private:
         properties.read("units_in_meter", perMetre, 0, kMost);
         if (perMetre > 0) {
             code_.unit = kMetre / perMetre;
-            code_.unitReason = worded("units_in_meter %1", {Wording(shortest(perMetre))});
+            code_.unitReason = reasonOfUnit(perMetre);
         } else {
             code_.unit = kMetre / kUsualPerMetre;
-            code_.unitReason = worded("the file says none; this format is usually in cm");
+            code_.unitReason = reasonOfUnit(perMetre);
             code_.unitInDoubt = true;
         }
     }

@@ -479,105 +479,6 @@
     </message>
 </context>
 <context>
-    <name>std</name>
-    <message>
-        <source>SVG drawing</source>
-        <translation>SVG-Zeichnung</translation>
-    </message>
-    <message>
-        <source>drawing programs, laser and blade cutters</source>
-        <translation>Zeichenprogramme, Laser- und Messerplotter</translation>
-    </message>
-    <message>
-        <source>DXF pattern</source>
-        <translation>DXF-Schnitt</translation>
-    </message>
-    <message>
-        <source>pattern programs, CAD and cutting machines</source>
-        <translation>Schnittprogramme, CAD und Schneidmaschinen</translation>
-    </message>
-    <message>
-        <source>PDF to print</source>
-        <translation>PDF zum Drucken</translation>
-    </message>
-    <message>
-        <source>home printers, copy shops and projectors</source>
-        <translation>Drucker zu Hause, Kopierläden und Projektoren</translation>
-    </message>
-    <message>
-        <source>HPGL plot</source>
-        <translation>HPGL-Plot</translation>
-    </message>
-    <message>
-        <source>pen plotters and roll cutters</source>
-        <translation>Stift- und Schneideplotter</translation>
-    </message>
-    <message>
-        <source>PNG picture</source>
-        <translation>PNG-Bild</translation>
-    </message>
-    <message>
-        <source>mails and web pages, at a stated resolution</source>
-        <translation>Nachrichten und Webseiten, mit angegebener Auflösung</translation>
-    </message>
-    <message>
-        <source>OBJ with UV map</source>
-        <translation>OBJ mit UV-Abwicklung</translation>
-    </message>
-    <message>
-        <source>3D programs: the garment with its pattern as its texture</source>
-        <translation>3D-Programme: das Kleidungsstück mit seinem Schnitt als Textur</translation>
-    </message>
-    <message>
-        <source>USD scene</source>
-        <translation>USD-Szene</translation>
-    </message>
-    <message>
-        <source>film and simulation: garment, flat pattern and seams</source>
-        <translation>Film und Simulation: Kleidungsstück, flacher Schnitt und Nähte</translation>
-    </message>
-    <message>
-        <source>GLB mesh</source>
-        <translation>GLB-Netz</translation>
-    </message>
-    <message>
-        <source>games and web pages: the garment with its pattern as its texture</source>
-        <translation>Spiele und Webseiten: das Kleidungsstück mit seinem Schnitt als Textur</translation>
-    </message>
-    <message>
-        <source>GarmentCode pattern</source>
-        <translation>GarmentCode-Schnitt</translation>
-    </message>
-    <message>
-        <source>research and simulation: panels, curves and stitches</source>
-        <translation>Forschung und Simulation: Teile, Kurven und Nähte</translation>
-    </message>
-    <message>
-        <source>HTML report</source>
-        <translation>HTML-Bericht</translation>
-    </message>
-    <message>
-        <source>reading and printing: the drawing with all measures</source>
-        <translation>Lesen und Drucken: die Zeichnung mit allen Maßen</translation>
-    </message>
-    <message>
-        <source>CSV tables</source>
-        <translation>CSV-Tabellen</translation>
-    </message>
-    <message>
-        <source>spreadsheets: pieces, seams and the walk along them</source>
-        <translation>Tabellenprogramme: Teile, Nähte und der Weg entlang der Nähte</translation>
-    </message>
-    <message>
-        <source>JSON report</source>
-        <translation>JSON-Bericht</translation>
-    </message>
-    <message>
-        <source>scripts: every figure of every piece</source>
-        <translation>Skripte: jede Zahl jedes Teils</translation>
-    </message>
-</context>
-<context>
     <name>toile</name>
     <message>
         <source>the file cannot be read</source>
@@ -2107,9 +2008,98 @@
         <source>it says no size of its page: 96 units to the inch</source>
         <translation>die Größe der Seite fehlt: 96 Einheiten pro Zoll</translation>
     </message>
-</context>
-<context>
-    <name>toile::GarmentCodeReader</name>
+    <message>
+        <source>drawing programs, laser and blade cutters</source>
+        <translation>Zeichenprogramme, Laser- und Messerplotter</translation>
+    </message>
+    <message>
+        <source>DXF pattern</source>
+        <translation>DXF-Schnitt</translation>
+    </message>
+    <message>
+        <source>pattern programs, CAD and cutting machines</source>
+        <translation>Schnittprogramme, CAD und Schneidmaschinen</translation>
+    </message>
+    <message>
+        <source>PDF to print</source>
+        <translation>PDF zum Drucken</translation>
+    </message>
+    <message>
+        <source>home printers, copy shops and projectors</source>
+        <translation>Drucker zu Hause, Kopierläden und Projektoren</translation>
+    </message>
+    <message>
+        <source>HPGL plot</source>
+        <translation>HPGL-Plot</translation>
+    </message>
+    <message>
+        <source>pen plotters and roll cutters</source>
+        <translation>Stift- und Schneideplotter</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-Bild</translation>
+    </message>
+    <message>
+        <source>mails and web pages, at a stated resolution</source>
+        <translation>Nachrichten und Webseiten, mit angegebener Auflösung</translation>
+    </message>
+    <message>
+        <source>OBJ with UV map</source>
+        <translation>OBJ mit UV-Abwicklung</translation>
+    </message>
+    <message>
+        <source>3D programs: the garment with its pattern as its texture</source>
+        <translation>3D-Programme: das Kleidungsstück mit seinem Schnitt als Textur</translation>
+    </message>
+    <message>
+        <source>USD scene</source>
+        <translation>USD-Szene</translation>
+    </message>
+    <message>
+        <source>film and simulation: garment, flat pattern and seams</source>
+        <translation>Film und Simulation: Kleidungsstück, flacher Schnitt und Nähte</translation>
+    </message>
+    <message>
+        <source>GLB mesh</source>
+        <translation>GLB-Netz</translation>
+    </message>
+    <message>
+        <source>games and web pages: the garment with its pattern as its texture</source>
+        <translation>Spiele und Webseiten: das Kleidungsstück mit seinem Schnitt als Textur</translation>
+    </message>
+    <message>
+        <source>GarmentCode pattern</source>
+        <translation>GarmentCode-Schnitt</translation>
+    </message>
+    <message>
+        <source>research and simulation: panels, curves and stitches</source>
+        <translation>Forschung und Simulation: Teile, Kurven und Nähte</translation>
+    </message>
+    <message>
+        <source>HTML report</source>
+        <translation>HTML-Bericht</translation>
+    </message>
+    <message>
+        <source>reading and printing: the drawing with all measures</source>
+        <translation>Lesen und Drucken: die Zeichnung mit allen Maßen</translation>
+    </message>
+    <message>
+        <source>CSV tables</source>
+        <translation>CSV-Tabellen</translation>
+    </message>
+    <message>
+        <source>spreadsheets: pieces, seams and the walk along them</source>
+        <translation>Tabellenprogramme: Teile, Nähte und der Weg entlang der Nähte</translation>
+    </message>
+    <message>
+        <source>JSON report</source>
+        <translation>JSON-Bericht</translation>
+    </message>
+    <message>
+        <source>scripts: every figure of every piece</source>
+        <translation>Skripte: jede Zahl jedes Teils</translation>
+    </message>
     <message>
         <source>units_in_meter %1</source>
         <translation>units_in_meter %1</translation>

@@ -140,7 +140,7 @@ private slots:
         QVERIFY(svg.contains("wrong side of the fabric up"));
         QVERIFY(svg.contains("piece-sheet--grain"));
         const auto boxIn = [&svg](const QString& id) {
-            const QRegularExpression outline("id=\"" + id + "\" d=\"M ([^\"]+) Z\"");
+            const QRegularExpression outline("id=\"" + id + "\"[^>]* d=\"M ([^\"]+) Z\"");
             Eigen::AlignedBox2d box;
             const QString data = outline.match(svg).captured(1).remove('L');
             for (const QString& pair : data.split(' ', Qt::SkipEmptyParts)) {
