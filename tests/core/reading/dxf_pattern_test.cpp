@@ -10,13 +10,13 @@
 #include "core/export/writers.h"
 #include "core/reading/joined_lines.h"
 #include "tests/core/export/export_fixtures.h"
-#include "tests/core/reading/dxf_text.h"
+#include "tests/core/reading/dxf_builder.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {
 namespace {
 
-using test::DxfText;
+using test::DxfBuilder;
 
 Points2 lineThrough(std::initializer_list<std::array<double, 2>> places) {
     Points2 line(static_cast<Eigen::Index>(places.size()), 2);
@@ -32,7 +32,7 @@ const Points2 kPanelOutline = lineThrough(
 
 /// One block in mm, all capitals, closed.
 std::string closedFile() {
-    return DxfText()
+    return DxfBuilder()
         .section("BLOCKS")
         .block("front_M")
         .text("PIECE NAME: front")
@@ -61,7 +61,7 @@ std::string closedFile() {
 
 /// @param parts  of its outline, by pairs of points
 std::string fileOfParts(const std::vector<Points2>& parts) {
-    DxfText text;
+    DxfBuilder text;
     text.section("BLOCKS").block("a");
     for (const Points2& part : parts) {
         text.polyline("1", part, false);
@@ -126,7 +126,7 @@ TEST(DxfPattern, JoinsOpenLinesInAnyOrderAndDirection) {
 }
 
 TEST(DxfPattern, MakesHalvesWhole) {
-    DxfText text;
+    DxfBuilder text;
     text.section("BLOCKS")
         .block("back")
         .polyline("1", kPanelOutline, true)
@@ -156,7 +156,7 @@ TEST(DxfPattern, MakesHalvesWhole) {
 }
 
 TEST(DxfPattern, LeavesAWholePieceWithAMirrorLineAsItIs) {
-    DxfText text;
+    DxfBuilder text;
     text.section("BLOCKS")
         .block("a")
         .polyline("1", kPanelOutline, true)
@@ -178,7 +178,7 @@ TEST(DxfPattern, TakesTheFinerOfALineAndItsQualityLine) {
         coarse.row(k) = fine.row(4 * k);
     }
     for (const bool isSwapped : {false, true}) {
-        DxfText text;
+        DxfBuilder text;
         text.section("BLOCKS")
             .block("a")
             .polyline(isSwapped ? "84" : "1", coarse, true)
@@ -193,7 +193,7 @@ TEST(DxfPattern, TakesTheFinerOfALineAndItsQualityLine) {
 }
 
 TEST(DxfPattern, PlacesBlocksAsTheyAreInserted) {
-    DxfText text;
+    DxfBuilder text;
     text.section("BLOCKS")
         .block("a", 10, 20)
         .polyline("1", kPanelOutline, true)
@@ -214,7 +214,7 @@ TEST(DxfPattern, PlacesBlocksAsTheyAreInserted) {
 
 /// A square without blocks of texts.
 std::string squareFile(double side, std::string_view units, const char* header = nullptr) {
-    DxfText text;
+    DxfBuilder text;
     if (header) {
         text.section("HEADER").tag(9, "$INSUNITS").tag(70, header).end();
     }
@@ -263,7 +263,7 @@ TEST(DxfPattern, JudgesTheUnitByWhatItSaysAndByTheSize) {
 }
 
 TEST(DxfPattern, KnowsTheSampleSize) {
-    DxfText text;
+    DxfBuilder text;
     text.section("BLOCKS");
     for (const char* size : {"36", "38", "40"}) {
         text.block(std::string("front_") + size)
@@ -304,7 +304,7 @@ TEST(DxfPattern, ReadsOurOwnDrawing) {
 
 TEST(DxfPattern, RefusesWhatHasNoPieces) {
     const auto file =
-        readDxfPattern(DxfText().section("ENTITIES").line("1", 0, 0, 1, 1).end().take());
+        readDxfPattern(DxfBuilder().section("ENTITIES").line("1", 0, 0, 1, 1).end().take());
     ASSERT_FALSE(file);
     EXPECT_EQ(file.error().code, ErrorCode::NoGeometry);
     EXPECT_FALSE(readDxfPattern("nothing"));
