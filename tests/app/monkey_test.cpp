@@ -117,14 +117,16 @@ class MonkeyTest : public QObject {
         return {};
     }
 
-    /// Until no job runs and what can be flat is; the window is to follow.
+    /// Until no job runs and what can be flat is; the window is to follow. What was cancelled in a
+    /// stage that cannot be stopped may keep the cores of a machine with much else to do for more
+    /// than a minute: how long things take is no matter here.
     bool settle() {
         return QTest::qWaitFor(
             [this] {
                 return !workspace().jobs().isBusy() &&
                        !window().garmentActions().project().session().isSaving();
             },
-            test::WindowFixture::kPatience);
+            10 * test::WindowFixture::kPatience);
     }
 
     void undoEverything() {
