@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <map>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/check_arguments.h"
 #include "app/cli/command_line.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
@@ -437,59 +437,6 @@ Arguments wrongUsage(const std::string& what) {
     return message("toile: " + what + "; see toile --help.\n", kExitUsage);
 }
 
-/// @return what is wrong, or nothing
-std::string wrongFairing(const LineSettings& lines) {
-    const Fairing fairing = lines.fairing.value_or(Fairing{});
-    const auto isWithin = [](double value, double least, double most) {
-        return value >= least && value <= most;
-    };
-    if (!isWithin(fairing.tolerance, kMinFairTolerance, kMaxFairTolerance)) {
-        return "--fair takes a tolerance from " + shortest(kMinFairTolerance) + " to " +
-               shortest(kMaxFairTolerance) + " mm";
-    }
-    if (!isWithin(fairing.smoothing, kMinSmoothing, kMaxSmoothing)) {
-        return "--fair takes a smoothing length from " + shortest(kMinSmoothing) + " to " +
-               shortest(kMaxSmoothing) + " mm";
-    }
-    return {};
-}
-
-/// @return what is wrong, or nothing
-std::string readPicture(const Typed& typed, Arguments& arguments) {
-    PictureArguments& picture = arguments.picture;
-    if (std::isnan(picture.morph)) {  // which is neither below nor above a limit
-        return "--morph must be a number from 0 to 1";
-    }
-    for (const std::string& wrong :
-         {readPictureSize(typed.size, picture), readPictureLook(typed.look, picture)}) {
-        if (!wrong.empty()) {
-            return wrong;
-        }
-    }
-    const std::filesystem::path& output = arguments.outputs.front();
-    if (output.extension() != ".png" && output.extension() != ".PNG") {
-        return "the picture's name must end in .png, not \"" + output.string() + "\"";
-    }
-    return {};
-}
-
-/// A mistyped output must not cost the user the garment.
-const std::filesystem::path* overwrittenInput(const Arguments& arguments) {
-    std::vector<std::filesystem::path> inputs = arguments.inputs;
-    if (!arguments.seams.empty()) {
-        inputs.push_back(arguments.seams);
-    }
-    for (const auto& output : arguments.outputs) {
-        for (const auto& input : inputs) {
-            std::error_code ignored;
-            if (std::filesystem::equivalent(input, output, ignored)) {
-                return &output;
-            }
-        }
-    }
-    return nullptr;
-}
-
 /// CLI11's own wording for help, version and usage errors.
 Arguments fromParseError(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream out;
@@ -502,44 +449,6 @@ Arguments fromParseError(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 }  // namespace
-
-FlattenOptions StatedOptions::over(FlattenOptions options) const {
-    options.method = method.value_or(options.method);
-    options.quality = quality.value_or(options.quality);
-    options.boundarySolver = boundarySolver.value_or(options.boundarySolver);
-    options.freeBoundary = freeBoundary.value_or(options.freeBoundary);
-    options.stretchOutline = stretchOutline.value_or(options.stretchOutline);
-    options.authalic = authalic.value_or(options.authalic);
-    return options;
-}
-
-LineSettings StatedOptions::over(LineSettings lines) const {
-    if (fairing || (trueSeams && !lines.fairing)) {
-        lines.fairing = fairing.value_or(Fairing{});
-    }
-    lines.trueBelow = trueSeams ? kProposedTrueing : lines.trueBelow;
-    const bool asksForMirror = byHalf && lines.mirror == Mirror::None;
-    lines.mirror = asksForMirror ? Mirror::Mean : lines.mirror;
-    if (pattern) {
-        lines = withPattern(std::move(lines));
-    }
-    lines.mirror = mirror.value_or(lines.mirror);
-    lines.grain = grain ? grain : lines.grain;
-    lines.label.size = size.value_or(lines.label.size);
-    lines.label.date = date.value_or(lines.label.date);
-    if (allowance || hem) {
-        const AllowanceWidths before = lines.allowance.value_or(AllowanceWidths{});
-        lines.allowance = {allowance.value_or(before.seam), hem.value_or(before.hem)};
-    }
-    if (notches) {
-        lines.notches =
-            *notches ? lines.notches.value_or(NotchRules{}) : std::optional<NotchRules>();
-        if (lines.notches) {
-            lines.notches->automatic = true;
-        }
-    }
-    return lines;
-}
 
 Arguments parseArguments(int argc, const char* const* argv) {
     CLI::App app{
@@ -585,12 +494,6 @@ Arguments parseArguments(int argc, const char* const* argv) {
         return wrongUsage("\"" + typed.windowFiles.front().string() +
                           "\" stands before the command");
     }
-    if (arguments.command == Arguments::Command::Render) {
-        arguments.outputs.emplace_back(typed.picture);
-    }
-    if (arguments.load.split == SplitMode::Seams && arguments.seams.empty()) {
-        return wrongUsage("--split seams divides by the cuts of a file: give it with --seams");
-    }
     for (const FormatOption& row : formatOptions()) {
         const auto value = typed.exporting.find(row.name);
         if (value != typed.exporting.end() && !row.set(arguments.exporting, value->second)) {
@@ -598,36 +501,26 @@ Arguments parseArguments(int argc, const char* const* argv) {
                               shortest(row.least) + " to " + shortest(row.most));
         }
     }
-    arguments.options = arguments.stated.over(FlattenOptions{});
-    arguments.lines = arguments.stated.over(LineSettings{});
-    if (const std::string wrong = wrongFairing(arguments.lines); !wrong.empty()) {
-        return wrongUsage(wrong);
-    }
-    if (std::isnan(arguments.options.authalic)) {  // which is neither below nor above a limit
-        return wrongUsage("--authalic must be a number from 0 to 1");
-    }
-    arguments.methods = methodsOf(typed);
-    if (!typed.report.empty()) {
-        if (!typed.report.ends_with(".json") && !typed.report.ends_with(".JSON")) {
-            return wrongUsage("the report's name must end in .json, not \"" + typed.report + "\"");
-        }
-        arguments.outputs.emplace_back(typed.report);
-    }
-    if (arguments.command == Arguments::Command::Render) {
-        if (const std::string wrong = readPicture(typed, arguments); !wrong.empty()) {
+    for (const std::string& wrong : {readPictureSize(typed.size, arguments.picture),
+                                     readPictureLook(typed.look, arguments.picture)}) {
+        if (!wrong.empty()) {
             return wrongUsage(wrong);
         }
     }
-    for (const auto& output : arguments.outputs) {
-        const Format* format = formatOf(output);
-        if (arguments.command != Arguments::Command::Render && (!format || !format->write)) {
-            return wrongUsage("\"" + output.string() + "\" has an ending that " +
-                              (format ? "this build of Toile" : "Toile") + " does not write; use " +
-                              writtenEndings());
+    arguments.options = arguments.stated.over(FlattenOptions{});
+    arguments.lines = arguments.stated.over(LineSettings{});
+    arguments.methods = methodsOf(typed);
+    for (const std::string& output : {typed.picture, typed.report}) {
+        if (!output.empty()) {
+            arguments.outputs.emplace_back(output);
         }
     }
-    if (const auto* lost = overwrittenInput(arguments)) {
-        return wrongUsage("\"" + lost->string() + "\" is an input and would be overwritten");
+    if (!typed.report.empty() && !typed.report.ends_with(".json") &&
+        !typed.report.ends_with(".JSON")) {
+        return wrongUsage("the report's name must end in .json, not \"" + typed.report + "\"");
+    }
+    if (const std::string wrong = wrongIn(arguments); !wrong.empty()) {
+        return wrongUsage(wrong);
     }
     return arguments;
 }

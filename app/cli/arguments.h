@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/picture_arguments.h"
+#include "app/cli/stated_options.h"
 #include "app/document/view_state.h"
 #include "core/export/export_options.h"
 #include "core/garment/fabric.h"
@@ -14,31 +15,6 @@
 #include "core/project/project.h"
 
 namespace toile::app {
-
-/// What was typed of how pieces are flattened; nothing where it was not.
-struct StatedOptions {
-    std::optional<Method> method{};
-    std::optional<Quality> quality{};
-    std::optional<BoundarySolver> boundarySolver{};
-    std::optional<FreeBoundary> freeBoundary{};
-    std::optional<StretchOutline> stretchOutline{};
-    std::optional<double> authalic{};
-    std::optional<Fairing> fairing{};
-    bool trueSeams = false;
-    std::optional<Mirror> mirror{};
-    bool byHalf = false;                       ///< every piece, in files; asks for mirrored pieces
-    std::optional<double> allowance{}, hem{};  ///< AllowanceWidths; mm
-    std::optional<bool> notches{};             ///< placed by themselves, or none
-    std::optional<GrainRule> grain{};
-    bool pattern = false;                       ///< `withPattern`
-    std::optional<std::string> size{}, date{};  ///< LabelTexts
-
-    /// These options where something was typed, the given ones else.
-    FlattenOptions over(FlattenOptions options) const;
-    LineSettings over(LineSettings lines) const;
-
-    bool operator==(const StatedOptions&) const = default;
-};
 
 /// What the user typed, parsed and checked.
 struct Arguments {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/export_file.h"
 
-#include <algorithm>
-
 #include "core/base/file.h"
-#include "core/base/text.h"
 #include "core/export/formats.h"
 
 namespace toile {
@@ -20,18 +17,8 @@ std::filesystem::path exportedPath(const std::filesystem::path& path, const std:
     if (beside.empty()) {
         return path;
     }
-    // The name without the ending by which the format was found, "a.specification" of a longer one.
     std::string name = path.filename().string();
-    std::size_t ending = 0;
-    if (const Format* format = formatOf(path)) {
-        for (const std::string_view known : format->endings) {
-            const bool fits = name.size() > known.size() &&
-                              equalsIgnoringCase(
-                                  std::string_view(name).substr(name.size() - known.size()), known);
-            ending = fits ? std::max(ending, known.size()) : ending;
-        }
-    }
-    name.resize(name.size() - ending);
+    name.resize(name.size() - endingOf(path).size());
     return path.parent_path() / (name + beside);
 }
 

@@ -102,12 +102,22 @@ bool isMoreThanOutlines(const Pattern& pattern) {
            });
 }
 
+/// Of all pieces whole, as a UV map shows them; most drawings are that.
+Drawing wholeDrawing(const ExportSource& source) {
+    const LaidOutPattern& laid = source.laid();
+    const bool isWhole = laid.wholePattern.facings.empty() &&
+                         std::ranges::all_of(laid.pattern.pieces, [](const PatternPiece& piece) {
+                             return piece.cutAs == CutAs::Whole;
+                         });
+    return isWhole ? source.drawing() : draw(laid.wholePattern, laid.whole, source.words());
+}
+
 Result<ExportedFiles> makeObj(const ExportSource& source) {
     const bool isExact = source.options().mesh.isExact;
     const PieceResults results = isExact ? exactResults(source.results()) : source.results();
     std::string obj = writeObj(source.garment(), results, source.laid().whole);
     if (!isExact && isMoreThanOutlines(source.laid().wholePattern)) {
-        obj += writeObjLines(draw(source.laid().wholePattern, source.laid().whole, source.words()),
+        obj += writeObjLines(wholeDrawing(source),
                              millimetresPer(source.garment().files.front()->unit));
     }
     ExportedFiles files = oneFile(std::move(obj));
@@ -257,20 +267,25 @@ const Format& formatOf(FormatId id) {
     return *std::ranges::find(kFormats, id, &Format::id);
 }
 
-const Format* formatOf(const std::filesystem::path& path) {
+std::string_view endingOf(const std::filesystem::path& path) {
     std::string name = pathText(path.filename());
     std::ranges::transform(name, name.begin(), lowered);
-    const Format* found = nullptr;
-    std::size_t length = 0;
+    std::string_view longest;
     for (const Format& format : kFormats) {
         for (const std::string_view ending : format.endings) {
-            if (ending.size() > length && name.size() > ending.size() && name.ends_with(ending)) {
-                found = &format;
-                length = ending.size();
-            }
+            const bool fits = name.size() > ending.size() && name.ends_with(ending);
+            longest = fits && ending.size() > longest.size() ? ending : longest;
         }
     }
-    return found;
+    return longest;
+}
+
+const Format* formatOf(const std::filesystem::path& path) {
+    const std::string_view ending = endingOf(path);
+    const auto* const found = std::ranges::find_if(kFormats, [ending](const Format& format) {
+        return std::ranges::find(format.endings, ending) != format.endings.end();
+    });
+    return found != std::end(kFormats) ? found : nullptr;
 }
 
 void provideWriter(FormatId id, Result<ExportedFiles> (*write)(const ExportSource&)) {

@@ -47,7 +47,10 @@ struct Format {
 std::span<const Format> formats();
 const Format& formatOf(FormatId id);
 
-/// By the longest ending that fits, in any case; null where none does.
+/// The longest ending of a format that a file's name ends in, in any case; empty where none does.
+std::string_view endingOf(const std::filesystem::path& path);
+
+/// By that ending; null where there is none.
 const Format* formatOf(const std::filesystem::path& path);
 
 /// Gives a format the writer that the core has not. Not thread-safe: once, before anything is

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/base/text.h"
 #include "core/export/placed_text.h"
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int kCutPen = 1, kLinePen = 2, kLetterPen = 3;
 constexpr Eigen::Index kMostInList = 64;  // points: what buffers of old plotters hold
-constexpr int kPerLetterCurve = 8;        // points
+constexpr int kPerLetterCurve = 5;        // points
 
 class PltWriter {
 public:
@@ -24,18 +25,18 @@ public:
         bytes_ = "IN;PA;";
         for (const DrawnText& text : drawing_.texts) {
             for (const std::vector<CubicCurve>& contour : placedOutlines(text)) {
-                add(kLetterPen, sampled(contour, kPerLetterCurve), false);
+                add(kLetterPen, letterLine(contour));
             }
         }
         for (const DrawnPath& path : drawing_.paths) {
             if (path.layer != LayerKind::Cut) {
-                add(kLinePen, path.points, path.closed);
+                add(kLinePen, plotterLine(placed(path.points), path.closed));
             }
         }
         // A piece's holes stand behind its outline.
         for (auto path = drawing_.paths.rbegin(); path != drawing_.paths.rend(); ++path) {
             if (path->layer == LayerKind::Cut) {
-                add(kCutPen, path->points, path->closed);
+                add(kCutPen, plotterLine(placed(path->points), path->closed));
             }
         }
         return bytes_ + "PU0,0;SP0;";
@@ -51,15 +52,33 @@ private:
         return moved.cwiseMax(0);  // of letters that reach over the page
     }
 
-    void add(int pen, const Points2& line, bool closed) {
-        if (line.rows() == 0) {
+    /// Of a letter, whose length is no matter: rounded, without what falls together.
+    Points2 letterLine(const std::vector<CubicCurve>& contour) const {
+        std::vector<Eigen::RowVector2d> places;
+        for (const CubicCurve& curve : contour) {
+            const Points2 line = sampled({curve}, curve.isLine ? 1 : kPerLetterCurve);
+            for (const auto& point : placed(line).rowwise()) {
+                const Eigen::RowVector2d place = (kPlotterUnits * point).array().round();
+                if (places.empty() || place != places.back()) {
+                    places.push_back(place);
+                }
+            }
+        }
+        Points2 units(static_cast<Eigen::Index>(places.size()), 2);
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            units.row(static_cast<Eigen::Index>(k)) = places[k];
+        }
+        return units;
+    }
+
+    void add(int pen, const Points2& units) {
+        if (units.rows() == 0) {
             return;
         }
         if (pen != pen_) {
             bytes_ += "SP" + std::to_string(pen) + ';';
             pen_ = pen;
         }
-        const Points2 units = plotterLine(placed(line), closed);
         bytes_ += "PU";
         append(units, 0);
         for (Eigen::Index k = 1; k < units.rows(); ++k) {

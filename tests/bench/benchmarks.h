@@ -21,6 +21,7 @@ void registerFlattening(const Scope& scope);  ///< curvature/panel/45000, isomet
 void registerPieces(const Scope& scope);      ///< buildPiece/panel/45000
 void registerReading(const Scope& scope);     ///< plainScan, toileReader, openMeshReader
 void registerWriting(const Scope& scope);     ///< write/panel/1000000/svg
+void registerExport();                        ///< export/dress/pdf, readBack/dress/all
 void registerGarment(const Scope& scope);     ///< garment/dress/threads-2
 void registerEndToEnd(const Scope& scope);    ///< endToEnd/panel/1000000/curvature
 void registerMemory(const Scope& scope);      ///< memory/panel/1000000/curvature

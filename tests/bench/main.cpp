@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
     registerPieces(scope);
     registerReading(scope);
     registerWriting(scope);
+    registerExport();
     registerGarment(scope);
     registerEndToEnd(scope);
     registerMemory(scope);
