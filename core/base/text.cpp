@@ -75,6 +75,14 @@ std::string quotedList(const std::vector<std::string>& texts, std::size_t most) 
                                : out;
 }
 
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t\r\n\f";
+    const std::size_t from = text.find_first_not_of(kBlanks);
+    return from == std::string_view::npos
+               ? std::string_view()
+               : text.substr(from, text.find_last_not_of(kBlanks) - from + 1);
+}
+
 bool equalsIgnoringCase(std::string_view text, std::string_view word) {
     return std::ranges::equal(text, word, {}, lowered);
 }

@@ -22,6 +22,8 @@ std::string scientific(double value, int decimals);
 std::string counted(long long count, std::string_view noun);
 /// The first `most` texts in quotes, and how many more there are: "\"a\", \"b\" and 3 more".
 std::string quotedList(const std::vector<std::string>& texts, std::size_t most);
+/// Without blanks (space, tab, line ends, form feed) at its ends; refers to the same characters.
+std::string_view trimmed(std::string_view text);
 /// An ASCII letter in lower case; any other character as it is.
 constexpr char lowered(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

@@ -5,15 +5,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/text.h"
+
 namespace toile {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t from = text.find_first_not_of(" \t\r");
-    return from == std::string_view::npos
-               ? std::string_view()
-               : text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
-}
 
 std::optional<double> parsedNumber(std::string_view text) {
     text.remove_prefix(!text.empty() && text.front() == '+' ? 1 : 0);
@@ -86,11 +81,17 @@ public:
 
     DxfDocument taken() {
         finish();
+        if (isInPolyline_) {
+            endPolyline(*place());
+        }
         return std::move(document_);
     }
 
 private:
     void begin(std::string_view kind) {
+        if (isInPolyline_ && kind != "VERTEX") {
+            endPolyline(*place());  // before a section or a block leads elsewhere
+        }
         entity_ = {};
         entity_.kind = kind;
         isSectionName_ = kind == "SECTION";
@@ -131,9 +132,6 @@ private:
         if (entity_.kind == "VERTEX" && isInPolyline_) {
             addVertex(entity_.point());
             return;
-        }
-        if (isInPolyline_) {
-            endPolyline(there);
         }
         if (entity_.kind == "SEQEND" || entity_.kind.empty()) {
             return;

@@ -10,13 +10,6 @@
 namespace toile {
 namespace {
 
-std::string_view withoutBlanks(std::string_view text) {
-    const std::size_t from = text.find_first_not_of(' ');
-    return from == std::string_view::npos
-               ? std::string_view()
-               : text.substr(from, text.find_last_not_of(' ') - from + 1);
-}
-
 std::optional<double> scaled(std::optional<double> value, double by) {
     return value ? std::optional(*value * by) : std::nullopt;
 }
@@ -25,9 +18,9 @@ void addSaid(DxfGroupOfEntities& group, std::string_view text) {
     group.texts.push_back(text);
     const std::size_t colon = text.find(':');
     if (colon != std::string_view::npos) {
-        std::string key(withoutBlanks(text.substr(0, colon)));
+        std::string key(trimmed(text.substr(0, colon)));
         std::ranges::transform(key, key.begin(), lowered);
-        group.said.emplace(std::move(key), withoutBlanks(text.substr(colon + 1)));
+        group.said.emplace(std::move(key), trimmed(text.substr(colon + 1)));
     }
 }
 

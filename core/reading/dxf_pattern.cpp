@@ -14,7 +14,7 @@
 namespace toile {
 namespace {
 
-constexpr double kFarthestPlace = 1e9;       // mm: beyond, a coordinate is no place on cloth
+constexpr double kFarthestFactor = 1e9;      // of an INSERT
 constexpr std::size_t kMostOutlines = 2000;  // of a drawing without blocks
 constexpr double kMostWork = 5e8;  // points looked at to find in which piece things of it lie
 
@@ -28,7 +28,7 @@ DxfPlace placeOf(const DxfBlock& block, const DxfEntity* insert, double unit) {
     }
     const auto factor = [insert](int code) {
         const double value = insert->number(code).value_or(1);
-        return value != 0 && std::abs(value) < kFarthestPlace ? value : 1;
+        return value != 0 && std::abs(value) < kFarthestFactor ? value : 1;
     };
     const double turn = std::fmod(insert->number(50).value_or(0), 360.0) * kDegree;
     const Eigen::Matrix2d linear = Eigen::Rotation2Dd(turn).toRotationMatrix() *
@@ -63,9 +63,6 @@ Wording faultOf(const FilePiece& piece) {
     const Points2& outline = outlineOf(piece);
     if (outline.rows() < 3) {
         return worded("it has no closed outline");
-    }
-    if (!(outline.cwiseAbs().maxCoeff() < kFarthestPlace)) {
-        return worded("its outline is out of all bounds");
     }
     return std::abs(signedAreaOf(outline)) > 0 ? Wording() : worded("its outline has no area");
 }
@@ -305,8 +302,9 @@ Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<LengthU
     shareTexts(file.pieces);
     file.style = styleField(fields, "style name");
     file.sampleSize = styleField(fields, "sample size");
+    std::set<std::string_view> known;
     for (const FilePiece& piece : file.pieces) {
-        if (!piece.size.empty() && std::ranges::find(file.sizes, piece.size) == file.sizes.end()) {
+        if (!piece.size.empty() && known.insert(piece.size).second) {
             file.sizes.push_back(piece.size);
         }
     }

@@ -13,8 +13,8 @@ namespace toile {
 /// block for each piece and size, what is meant told by the layer's number; or a drawing without
 /// blocks whose layers say it by number or by name (CUT, SEW, GRAIN ...), in which each outer
 /// closed line is a piece. Outlines that lie in several open lines are joined end to end, half
-/// pieces beside a mirror line become whole. Of a line and its quality line (84 to 87) the one with
-/// more points counts. Keys of texts in any case.
+/// pieces beside a mirror line become whole, but for internal lines beside a text NM. Of a line and
+/// its quality line (84 to 87) the one with more points counts. Keys of texts in any case.
 /// @param stated  the file's unit where a person has said it; else its texts, its header and its
 /// size tell
 /// Errors: MalformedFile (no DXF file), NoGeometry (no closed line that could be a piece).

@@ -4,19 +4,23 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/base/words.h"
+#include "core/geometry/segment.h"
 #include "core/reading/joined_lines.h"
 
 namespace toile {
 namespace {
 
-constexpr double kLeastNear = 0.02;    // mm, the ends of lines that are one
-constexpr double kNearShare = 1e-4;    // of the extent
-constexpr double kGapShare = 0.05;     // of a line's length: a wider gap is no slip of a pen
-constexpr int kMostQuantity = 100000;  // of what a number may say
+constexpr double kFarthestPlace = 1e9;  // mm: beyond, a coordinate is no place on cloth
+constexpr double kLeastNear = 0.02;     // mm, the ends of lines that are one
+constexpr double kNearShare = 1e-4;     // of the extent
+constexpr double kGapShare = 0.05;      // of a line's length: a wider gap is no slip of a pen
+constexpr int kMostNotMirrored = 100;   // lines of a piece: each is looked for among all
+constexpr int kMostQuantity = 100000;   // of what a number may say
 
 constexpr Word<DxfRole> kNumbers[] = {
     {DxfRole::Cut, "1"},           {DxfRole::Notch, "4"},       {DxfRole::Fold, "6"},
@@ -32,11 +36,7 @@ constexpr Word<DxfRole> kNumbers[] = {
 };
 
 std::string trimmedLower(std::string_view text) {
-    const std::size_t from = text.find_first_not_of(' ');
-    if (from == std::string_view::npos) {
-        return {};
-    }
-    std::string word(text.substr(from, text.find_last_not_of(' ') - from + 1));
+    std::string word(trimmed(text));
     std::ranges::transform(word, word.begin(), lowered);
     return word;
 }
@@ -65,7 +65,8 @@ std::optional<FileLine> lineOf(const DxfEntity& entity, const DxfPlace& place) {
             line.points << (place.map * *from).transpose(), (place.map * *to).transpose();
         }
     }
-    const bool isLine = line.points.rows() > 1 && line.points.allFinite();
+    const bool isLine =
+        line.points.rows() > 1 && line.points.cwiseAbs().maxCoeff() < kFarthestPlace;
     return isLine ? std::optional(std::move(line)) : std::nullopt;
 }
 
@@ -177,11 +178,14 @@ void readTexts(const DxfFields& fields, FilePiece& piece) {
 /// Notches and drills are points with further figures; in drawings notches are strokes.
 void readPoints(const std::vector<DxfEntity>& entities, const DxfPlace& place, FilePiece& piece) {
     const auto scaled = [&place](std::optional<double> length) {
-        return length && *length != 0 ? std::optional(std::abs(*length) * place.scale)
-                                      : std::nullopt;
+        const double size = std::abs(length.value_or(0)) * place.scale;
+        return size > 0 && size < kFarthestPlace ? std::optional(size) : std::nullopt;
     };
     for (const DxfEntity& entity : entities) {
-        const auto point = entity.point();
+        auto point = entity.point();
+        if (point && !((place.map * *point).cwiseAbs().maxCoeff() < kFarthestPlace)) {
+            point = {};
+        }
         const DxfRole role = dxfRole(entity.layer);
         if (role == DxfRole::Notch && entity.kind == "POINT" && point) {
             FileNotch& notch = piece.notches.emplace_back(FileNotch{place.map * *point});
@@ -214,8 +218,41 @@ std::optional<FileChord> chordOf(const std::vector<DxfEntity>& entities, DxfRole
     return {};
 }
 
+/// Which of the internal lines have a text "NM" beside them: these are not mirrored.
+std::vector<char> notMirrored(const std::vector<DxfEntity>& entities, const DxfPlace& place,
+                              const std::vector<FileLine>& lines) {
+    std::vector<char> isKept(lines.size(), 0);
+    int left = kMostNotMirrored;
+    for (const DxfEntity& entity : entities) {
+        const auto point = entity.point();
+        if (!point || (entity.kind != "TEXT" && entity.kind != "MTEXT") ||
+            !equalsIgnoringCase(trimmed(entity.text(1)), "nm") || left-- <= 0) {
+            continue;
+        }
+        const Eigen::Vector2d at = place.map * *point;
+        double least = std::numeric_limits<double>::infinity();
+        std::size_t nearest = lines.size();
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            const Points2& line = lines[k].points;
+            for (Eigen::Index row = 0; row + 1 < line.rows(); ++row) {
+                const double distance = geometry::distanceToSegment<Eigen::Vector2d>(
+                    at, line.row(row).transpose(), line.row(row + 1).transpose());
+                if (distance < least) {
+                    least = distance;
+                    nearest = k;
+                }
+            }
+        }
+        if (nearest < lines.size()) {
+            isKept[nearest] = 1;
+        }
+    }
+    return isKept;
+}
+
 /// The other half of all that is inside of a half piece.
-void mirrorInside(FilePiece& piece, double near) {
+/// @param isKept  of each internal line: it has no other half
+void mirrorInside(FilePiece& piece, double near, const std::vector<char>& isKept) {
     const FileChord& fold = *piece.fold;
     const auto image = [&fold](const Eigen::Vector2d& point) -> Eigen::Vector2d {
         return mirroredAcross(point.transpose(), fold).row(0).transpose();
@@ -233,7 +270,7 @@ void mirrorInside(FilePiece& piece, double near) {
         }
     }
     for (std::size_t k = 0; k < lines; ++k) {
-        if (!isOnLine(piece.internals[k].points, fold, near)) {
+        if (isKept[k] == 0 && !isOnLine(piece.internals[k].points, fold, near)) {
             piece.internals.push_back(
                 {mirroredAcross(piece.internals[k].points, fold), piece.internals[k].closed});
         }
@@ -257,7 +294,7 @@ void mirrorInside(FilePiece& piece, double near) {
     }
 }
 
-void unfold(FilePiece& piece, std::vector<Wording>& notes) {
+void unfold(FilePiece& piece, const std::vector<char>& isKept, std::vector<Wording>& notes) {
     const double near = dxfNearness(boxOf(outlineOf(piece)).diagonal().norm());
     for (Points2* line : {&piece.cut, &piece.sew}) {
         if (line->rows() == 0) {
@@ -268,7 +305,7 @@ void unfold(FilePiece& piece, std::vector<Wording>& notes) {
         *line = std::move(whole.line);
     }
     if (piece.isUnfolded) {
-        mirrorInside(piece, near);
+        mirrorInside(piece, near, isKept);
     } else {
         notes.push_back(worded("%1: its mirror line is no part of its outline; it stays as it is",
                                {Wording(piece.name)}));
@@ -376,7 +413,7 @@ FilePiece dxfPiece(const std::vector<DxfEntity>& entities, const DxfPlace& place
     readPoints(entities, place, piece);
     piece.grain = chordOf(entities, DxfRole::Grain, place);
     if (piece.fold && outlineOf(piece).rows() > 0) {
-        unfold(piece, notes);
+        unfold(piece, notMirrored(entities, place, piece.internals), notes);
     }
     return piece;
 }

@@ -18,6 +18,7 @@ constexpr double kMostOfArc = kPi / 6;   // by one cubic curve: far nearer than 
 constexpr int kPointsPerCurve = 32;
 constexpr double kMetre = 1000;         // mm
 constexpr double kUsualPerMetre = 100;  // cm
+constexpr double kLeastPerMetre = 1e-3, kMostPerMetre = 1e6;
 
 /// A point given relative to an edge: along it, and to the left of it.
 Eigen::Vector2d besideEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double along,
@@ -99,14 +100,13 @@ private:
         properties.read("curvature_coords", coordinates);
         isRelative_ = coordinates != "absolute";
         double perMetre = 0;
-        constexpr double kMost = 1e6;
-        properties.read("units_in_meter", perMetre, 0, kMost);
-        if (perMetre > 0) {
+        properties.read("units_in_meter", perMetre, 0, kMostPerMetre);
+        if (perMetre >= kLeastPerMetre) {
             code_.unit = kMetre / perMetre;
             code_.unitReason = reasonOfUnit(perMetre);
         } else {
             code_.unit = kMetre / kUsualPerMetre;
-            code_.unitReason = reasonOfUnit(perMetre);
+            code_.unitReason = reasonOfUnit(0);
             code_.unitInDoubt = true;
         }
     }
@@ -185,7 +185,10 @@ private:
                 return false;
             }
         }
-        return count > 1;
+        // Two straight edges, there and back, have nothing between them.
+        return count > 2 || (count == 2 && std::ranges::any_of(panel.edges, [](const auto& edge) {
+                                 return !edge.curves.front().isLine;
+                             }));
     }
 
     void readEdge(JsonFields& fields, const std::vector<Eigen::Vector2d>& vertices,

@@ -78,7 +78,7 @@ public:
 
     /// Rows of k numbers of 4 bytes each. @param type  the component's
     std::optional<std::vector<std::uint32_t>> words(const GlbJson& owner, const char* key, int type,
-                                                    std::size_t perRow) const {
+                                                    std::size_t perRow) {
         const GlbJson* accessor = elementAt(root_, "accessors", owner, key);
         const GlbJson* view =
             accessor ? elementAt(root_, "bufferViews", *accessor, "bufferView") : nullptr;
@@ -92,6 +92,11 @@ public:
             *length != *count * perRow * sizeof(std::uint32_t)) {
             return {};
         }
+        // Several may refer to the same bytes; not so many that they are a multiple of the file.
+        taken_ += *length;
+        if (taken_ > binary_.size()) {
+            return {};
+        }
         std::vector<std::uint32_t> made(*count * perRow);
         for (std::size_t k = 0; k < made.size(); ++k) {
             made[k] = wordAt(binary_, *offset + sizeof(std::uint32_t) * k);
@@ -101,7 +106,7 @@ public:
 
     template <int columns>
     std::optional<Eigen::Matrix<double, Eigen::Dynamic, columns, Eigen::RowMajor>> reals(
-        const GlbJson& owner, const char* key) const {
+        const GlbJson& owner, const char* key) {
         constexpr int kFloats = 5126;
         const auto read = words(owner, key, kFloats, columns);
         if (!read) {
@@ -115,7 +120,7 @@ public:
         return rows.allFinite() ? std::optional(rows) : std::nullopt;
     }
 
-    std::optional<FileMesh> mesh(const GlbJson& json) const {
+    std::optional<FileMesh> mesh(const GlbJson& json) {
         const auto primitives = json.find("primitives");
         if (primitives == json.end() || !primitives->is_array() || primitives->size() != 1) {
             return {};
@@ -133,6 +138,9 @@ public:
         }
         FileMesh made;
         made.name = json.value("name", "");
+        if (made.name.size() > kLongestMeshName) {
+            return {};
+        }
         made.V = kMillimetresPerMetre * *points;
         made.F.resize(static_cast<Eigen::Index>(corners->size()) / 3, 3);
         for (std::size_t k = 0; k < corners->size(); ++k) {
@@ -156,6 +164,7 @@ public:
 private:
     const GlbJson& root_;
     std::string_view binary_;
+    std::size_t taken_ = 0;  ///< bytes, by all that refer to them
 };
 
 std::optional<FileSeam> glbSeam(const GlbJson& json, const std::vector<FileMesh>& meshes) {
@@ -184,18 +193,20 @@ std::optional<FileSeam> glbSeam(const GlbJson& json, const std::vector<FileMesh>
 }
 
 Result<MeshFile> meshesOf(const GlbJson& root, std::string_view binary) {
-    const GlbReader reader(root, binary);
+    GlbReader reader(root, binary);
     MeshFile made;
-    for (const GlbJson& json : root.value("meshes", GlbJson::array())) {
+    // Never a copy of what may be nested deeper than a stack.
+    static const GlbJson kNone = GlbJson::array();
+    const auto meshes = root.find("meshes");
+    for (const GlbJson& json : meshes == root.end() ? kNone : *meshes) {
         auto mesh = json.is_object() ? reader.mesh(json) : std::nullopt;
         if (!mesh) {
             return malformedGlb("a mesh cannot be read");
         }
         made.meshes.push_back(std::move(*mesh));
     }
-    const GlbJson extras =
-        root.value(GlbJson::json_pointer("/scenes/0/extras/toile_seams"), GlbJson::array());
-    for (const GlbJson& json : extras) {
+    const GlbJson::json_pointer place("/scenes/0/extras/toile_seams");
+    for (const GlbJson& json : root.contains(place) ? root[place] : kNone) {
         auto seam = json.is_object() ? glbSeam(json, made.meshes) : std::nullopt;
         if (!seam) {
             return malformedGlb("a seam cannot be read");

@@ -17,6 +17,7 @@ using Complex = std::complex<double>;
 
 constexpr int kRoughPoints = 128;
 constexpr int kFinePoints = 400;
+constexpr int kMostFitPoints = 20000;
 constexpr int kMostRounds = 40;
 constexpr double kSettled = 1e-7;       // mm, of the mean from one round to the next
 constexpr double kMirrorShare = 0.8;    // a mirrored fit must be better by so much
@@ -168,6 +169,11 @@ LineFit settledFit(const Points2& line, Points2 other, bool mirrored) {
     return fit;
 }
 
+/// A line of more points than anybody draws, by fewer.
+Points2 fewerPoints(const Points2& closed) {
+    return closed.rows() > kMostFitPoints ? evenPoints(closed, kMostFitPoints) : closed;
+}
+
 }  // namespace
 
 double roughDistance(const Points2& line, const Points2& other, bool mirrored) {
@@ -185,7 +191,8 @@ LineFit fitLine(const Points2& line, const Points2& other, bool canMirror) {
     if (!isLine(line) || !isLine(other)) {
         return {};
     }
-    const Points2 first = antiClockwise(line), second = antiClockwise(other);
+    const Points2 first = antiClockwise(fewerPoints(line)),
+                  second = antiClockwise(fewerPoints(other));
     LineFit plain = settledFit(first, second, false);
     if (!canMirror) {
         return plain;

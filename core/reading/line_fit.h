@@ -24,6 +24,7 @@ double roughDistance(const Points2& line, const Points2& other, bool mirrored);
 
 /// Starts as `roughDistance` does and then lets the nearest points pull, mirrored or not as fits
 /// better; a mirrored fit must be clearly better.
+/// Of more than 20 000 points these lie at even distances.
 /// @param canMirror  whether it may be mirrored
 /// Cost: some thousand times the edges of the lines. Pure.
 LineFit fitLine(const Points2& line, const Points2& other, bool canMirror = true);

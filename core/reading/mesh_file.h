@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,9 @@ namespace toile {
 
 /// What our own GLB and USD files hold, read to compare it with what they were made from; files of
 /// other programs are read by core/io.
+
+/// Bytes of a mesh's name: seams repeat it.
+inline constexpr std::size_t kLongestMeshName = 1000;
 
 struct FileMesh {
     std::string name{};

@@ -122,8 +122,10 @@ Result<PdfDocument::Object> PdfDocument::object(double number) const {
         return malformedPdf("object " + std::to_string(at->first) + " is not where it should be");
     }
     auto value = lexer.next();
-    if (!value) {
-        return malformedPdf("object " + std::to_string(at->first) + " is cut short");
+    lexed_ += lexer.at() - at->second;
+    if (!value || lexed_ > kMostUnpacked) {
+        return malformedPdf("object " + std::to_string(at->first) +
+                            (value ? " is too much" : " is cut short"));
     }
     return Object{std::move(*value), lexer.at()};
 }

@@ -30,7 +30,7 @@ public:
     /// The bytes of a stream, unpacked: at most kMostUnpacked. Errors: MalformedFile.
     Result<std::string> stream(const PdfValue& reference) const;
 
-    static constexpr std::size_t kMostUnpacked = std::size_t{1} << 28;
+    static constexpr std::size_t kMostUnpacked = std::size_t{1} << 26;
 
 private:
     struct Object {
@@ -44,6 +44,7 @@ private:
 
     std::string_view bytes_;
     std::map<int, std::size_t> offsets_;
+    mutable std::size_t lexed_ = 0;  ///< bytes of objects: a file may refer to one again and again
     PdfValue trailer_;
 };
 

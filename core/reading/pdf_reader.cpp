@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reading/pdf_reader.h"
 
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -14,7 +15,8 @@ using Kind = PdfValue::Kind;
 
 constexpr std::size_t kMostPages = 20000;
 /// Of all that a file shows, bytes: ours have some megabytes.
-constexpr std::size_t kMostContent = std::size_t{1} << 29;
+constexpr std::size_t kMostContent = std::size_t{1} << 27;
+constexpr double kLongestSide = 1e9;  // of a page, points
 
 /// Pages, layers and content of a document.
 class PdfReader {
@@ -126,6 +128,11 @@ private:
             return malformedPdf("a page is incomplete");
         }
         const auto& side = box->items;
+        for (const PdfValue& corner : side) {
+            if (!(std::abs(corner.number) < kLongestSide)) {
+                return malformedPdf("a page is too large");
+            }
+        }
         ReadPdfPage& made = read_.pages.emplace_back(
             ReadPdfPage{{side[2].number - side[0].number, side[3].number - side[1].number}});
         auto shown = shownIn(*resources, *content);

@@ -17,8 +17,10 @@ using PageMatrix = Eigen::Matrix<double, 2, 3>;
 
 constexpr std::size_t kMostSaved = 64, kMostMarked = 64, kMostOperands = 64;
 /// Of a stream: ours have some ten thousand points.
-constexpr std::size_t kMostPoints = std::size_t{1} << 24;
+constexpr std::size_t kMostPoints = std::size_t{1} << 23;
 constexpr double kSampledWithin = 1e-3, kMostSamples = 4096;
+constexpr double kFarthestOnPage = 1e9;  // of a point
+constexpr std::size_t kLongestId = 1000, kMostForms = 100000;
 
 const std::map<std::string, LayerKind, std::less<>>& kindsOfLayers() {
     static const std::map<std::string, LayerKind, std::less<>> kNamed{
@@ -129,6 +131,9 @@ private:
         return through(state_.matrix, {operands_[k].number, operands_[k + 1].number});
     }
 
+    /// Whether a point is anywhere near a page, so that what comes of it is finite.
+    bool isNear(std::size_t k) const { return point(k).cwiseAbs().maxCoeff() < kFarthestOnPage; }
+
     bool apply(const std::string& word) {
         if (word == "m" || word == "l" || word == "c" || word == "re") {
             return build(word);
@@ -147,7 +152,8 @@ private:
             return true;
         }
         if (word == "Do") {
-            if (operands_.size() != 1 || operands_[0].kind != Kind::Name) {
+            if (operands_.size() != 1 || operands_[0].kind != Kind::Name ||
+                operands_[0].text.size() > kLongestId || shown_.forms.size() >= kMostForms) {
                 return false;
             }
             shown_.forms.push_back({operands_[0].text, {state_.matrix, state_.clip}});
@@ -173,13 +179,23 @@ private:
             for (const Vector2d& share :
                  {Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1), Vector2d(0, 1)}) {
                 box.points.push_back(through(state_.matrix, low + size.cwiseProduct(share)));
+                if (!(box.points.back().cwiseAbs().maxCoeff() < kFarthestOnPage)) {
+                    return false;
+                }
             }
             box.closed = true;
-            return true;
+            points_ += box.points.size();
+            return points_ <= kMostPoints;
         }
         if (!takes(word == "c" ? 6 : 2) || (word != "m" && paths_.empty())) {
             return false;
         }
+        for (std::size_t k = 0; k < operands_.size(); k += 2) {
+            if (!isNear(k)) {
+                return false;
+            }
+        }
+        ++points_;
         if (word == "m") {
             paths_.emplace_back().points.push_back(point(0));
         } else if (word == "l") {
@@ -188,9 +204,9 @@ private:
             PathPoints& path = paths_.back();
             const std::size_t before = path.points.size();
             path.curveTo(point(0), point(2), point(4));
-            curvePoints_ += path.points.size() - before;
+            points_ += path.points.size() - before;
         }
-        return curvePoints_ <= kMostPoints;
+        return points_ <= kMostPoints;
     }
 
     bool close() {
@@ -246,7 +262,8 @@ private:
         } else if (operands_[0].isName("Toile")) {
             const PdfValue* id = operands_[1].find("Id");
             const PdfValue* piece = operands_[1].find("Piece");
-            if (!id || id->kind != Kind::String || (piece && piece->kind != Kind::String)) {
+            if (!id || id->kind != Kind::String || id->text.size() > kLongestId ||
+                (piece && piece->kind != Kind::String)) {
                 return false;
             }
             next.id = id->text;
@@ -279,11 +296,12 @@ private:
             ReadLine& line = shown_.lines.emplace_back(path.line());
             line.layer = kind->second;
             line.id = marked_.back().id;
+            points_ += 4 + line.id.size() / sizeof(Vector2d);
         }
         if (!marked_.back().piece.empty()) {
             shown_.pieces.insert(marked_.back().piece);
         }
-        return true;
+        return points_ <= kMostPoints;
     }
 
     const std::map<std::string, std::string>& layers_;
@@ -293,7 +311,7 @@ private:
     std::vector<Marked> marked_;
     std::vector<PathPoints> paths_;
     bool isClipping_ = false;
-    std::size_t curvePoints_ = 0;
+    std::size_t points_ = 0;  ///< and what weighs as much
     std::vector<PdfValue> operands_;
 };
 

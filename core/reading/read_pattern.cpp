@@ -20,27 +20,30 @@ std::optional<PatternFileKind> patternFileKind(const std::filesystem::path& path
                                                   : std::nullopt;
 }
 
-Result<PatternFile> readPatternFile(const std::filesystem::path& path,
-                                    std::optional<LengthUnit> unit) {
-    const auto about = [&path](Error error) {
-        error.subject = Subject::file(path.string());
+Result<PatternFile> readPattern(std::string_view bytes, PatternFileKind kind,
+                                const std::string& name, std::optional<LengthUnit> unit) {
+    const auto about = [&name](Error error) {
+        error.subject = Subject::file(name);
         return error;
     };
-    const auto kind = patternFileKind(path);
-    if (!kind) {
-        return about({ErrorCode::UnknownFormat, {}, "it is no pattern that can be read"});
-    }
-    const Result<std::string> bytes = readFile(path);
-    if (!bytes) {
-        return bytes.error();
-    }
-    if (*kind != PatternFileKind::GarmentCode) {
-        Result<PatternFile> file = *kind == PatternFileKind::Svg ? readSvgPattern(*bytes, unit)
-                                                                 : readDxfPattern(*bytes, unit);
+    if (kind != PatternFileKind::GarmentCode) {
+        Result<PatternFile> file = kind == PatternFileKind::Svg ? readSvgPattern(bytes, unit)
+                                                                : readDxfPattern(bytes, unit);
         return file ? std::move(file) : about(file.error());
     }
-    Result<GarmentCode> code = readGarmentCode(*bytes, unit);
+    Result<GarmentCode> code = readGarmentCode(bytes, unit);
     return code ? Result(patternOf(*code)) : about(code.error());
+}
+
+Result<PatternFile> readPatternFile(const std::filesystem::path& path,
+                                    std::optional<LengthUnit> unit) {
+    const auto kind = patternFileKind(path);
+    if (!kind) {
+        return Error{ErrorCode::UnknownFormat, Subject::file(path.string()),
+                     "it is no pattern that can be read"};
+    }
+    const Result<std::string> bytes = readFile(path);
+    return bytes ? readPattern(*bytes, *kind, path.string(), unit) : bytes.error();
 }
 
 }  // namespace toile

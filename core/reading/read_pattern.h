@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/reading/pattern_file.h"
@@ -13,6 +15,14 @@ enum class PatternFileKind { Dxf, Svg, GarmentCode };
 
 /// By the ending, in any case; none where it is none of a pattern.
 std::optional<PatternFileKind> patternFileKind(const std::filesystem::path& path);
+
+/// A pattern in memory.
+/// @param name  of the file, for the error
+/// @param unit  of its coordinates, where a person has said it
+/// Errors: MalformedFile, NoGeometry.
+Result<PatternFile> readPattern(std::string_view bytes, PatternFileKind kind,
+                                const std::string& name,
+                                std::optional<LengthUnit> unit = std::nullopt);
 
 /// Reads a pattern by its ending.
 /// @param unit  of its coordinates, where a person has said it

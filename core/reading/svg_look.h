@@ -20,8 +20,10 @@ void setSvgProperty(SvgLook& look, std::string_view name, std::string_view value
 /// Changes a look by declarations, "stroke:#f00;fill:none".
 void setSvgProperties(SvgLook& look, std::string_view declarations);
 
-/// The declarations of each class in the text of a style element: of its rules those whose
+/// Changes a look by what another says.
+void setSvgLook(SvgLook& look, const SvgLook& other);
+/// What each class declares in the text of a style element: of its rules those whose
 /// selectors are single classes (".st0,.st1{stroke:#f00}"). Cost: linear.
-std::map<std::string, std::string, std::less<>> svgClasses(std::string_view css);
+std::map<std::string, SvgLook, std::less<>> svgClasses(std::string_view css);
 
 }  // namespace toile

@@ -38,9 +38,11 @@ bool isClosedLine(const SvgLine& line) {
 /// Anti-clockwise, the first point not repeated.
 Points2 closedPoints(const SvgLine& line) {
     Points2 points = line.points;
-    while (points.rows() > 3 && (points.row(points.rows() - 1) - points.row(0)).norm() == 0) {
-        points.conservativeResize(points.rows() - 1, 2);
+    Eigen::Index count = points.rows();
+    while (count > 3 && points.row(count - 1) == points.row(0)) {
+        --count;
     }
+    points.conservativeResize(count, 2);
     return antiClockwise(points);
 }
 

@@ -19,7 +19,8 @@ namespace toile {
 namespace {
 
 constexpr std::size_t kMostSvgPoints = 20'000'000;
-constexpr std::size_t kDeepestSvg = 256;  // groups within groups
+constexpr std::size_t kDeepestSvg = 256;      // groups within groups
+constexpr std::size_t kLongestSvgName = 500;  // of a group: all that is in it repeats it
 
 /// "path" of "svg:path".
 std::string_view localName(pugi::xml_node node) {
@@ -217,7 +218,7 @@ private:
         while (!names.empty()) {
             const std::size_t end = std::min(names.find(' '), names.size());
             if (const auto found = classes_.find(names.substr(0, end)); found != classes_.end()) {
-                setSvgProperties(look, found->second);
+                setSvgLook(look, found->second);
             }
             names.remove_prefix(std::min(end + 1, names.size()));
         }
@@ -229,7 +230,7 @@ private:
         context.place = above.place * svgTransform(valueOf(node, "transform"));
         setLook(context.look, node);
         if (const pugi::xml_attribute piece = node.attribute("data-piece")) {
-            context.piece = piece.value();
+            context.piece = std::string_view(piece.value()).substr(0, kLongestSvgName);
         }
         return context;
     }
@@ -241,7 +242,7 @@ private:
         }
         const bool isLayer = valueOf(group, "inkscape:groupmode") == "layer";
         if (isLayer || (!context.isLayer && context.layer.empty())) {
-            context.layer = name;
+            context.layer = name.substr(0, kLongestSvgName);
             context.isLayer = isLayer;
         }
     }
@@ -303,7 +304,7 @@ private:
 
     ReadSvg found_;
     std::size_t most_ = kMostSvgPoints;
-    std::map<std::string, std::string, std::less<>> classes_;
+    std::map<std::string, SvgLook, std::less<>> classes_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kDeepest = 16;  // prims within prims
 constexpr double kMillimetresPerSt = 1000;
+constexpr double kFarthestNumber = 1e12;  // of any number
 
 /// A prim: what it is called, its attributes as text, and what is in it.
 struct Prim {
@@ -183,7 +184,7 @@ bool readPrim(UsdText& text, Prim& prim, int depth) {
     return readContent(text, prim, depth);
 }
 
-/// All numbers of a text, whatever stands between them; none where one is not finite.
+/// All numbers of a text, whatever stands between them; none where one is out of all bounds.
 std::optional<std::vector<double>> allNumbers(const std::string* text) {
     if (!text) {
         return {};
@@ -197,7 +198,7 @@ std::optional<std::vector<double>> allNumbers(const std::string* text) {
         }
         double value = 0;
         const auto [next, error] = std::from_chars(at, end, value);
-        if (error != std::errc() || !std::isfinite(value)) {
+        if (error != std::errc() || !(std::abs(value) < kFarthestNumber)) {
             return {};
         }
         numbers.push_back(value);
@@ -223,16 +224,21 @@ std::optional<Matrix> rowsFrom(const std::string* text) {
 
 std::optional<FileMesh> usdMesh(const Prim& prim) {
     const auto points = rowsFrom<Points3>(prim.find("points"));
-    const auto corners = rowsFrom<Triangles>(prim.find("faceVertexIndices"));
+    // As they are read: not every number is an index.
+    const auto corners = rowsFrom<Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>>(
+        prim.find("faceVertexIndices"));
     if (!points || !corners || (corners->array() < 0).any() ||
-        (corners->array() >= static_cast<int>(points->rows())).any()) {
+        (corners->array() >= static_cast<double>(points->rows())).any()) {
         return {};
     }
     FileMesh mesh;
     const std::string* name = prim.find("toile:name");
     mesh.name = name ? *name : prim.name;
+    if (mesh.name.size() > kLongestMeshName) {
+        return {};
+    }
     mesh.V = *points;
-    mesh.F = *corners;
+    mesh.F = corners->cast<int>();
     if (const std::string* st = prim.find("primvars:st")) {
         const auto uv = rowsFrom<Points2>(st);
         if (!uv || uv->rows() != points->rows()) {
@@ -243,30 +249,35 @@ std::optional<FileMesh> usdMesh(const Prim& prim) {
     return mesh;
 }
 
-/// The name of the mesh that a path names.
-std::string nameOf(const Prim& garment, const std::string* path) {
+/// The garment's meshes by the names of their prims.
+using MeshesByPrim = std::map<std::string_view, const FileMesh*>;
+
+/// The mesh that a path names; null where there is none.
+const FileMesh* meshAt(const MeshesByPrim& meshes, const std::string* path) {
     const std::size_t slash = path ? path->rfind('/') : std::string::npos;
-    const Prim* prim =
-        slash == std::string::npos
-            ? nullptr
-            : garment.child(std::string_view(*path).substr(slash + 1, path->size() - slash - 2));
-    const std::string* name = prim ? prim->find("toile:name") : nullptr;
-    return name ? *name : std::string();
+    if (slash == std::string::npos || !path->ends_with('>')) {
+        return nullptr;
+    }
+    const std::string_view prim = std::string_view(*path).substr(slash + 1);
+    const auto found = meshes.find(prim.substr(0, prim.size() - 1));
+    return found == meshes.end() ? nullptr : found->second;
 }
 
-std::optional<FileSeam> usdSeam(const Prim& prim, const Prim& garment) {
+std::optional<FileSeam> usdSeam(const Prim& prim, const MeshesByPrim& meshes) {
     FileSeam seam;
     const std::string* name = prim.find("toile:name");
     seam.name = name ? *name : "";
     constexpr const char* kSides[] = {"toile:left", "toile:right"};
     for (std::size_t k = 0; k < 2; ++k) {
-        seam.mesh[k] = nameOf(garment, prim.find(kSides[k]));
+        const FileMesh* mesh = meshAt(meshes, prim.find(kSides[k]));
         const auto numbers = allNumbers(prim.find(std::string(kSides[k]) + "Vertices"));
-        if (!numbers) {
+        if (!mesh || !numbers) {
             return {};
         }
+        seam.mesh[k] = mesh->name;
         for (const double number : *numbers) {
-            if (number < 0 || number > 2e9 || number != std::floor(number)) {
+            if (number < 0 || number >= static_cast<double>(mesh->V.rows()) ||
+                number != std::floor(number)) {
                 return {};
             }
             seam.vertices[k].push_back(static_cast<int>(number));
@@ -307,8 +318,12 @@ Result<MeshFile> readUsda(std::string_view bytes) {
             list->push_back(std::move(*mesh));
         }
     }
+    MeshesByPrim byPrim;
+    for (std::size_t k = 0; k < made.meshes.size(); ++k) {
+        byPrim.emplace(garment->children[k].name, &made.meshes[k]);
+    }
     for (const Prim& prim : seams->children) {
-        auto seam = usdSeam(prim, *garment);
+        auto seam = usdSeam(prim, byPrim);
         if (!seam) {
             return malformedUsd(text, "a seam cannot be read");
         }

@@ -103,5 +103,17 @@ TEST(DxfDocument, ReadsThePatternsOfOtherPrograms) {
     }
 }
 
+TEST(DxfDocument, EndsAPolylineWhereAnotherSectionBegins) {
+    const std::string polyline =
+        "0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\n1\n0\nVERTEX\n10\n1\n20\n2\n";
+    for (const char* rest : {"", "0\nEOF\n", "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\na\n0\nLINE\n",
+                             "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLINE\n"}) {
+        const std::string bytes = polyline + rest;
+        const auto document = readDxfDocument(bytes);
+        ASSERT_TRUE(document) << rest;
+        EXPECT_EQ(document->entities.front().points.rows(), 1) << rest;
+    }
+}
+
 }  // namespace
 }  // namespace toile

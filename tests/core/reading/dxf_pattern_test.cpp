@@ -369,5 +369,84 @@ TEST(DxfPattern, FindsTheSameInBothFormsOfAStyle) {
     }
 }
 
+TEST(DxfPattern, MirrorsNoInternalLineBesideNm) {
+    for (const bool isMarked : {false, true}) {
+        DxfBuilder text;
+        text.section("BLOCKS").block("a");
+        text.polyline("1", kPanelOutline, true).line("6", 0, 0, 0, 500);
+        text.line("8", 50, 50, 80, 50).line("8", 200, 300, 250, 300);
+        if (isMarked) {
+            text.tag(0, "TEXT").tag(8, "8").at(60, 55).tag(1, " nm ");
+        }
+        const PatternFile file =
+            readAll(text.endBlock().end().section("ENTITIES").text("Units: METRIC").end().take());
+        ASSERT_EQ(file.pieces.size(), 1U);
+        ASSERT_TRUE(file.pieces.front().isUnfolded);
+        EXPECT_EQ(file.pieces.front().internals.size(), isMarked ? 3U : 4U);
+    }
+}
+
+/// As Optitex writes it: bare numbers as names of blocks, one per size, Title Case.
+std::string optitexFile(double unit, std::string_view insUnits, std::string_view units) {
+    DxfBuilder text;
+    text.section("HEADER").tag(9, "$INSUNITS").tag(70, insUnits).end().section("BLOCKS");
+    int number = 0;
+    for (const char* size : {"38", "40"}) {
+        ++number;
+        text.block(std::to_string(number)).text("Piece Name: Front");
+        text.text("Size: " + std::string(size)).text("Annotation: shell").text("Quantity: 2,0");
+        text.polyline("1", kPanelOutline * (unit * (1 + 0.05 * number)), true).endBlock();
+    }
+    text.end().section("ENTITIES").insert("1").insert("2").text("Author: Optitex;PDS;21");
+    text.text("Style Name: s").text("Sample Size: 40");
+    if (!units.empty()) {
+        text.text("Units: " + std::string(units));
+    }
+    return text.end().take();
+}
+
+TEST(DxfPattern, ReadsANestOfOptitexInCentimetresThatSaysMetric) {
+    const PatternFile file = readAll(optitexFile(0.1, "0", "METRIC"));
+    EXPECT_EQ(file.format, "DXF of Optitex (AAMA)");
+    EXPECT_EQ(file.unit, LengthUnit::Centimetre);
+    EXPECT_TRUE(file.unitInDoubt);
+    EXPECT_EQ(file.sizes, (std::vector<std::string>{"38", "40"}));
+    ASSERT_EQ(file.pieces.size(), 2U);
+    EXPECT_EQ(file.pieces[1].name, "Front");
+    EXPECT_EQ(file.pieces[1].id, "2");
+    EXPECT_EQ(file.pieces[1].quantity, 2);
+    EXPECT_EQ(sampleOf(file), std::vector<int>{1});
+    EXPECT_NEAR(perimeterOf(file.pieces[1].cut), 1.1 * perimeterOf(kPanelOutline), 0.01);
+}
+
+TEST(DxfPattern, DoubtsMetresOfOptitexOverInchesAndTakesAPersonsWord) {
+    const std::string bytes = optitexFile(1 / 25.4, "6", "");
+    EXPECT_TRUE(readAll(bytes).unitInDoubt);
+    EXPECT_NE(readAll(bytes).unit, LengthUnit::Metre);
+    const PatternFile file = readAll(bytes, LengthUnit::Inch);
+    ASSERT_EQ(file.pieces.size(), 2U);
+    EXPECT_FALSE(file.unitInDoubt);
+    EXPECT_NEAR(perimeterOf(file.pieces[0].cut), 1.05 * perimeterOf(kPanelOutline), 0.01);
+}
+
+TEST(DxfPattern, LeavesOutWhatIsNowhere) {
+    DxfBuilder text;
+    text.section("BLOCKS").block("a").polyline("1", kPanelOutline, true);
+    for (const char* layer : {"4", "13"}) {
+        text.tag(0, "POINT").tag(8, layer).tag(10, "1e308").tag(20, "5");
+        text.point(layer, 50, 50).tag(30, "1e308");
+    }
+    text.tag(0, "LINE").tag(8, "7").tag(10, "-1e308").tag(20, "0").tag(11, "1e308").tag(21, "5");
+    const PatternFile file =
+        readAll(text.endBlock().end().section("ENTITIES").text("Units: ENGLISH").end().take());
+    ASSERT_EQ(file.pieces.size(), 1U);
+    const FilePiece& piece = file.pieces.front();
+    ASSERT_EQ(piece.notches.size(), 1U);
+    EXPECT_FALSE(piece.notches.front().depth);
+    ASSERT_EQ(piece.drills.size(), 1U);
+    EXPECT_FALSE(piece.drills.front().diameter);
+    EXPECT_FALSE(piece.grain);
+}
+
 }  // namespace
 }  // namespace toile

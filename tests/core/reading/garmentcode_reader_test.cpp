@@ -156,5 +156,22 @@ TEST(GarmentCodeReader, FindsTheAreasOfTheMeasuredPanels) {
     EXPECT_EQ(found, 6);
 }
 
+TEST(GarmentCodeReader, DoubtsAUnitThatIsNone) {
+    std::string bytes = squareWith("");
+    bytes.replace(bytes.find("\"units_in_meter\":100"), 20, "\"units_in_meter\":1e-320");
+    const GarmentCode code = readCode(bytes);
+    EXPECT_TRUE(code.unitInDoubt);
+    EXPECT_EQ(code.unit, 10);
+}
+
+TEST(GarmentCodeReader, RefusesAPanelWithNothingInIt) {
+    const auto lens = [](const std::string& curvature) {
+        return R"({"pattern":{"panels":{"a":{"vertices":[[0,0],[9,9]],"edges":[{"endpoints":[0,1])" +
+               curvature + R"(},{"endpoints":[1,0]}]}}}})";
+    };
+    EXPECT_FALSE(readGarmentCode(lens("")));
+    EXPECT_TRUE(readGarmentCode(lens(",\"curvature\":[0.5,0.5]")));
+}
+
 }  // namespace
 }  // namespace toile

@@ -7,6 +7,7 @@
 
 #include "core/export/pdf_writer.h"
 #include "core/reading/pdf_lexer.h"
+#include "core/reading/pdf_shown.h"
 #include "tests/core/export/export_fixtures.h"
 
 namespace toile {
@@ -73,6 +74,22 @@ TEST(ReadPdf, TakesAnyBytes) {
             EXPECT_FALSE(read->pages.empty());
         }
     }
+}
+
+TEST(ReadPdf, RefusesPointsThatAreOnNoPage) {
+    for (const char* content : {"1e308 0 m S", "1e200 0 0 1 0 0 cm 1e200 0 m S",
+                                "0 0 1e308 1 re W n", "0 0 m 0 0 1e10 0 9 9 c S"}) {
+        EXPECT_FALSE(readPdfContent(content, {})) << content;
+    }
+    EXPECT_TRUE(readPdfContent("0 0 m 0 0 1e5 0 9 9 c S", {}));
+}
+
+TEST(ReadPdf, RefusesIdsOfMoreThanAName) {
+    const auto marked = [](std::size_t length) {
+        return "/Toile <</Id (" + std::string(length, 'a') + ")>> BDC EMC";
+    };
+    EXPECT_TRUE(readPdfContent(marked(50), {}));
+    EXPECT_FALSE(readPdfContent(marked(5000), {}));
 }
 
 }  // namespace
