@@ -19,13 +19,14 @@ cmake --preset fuzz -B "$build"
 cmake --build "$build" --target toile_fuzz --parallel "${JOBS:-2}"
 
 status=0
-for format in ${FORMATS:-obj off ply stl project seams garment}; do
+for format in ${FORMATS:-obj off ply stl project seams dxf svg garmentcode pdf plt glb usda garment}; do
     work=$build/found/$format
     mkdir -p "$work/corpus" "$work/broken"
     printf '\n== %s, %s seconds\n' "$format" "$seconds"
     case $format in
         garment) words=off ;; # the whole pipeline starts from an OFF file
         project | seams) words=json ;;
+        glb) words=garmentcode ;; # its JSON
         *) words=$format ;;
     esac
     # Seconds for one input and megabytes in all are findings too.

@@ -6,6 +6,7 @@
 
 #include "tests/fuzz/check_documents.h"
 #include "tests/fuzz/check_garment.h"
+#include "tests/fuzz/check_patterns.h"
 #include "tests/fuzz/check_reader.h"
 
 namespace toile::fuzz {
@@ -16,13 +17,20 @@ std::string whatBreaksIn(std::string bytes) {
     return whatBreaks(reader, std::move(bytes));
 }
 
-constexpr std::array<Target, 7> kTargets = {{{"obj", whatBreaksIn<readObj>},
-                                             {"off", whatBreaksIn<readOff>},
-                                             {"ply", whatBreaksIn<readPly>},
-                                             {"stl", whatBreaksIn<readStl>},
-                                             {"project", whatBreaksInProject},
-                                             {"seams", whatBreaksInSeams},
-                                             {"garment", whatBreaksOnTheWay}}};
+constexpr std::array<Target, 14> kTargets = {{{"obj", whatBreaksIn<readObj>},
+                                              {"off", whatBreaksIn<readOff>},
+                                              {"ply", whatBreaksIn<readPly>},
+                                              {"stl", whatBreaksIn<readStl>},
+                                              {"project", whatBreaksInProject},
+                                              {"seams", whatBreaksInSeams},
+                                              {"dxf", whatBreaksInDxf},
+                                              {"svg", whatBreaksInSvg},
+                                              {"garmentcode", whatBreaksInGarmentCode},
+                                              {"pdf", whatBreaksInPdf},
+                                              {"plt", whatBreaksInPlt},
+                                              {"glb", whatBreaksInGlb},
+                                              {"usda", whatBreaksInUsda},
+                                              {"garment", whatBreaksOnTheWay}}};
 
 }  // namespace
 

@@ -1,0 +1,1 @@
+IN;DT#;LBabc PD5,5#SP1;PD5 5;
