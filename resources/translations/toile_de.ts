@@ -1941,10 +1941,6 @@
         <translation>es hat keinen geschlossenen Umriss</translation>
     </message>
     <message>
-        <source>its outline is out of all bounds</source>
-        <translation>sein Umriss ist jenseits aller Grenzen</translation>
-    </message>
-    <message>
         <source>its outline has no area</source>
         <translation>sein Umriss hat keine Fläche</translation>
     </message>
