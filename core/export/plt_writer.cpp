@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kCutPen = 1, kLinePen = 2, kLetterPen = 3;
 constexpr Eigen::Index kMostInList = 64;  // points: what buffers of old plotters hold
-constexpr int kPerLetterCurve = 5;        // points
+constexpr int kPerLetterCurve = 4;        // points
 
 class PltWriter {
 public:
@@ -54,21 +54,18 @@ private:
 
     /// Of a letter, whose length is no matter: rounded, without what falls together.
     Points2 letterLine(const std::vector<CubicCurve>& contour) const {
-        std::vector<Eigen::RowVector2d> places;
+        Points2 units(static_cast<Eigen::Index>(contour.size()) * (kPerLetterCurve + 1), 2);
+        Eigen::Index count = 0;
         for (const CubicCurve& curve : contour) {
-            const Points2 line = sampled({curve}, curve.isLine ? 1 : kPerLetterCurve);
-            for (const auto& point : placed(line).rowwise()) {
-                const Eigen::RowVector2d place = (kPlotterUnits * point).array().round();
-                if (places.empty() || place != places.back()) {
-                    places.push_back(place);
-                }
+            const int points = curve.isLine ? 1 : kPerLetterCurve;
+            const Points2 line = placed(sampled({curve}, points));
+            for (Eigen::Index k = 0; k <= points; ++k) {
+                units.row(count) = (kPlotterUnits * line.row(k)).array().round();
+                const bool isNew = count == 0 || units.row(count) != units.row(count - 1);
+                count += isNew ? 1 : 0;
             }
         }
-        Points2 units(static_cast<Eigen::Index>(places.size()), 2);
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            units.row(static_cast<Eigen::Index>(k)) = places[k];
-        }
-        return units;
+        return units.topRows(count);
     }
 
     void add(int pen, const Points2& units) {
