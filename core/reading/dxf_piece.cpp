@@ -66,7 +66,7 @@ std::optional<FileLine> lineOf(const DxfEntity& entity, const DxfPlace& place) {
         }
     }
     const bool isLine =
-        line.points.rows() > 1 && line.points.cwiseAbs().maxCoeff() < kFarthestPlace;
+        line.points.rows() > 1 && (line.points.array().abs() < kFarthestPlace).all();
     return isLine ? std::optional(std::move(line)) : std::nullopt;
 }
 
@@ -183,7 +183,7 @@ void readPoints(const std::vector<DxfEntity>& entities, const DxfPlace& place, F
     };
     for (const DxfEntity& entity : entities) {
         auto point = entity.point();
-        if (point && !((place.map * *point).cwiseAbs().maxCoeff() < kFarthestPlace)) {
+        if (point && !((place.map * *point).array().abs() < kFarthestPlace).all()) {
             point = {};
         }
         const DxfRole role = dxfRole(entity.layer);

@@ -132,7 +132,7 @@ private:
     }
 
     /// Whether a point is anywhere near a page, so that what comes of it is finite.
-    bool isNear(std::size_t k) const { return point(k).cwiseAbs().maxCoeff() < kFarthestOnPage; }
+    bool isNear(std::size_t k) const { return (point(k).array().abs() < kFarthestOnPage).all(); }
 
     bool apply(const std::string& word) {
         if (word == "m" || word == "l" || word == "c" || word == "re") {
@@ -179,7 +179,7 @@ private:
             for (const Vector2d& share :
                  {Vector2d(0, 0), Vector2d(1, 0), Vector2d(1, 1), Vector2d(0, 1)}) {
                 box.points.push_back(through(state_.matrix, low + size.cwiseProduct(share)));
-                if (!(box.points.back().cwiseAbs().maxCoeff() < kFarthestOnPage)) {
+                if (!(box.points.back().array().abs() < kFarthestOnPage).all()) {
                     return false;
                 }
             }

@@ -85,7 +85,7 @@ private:
             }
             const Eigen::Vector2d to =
                 Eigen::Vector2d(*x, *y) + (isRelative_ ? at_ : Eigen::Vector2d(0, 0));
-            if (!(to.cwiseAbs().maxCoeff() < kFarthestUnit)) {
+            if (!(to.array().abs() < kFarthestUnit).all()) {
                 return;
             }
             if (isDown_ && points_.empty()) {

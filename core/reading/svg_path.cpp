@@ -92,7 +92,7 @@ private:
     }
 
     void push(const Vector2d& point) {
-        isBroken_ = isBroken_ || !(point.cwiseAbs().maxCoeff() < kFarthest) || most_ == 0;
+        isBroken_ = isBroken_ || !(point.array().abs() < kFarthest).all() || most_ == 0;
         if (!isBroken_) {
             points_.push_back(point);
             --most_;
