@@ -60,7 +60,9 @@ step_large() {
     python3 tests/large_mesh.py panel 1000000 >"$work/panel.obj" &&
         python3 tests/large_mesh.py star 100000 >"$work/star.obj" || return
     within 60 2 flatten "$work/panel.obj" --unit mm -o "$work/panel.svg" -o "$work/panel.json" &&
-        within 10 1 flatten "$work/star.obj" --unit mm -o "$work/star.svg"
+        within 20 1 flatten "$work/star.obj" --unit mm -o "$work/star.svg" -o "$work/star.dxf" \
+            -o "$work/star.pdf" -o "$work/star.plt" -o "$work/star.glb" -o "$work/star.usda" \
+            -o "$work/star.specification.json" -o "$work/star.html"
 }
 
 # Runs the program, that is to end with 0 within so many seconds of processor time and GiB.

@@ -163,9 +163,11 @@ SewnPanels sewnPanels(const ExportSource& source) {
     const Pattern& pattern = source.laid().wholePattern;
     std::vector<std::vector<std::vector<CubicCurve>>> curves(pattern.pieces.size());
     for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
-        for (const PatternSegment& segment : pattern.pieces[p].segments) {
+        const PatternPiece& piece = pattern.pieces[p];
+        const ClosedLine outline(piece.outline);
+        for (const PatternSegment& segment : piece.segments) {
             std::vector<CubicCurve>& chain = curves[p].emplace_back();
-            for (const CubicCurve& curve : curvesOf(pattern.pieces[p], segment)) {
+            for (const CubicCurve& curve : curvesOf(piece, outline, segment)) {
                 addHalved(curve, chain);
             }
         }

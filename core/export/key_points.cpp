@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 
 #include "core/export/key_stations.h"
@@ -22,7 +23,7 @@ constexpr std::size_t kFewestRunEdges = 3;
 /// The key points of one line while they are gathered.
 struct LineKeys {
     std::optional<StationLine> line{};  ///< none of what has no key points
-    KeyPoints fixed{};                  ///< ends, corners, straight runs; not in order
+    KeyPoints fixed{};                  ///< ends, corners, straight runs; by `at`
     KeyPoints found{};
     std::vector<const DrawnEdge*> edges{};
 
@@ -34,13 +35,17 @@ struct LineKeys {
     /// @param within  mm, of a point that is there already and stands for it
     void fix(double at, bool isTurn, double within) {
         const double place = line->wrapped(at);
-        const auto known = std::ranges::find_if(
-            fixed, [&](const KeyPoint& point) { return apart(point.at, place) < within; });
-        if (known == fixed.end()) {
-            fixed.push_back({place, isTurn});
-        } else {
-            known->isTurn |= isTurn;
+        const auto after = std::ranges::lower_bound(fixed, place, {}, &KeyPoint::at);
+        if (!fixed.empty()) {
+            const auto next = after == fixed.end() ? fixed.begin() : after;
+            const auto before = std::prev(after == fixed.begin() ? fixed.end() : after);
+            const auto known = apart(next->at, place) < apart(before->at, place) ? next : before;
+            if (apart(known->at, place) < within) {
+                known->isTurn |= isTurn;
+                return;
+            }
         }
+        fixed.insert(after, {place, isTurn});
     }
 };
 
@@ -281,7 +286,6 @@ private:
         if (ends.empty()) {
             ends.push_back(keys.fixed.empty() ? 0 : keys.fixed.front().at);
         }
-        std::ranges::sort(ends);
         if (keys.line->isClosed()) {
             ends.push_back(ends.front() + keys.line->length());
         }

@@ -90,7 +90,7 @@ std::vector<CubicCurve> outlineCurves(const PatternPiece& piece, const Placement
     double longer = 0;
     for (const PatternSegment& segment : piece.segments) {
         const Points2 part = outline.part(segment.from, segment.to);
-        std::vector<CubicCurve> curves = curvesOf(piece, segment);
+        std::vector<CubicCurve> curves = curvesOf(piece, outline, segment);
         if (isSameLine(curves, part)) {
             longer += openLength(placesOn(curves)) - openLength(part);
         } else {

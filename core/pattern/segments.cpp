@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -70,17 +71,21 @@ private:
     }
 
     std::vector<TurnPoint>::iterator near(double at, double within) {
-        const auto nearest = std::ranges::min_element(
-            points_, {}, [&](const TurnPoint& p) { return apart(p.at, at); });
-        return nearest != points_.end() && apart(nearest->at, at) <= within ? nearest
-                                                                            : points_.end();
+        if (points_.empty()) {
+            return points_.end();
+        }
+        const auto after = std::ranges::lower_bound(points_, outline_.wrap(at), {}, &TurnPoint::at);
+        const auto next = after == points_.end() ? points_.begin() : after;
+        const auto before = std::prev(after == points_.begin() ? points_.end() : after);
+        const auto nearest = apart(next->at, at) < apart(before->at, at) ? next : before;
+        return apart(nearest->at, at) <= within ? nearest : points_.end();
     }
 
     void add(TurnPoint point) {
         point.at = outline_.wrap(point.at);
         const auto known = near(point.at, kSamePoint);
         if (known == points_.end()) {
-            points_.push_back(point);
+            points_.insert(std::ranges::lower_bound(points_, point.at, {}, &TurnPoint::at), point);
             return;
         }
         known->isCorner |= point.isCorner;
@@ -132,7 +137,6 @@ private:
         std::erase_if(points_, [](const TurnPoint& p) {
             return !p.isCorner && !p.isSeamEnd;  // a corner that was taken away
         });
-        std::ranges::sort(points_, {}, &TurnPoint::at);
         const std::size_t count = points_.size();
         for (std::size_t k = 0; k < count; ++k) {
             const double at = points_[k].at;
@@ -217,7 +221,7 @@ private:
     ClosedLine line_;
     std::vector<int> corners_;
     std::vector<SideHere> sides_;
-    std::vector<TurnPoint> points_;
+    std::vector<TurnPoint> points_;  ///< by `at`
 };
 
 }  // namespace
@@ -238,24 +242,25 @@ std::vector<int> findCorners(const Points2& points) {
         }
     }
     std::ranges::stable_sort(strongest, std::greater<>(), [&own](int k) { return own[k]; });
-    std::vector<int> corners;
+    std::set<int> corners;
     for (const int k : strongest) {
         // Beside a corner that is there, the chords end at it: what turns only there is none.
         double before = window, after = window;
-        for (const int taken : corners) {
-            const double way = line.arc()[taken] - line.arc()[k];
-            before = std::min(before, line.wrap(-way));
-            after = std::min(after, line.wrap(way));
+        if (!corners.empty()) {
+            const auto next = corners.lower_bound(k);
+            const int behind = next == corners.end() ? *corners.begin() : *next;
+            const int ahead = next == corners.begin() ? *corners.rbegin() : *std::prev(next);
+            before = std::min(before, line.wrap(line.arc()[k] - line.arc()[ahead]));
+            after = std::min(after, line.wrap(line.arc()[behind] - line.arc()[k]));
         }
         const bool isAlone = before == window && after == window;
         const bool isSecond = own[k] > kCornerTurn && std::min(before, after) > kOneCorner &&
                               std::abs(chordTurn(line, line.arc()[k], before, after)) > kCornerTurn;
         if (isAlone || isSecond) {
-            corners.push_back(k);
+            corners.insert(k);
         }
     }
-    std::ranges::sort(corners);
-    return corners;
+    return {corners.begin(), corners.end()};
 }
 
 PieceResults exactResults(const Garment& garment, const PieceResults& results) {

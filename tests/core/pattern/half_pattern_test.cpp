@@ -92,8 +92,10 @@ void expectExactHalf(const PatternPiece& whole, const PatternPiece& half) {
     EXPECT_NEAR(2 * (perimeterOf(half.outline) - edge), perimeterOf(whole.outline), 1e-9);
     // What lies on it covers the half and nothing besides.
     double at = 0;
+    const ClosedLine outline(half.outline);
     for (const PatternSegment& segment : half.segments) {
-        EXPECT_NEAR(curveLength(curvesOf(half, segment)), segment.length, kCurveLengthTolerance);
+        EXPECT_NEAR(curveLength(curvesOf(half, outline, segment)), segment.length,
+                    kCurveLengthTolerance);
         EXPECT_NEAR(segment.from, at, 1e-6);
         EXPECT_NEAR(segment.to - segment.from, segment.length, 1e-6);
         EXPECT_EQ(segment.isFold, &segment == &half.segments.back());

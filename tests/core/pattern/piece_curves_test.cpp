@@ -86,7 +86,7 @@ TEST_P(PatternSegments, CurvesAreAsLongAsToldAndOnTheLine) {
     for (const PatternPiece& piece : made.pattern.pieces) {
         const ClosedLine outline(piece.outline);
         for (const PatternSegment& segment : piece.segments) {
-            const auto curves = curvesOf(piece, segment);
+            const auto curves = curvesOf(piece, outline, segment);
             ASSERT_FALSE(curves.empty());
             EXPECT_NEAR(curveLength(curves), segment.length, kCurveLengthTolerance) << piece.name;
             const Points2 line = outline.part(segment.from, segment.to);
@@ -106,8 +106,10 @@ TEST_P(PatternSegments, BothSidesOfASeamHaveCurvesOfOneLength) {
     const DrawnPattern made = drawnPattern(GetParam(), fairLines());
     std::map<std::pair<int, bool>, double> lengths;
     for (const PatternPiece& piece : made.pattern.pieces) {
+        const ClosedLine outline(piece.outline);
         for (const PatternSegment& segment : piece.segments) {
-            lengths[{segment.seam, segment.isRight}] += curveLength(curvesOf(piece, segment));
+            lengths[{segment.seam, segment.isRight}] +=
+                curveLength(curvesOf(piece, outline, segment));
         }
     }
     int compared = 0;
@@ -129,40 +131,17 @@ TEST_P(PatternSegments, PolygonsStayPolygons) {
     const DrawnPattern made = drawnPattern(GetParam(), {});
     for (const PatternPiece& piece : made.pattern.pieces) {
         EXPECT_FALSE(piece.isFine);
-        for (const CurvePoint& point : curvePoints(piece, 0.5)) {
-            const auto nearest =
-                (piece.outline.rowwise() - point.point.transpose()).rowwise().norm().minCoeff();
-            EXPECT_LT(nearest, 1e-3) << piece.name;
+        const ClosedLine outline(piece.outline);
+        for (const PatternSegment& segment : piece.segments) {
+            for (const CubicCurve& curve : curvesOf(piece, outline, segment)) {
+                EXPECT_TRUE(curve.isLine) << piece.name;
+            }
         }
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Garments, PatternSegments,
                          testing::Values("tube", "garments/tee_sim.obj", "garments/dress.obj"));
-
-TEST(CurvePoints, LieWithinTheDeviationAndSayWhereTheLineTurns) {
-    const DrawnPattern made = drawnPattern("samples/tshirt.obj", fairLines());
-    for (const PatternPiece& piece : made.pattern.pieces) {
-        std::size_t before = 1 << 20;
-        for (const double deviation : {0.02, 0.2, 1.0}) {
-            const auto points = curvePoints(piece, deviation);
-            EXPECT_LE(points.size(), before);
-            before = points.size();
-            Points2 polygon(static_cast<Eigen::Index>(points.size()) + 1, 2);
-            for (std::size_t k = 0; k <= points.size(); ++k) {
-                polygon.row(static_cast<Eigen::Index>(k)) = points[k % points.size()].point;
-            }
-            for (const PatternSegment& segment : piece.segments) {
-                const Points2 samples = sampled(curvesOf(piece, segment), 16);
-                for (Eigen::Index k = 0; k < samples.rows(); ++k) {
-                    EXPECT_LT(distanceTo(polygon, samples.row(k)), deviation + 1e-3);
-                }
-            }
-            const auto turns = std::ranges::count_if(points, &CurvePoint::isTurn);
-            EXPECT_EQ(turns, std::ranges::count_if(piece.segments, &PatternSegment::isCorner));
-        }
-    }
-}
 
 TEST(PatternSegmentsByHand, ATurnPointThatWasAddedPartsASegment) {
     const Garment garment = test::garmentOf("samples/tshirt.obj");
