@@ -87,6 +87,9 @@ DrawingWords drawingWords() {
 }
 
 QString readBackText(const ReadBack& found) {
+    if (found.dots[0] > 0) {
+        return tr("read back: %1 x %2 dots").arg(found.dots[0]).arg(found.dots[1]);
+    }
     const QString pieces =
         found.pieces == 1 ? tr("1 piece") : tr("%n pieces", nullptr, found.pieces);
     return tr("read back: %1, largest difference %2 mm").arg(pieces).arg(found.largest, 0, 'f', 3);

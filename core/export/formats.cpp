@@ -16,6 +16,7 @@
 #include "core/export/piece_meshes.h"
 #include "core/export/plt_read_back.h"
 #include "core/export/plt_writer.h"
+#include "core/export/png_read_back.h"
 #include "core/export/report_tables.h"
 #include "core/export/svg_read_back.h"
 #include "core/export/writers.h"
@@ -69,6 +70,10 @@ Result<ExportedFiles> makePlt(const ExportSource& source) {
 
 Result<ReadBack> readPltFile(const ExportedFiles& files, const ExportSource& source) {
     return readBackPlt(files.front().bytes, source.drawing(), source.options().plt);
+}
+
+Result<ReadBack> readPngFile(const ExportedFiles& files, const ExportSource& source) {
+    return readBackPng(files.front().bytes, source.drawing(), source.options().png);
 }
 
 Result<ExportedFiles> makeReport(const ExportSource& source) {
@@ -209,7 +214,8 @@ Format kFormats[] = {
            .name = TR("PNG picture"),
            .use = TR("mails and web pages, at a stated resolution"),
            .endings = kPng,
-           .trueScale = true},
+           .trueScale = true,
+           .readBack = readPngFile},
     Format{.id = FormatId::Obj,
            .name = TR("OBJ with UV map"),
            .use = TR("3D programs: the garment with its pattern as its texture"),

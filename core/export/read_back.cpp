@@ -94,9 +94,10 @@ Nearest nearestAround(const Measured& line, double at, const Eigen::Vector2d& po
 }
 
 /// @param start  where the first point of `points` lies on `line`, arc length
-double farthestFrom(const Measured& line, const Measured& points, double start) {
+/// @param enough  mm, beyond which how far does not matter
+double farthestFrom(const Measured& line, const Measured& points, double start, double enough) {
     double farthest = 0;
-    for (Eigen::Index k = 0; k < points.points.rows(); ++k) {
+    for (Eigen::Index k = 0; k < points.points.rows() && farthest <= enough; ++k) {
         const double at = start + points.arc[static_cast<std::size_t>(k)];
         farthest =
             std::max(farthest, nearestAround(line, at, points.points.row(k).transpose()).distance);
@@ -104,23 +105,24 @@ double farthestFrom(const Measured& line, const Measured& points, double start) 
     return farthest;
 }
 
-/// Where a line may begin on another that passes there more than once.
-std::vector<double> startsOn(const Measured& line, const Eigen::Vector2d& first) {
+/// Where a line may begin on another that passes there more than once, the nearest place first.
+std::vector<Nearest> startsOn(const Measured& line, const Eigen::Vector2d& first) {
     if (!line.closed) {
-        return {0};
+        return {Nearest()};
     }
-    std::vector<double> starts;
+    std::vector<Nearest> starts;
     Nearest best;
     for (std::size_t k = 0; k + 1 < line.arc.size(); ++k) {
         Nearest here;
         take(here, line, k, first, line.arc[k]);
         if (here.distance < kReadBackCoordinates &&
-            (starts.empty() || here.at - starts.back() > kSlack)) {
-            starts.push_back(here.at);
+            (starts.empty() || here.at - starts.back().at > kSlack)) {
+            starts.push_back(here);
         }
         best = here.distance < best.distance ? here : best;
     }
-    return starts.empty() ? std::vector{best.at} : starts;
+    std::ranges::stable_sort(starts, {}, &Nearest::distance);
+    return starts.empty() ? std::vector{best} : starts;
 }
 
 /// A line of a file on the line that it stands for.
@@ -134,13 +136,13 @@ Matched matched(const Measured& read, const Measured& drawn, bool hasKeyPoints) 
     if (read.points.rows() == 0 || drawn.points.rows() == 0) {
         return best;
     }
-    for (const double start : startsOn(drawn, read.points.row(0).transpose())) {
-        double distance = farthestFrom(drawn, read, start);
-        if (!hasKeyPoints) {
-            distance = std::max(distance, farthestFrom(read, drawn, -start));
+    for (const Nearest& start : startsOn(drawn, read.points.row(0).transpose())) {
+        double distance = farthestFrom(drawn, read, start.at, best.distance);
+        if (!hasKeyPoints && distance < best.distance) {
+            distance = std::max(distance, farthestFrom(read, drawn, -start.at, best.distance));
         }
         if (distance < best.distance) {
-            best = {distance, start};
+            best = {distance, start.at};
         }
     }
     return best;
@@ -197,6 +199,11 @@ Result<std::vector<const ReadLine*>> inOrder(const ReadDrawing& read, const Draw
     return found;
 }
 
+/// How far a length may be off, mm: of very long lines the rounding of many points adds up.
+double allowedOf(double length) {
+    return std::max(kReadBackLengths, kReadBackLengthShare * length);
+}
+
 /// Length of a side of a seam along the line of the file.
 double lengthOn(const Measured& read, const Measured& drawn, double start, const DrawnEdge& edge) {
     const double first = nearestAround(read, edge.from - start, drawn.pointAt(edge.from)).at;
@@ -212,6 +219,10 @@ double lengthOn(const Measured& read, const Measured& drawn, double start, const
 }  // namespace
 
 std::string readBackSentence(const ReadBack& found) {
+    if (found.dots[0] > 0) {
+        return "read back: " + std::to_string(found.dots[0]) + " x " +
+               std::to_string(found.dots[1]) + " dots";
+    }
     return "read back: " + counted(found.pieces, "piece") + ", largest difference " +
            fixed(found.largest, 3) + " mm";
 }
@@ -252,8 +263,9 @@ Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& dra
             if (edge.path != static_cast<int>(k)) {
                 continue;
             }
-            const double difference = lengthOn(is, should, start, edge) - (edge.to - edge.from);
-            if (!(std::abs(difference) <= kReadBackLengths)) {
+            const double length = edge.to - edge.from;
+            const double difference = lengthOn(is, should, start, edge) - length;
+            if (!(std::abs(difference) <= allowedOf(length))) {
                 return notReadBack(edge.id, "longer by " + millimetres(difference));
             }
             found.largest = std::max(found.largest, std::abs(difference));
@@ -261,9 +273,10 @@ Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& dra
             ++sides;
         }
         const double allowed =
-            kReadBackLengths * (line->hasKeyPoints ? std::max({sides, line->stretches, 1}) : 1);
+            line->hasKeyPoints ? kReadBackLengths * std::max({sides, line->stretches, 1}) : 0;
         if (const double difference = is.length() - should.length();
-            path.closed && !(std::abs(difference) <= allowed)) {
+            path.closed &&
+            !(std::abs(difference) <= std::max(allowed, allowedOf(should.length())))) {
             return notReadBack(path.id, "longer by " + millimetres(difference));
         }
     }

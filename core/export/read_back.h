@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,20 +18,23 @@ namespace toile {
 
 /// How far a file may be from what it is made from, mm.
 inline constexpr double kReadBackCoordinates = 0.02, kReadBackLengths = 0.05;
+/// Of lengths above 50 m, where that is more.
+inline constexpr double kReadBackLengthShare = 1e-6;
 
 /// What was found in a file that is right.
 struct ReadBack {
     int pieces = 0, seams = 0;
-    double largest = 0;  ///< difference of any coordinate or length, mm
+    double largest = 0;         ///< difference of any coordinate or length, mm
+    std::array<int, 2> dots{};  ///< of a picture, of which nothing but the size is read
 };
 
-/// "read back: 13 pieces, largest difference 0.004 mm".
+/// "read back: 13 pieces, largest difference 0.004 mm", or "read back: 2480 x 3508 dots".
 std::string readBackSentence(const ReadBack& found);
 
 /// Compares lines with those of a drawing: each line of these layers is there once (by id, else in
 /// order), none that is not meant, no point of one farther from the other than
-/// kReadBackCoordinates, no closed line and no side of a seam off by more than kReadBackLengths,
-/// of key points each stretch.
+/// kReadBackCoordinates, no closed line and no side of a seam off by more than kReadBackLengths
+/// (kReadBackLengthShare of long ones), of key points each stretch.
 /// @param layers  that the format carries  Errors: NotReadBack, with the line and the figure.
 /// Cost: linear in the points. Pure.
 Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& drawing,

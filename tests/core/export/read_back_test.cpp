@@ -77,6 +77,28 @@ TEST(ReadBack, DoesNotMindWhereAClosedLineBegins) {
     EXPECT_EQ(faultOf(read, drawing), "");
 }
 
+/// A comb of 1000 teeth, 100 mm long and 200 m around, as drawn and with longer teeth.
+std::string faultOfComb(double longer) {
+    Points2 comb(2002, 2);
+    for (Eigen::Index k = 0; k < 2001; ++k) {
+        comb.row(k) << 0.5 * static_cast<double>(k), k % 2 == 0 ? 0 : 100;
+    }
+    comb.row(2001) << 500, -10;
+    Pattern pattern;
+    pattern.pieces.emplace_back().outline = comb;
+    const Drawing drawing = draw(pattern, layOut(pattern, {Placement{}}));
+    ReadDrawing read = readAsIs(drawing, true);
+    for (Eigen::Index k = 1; k < 2001; k += 2) {
+        read.lines.front().points(k, 1) += longer;
+    }
+    return faultOf(read, drawing);
+}
+
+TEST(ReadBack, AllowsOfVeryLongLinesAMillionth) {
+    EXPECT_EQ(faultOfComb(0.00005), "");  // 0.1 mm
+    EXPECT_NE(faultOfComb(0.0002).find("longer by 0.400 mm"), std::string::npos);
+}
+
 TEST(ReadBack, DoesNotMindPointsBetween) {
     const Drawing drawing = test::sewingDrawing();
     ReadDrawing read = readAsIs(drawing, true);
