@@ -5,6 +5,7 @@
 #include <QLibrary>
 #include <QLibraryInfo>
 #include <QPluginLoader>
+#include <iostream>
 
 // The macro declares a function and has to stand outside of any namespace.
 static void registerResources() {
@@ -16,6 +17,14 @@ namespace toile::app {
 
 void loadResources() {
     registerResources();
+}
+
+void quietenQt() {
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
+        if (type == QtCriticalMsg || type == QtFatalMsg) {
+            std::cerr << "toile: " << message.toStdString() << '\n';
+        }
+    });
 }
 
 #ifdef Q_OS_LINUX

@@ -9,6 +9,10 @@ namespace toile::app {
 /// asked for. To be called before the first window is made; again does no harm.
 void loadResources();
 
+/// For the command line: of what Qt says of its surroundings only what is critical is worth a
+/// person's attention there.
+void quietenQt();
+
 /// Before the application is made: Qt ends the program with a signal where it finds no display, or
 /// its part for it is not installed.
 

@@ -29,13 +29,6 @@ int refused(const QString& sentence) {
     return kExitUnreadable;
 }
 
-/// Of what Qt says of its surroundings only what is fatal is worth a person's attention here.
-void heedQt(QtMsgType type, const QMessageLogContext&, const QString& message) {
-    if (type == QtCriticalMsg || type == QtFatalMsg) {
-        std::cerr << "toile: " << message.toStdString() << '\n';
-    }
-}
-
 /// As the window has it on a desktop that says nothing of fonts.
 QFont pictureFont() {
     return QGuiApplication::platformName() == "offscreen" ? QFont("Sans Serif", 9)
@@ -95,7 +88,7 @@ int render(int argc, char** argv, const Arguments& arguments) {
         return refused(sentence);
     }
     loadResources();
-    qInstallMessageHandler(heedQt);
+    quietenQt();
     QGuiApplication application(argc, argv);
     display.reset();
     useLanguage(Language::System);

@@ -94,7 +94,8 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
         status = lacksMemory ? kExitUnreadable : kExitSomeFailed;
     }
     const LaidOutPattern laid = laidOut(arguments, *garment, results);
-    const ExportSource source(*garment, results, laid, arguments.exporting, {}, arguments.lines);
+    const ExportSource source(*garment, results, laid, arguments.exporting, {}, arguments.lines,
+                              arguments.fabric.value_or(fabricPresets().front()));
     for (const auto& output : arguments.outputs) {
         const auto written = exportFile(output, source);
         if (written) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/export/report_pictures.h"
 #include "core/export/text_outlines.h"
 #include "core/pattern/label.h"
 
@@ -137,6 +138,7 @@ Result<QImage> pictureOf(const Drawing& drawing, double dpi) {
 
 void provideWriters() {
     provideWriter(FormatId::Png, makePng);
+    provideReportPictures(reportPictures);
 }
 
 }  // namespace toile::app

@@ -29,7 +29,8 @@ void paintDrawing(QPainter& painter, const Drawing& drawing, const DrawingLook& 
 /// Errors: PageTooSmall where the picture would be larger than pictures can be.
 Result<QImage> pictureOf(const Drawing& drawing, double dpi);
 
-/// Gives the table of formats the writers that need Qt. Before anything is written.
+/// Gives the table of formats what needs Qt: its writers, and the report's pictures. Before
+/// anything is written.
 void provideWriters();
 
 }  // namespace toile::app

@@ -102,6 +102,7 @@ public:
         : derived_(document.derived()),
           labels_(document.state().labels),
           materials_(document.state().materials),
+          fabric_(document.fabric()),
           said_(document.state().settings),
           words_(drawingWords()) {
         for (std::size_t i = 0; i < document.settings().size(); ++i) {
@@ -134,13 +135,14 @@ public:
         LaidOutPattern laid =
             layOut(garment, results, ofPieces, labels_, lines, made.derived.symmetry);
         laid.pattern.materials = materials_;
-        return use(ExportSource(garment, results, laid, options, words_, lines), progress);
+        return use(ExportSource(garment, results, laid, options, words_, lines, fabric_), progress);
     }
 
 private:
     Derived derived_;
     decltype(DocumentState::labels) labels_;
     decltype(DocumentState::materials) materials_;
+    Fabric fabric_;
     SettingsById said_;
     DrawingWords words_;
 };

@@ -20,13 +20,14 @@ public:
     /// @param results  one per piece of the garment  @param laid  its pattern
     ExportSource(const Garment& garment, const PieceResults& results, const LaidOutPattern& laid,
                  const ExportOptions& options = {}, DrawingWords words = {},
-                 LineSettings lines = {})
+                 LineSettings lines = {}, Fabric fabric = fabricPresets().front())
         : garment_(garment),
           results_(results),
           laid_(laid),
           options_(options),
           words_(std::move(words)),
-          lines_(std::move(lines)) {}
+          lines_(std::move(lines)),
+          fabric_(std::move(fabric)) {}
 
     const Garment& garment() const { return garment_; }
     const PieceResults& results() const { return results_; }
@@ -35,6 +36,8 @@ public:
     const DrawingWords& words() const { return words_; }
     /// By which the outlines were drawn.
     const LineSettings& lines() const { return lines_; }
+    /// Of pieces that are of no material of the pattern's.
+    const Fabric& fabric() const { return fabric_; }
 
     /// Of `laid().pattern`, where it lies.
     const Drawing& drawing() const {
@@ -51,6 +54,7 @@ private:
     ExportOptions options_;
     DrawingWords words_;
     LineSettings lines_;
+    Fabric fabric_;
     mutable std::optional<Drawing> drawing_;
 };
 

@@ -13,13 +13,16 @@
 namespace toile {
 namespace {
 
+std::vector<ReportPicture> (*makePictures)(const ExportSource&) = nullptr;
+
 constexpr const char* kStyle =
     "body{font:15px/1.45 sans-serif;color:#222;background:#fff;max-width:1100px;"
     "margin:2em auto;padding:0 1em}"
     "h1{font-size:1.6em;margin-bottom:.2em}h2{font-size:1.15em;margin-top:2em}"
     "p.sum{color:#555;margin-top:0}"
     "figure{margin:1em 0;border:1px solid #ddd}"
-    "figure svg{display:block;width:100%;height:auto}"
+    "figure svg,figure img{display:block;width:100%;height:auto}"
+    "figcaption{padding:.3em .7em;color:#555;font-size:.9em}"
     "div.wide{overflow-x:auto}"
     "table{border-collapse:collapse;font-size:.9em}"
     "th,td{padding:.25em .7em;text-align:right;white-space:nowrap;border-bottom:1px solid #e4e4e4}"
@@ -59,6 +62,12 @@ void appendTable(std::string& out, const ReportTable& table) {
     out += "</tbody>\n</table></div>\n";
 }
 
+void appendPicture(std::string& out, const ReportPicture& picture) {
+    const std::string caption = htmlText(picture.caption);
+    out += "<figure>\n<img alt=\"" + caption + "\" src=\"data:image/png;base64," + picture.png +
+           "\">\n<figcaption>" + caption + "</figcaption>\n</figure>\n";
+}
+
 /// The drawing without what only a file of its own needs.
 std::string inlineSvg(const Drawing& drawing) {
     std::string svg = writeSvg(drawing);
@@ -82,6 +91,10 @@ std::string summary(const ExportSource& source) {
 
 }  // namespace
 
+void provideReportPictures(std::vector<ReportPicture> (*make)(const ExportSource&)) {
+    makePictures = make;
+}
+
 std::string writeHtmlReport(const ExportSource& source) {
     const Drawing& drawing = source.drawing();
     const std::string title = htmlText(drawing.title);
@@ -92,6 +105,10 @@ std::string writeHtmlReport(const ExportSource& source) {
         "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n<p class=\"sum\">" +
         htmlText(summary(source)) + "</p>\n";
     out += "<figure>\n" + inlineSvg(drawing) + "</figure>\n";
+    for (const ReportPicture& picture :
+         makePictures ? makePictures(source) : std::vector<ReportPicture>()) {
+        appendPicture(out, picture);
+    }
     appendTable(out, pieceTable(source.laid().pattern, source.results()));
     appendTable(out, ledgerTable(source.garment(), source.results()));
     const WalkedGarment walked = walkGarment(source.garment(), source.results(), source.lines(),

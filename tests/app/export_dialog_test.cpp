@@ -13,8 +13,10 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <algorithm>
+#include <set>
 
 #include "app/export/drawing_preview.h"
+#include "app/render/offscreen.h"
 #include "app/text/error_text.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
@@ -188,6 +190,28 @@ private slots:
             blue += dot.blue() > dot.red() + 100 ? 1 : 0;
         }
         QVERIFY2(std::abs(blue - 100 * 150 / 25.4) < 4, qPrintable(QString::number(blue)));
+    }
+
+    void aReportHasPicturesWhereThereIsOpenGl() {
+        chooseFormat(FormatId::Html);
+        typePath("report.html");
+        QCOMPARE(exportNow(), fixture_.path("report.html"));
+        QFile file(fixture_.path("report.html"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray page = file.readAll(), mark = "data:image/png;base64,";
+        const bool hasPictures = makeEglContext() != nullptr;
+        QCOMPARE(page.count(mark), hasPictures ? 2 : 0);
+        for (qsizetype at = page.indexOf(mark); at >= 0; at = page.indexOf(mark, at)) {
+            at += mark.size();
+            const QByteArray png = page.mid(at, page.indexOf('"', at) - at);
+            const QImage picture = QImage::fromData(QByteArray::fromBase64(png));
+            QCOMPARE(picture.size(), QSize(1400, 700));
+            std::set<QRgb> colours;
+            for (int x = 0; x < picture.width(); ++x) {
+                colours.insert(picture.pixel(x, picture.height() / 2));
+            }
+            QVERIFY(colours.size() > 20);
+        }
     }
 
 private:

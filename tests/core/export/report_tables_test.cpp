@@ -66,6 +66,18 @@ TEST(HtmlReport, IsWellFormedAndHoldsDrawingAndTables) {
     EXPECT_EQ(page.find("<script"), std::string::npos);
 }
 
+TEST(HtmlReport, HoldsThePicturesThatOthersProvide) {
+    const Shirt shirt;
+    provideReportPictures([](const ExportSource& source) -> std::vector<ReportPicture> {
+        return {{"a < b", source.garment().pieces.empty() ? "" : "QUJD"}};
+    });
+    const std::string page = writeHtmlReport(shirt.source());
+    provideReportPictures(nullptr);
+    EXPECT_NE(page.find("<img alt=\"a &lt; b\" src=\"data:image/png;base64,QUJD\">"),
+              std::string::npos);
+    EXPECT_EQ(writeHtmlReport(shirt.source()).find("<img"), std::string::npos);
+}
+
 TEST(HtmlReport, NamesAreNoMarkup) {
     Shirt shirt;
     shirt.laid.pattern.name = "<b>&\"";

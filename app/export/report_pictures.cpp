@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export/report_pictures.h"
+
+#include <QBuffer>
+#include <QGuiApplication>
+#include <memory>
+#include <utility>
+
+#include "app/document/document.h"
+#include "app/jobs/derivation.h"
+#include "app/platform_choice.h"
+#include "app/render/gl_support.h"
+#include "app/render/offscreen.h"
+#include "app/settings/theme.h"
+#include "app/views/view_picture.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr QSize kPictureSize{1400, 700};
+
+struct PictureOf {
+    Overlay overlay;
+    const char* caption;
+};
+
+constexpr PictureOf kPictures[] = {
+    {Overlay::Checker, "The garment and its pattern; squares of 10 mm"},
+    {Overlay::Strain, "Strain: what the cloth must do to lie on the garment"},
+};
+
+/// Letters need an application of Qt's, which the command line has not.
+void makeApplication() {
+    if (QCoreApplication::instance()) {
+        return;
+    }
+    static char name[] = "toile";
+    static char* arguments[] = {name, nullptr};
+    static int count = 1;
+    loadResources();
+    quietenQt();
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    static const QGuiApplication* const application = new QGuiApplication(count, arguments);
+    Q_UNUSED(application);
+}
+
+/// As a window that has just opened it.
+void openIn(Document& document, const ExportSource& source) {
+    Derived derived;
+    derived.garment = {std::shared_ptr<const Garment>(), &source.garment()};
+    derived.results = source.results();
+    derived.lines = source.lines();
+    Progress progress;
+    draw(derived, progress);
+    DocumentState state;
+    state.lines = source.lines();
+    state.fabric = source.fabric();
+    state.materials = source.laid().pattern.materials;
+    const LaidOutPattern& laid = source.laid();
+    for (const PlacedCopy& copy : laid.whole.copies) {
+        const PatternPiece& piece = laid.wholePattern.pieces[static_cast<std::size_t>(copy.piece)];
+        PieceSettings& said = state.settings[piece.id];
+        static_cast<Cutting&>(said) = piece;
+        said.placement = copy.placement;
+        state.labels[piece.id].name = piece.name;
+    }
+    document.open(std::move(state), std::move(derived));
+}
+
+}  // namespace
+
+std::vector<ReportPicture> reportPictures(const ExportSource& source) {
+    makeApplication();
+    const auto context = makeEglContext();
+    if (!context || !hasGl()) {
+        return {};
+    }
+    Document document;
+    openIn(document, source);
+    std::vector<ReportPicture> pictures;
+    for (const auto& [overlay, caption] : kPictures) {
+        document.setOverlay(overlay);
+        PictureOptions options;
+        options.size = kPictureSize;
+        options.legend = isMeasured(overlay);
+        options.font = QFont("Sans Serif", 9);
+        options.palette = lightPalette();
+        QString problem;
+        const QImage picture = drawViews(document, options, problem);
+        QByteArray png;
+        QBuffer buffer(&png);
+        buffer.open(QIODevice::WriteOnly);
+        if (picture.isNull() || !picture.save(&buffer, "PNG")) {
+            return {};
+        }
+        pictures.push_back({caption, png.toBase64().toStdString()});
+    }
+    return pictures;
+}
+
+}  // namespace toile::app
