@@ -86,38 +86,16 @@ step_bench() { tests/bench/run.sh --no-slow-peers; }
 
 # Programs that people open our files with, as far as they are installed.
 step_clients() {
-    build ci -DTOILE_TESTS=ON toile toile_cli_test || return
-    local status=0 sample file python=none
-    for file in python3 /usr/bin/python3; do
-        ! "$file" -c 'import ezdxf' 2>/dev/null || python=$file
-    done
-    echo "ezdxf by: $python"
-    command -v rsvg-convert || echo "rsvg-convert is not installed"
-    command -v inkscape || echo "inkscape is not installed"
-    for sample in tshirt skirt cap; do
-        file=$work/$sample
-        build/ci/app/toile flatten "resources/samples/$sample.obj" --unit mm \
-            -o "$file.svg" -o "$file.dxf" --dxf-profile plain || return
-        if command -v rsvg-convert >/dev/null; then
-            rsvg-convert "$file.svg" -o "$file.png" && [ -s "$file.png" ] || status=1
-        fi
-        if command -v inkscape >/dev/null; then
-            inkscape "$file.svg" --export-filename="$file.pdf" && [ -s "$file.pdf" ] || status=1
-        fi
-        if [ "$python" != none ]; then
-            "$python" -c 'import ezdxf, sys
-document = ezdxf.readfile(sys.argv[1])
-closed = [e for e in document.modelspace() if e.dxftype() == "POLYLINE" and e.is_closed]
-print(ezdxf.__version__, len(closed), "closed outlines", document.audit().errors)
-sys.exit(document.audit().has_errors or not closed)' "$file.dxf" || status=1
-        fi
-    done
-    build/ci/tests/cli/toile_cli_test --gtest_filter='*Judge*' || status=1
+    build ci -DTOILE_TESTS=ON toile toile_core_test toile_cli_test || return
+    local status=0
+    /usr/bin/python3 tests/clients/run.py --work "$work/clients" || status=1 # the one that has ezdxf
+    build/ci/tests/core/toile_core_test --gtest_brief=1 --gtest_filter='*Clients*:*PdfViewers*' || status=1
+    build/ci/tests/cli/toile_cli_test --gtest_brief=1 --gtest_filter='*Judge*' || status=1
     return $status
 }
 
 ./run.sh --prepare libgtest-dev libbenchmark-dev xvfb clang clang-tidy libclang-rt-14-dev libomp-dev \
-    python3-numpy python3-ezdxf librsvg2-bin || exit
+    python3-numpy python3-ezdxf librecad inkscape librsvg2-bin hp2xx qpdf mupdf-tools poppler-utils blender || exit
 steps=("$@")
 [ $# -gt 0 ] || steps=(monkey asan-window tsan fuzz odr tidy large outlines clock bench clients)
 rows=()
