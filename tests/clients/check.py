@@ -20,6 +20,7 @@ class Check:
     run: Callable  # takes a garment, raises Fault; the largest difference where there is one
     needs: tuple = ()  # programs that must be installed
     python: str = ""  # a Python module that must be there
+    beside: tuple = ()  # files that must be there
     garment: str = ""  # the only one it is about; empty: all
 
 
@@ -38,7 +39,7 @@ def said_by(*command, folder=None, seconds=300):
 
 
 def missing(check):
-    """Name of what the check needs and is not there, or nothing."""
+    """Name of what the check needs and is not there, or nothing; see `Check`."""
     for program in check.needs:
         if not shutil.which(program):
             return program
@@ -47,12 +48,19 @@ def missing(check):
             __import__(check.python)
         except ImportError:
             return f"Python's {check.python}"
+    for path in check.beside:
+        if not path.is_file():
+            return str(path)
     return ""
 
 
 def require(holds, message):
     if not holds:
         raise Fault(message)
+
+
+def same(value, wanted, what):
+    require(value == wanted, f"{what}: {value} instead of {wanted}")
 
 
 def near(value, wanted, within, what):

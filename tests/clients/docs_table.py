@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The table of docs/exports.md that says what was checked in which client."""
+import beside_clo
 from garments import ROOT, SHARED
 
 DOCS = ROOT / "docs" / "exports.md"
 BEGIN = "<!-- table: clients, written by tests/clients/run.py -->\n"
 END = "<!-- end of table -->\n"
-OPTIONAL = {"usdchecker"}  # not among Debian's packages
+BETWEEN = """
+What stands on which layer, in the DXF of `skirt_clo` that CLO wrote and in ours:
+
+"""
+OPTIONAL = {"usdchecker"}  # not among Debian's packages; it has no row
 
 
 def table(results):
@@ -14,13 +19,14 @@ def table(results):
     formats = [check.format for check in results]
     for check in sorted(results, key=lambda check: formats.index(check.format)):
         words = list(results[check].values())
-        if "skipped" in words:
-            result = "not tried"
-        elif check.garment:
+        if OPTIONAL.intersection(check.needs):
+            continue
+        if check.garment:
             result = f"{check.garment} passed"
         else:
             result = f"{words.count('passed')} of {len(words)} passed"
-        rows.append(f"| {check.format} | {check.client} | {check.what} | {check.within} | {result} |")
+        cells = check.format, check.client, check.what, check.within, result
+        rows.append(f"| {' | '.join(cells)} |")
     return "\n".join(rows) + "\n"
 
 
@@ -32,7 +38,8 @@ def settle(results, found, skipped, given):
     text = DOCS.read_text(encoding="utf-8")
     before, rest = text.split(BEGIN)
     end = rest.index(END)
-    new = before + BEGIN + table(results) + rest[end:]
+    skirt = next(garment for garment in found if garment.name == beside_clo.GARMENT)
+    new = before + BEGIN + table(results) + BETWEEN + beside_clo.table(skirt) + rest[end:]
     if new == text:
         return 0
     if given.write_docs:

@@ -92,6 +92,6 @@ CHECKS = [
           inkscape_prints, ("inkscape", "mutool")),
     Check("SVG", "librsvg", "its PDF: cutting and seam lines as long as in the report", "0.01 mm",
           rsvg_prints, ("rsvg-convert", "mutool")),
-    Check("HPGL", "hp2xx", "cutting and seam lines by their pens as long as in the report", "0.05 mm",
-          plot, ("hp2xx",)),
+    Check("HPGL", "hp2xx", "cutting and seam lines by their pens as long as in the report",
+          "0.05 mm", plot, ("hp2xx",)),
 ]

@@ -2,7 +2,7 @@
 """DXF files in ezdxf: its audit, and the lengths of its entities."""
 import math
 
-from check import Check, near, require
+from check import Check, near, require, same
 from garments import PROFILES
 from lines import closed, length, match
 
@@ -36,7 +36,7 @@ def audit(profile):
         blocks = [] if profile == "plain" else [block.name for block in _places(document)]
         require(sorted(placed) == sorted(blocks), "blocks are not placed once each")
         if profile != "plain":
-            near(len(blocks), len(garment.pieces), 0, "blocks")
+            same(len(blocks), len(garment.pieces), "blocks")
     return run
 
 
@@ -69,10 +69,10 @@ def key_points(profile):
                        for p in block.query('POINT[layer=="2"]')]
             for layer, thick in (("1", "84"), ("14", "87")):
                 few, many = _outlines(block, layer), _outlines(beside[block.name], thick)
-                near(len(few), len(many), 0, f"{block.name}, outlines of layer {layer}")
+                same(len(few), len(many), f"{block.name}, outlines of layer {layer}")
                 for line, dense_line in zip(few, many):
                     parts = _segments(line, corners), _segments(dense_line, corners)
-                    near(len(parts[0]), len(parts[1]), 0, f"{block.name}, segments")
+                    same(len(parts[0]), len(parts[1]), f"{block.name}, segments")
                     for ours, drawn in zip(*parts):
                         worst = max(worst, near(ours, drawn, BY_KEY_POINTS,
                                                 f"{block.name}, layer {layer}"))

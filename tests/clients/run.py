@@ -13,15 +13,20 @@ import pathlib
 import sys
 import traceback
 
+import beside_clo
 import docs_table
+import in_blender
 import in_drawings
 import in_ezdxf
+import in_garmentcode
 import in_librecad
+import in_usd
 import in_viewers
 from check import Fault, missing
 from garments import ROOT, garments
 
-MODULES = (in_ezdxf, in_librecad, in_drawings, in_viewers)
+MODULES = (in_ezdxf, in_librecad, beside_clo, in_viewers, in_drawings, in_blender, in_usd,
+           in_garmentcode)
 
 
 def result_of(check, garment):
@@ -52,7 +57,7 @@ def main():
             if check.garment not in ("", garment.name):
                 continue
             lacking = missing(check)
-            word, why = ("skipped", f"{lacking} is not installed") if lacking else result_of(
+            word, why = ("skipped", f"{lacking} is not there") if lacking else result_of(
                 check, garment)
             failed += word == "FAILED"
             if lacking:
@@ -60,7 +65,7 @@ def main():
             results[check][garment.name] = word
             print(f"{word}  {garment.name:9}  {check.format:12}  {check.client:12}  {check.what}"
                   + (f": {why}" if why else ""), flush=True)
-    print(f"{failed} failed; not installed: {', '.join(sorted(skipped)) or 'none'}")
+    print(f"{failed} failed; not there: {', '.join(sorted(skipped)) or 'none'}")
     return 1 if failed else docs_table.settle(results, found, skipped, given)
 
 
