@@ -84,10 +84,12 @@ step_clock() {
 
 step_bench() { tests/bench/run.sh --no-slow-peers; }
 
-# Programs that people open our files with, as far as they are installed.
+# Programs that people open our files with, as far as they are installed; two are of npm, if it is there.
 step_clients() {
     build ci -DTOILE_TESTS=ON toile toile_core_test toile_cli_test || return
     local status=0
+    ! command -v npm >/dev/null || npm install --prefix "$work/node" three@0.187 gltf-validator@2.0.0-dev.3.10
+    export NODE_PATH=$work/node/node_modules
     /usr/bin/python3 tests/clients/run.py --work "$work/clients" || status=1 # the one that has ezdxf
     build/ci/tests/core/toile_core_test --gtest_brief=1 --gtest_filter='*Clients*:*PdfViewers*' || status=1
     build/ci/tests/cli/toile_cli_test --gtest_brief=1 --gtest_filter='*Judge*' || status=1

@@ -20,6 +20,7 @@ class Check:
     run: Callable  # takes a garment, raises Fault; the largest difference where there is one
     needs: tuple = ()  # programs that must be installed
     python: str = ""  # a Python module that must be there
+    node: str = ""  # a package of Node that must be there, on NODE_PATH
     beside: tuple = ()  # files that must be there
     garment: str = ""  # the only one it is about; empty: all
 
@@ -48,6 +49,10 @@ def missing(check):
             __import__(check.python)
         except ImportError:
             return f"Python's {check.python}"
+    if check.node and subprocess.run(
+            ["node", "-e", f"require.resolve('{check.node}')"],
+            stderr=subprocess.DEVNULL, check=False).returncode:
+        return f"Node's {check.node}"
     for path in check.beside:
         if not path.is_file():
             return str(path)

@@ -1,15 +1,36 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""USD scenes, which no program of Debian 12 reads: by our own reader, and by usdchecker."""
-from check import Check, near, require, said_by, same
+"""USD scenes, which no program of Debian 12 reads: in three.js, our own reader and usdchecker."""
+import json
+import pathlib
 
-WITHIN = 0.02  # mm
+from check import Check, near, require, said_by, same
+from triangles import WITHIN, compare, written
+
+SCENE = pathlib.Path(__file__).with_name("three_scene.cjs")
+READ_BACK = 0.02  # mm
 
 
 def ours(garment):
     require("usda" in garment.read_back, "was not read back")
     pieces, difference = garment.read_back["usda"]
     same(pieces, len(garment.pieces), "pieces")
-    return near(difference, 0, WITHIN, "largest difference")
+    return near(difference, 0, READ_BACK, "largest difference")
+
+
+def three(garment):
+    """The garment as it is worn and its flat pieces; three.js gives both in metres."""
+    file, pieces, worst = garment.file("usda"), written(garment), 0
+    said_by("node", SCENE, file)
+    scene = json.loads(pathlib.Path(f"{file}.scene.json").read_text(encoding="utf-8"))
+    same(sorted(mesh["name"] for mesh in scene), sorted([*pieces, *pieces]), "meshes")
+    for mesh in scene:
+        seen = [[[1000 * value for value in corner] for corner in triangle]
+                for triangle in mesh["corners"]]
+        wanted = pieces[mesh["name"]]
+        if mesh["of"] == "pattern":
+            wanted = [[[u, v, 0, u, v] for _, _, _, u, v in triangle] for triangle in wanted]
+        worst = max(worst, compare(seen, wanted, f"{mesh['of']}, {mesh['name']}"))
+    return worst
 
 
 def checked(garment):
@@ -17,6 +38,9 @@ def checked(garment):
 
 
 CHECKS = [
-    Check("USD", "our own reader", "places and UV of every piece, the seams", f"{WITHIN} mm", ours),
+    Check("USD", "three.js", "places and UV of every triangle, worn and flat", f"{WITHIN} mm", three,
+          ("node",), node="three"),
+    Check("USD", "our own reader", "places and UV of every piece, the seams", f"{READ_BACK} mm",
+          ours),
     Check("USD", "usdchecker", "finds nothing", "", checked, ("usdchecker",)),
 ]

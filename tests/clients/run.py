@@ -6,7 +6,8 @@
 
 Writes each garment in every format, then runs every check; one whose client is not installed is
 skipped by name. Ends with 1 where a check fails, or where all ran and the table of docs/exports.md
-is not what came of it; --write-docs writes it. The clients are Debian's, see tests/nightly.sh.
+is not what came of it; --write-docs writes it. Which clients, and where from: tests/nightly.sh.
+The system's Python is the one that has Debian's ezdxf.
 """
 import argparse
 import pathlib
@@ -19,14 +20,15 @@ import in_blender
 import in_drawings
 import in_ezdxf
 import in_garmentcode
+import in_gltf_validator
 import in_librecad
 import in_usd
 import in_viewers
 from check import Fault, missing
 from garments import ROOT, garments
 
-MODULES = (in_ezdxf, in_librecad, beside_clo, in_viewers, in_drawings, in_blender, in_usd,
-           in_garmentcode)
+MODULES = (in_ezdxf, in_librecad, beside_clo, in_viewers, in_drawings, in_blender,
+           in_gltf_validator, in_usd, in_garmentcode)
 
 
 def result_of(check, garment):
