@@ -62,7 +62,7 @@ step_large() {
     within 60 2 flatten "$work/panel.obj" --unit mm -o "$work/panel.svg" -o "$work/panel.json" &&
         within 20 1 flatten "$work/star.obj" --unit mm -o "$work/star.svg" -o "$work/star.dxf" \
             -o "$work/star.pdf" -o "$work/star.plt" -o "$work/star.glb" -o "$work/star.usda" \
-            -o "$work/star.specification.json" -o "$work/star.html"
+            -o "$work/star.specification.json"
 }
 
 # Runs the program, that is to end with 0 within so many seconds of processor time and GiB.

@@ -123,7 +123,7 @@ class MonkeyTest : public QObject {
     bool settle() {
         return QTest::qWaitFor(
             [this] {
-                return !workspace().jobs().isBusy() &&
+                return !workspace().jobs().isBusy() && !workspace().writing().isBusy() &&
                        !window().garmentActions().project().session().isSaving();
             },
             10 * test::WindowFixture::kPatience);
@@ -191,6 +191,7 @@ class MonkeyTest : public QObject {
                 QVERIFY2(broken.isEmpty(), qPrintable(broken));
             }
             QVERIFY2(warnings.texts().isEmpty(), qPrintable(warnings.texts().join('\n')));
+            QVERIFY2(monkey.misread().isEmpty(), qPrintable(monkey.misread()));
         }
         undoEverything();
         const QString other = test::difference(test::momentOf(document()), start);

@@ -65,6 +65,7 @@ Monkey::Monkey(MainWindow& window, Generator& random, QString folder)
         {2, &Monkey::touchFrame},     {3, &Monkey::decideOnLines},
         {3, &Monkey::cancel},         {12, &Monkey::pause},
         {2, &Monkey::settle},         {3, &Monkey::decideOnSymmetry},
+        {1, &Monkey::exportPattern},
     };
     for (const ActionSpec& spec : actionTable()) {
         if (!kLeftAlone.contains(spec.id)) {
@@ -88,6 +89,7 @@ Monkey::Monkey(MainWindow& window, Generator& random, QString folder)
     dialogs.askToSave = [](QWidget*, const QString&) { return SaveAnswer::Cancel; };
     QObject::connect(&closer_, &QTimer::timeout, &window_, [this] { answerDialogs(); });
     closer_.start(5);
+    watchExports();
 }
 
 Monkey::~Monkey() {

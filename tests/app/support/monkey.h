@@ -44,6 +44,8 @@ public:
     /// The last things it did, the latest last.
     QStringList trace() const;
     int actionsDone() const { return done_; }
+    /// What a file said otherwise than the pattern that it was made from; empty: none did.
+    const QString& misread() const { return misread_; }
 
 private:
     struct Habit {
@@ -85,6 +87,7 @@ private:
     void decideOnLines();
     void decideOnSymmetry();
     void layOut();
+    void exportPattern();
     void choosePreference();
     void touchFrame();
     void cancel();
@@ -93,6 +96,7 @@ private:
     /// Something else in the middle of a drag.
     void interrupt();
     void answerDialogs();
+    void watchExports();
 
     MainWindow& window_;
     Generator& random_;
@@ -101,6 +105,7 @@ private:
     std::vector<Habit> habits_;
     std::vector<ActionId> ids_;
     std::deque<QString> trace_;
+    QString misread_;
     int done_ = 0, depth_ = 0;
 };
 
