@@ -104,7 +104,7 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
                        kExitUnreadable);
     }
     arguments.inputs.clear();
-    for (const MeshReference& file : read->project.files) {
+    for (const FileReference& file : read->project.files) {
         for (const fs::path& output : arguments.outputs) {
             std::error_code ignored;
             if (fs::equivalent(file.path, output, ignored)) {

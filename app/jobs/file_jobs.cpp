@@ -72,7 +72,7 @@ Result<ReadMeshes> readMeshes(const std::filesystem::path& path, const FoundMesh
     Project& project = opened.project = std::move(read->project);
     opened.notes = std::move(read->notes);
     opened.known = knownOf(path, read->hash, project);
-    for (MeshReference& file : project.files) {
+    for (FileReference& file : project.files) {
         if (const auto place = found.find(file.path); place != found.end()) {
             file.path = place->second;
         }
@@ -82,7 +82,7 @@ Result<ReadMeshes> readMeshes(const std::filesystem::path& path, const FoundMesh
         return made;
     }
     std::vector<std::filesystem::path> paths;
-    for (const MeshReference& file : project.files) {
+    for (const FileReference& file : project.files) {
         paths.push_back(file.path);
     }
     Result<Derived> derived = readGarment(paths, project.loading, progress);

@@ -22,6 +22,18 @@ bool isThere(const fs::path& path) {
     return !path.empty() && fs::exists(path, failed) && !fs::is_directory(path, failed);
 }
 
+/// By either path: `path` is then the one where it is.
+bool isFound(FileReference& file) {
+    if (isThere(file.path)) {
+        return true;
+    }
+    if (!isThere(file.elsewhere)) {
+        return false;
+    }
+    std::swap(file.path, file.elsewhere);
+    return true;
+}
+
 /// Finds the project's piece that a piece of the garment is.
 class ProjectIndex {
 public:
@@ -144,8 +156,8 @@ std::vector<ProjectPiece> projectPieces(const Garment& garment, std::vector<Piec
     return pieces;
 }
 
-std::vector<MeshReference> meshReferences(const Garment& garment) {
-    std::vector<MeshReference> files;
+std::vector<FileReference> meshReferences(const Garment& garment) {
+    std::vector<FileReference> files;
     for (const auto& file : garment.files) {
         std::error_code failed;
         const fs::path absolute = fs::absolute(file->path, failed);
@@ -157,15 +169,13 @@ std::vector<MeshReference> meshReferences(const Garment& garment) {
 
 std::vector<fs::path> locateMeshes(Project& project) {
     std::vector<fs::path> missing;
-    for (MeshReference& file : project.files) {
-        if (isThere(file.path)) {
-            continue;
-        }
-        if (isThere(file.elsewhere)) {
-            std::swap(file.path, file.elsewhere);
-        } else {
+    for (FileReference& file : project.files) {
+        if (!isFound(file)) {
             missing.push_back(file.path);
         }
+    }
+    if (project.reference) {
+        isFound(*project.reference);
     }
     return missing;
 }

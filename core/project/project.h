@@ -13,14 +13,14 @@
 
 namespace toile {
 
-/// One mesh file of a project: where it was, and what was in it.
-struct MeshReference {
+/// A file that a project names: where it was, and what was in it.
+struct FileReference {
     std::filesystem::path path;           ///< absolute
     std::optional<std::uint64_t> hash{};  ///< contentHash of its bytes; none: not known
     /// Absolute too: where else to look, where there is no file at `path`. May be empty.
     std::filesystem::path elsewhere{};
 
-    bool operator==(const MeshReference&) const = default;
+    bool operator==(const FileReference&) const = default;
 };
 
 /// A piece as a project knows it.
@@ -46,7 +46,7 @@ struct ProjectView {
 /// Everything a person has done with a garment; what follows from it (pieces, seams, flat pieces)
 /// is worked out again. The file format is described in docs/project-file.md.
 struct Project {
-    std::vector<MeshReference> files{};  ///< read as one garment
+    std::vector<FileReference> files{};  ///< read as one garment
     LoadOptions loading{};
     FlattenOptions options{};
     LineSettings lines{};
@@ -54,6 +54,8 @@ struct Project {
     MaterialList materials{};  ///< of the pieces that are cut from another fabric
     std::vector<ProjectPiece> pieces{};
     PieceLabels labels{};
+    /// The pattern file that the pieces are compared with.
+    std::optional<FileReference> reference{};
     ProjectView view{};
     /// Where this is the recovery file of another: that project's path, empty where it had none.
     std::optional<std::filesystem::path> recoveryOf{};
@@ -75,10 +77,10 @@ std::vector<ProjectPiece> projectPieces(const Garment& garment, std::vector<Piec
                                         const PieceResults& results);
 
 /// Paths and content hashes of the garment's files.
-std::vector<MeshReference> meshReferences(const Garment& garment);
+std::vector<FileReference> meshReferences(const Garment& garment);
 
-/// Files of the project that are not there; `path` of those found elsewhere is set to that. Touches
-/// the disk.
+/// Meshes of the project that are not there; `path` of files found elsewhere, the reference pattern
+/// too, is set to that. Touches the disk.
 std::vector<std::filesystem::path> locateMeshes(Project& project);
 
 }  // namespace toile

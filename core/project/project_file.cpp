@@ -26,43 +26,45 @@ fs::path readPath(JsonFields& fields, std::string_view key) {
     return std::u8string(text.begin(), text.end());
 }
 
+FileReference readReference(JsonFields& at, const fs::path& folder) {
+    const fs::path relative = readPath(at, "path"), absolute = readPath(at, "absolute");
+    if (relative.empty() && absolute.empty()) {
+        at.fail("path", "is missing");
+    }
+    FileReference file;
+    file.path = relative.empty() ? absolute : (folder / relative).lexically_normal();
+    if (!relative.empty() && absolute != file.path) {
+        file.elsewhere = absolute;
+    }
+    if (at.find("hash")) {
+        at.readWord("hash", file.hash.emplace(), R"("xxh64:" and 16 hexadecimal digits)",
+                    parseHash);
+    }
+    return file;
+}
+
 void readFiles(JsonFields& fields, const fs::path& folder, Project& project) {
     const JsonDocument* list = fields.need("files");
     if (list && list->is_array() && list->empty()) {
         fields.fail("files", "must name a file");
     }
-    fields.readObjects("files", [&](JsonFields& at) {
-        const fs::path relative = readPath(at, "path"), absolute = readPath(at, "absolute");
-        if (relative.empty() && absolute.empty()) {
-            at.fail("path", "is missing");
-        }
-        MeshReference& file = project.files.emplace_back();
-        file.path = relative.empty() ? absolute : (folder / relative).lexically_normal();
-        if (!relative.empty() && absolute != file.path) {
-            file.elsewhere = absolute;
-        }
-        if (at.find("hash")) {
-            at.readWord("hash", file.hash.emplace(), R"("xxh64:" and 16 hexadecimal digits)",
-                        parseHash);
-        }
-    });
+    fields.readObjects("files",
+                       [&](JsonFields& at) { project.files.push_back(readReference(at, folder)); });
+    fields.readObject("reference",
+                      [&](JsonFields& at) { project.reference = readReference(at, folder); });
 }
 
-OrderedJson filesOf(const Project& project, const fs::path& folder) {
-    OrderedJson list = OrderedJson::array();
-    for (const MeshReference& file : project.files) {
-        OrderedJson& entry = list.emplace_back(OrderedJson::object());
-        const fs::path relative =
-            folder.empty() ? fs::path() : file.path.lexically_relative(folder);
-        if (!relative.empty()) {
-            entry["path"] = pathText(relative);
-        }
-        entry["absolute"] = pathText(file.path);
-        if (file.hash) {
-            entry["hash"] = hashText(*file.hash);
-        }
+OrderedJson referenceJson(const FileReference& file, const fs::path& folder) {
+    OrderedJson json = OrderedJson::object();
+    const fs::path relative = folder.empty() ? fs::path() : file.path.lexically_relative(folder);
+    if (!relative.empty()) {
+        json["path"] = pathText(relative);
     }
-    return list;
+    json["absolute"] = pathText(file.path);
+    if (file.hash) {
+        json["hash"] = hashText(*file.hash);
+    }
+    return json;
 }
 
 /// Of a document of the present version.
@@ -158,7 +160,13 @@ std::string projectText(const Project& project, const fs::path& folder) {
     at.field("format", kFormat);
     at.field("version", kProjectVersion);
     at.field("program", "Toile " + std::string(version()));
-    json["files"] = filesOf(project, folder);
+    json["files"] = OrderedJson::array();
+    for (const FileReference& file : project.files) {
+        json["files"].push_back(referenceJson(file, folder));
+    }
+    if (project.reference) {
+        json["reference"] = referenceJson(*project.reference, folder);
+    }
     std::vector<project_fields::LabelOfPiece> labels(project.labels.begin(), project.labels.end());
     project_fields::describe(at, project, labels);
     if (project.recoveryOf) {

@@ -154,7 +154,8 @@ LineFit settledFit(const Points2& line, Points2 other, bool mirrored) {
             break;
         }
         const bool isSettled = fit.mean - mean < kSettled;
-        fit = {other, mirrored, mean, distances.maxCoeff()};
+        fit = {other, mirrored, mean, distances.maxCoeff(),
+               std::sqrt(distances.squaredNorm() / static_cast<double>(distances.size()))};
         if (isSettled) {
             break;
         }

@@ -14,6 +14,7 @@ struct LineFit {
     bool mirrored = false;
     double mean = 0;      ///< mm, of the distances of both lines' points along them from the other
     double farthest = 0;  ///< mm, the largest of them
+    double rms = 0;       ///< mm, root mean square of them
 };
 
 /// A rough distance of two closed lines, for sorting: points at even shares of their lengths, from

@@ -52,7 +52,7 @@ private:
     void writeProjectOfACap() {
         test::writeObj(path("cap.obj"), {{"cap", test::makeCap(0)}});
         Project project;
-        project.files = {MeshReference{.path = path("cap.obj"), .hash = 1}};  // of another file
+        project.files = {FileReference{.path = path("cap.obj"), .hash = 1}};  // of another file
         project.loading.unit = LengthUnit::Millimetre;
         project.view.overlay = "strain";
         QVERIFY(writeProject(path("cap.toile"), project));

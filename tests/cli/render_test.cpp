@@ -130,7 +130,7 @@ TEST(Render, EveryViewAndSideIsAnotherPicture) {
 TEST(Render, WhatIsTypedGoesBeforeWhatAProjectSays) {
     const test::TemporaryFolder folder;
     Project project;
-    project.files = {MeshReference{.path = kCap}};
+    project.files = {FileReference{.path = kCap}};
     project.loading.unit = LengthUnit::Millimetre;
     project.view.overlay = "strain";
     ASSERT_TRUE(writeProject(folder / "cap.toile", project));

@@ -128,8 +128,11 @@ std::string whatBreaksInProject(std::string bytes) {
     Project& project = read->project;
     const std::string text = projectText(project, kFolder);
     const auto again = parseProject(text, kName, kFolder);
-    for (MeshReference& file : project.files) {
+    for (FileReference& file : project.files) {
         file.elsewhere.clear();  // is for looking once
+    }
+    if (project.reference) {
+        project.reference->elsewhere.clear();
     }
     if (!again || !(again->project == project) || projectText(again->project, kFolder) != text) {
         return "what is written does not read back to the same";

@@ -82,6 +82,9 @@ public:
         for (int k = upTo(5); k > 0; --k) {
             project.labels[{random_() | 1U}] = {flag() ? text() : "", flag() ? upTo(100) : -1};
         }
+        if (flag()) {
+            project.reference = {kFolder.parent_path() / text() / "a.dxf", std::nullopt, {}};
+        }
         project.view = {
             flag() ? "strain" : "", flag(), flag(), flag(), flag(), flag(), flag(), flag(), flag()};
         return project;
@@ -443,6 +446,27 @@ TEST(ProjectFile, AMeshIsFoundByEitherPath) {
     EXPECT_EQ(project.files[0].path, mesh);
     project.files.push_back({folder / "gone.obj", std::nullopt, folder / "lost.obj"});
     EXPECT_EQ(locateMeshes(project), std::vector<fs::path>{folder / "gone.obj"});
+}
+
+TEST(ProjectFile, AReferencePatternIsFoundByEitherPathAndMissedByNobody) {
+    const test::TemporaryFolder folder;
+    const fs::path pattern = folder.write("dress.dxf", "pattern");
+    Project project;
+    project.reference = FileReference{folder / "gone.dxf", std::nullopt, pattern};
+    EXPECT_TRUE(locateMeshes(project).empty());
+    EXPECT_EQ(project.reference->path, pattern);
+    project.reference = FileReference{folder / "gone.dxf", std::nullopt, folder / "lost.dxf"};
+    EXPECT_TRUE(locateMeshes(project).empty());
+    EXPECT_EQ(project.reference->path, folder / "gone.dxf");
+}
+
+TEST(ProjectFile, AReferencePatternMustHaveAPath) {
+    for (const Json& reference : {Json::object(), Json{{"path", std::string("a\0b.dxf", 7)}},
+                                  Json{{"absolute", 3}}, Json("dress.dxf"), Json::array()}) {
+        Json document = someDocument();
+        document["reference"] = reference;
+        EXPECT_NE(faultOf(document).find("reference"), std::string::npos) << reference.dump();
+    }
 }
 
 TEST(ProjectFile, IsWrittenAndReadBesideItsMesh) {
