@@ -13,6 +13,7 @@
 #include "app/actions/file_dialogs.h"
 #include "app/actions/garment_actions.h"
 #include "app/actions/project_actions.h"
+#include "app/base/text.h"
 #include "app/render/render_style.h"
 #include "app/settings/length_display.h"
 #include "app/settings/preferences.h"
@@ -24,6 +25,7 @@
 #include "app/window_dialogs.h"
 #include "app/window_menus.h"
 #include "app/window_status.h"
+#include "core/reading/read_pattern.h"
 
 namespace toile::app {
 
@@ -41,6 +43,14 @@ QStringList openableFiles(const QMimeData& data) {
         }
     }
     return files;
+}
+
+/// The one pattern that is dragged, to compare with; empty where it is anything else.
+QString patternFile(const QMimeData& data) {
+    const QList<QUrl> urls = data.urls();
+    const QString file =
+        urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
+    return patternFileKind(pathOf(file)) ? file : QString();
 }
 
 }  // namespace
@@ -242,18 +252,23 @@ bool MainWindow::mayClose() {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!openableFiles(*event->mimeData()).isEmpty()) {
+    const QMimeData& dragged = *event->mimeData();
+    const bool isOpen = workspace_.document().garment() != nullptr;
+    if (!openableFiles(dragged).isEmpty() || (isOpen && !patternFile(dragged).isEmpty())) {
         event->acceptProposedAction();
     }
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
     const QStringList files = openableFiles(*event->mimeData());
-    if (files.isEmpty()) {
-        return;
+    const QString pattern = patternFile(*event->mimeData());
+    if (!files.isEmpty()) {
+        event->acceptProposedAction();
+        openFiles(files);
+    } else if (!pattern.isEmpty() && workspace_.document().garment()) {
+        event->acceptProposedAction();
+        garmentActions_->openReference(pattern);
     }
-    event->acceptProposedAction();
-    openFiles(files);
 }
 
 }  // namespace toile::app

@@ -39,7 +39,12 @@ bool showsFigures(Workspace& on) {
 
 bool hasReference(Workspace& on) {
     const auto& scene = on.document().scene();
-    return scene && !scene->patternLines.reference.empty();
+    return on.document().state().reference.file ||
+           (scene && !scene->patternLines.reference.empty());
+}
+
+bool namesReference(Workspace& on) {
+    return isOpen(on) && !on.document().state().reference.path.empty();
 }
 
 bool hasExactOutline(Workspace& on) {
@@ -250,6 +255,11 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::ExportPattern, "exportPattern", TR("&Export pattern…"), "Ctrl+E",
          TR("Write the pattern to a file: for printing, cutting, pattern and 3D programs"),
          asks(&GarmentActions::askAndExport, &Workspace::canExport), "export", TR("Export")},
+        {ActionId::OpenReference, "openReference", TR("Open reference &pattern…"), "",
+         TR("Lay a pattern over the flat pieces, to compare: DXF, SVG or GarmentCode"),
+         asks(&GarmentActions::askAndOpenReference, isOpen)},
+        {ActionId::CloseReference, "closeReference", TR("&Close reference pattern"), "",
+         TR("Compare with no pattern any more"), asks(&Workspace::closeReference, namesReference)},
         {ActionId::ReadyToCut, "readyToCut", TR("Read&y to cut?"), "F8",
          TR("Show whether the pattern can be cut as it is, and every fault with its place"),
          whenOpen()},
@@ -313,7 +323,7 @@ std::vector<ActionSpec> makeActions() {
          TR("Wireframe")},
         {ActionId::ReferencePanels, "referencePanels", TR("Referen&ce panels"), "D",
          TR("Draw the reference panels, the designer's own, over the flat pieces, where the file "
-            "has them"),
+            "has them, or the reference pattern that is open"),
          switches(&ViewState::referencePanels, hasReference)},
         {ActionId::ExactOutline, "exactOutline", TR("Exact o&utline"), "Shift+X",
          TR("Draw the outline as it was solved, dashed, where a fair line is drawn in its place"),

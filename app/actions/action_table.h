@@ -17,6 +17,8 @@ enum class ActionId {
     Save,
     SaveAs,
     ExportPattern,
+    OpenReference,
+    CloseReference,
     ReadyToCut,
     Quit,
     Undo,

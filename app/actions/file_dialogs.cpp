@@ -114,6 +114,11 @@ FileDialogs FileDialogs::native() {
         return QFileDialog::getOpenFileName(parent, FileDialogs::tr("Read cuts and ease"), folder,
                                             FileDialogs::tr("Seams files (*.json);;All files (*)"));
     };
+    dialogs.openPattern = [](QWidget* parent, const QString& folder) {
+        return QFileDialog::getOpenFileName(
+            parent, FileDialogs::tr("Open a reference pattern"), folder,
+            FileDialogs::tr("Patterns (%1);;All files (*)").arg("*.dxf *.svg *specification.json"));
+    };
     dialogs.save = [](QWidget* parent, const QString& suggestion, const QString& filter) {
         return askForTarget(parent, FileDialogs::tr("Export the pattern"), suggestion, filter);
     };

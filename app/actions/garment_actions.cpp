@@ -132,6 +132,17 @@ void GarmentActions::askAndWriteSeams() {
     }
 }
 
+void GarmentActions::askAndOpenReference() {
+    const QString path = dialogs_.openPattern(&window_, preferences_.openFolder());
+    if (!path.isEmpty()) {
+        openReference(path);
+    }
+}
+
+void GarmentActions::openReference(const QString& file) {
+    workspace_.openReference(pathOf(QFileInfo(file).absoluteFilePath()));
+}
+
 void GarmentActions::askAndExport() {
     if (!workspace_.canExport()) {
         return;

@@ -35,6 +35,9 @@ public:
     void openFiles(const QStringList& files);
     void askAndOpen();
     void askAndExport();
+    void askAndOpenReference();
+    /// Opens a pattern to compare with, that the person has chosen or dropped.
+    void openReference(const QString& file);
     void askAndReadSeams();
     void askAndWriteSeams();
     void selectAll();

@@ -50,6 +50,7 @@ std::vector<MenuSpec> makeTable() {
         {"fileMenu", TR("&File"),
          {Open, Submenu{"recentMenu"}, kLine,
           Save, SaveAs, kLine,
+          OpenReference, CloseReference, kLine,
           ReadyToCut, ExportPattern, kLine,
           Quit}},
         {"recentMenu", TR("Open &recent"), {RecentPlace{}}, false},

@@ -79,8 +79,9 @@ void ProjectSession::onOpened(const Path& file, const OpenedProject& opened, boo
     openingAs_ = restoring    ? OpeningAs{recoveryOf.value_or(file), opened.known}
                  : recoveryOf ? OpeningAs{}
                               : OpeningAs{file, opened.known};
-    document.open(stateOf(opened.project, opened.derived.inputs, *opened.derived.garment),
-                  opened.derived);
+    DocumentState state = stateOf(opened.project, opened.derived.inputs, *opened.derived.garment);
+    state.reference = opened.reference;
+    document.open(std::move(state), opened.derived);
     document.setView(view);
     if (restoring || moved || recoveryOf) {
         document.history().resetClean();

@@ -24,6 +24,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
     recompute_.setObjection(
         [this](const Garment& garment, DocumentState& rest) { return objectionTo(garment, rest); });
     connect(&recompute_, &Recompute::refused, this, &Workspace::sayRefused);
+    connect(&reference_, &ReferenceFinder::paired, this, &Workspace::noted);
     // A job that makes room for another says nothing about what is asked for now.
     connect(&jobs_, &JobRunner::failed, this,
             [this](const QString&, const QString&, bool replaced) {

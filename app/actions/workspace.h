@@ -13,6 +13,7 @@
 #include "app/actions/recompute.h"
 #include "app/document/document.h"
 #include "app/jobs/job_runner.h"
+#include "app/jobs/reference_finder.h"
 #include "core/export/drawing.h"
 #include "core/export/export_options.h"
 
@@ -91,6 +92,12 @@ public:
     /// Changes cuts and joins; pieces that no change touches stay as they are, flat or not.
     /// @param text  what was done, for the undo menu
     void changeSeams(const QString& text, std::function<void(SeamsFile&)> change);
+    /// Reads the pattern that the pieces are to be compared with, and shows it over them. Nothing
+    /// changes where it cannot be read, where nothing is open, or while something is being opened.
+    /// @param path  absolute
+    void openReference(const std::filesystem::path& path);
+    /// Compares with no pattern any more.
+    void closeReference();
     /// Takes cuts and ease from a seams file. Nothing changes where it cannot be read.
     /// @return notes: what of it is not known
     Result<Problems> readSeams(const std::filesystem::path& path);
@@ -210,6 +217,7 @@ private:
     JobRunner mirroring_, jobs_, writing_;
     std::function<void()> afterWriting_;
     Recompute recompute_{document_, jobs_};
+    ReferenceFinder reference_{document_};
     Opening opening_;
     LineSettings newLines_{};
     /// For what is being opened, where that is not known before it is there.

@@ -63,6 +63,29 @@ const PatternPiece* Document::patternPiece(int piece) const {
                : nullptr;
 }
 
+const ReferenceMatch* Document::reference() const {
+    const bool isOfThis = reference_ && reference_->pattern == derived_.pattern &&
+                          reference_->file == state_.reference.file;
+    return isOfThis ? reference_.get() : nullptr;
+}
+
+std::optional<ReferenceFit> Document::referenceFit(int piece) const {
+    if (state_.reference.file) {
+        const PieceMatch* pair = reference() ? pairOf(reference()->match, piece) : nullptr;
+        if (!pair || !isSure(*pair)) {
+            return std::nullopt;
+        }
+        const LineFit& fit = pair->lines.front().fit;
+        return ReferenceFit{fit.rms, fit.farthest, fit.mirrored};
+    }
+    const PieceResult* known = result(piece);
+    return known && known->quality ? known->quality->reference : std::nullopt;
+}
+
+void Document::showReference(std::shared_ptr<const ReferenceMatch> found) {
+    set(reference_, std::move(found), DocumentChange::Reference);
+}
+
 int Document::pieceCount() const {
     return garment() ? static_cast<int>(garment()->pieces.size()) : 0;
 }
@@ -121,7 +144,8 @@ void Document::open(DocumentState state, Derived derived) {
     emit changed(DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
                  DocumentChange::Selection | DocumentChange::Mark | DocumentChange::Hover |
                  DocumentChange::Seams | DocumentChange::SeamSelection | DocumentChange::Loading |
-                 DocumentChange::Options | DocumentChange::Fabric | DocumentChange::Settings);
+                 DocumentChange::Options | DocumentChange::Fabric | DocumentChange::Settings |
+                 DocumentChange::Reference);
 }
 
 void Document::edit(const QString& text, DocumentState next, int gesture) {
@@ -201,6 +225,7 @@ DocumentChanges Document::differences(const DocumentState& before) const {
                  !(state_.fabric == before.fabric) || state_.materials != before.materials);
     what.setFlag(DocumentChange::Settings,
                  state_.settings != before.settings || state_.labels != before.labels);
+    what.setFlag(DocumentChange::Reference, state_.reference != before.reference);
     return what;
 }
 

@@ -14,6 +14,7 @@
 #include "app/document/history.h"
 #include "app/document/mark_places.h"
 #include "app/document/view_state.h"
+#include "core/quality/piece_quality.h"
 
 namespace toile {
 struct PatternPiece;
@@ -80,6 +81,12 @@ public:
     MarkPlaces& marks() const { return marks_; }
     /// Null where the piece is not flat.
     const PatternPiece* patternPiece(int piece) const;
+    /// How the reference pattern lies on the pattern that is shown; null where there is none, or
+    /// as long as nobody has found out.
+    const ReferenceMatch* reference() const;
+    /// How far the piece is from what it is compared with: its piece of the reference pattern,
+    /// where one is open, else the panel of its own file. None where there is nothing to say.
+    std::optional<ReferenceFit> referenceFit(int piece) const;
     int pieceCount() const;
     Selection everyPiece() const;
     int seamCount() const;
@@ -110,6 +117,9 @@ public:
     /// @param settings  with places for pieces that had none
     void show(Derived derived, SettingsById settings);
     DerivedCache& cache() { return cache_; }
+    /// Shows what was found out of a reference pattern, for as long as it and the pattern are the
+    /// same; no step of the history.
+    void showReference(std::shared_ptr<const ReferenceMatch> found);
 
     /// How pieces are to be flattened: a step of the history where a garment is open.
     /// @param text  what was done, for the undo menu; empty: the usual words
@@ -178,6 +188,7 @@ private:
     std::optional<int> seam_;
     std::optional<Feature> mark_, hover_;
     ViewState view_;
+    std::shared_ptr<const ReferenceMatch> reference_;  ///< found last; may be of what is no more
     std::uint64_t revision_ = 0;
     mutable MarkPlaces marks_;  ///< follows from the state
 };

@@ -18,6 +18,7 @@ enum class DocumentChange : unsigned {
     Loading = 1U << 8,        ///< how files are read, divided and cut
     Fabric = 1U << 9,         ///< what the garment is cut from
     Settings = 1U << 10,      ///< of pieces: place, grain, quantity
+    Reference = 1U << 11,     ///< the reference pattern, and how it lies on the pieces
     Mark = 1U << 16,          ///< which stretch of an outline or vertex is selected
     Hover = 1U << 17,         ///< what the pointer is on
 };

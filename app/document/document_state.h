@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/reference.h"
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
@@ -29,6 +30,7 @@ struct DocumentState {
     MaterialList materials{};  ///< of the pieces that are cut from another fabric
     SettingsById settings{};
     PieceLabels labels{};
+    ReferenceFile reference{};  ///< that the pieces are compared with
 
     bool operator==(const DocumentState&) const = default;
 };

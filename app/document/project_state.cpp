@@ -21,6 +21,9 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
     }
     project.pieces = projectPieces(garment, std::move(settings), derived.results);
     project.labels = state.labels;
+    if (const auto& path = state.reference.path; !path.empty()) {
+        project.reference = FileReference{.path = path};
+    }
     project.view = {std::string(wordOf(kOverlayWords, view.overlay)),
                     view.wireframe,
                     view.referencePanels,
@@ -54,6 +57,9 @@ DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garmen
     state.fabric = project.fabric;
     state.materials = project.materials;
     state.labels = project.labels;
+    if (project.reference) {
+        state.reference.path = project.reference->path;
+    }
     std::vector<PieceSettings> settings = settingsFor(project, garment);
     for (std::size_t i = 0; i < settings.size(); ++i) {
         state.settings.emplace(garment.pieces[i]->id, std::move(settings[i]));

@@ -13,7 +13,7 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
 /// How the project was shown; what it does not say is as before.
 ViewState viewOf(const ProjectView& saved, ViewState before);
 
-/// What is opened of a project, with the garment made for it.
+/// What is opened of a project, with the garment made for it. Its reference pattern is not read.
 DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garment& garment);
 
 }  // namespace toile::app

@@ -15,6 +15,7 @@
 #include "core/export/export_file.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/project/project_file.h"
+#include "core/reading/read_pattern.h"
 
 namespace toile::app {
 namespace {
@@ -56,6 +57,14 @@ Result<Project> projectNow(DocumentState state, const Derived& derived,
     return projectOf(state, made->derived, view);
 }
 
+Result<ReferenceFile> readReference(const std::filesystem::path& path) {
+    Result<PatternFile> read = readPatternFile(path);
+    if (!read) {
+        return read.error();
+    }
+    return ReferenceFile{path, std::make_shared<const PatternFile>(std::move(read).value())};
+}
+
 struct ReadMeshes {
     OpenedProject opened;
     std::vector<std::filesystem::path> lost;  ///< then nothing was opened
@@ -92,6 +101,13 @@ Result<ReadMeshes> readMeshes(const std::filesystem::path& path, const FoundMesh
     opened.derived = std::move(derived).value();
     const Problems differences = differencesTo(project, *opened.derived.garment);
     opened.notes.insert(opened.notes.end(), differences.begin(), differences.end());
+    if (project.reference) {
+        const auto reference = readReference(project.reference->path);
+        if (!reference) {
+            opened.notes.push_back(reference.error());
+        }
+        opened.reference = reference ? *reference : ReferenceFile{project.reference->path};
+    }
     return made;
 }
 
@@ -206,6 +222,14 @@ std::unique_ptr<Job> saveJob(const Document& document, SaveTarget target,
     };
     return makeJob(QCoreApplication::translate("SaveJob", "Saving %1").arg(name), std::move(work),
                    std::move(done), false);
+}
+
+std::unique_ptr<Job> referenceJob(std::filesystem::path path,
+                                  std::function<void(ReferenceFile)> done) {
+    const QString name = textOf(path.filename());
+    auto work = [path = std::move(path)](Progress&) { return readReference(path); };
+    return makeJob(QCoreApplication::translate("ImportJob", "Reading %1").arg(name),
+                   std::move(work), std::move(done));
 }
 
 std::unique_ptr<Job> projectJob(

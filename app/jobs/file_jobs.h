@@ -19,8 +19,8 @@ namespace toile::app {
 
 class Document;
 
-/// The jobs that write files of the document, and the one that reads projects. What they take is a
-/// snapshot: edits may go on. What they are to call is called on the GUI thread.
+/// The jobs that write files of the document, and those that read projects and patterns. What they
+/// take is a snapshot: edits may go on. What they are to call is called on the GUI thread.
 
 /// Writes the flat pieces to one file; its ending chooses the format. Cancelled, it leaves the file
 /// as it was.
@@ -59,14 +59,20 @@ struct SaveTarget {
 std::unique_ptr<Job> saveJob(const Document& document, SaveTarget target,
                              std::function<void(SaveOutcome)> done);
 
+/// Reads the pattern that the pieces are to be compared with, by its ending (`readPatternFile`).
+/// @param done  not called where it cannot be read
+std::unique_ptr<Job> referenceJob(std::filesystem::path path,
+                                  std::function<void(ReferenceFile)> done);
+
 /// Where files are found that are not where the project says.
 using FoundMeshes = std::map<std::filesystem::path, std::filesystem::path>;
 
 struct OpenedProject {
     Project project;  ///< with the paths that were found
     Derived derived;
-    Problems notes;   ///< what is other than it was when the project was saved
-    KnownFile known;  ///< the project's file; of a recovery file the one that it is of
+    ReferenceFile reference;  ///< with its path where it could not be read, too: that is a note
+    Problems notes;           ///< what is other than it was when the project was saved
+    KnownFile known;          ///< the project's file; of a recovery file the one that it is of
 };
 
 /// Reads a project file and its meshes, and prepares what the 3D view shows of them. One of the two

@@ -59,6 +59,9 @@ void PiecesModel::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Settings)) {
         showColumns(Quantity, MaterialName);
     }
+    if (what.testFlag(DocumentChange::Reference)) {
+        showColumns(ReferenceRms, ReferenceMax);
+    }
     if (what.testFlag(DocumentChange::Options)) {
         showColumns(Method, Method);
     }
@@ -124,9 +127,10 @@ bool PiecesModel::setData(const QModelIndex& index, const QVariant& value, int r
 
 bool PiecesModel::hasReference() const {
     const auto& results = document_.results();
-    return std::any_of(results.begin(), results.end(), [](const auto& result) {
-        return result && result->quality && result->quality->reference;
-    });
+    return document_.state().reference.file ||
+           std::any_of(results.begin(), results.end(), [](const auto& result) {
+               return result && result->quality && result->quality->reference;
+           });
 }
 
 bool PiecesModel::hasMaterials() const {
@@ -144,6 +148,10 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
     const Piece& piece = *document_.garment()->pieces[static_cast<std::size_t>(row)];
     const PieceResult* known = document_.result(row);
     const auto triangles = static_cast<qlonglong>(piece.mesh.F.rows());
+    const auto distance = [](const std::optional<ReferenceFit>& fit,
+                             double ReferenceFit::*which) -> Cell {
+        return fit ? Cell{fineLength((*fit).*which), (*fit).*which} : Cell{kUnknown, kUnknownSort};
+    };
     switch (column) {
         case Name:
             return {QString::fromStdString(piece.name)};
@@ -166,6 +174,10 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
             return {!known                       ? tr("Waiting")
                     : statusOf(*known) == "flat" ? tr("Flat")
                                                  : tr("Partly flipped")};
+        case ReferenceRms:
+            return distance(document_.referenceFit(row), &ReferenceFit::rms);
+        case ReferenceMax:
+            return distance(document_.referenceFit(row), &ReferenceFit::max);
         default:
             return known && known->quality ? figure(*known->quality, column)
                                            : Cell{kUnknown, kUnknownSort};
@@ -194,9 +206,34 @@ QString PiecesModel::toolTip(int row, int column) const {
             return isStale(row) ? tr("%1 – of an earlier shape or method; to be flattened anew")
                                       .arg(methodName(known->options.method))
                                 : methodName(known->options.method);
+        case ReferenceRms:
+        case ReferenceMax:
+            return document_.reference() ? partnerText(row) : cell(row, column).text;
         default:
             return cell(row, column).text;
     }
+}
+
+QString PiecesModel::partnerText(int row) const {
+    const ReferenceMatch& found = *document_.reference();
+    const PieceMatch* pair = pairOf(found.match, row);
+    const auto nameOfPiece = [&found](int piece) {
+        return QString::fromStdString(found.file->pieces[static_cast<std::size_t>(piece)].name);
+    };
+    if (!pair) {
+        return tr("No piece of the reference pattern is like this one");
+    }
+    if (!isSure(*pair)) {
+        QStringList names{nameOfPiece(pair->filePiece)};
+        for (const int rival : pair->rivals) {
+            names << nameOfPiece(rival);
+        }
+        return tr("Several pieces of the reference pattern fit: %1").arg(names.join(", "));
+    }
+    const QString name = nameOfPiece(pair->filePiece);
+    return pair->lines.front().fit.mirrored
+               ? tr("Mirrored to %1 of the reference pattern").arg(name)
+               : tr("To %1 of the reference pattern").arg(name);
 }
 
 QVariant PiecesModel::foreground(int row, int column) const {
@@ -217,10 +254,6 @@ bool PiecesModel::isStale(int row) const {
 
 PiecesModel::Cell PiecesModel::figure(const PieceQuality& quality, int column) {
     const auto count = [](int number) -> Cell { return {QLocale().toString(number), number}; };
-    const auto distance = [](const auto& reference, auto which) -> Cell {
-        return reference ? Cell{fineLength((*reference).*which), (*reference).*which}
-                         : Cell{kUnknown, kUnknownSort};
-    };
     switch (column) {
         case Area:
             return {areaNumber(quality.area2d), quality.area2d};
@@ -238,10 +271,6 @@ PiecesModel::Cell PiecesModel::figure(const PieceQuality& quality, int column) {
             return count(quality.flippedTriangles);
         case Crossings:
             return count(quality.outlineCrossings);
-        case ReferenceRms:
-            return distance(quality.reference, &ReferenceFit::rms);
-        case ReferenceMax:
-            return distance(quality.reference, &ReferenceFit::max);
         default:
             return {};
     }
@@ -280,10 +309,11 @@ std::vector<PiecesModel::Heading> PiecesModel::headings() const {
         {tr("Flips"), tr("Triangles that lie upside down in the pattern: must be 0")},
         {tr("Crossings"), tr("Places where the outline crosses itself: must be 0")},
         {tr("To reference rms %1").arg(lengthUnit()),
-         tr("Distance from the reference panel in the file, laid on as well as "
-            "it goes: root mean square")},
+         tr("Distance from the reference panel in the file, or from the reference pattern, laid "
+            "on as well as it goes: root mean square")},
         {tr("To reference max %1").arg(lengthUnit()),
-         tr("Distance from the reference panel in the file: the largest")},
+         tr("Distance from the reference panel in the file, or from the reference pattern: the "
+            "largest")},
     };
 }
 

@@ -48,7 +48,7 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     /// Changes nothing itself: see the signals.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    /// True where a flat piece carries the reference panel.
+    /// True where a reference pattern is open, or a flat piece carries the reference panel.
     bool hasReference() const;
     /// True where a piece is cut from another fabric than the garment's own.
     bool hasMaterials() const;
@@ -73,6 +73,8 @@ private:
     static Cell figure(const PieceQuality& quality, int column);
     QVariant decoration(int row) const;
     QString toolTip(int row, int column) const;
+    /// What the piece is compared with. Precondition: the document's reference is known.
+    QString partnerText(int row) const;
     QVariant foreground(int row, int column) const;
     bool isTrouble(int row, int column) const;
     /// True where the piece's result was made from another shape or in another way than is asked

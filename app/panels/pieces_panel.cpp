@@ -109,7 +109,7 @@ void PiecesPanel::makeTable() {
 }
 
 void PiecesPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Results) ||
+    if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Reference) ||
         (what.testFlag(DocumentChange::Settings) &&
          table_->isColumnHidden(PiecesModel::MaterialName) == model_->hasMaterials())) {
         fitColumns();
@@ -118,7 +118,7 @@ void PiecesPanel::onChanged(DocumentChanges what) {
         selectInTable();
     }
     if (what & (DocumentChange::Garment | DocumentChange::Selection | DocumentChange::Results |
-                DocumentChange::Settings)) {
+                DocumentChange::Settings | DocumentChange::Reference)) {
         updateDetails();
     }
 }
@@ -243,11 +243,10 @@ QString PiecesPanel::details(int piece) const {
         text += row(tr("Strain, mean"), tr("%1 %").arg(percent(*quality.strainMeanAbs)));
     }
     text += row(tr("Strain, range"), tr("%1 %").arg(strainRange(quality)));
-    if (quality.reference) {
-        text += row(tr("To reference, rms / max"),
-                    QString("%1 / %2 %3")
-                        .arg(fineLength(quality.reference->rms), fineLength(quality.reference->max),
-                             lengthUnit()));
+    if (const auto fit = document_.referenceFit(piece)) {
+        text += row(
+            tr("To reference, rms / max"),
+            QString("%1 / %2 %3").arg(fineLength(fit->rms), fineLength(fit->max), lengthUnit()));
     }
     if (quality.quasiConformalMean) {
         text += row(tr("Uneven stretch (1 = even)"),

@@ -33,6 +33,7 @@ protected:
     ProgramFiles programFiles() const override;
     void upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) override;
     std::vector<FaceValues> faceValues(const Scene& scene) const override { return scene.faces; }
+    bool isSheet() const override { return true; }
 
 private:
     void setGrid(const Camera2D& camera, bool shown, double pixelRatio);

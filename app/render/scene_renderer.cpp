@@ -85,6 +85,7 @@ QString SceneRenderer::initialize() {
     divergingMap_ = makeColourMapTexture(divergingMap());
     sequentialMap_ = makeColourMapTexture(sequentialMap());
     sceneChanged_ = tableChanged_ = content_.scene != nullptr;
+    referenceChanged_ = content_.reference != nullptr;
     return {};
 }
 
@@ -94,6 +95,7 @@ void SceneRenderer::release() {
     }
     mesh_.release();
     overLines_.release();
+    fileLines_.release();
     faces_.release();
     pieces_.release();
     glyphs_.release();
@@ -117,6 +119,7 @@ void SceneRenderer::show(SceneContent content) {
     sceneNumber_ += isOtherScene ? 1 : 0;
     contentNumber_ += isOtherScene || liesElsewhere ? 1 : 0;
     sceneChanged_ = sceneChanged_ || isOtherScene;
+    referenceChanged_ = referenceChanged_ || content.reference != content_.reference;
     tableChanged_ =
         tableChanged_ || isOtherScene || liesElsewhere || content.selection != content_.selection;
     content_ = std::move(content);
@@ -128,6 +131,9 @@ bool SceneRenderer::synchronize(const ViewState& view) {
     }
     if (std::exchange(sceneChanged_, false)) {
         upload(*content_.scene, mesh_, overLines_);
+    }
+    if (std::exchange(referenceChanged_, false) && content_.reference && isSheet()) {
+        fileLines_.upload(content_.reference->vertices, content_.reference->runs);
     }
     if (std::exchange(pieceColours_, view.pieceColours) != view.pieceColours) {
         tableChanged_ = true;
@@ -323,7 +329,7 @@ void SceneRenderer::paintReferenceLines(const Frame& frame) {
     lines_->setUniformValue("dashLength",
                             kDashPixels * frame.pixelRatio * frame.millimetresPerPixel);
     setLine(frame.style.reference, kReferenceWidth, false, frame);
-    overLines_.drawReference();
+    (content_.reference ? fileLines_ : overLines_).drawReference();
     lines_->setUniformValue("dashLength", 0.0F);
 }
 

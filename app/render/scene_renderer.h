@@ -12,6 +12,7 @@
 #include "app/document/view_state.h"
 #include "app/render/gl_support.h"
 #include "app/render/gpu_mesh.h"
+#include "app/render/reference_lines.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
 #include "app/render/shader_program.h"
@@ -22,6 +23,8 @@ namespace toile::app {
 /// What is to be seen, however it is drawn.
 struct SceneContent {
     std::shared_ptr<const Scene> scene{};  ///< may be null
+    /// In the place of the scene's own reference lines; null: these.
+    std::shared_ptr<const ReferenceLines> reference{};
     SheetPlaces places{};
     std::set<int> selection{};
     std::optional<int> seam{};
@@ -80,6 +83,8 @@ protected:
     virtual void setOwnUniforms(ShaderProgram&) {}
     /// Whether the cloth hides what lies behind it.
     virtual bool isInDepth() const { return false; }
+    /// Whether the cloth lies flat: lines that do too are drawn.
+    virtual bool isSheet() const { return false; }
     /// Frees what a derived renderer has on the GPU.
     virtual void releaseOwn() {}
 
@@ -131,8 +136,8 @@ private:
     /// Scenes are numbered: of which the GPU has triangles' values and glyphs.
     int sceneNumber_ = 0, facesOf_ = -1, glyphsOf_ = -1;
     bool facesFit_ = false;
-    GpuLines overLines_{counts_};
-    bool sceneChanged_ = false, tableChanged_ = false;
+    GpuLines overLines_{counts_}, fileLines_{counts_};
+    bool sceneChanged_ = false, tableChanged_ = false, referenceChanged_ = false;
     bool pieceColours_ = true;
     Overlay overlay_ = Overlay::None;  ///< that the piece table is of
     int contentNumber_ = 0;

@@ -35,7 +35,7 @@ constexpr double kRadiusShare = 0.2, kMinRadius = 5;
 constexpr DocumentChanges kContent = DocumentChange::Garment | DocumentChange::Results |
                                      DocumentChange::Settings | DocumentChange::Fabric |
                                      DocumentChange::Selection | DocumentChange::SeamSelection |
-                                     DocumentChange::Mark;
+                                     DocumentChange::Mark | DocumentChange::Reference;
 
 bool lieElsewhere(const SheetPlaces& a, const SheetPlaces& b) {
     return !std::ranges::equal(a, b, {}, &SheetPlace::placement, &SheetPlace::placement);

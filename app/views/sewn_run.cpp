@@ -66,6 +66,15 @@ double wornLength(const SeamSide& side) {
     return std::abs(side.end - side.start);
 }
 
+/// Of the reference pattern that is open, as far as it is known how it lies; null: none is open.
+std::shared_ptr<const ReferenceLines> referenceLinesOf(const Document& document) {
+    static const auto kNone = std::make_shared<const ReferenceLines>();
+    if (!document.state().reference.file) {
+        return nullptr;
+    }
+    return document.reference() ? document.reference()->lines : kNone;
+}
+
 }  // namespace
 
 std::vector<SewnPart> sewnParts(const Garment& garment, const Feature& run) {
@@ -164,6 +173,7 @@ std::vector<Feature> markedFeatures(const Document& document) {
 
 SceneContent contentOf(const Document& document) {
     return {.scene = document.scene(),
+            .reference = referenceLinesOf(document),
             .places = placesOf(document.settings(), document.colours(), document.state().materials),
             .selection = document.selection(),
             .seam = document.seam(),

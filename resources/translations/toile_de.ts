@@ -153,6 +153,14 @@
         <source>Save as…</source>
         <translation>Speichern unter…</translation>
     </message>
+    <message>
+        <source>Open a reference pattern</source>
+        <translation>Einen Referenzschnitt öffnen</translation>
+    </message>
+    <message>
+        <source>Patterns (%1);;All files (*)</source>
+        <translation>Schnitte (%1);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>GarmentView</name>
@@ -2368,10 +2376,6 @@
         <translation>R&amp;eferenzteile</translation>
     </message>
     <message>
-        <source>Draw the reference panels, the designer&apos;s own, over the flat pieces, where the file has them</source>
-        <translation>Die Referenzteile, die des Entwerfers, über die flachen legen, wo die Datei sie enthält</translation>
-    </message>
-    <message>
         <source>Draw the seam lines, both sides of a seam in one colour</source>
         <translation>Die Nahtlinien zeichnen, beide Seiten einer Naht in einer Farbe</translation>
     </message>
@@ -4142,6 +4146,26 @@
         <source>read back: %1, largest difference %2 mm</source>
         <translation>zurückgelesen: %1, größter Unterschied %2 mm</translation>
     </message>
+    <message>
+        <source>Open reference &amp;pattern…</source>
+        <translation>&amp;Referenzschnitt öffnen…</translation>
+    </message>
+    <message>
+        <source>Lay a pattern over the flat pieces, to compare: DXF, SVG or GarmentCode</source>
+        <translation>Einen Schnitt zum Vergleich über die flachen Schnittteile legen: DXF, SVG oder GarmentCode</translation>
+    </message>
+    <message>
+        <source>&amp;Close reference pattern</source>
+        <translation>Referenzs&amp;chnitt schließen</translation>
+    </message>
+    <message>
+        <source>Compare with no pattern any more</source>
+        <translation>Mit keinem Schnitt mehr vergleichen</translation>
+    </message>
+    <message>
+        <source>Draw the reference panels, the designer&apos;s own, over the flat pieces, where the file has them, or the reference pattern that is open</source>
+        <translation>Die Referenzteile, die des Entwerfers, über die flachen legen, wo die Datei sie enthält, oder den geöffneten Referenzschnitt</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -5516,16 +5540,8 @@
         <translation>Zur Referenz, Mittel %1</translation>
     </message>
     <message>
-        <source>Distance from the reference panel in the file, laid on as well as it goes: root mean square</source>
-        <translation>Abstand vom Referenzteil der Datei, bestmöglich aufgelegt: quadratisches Mittel</translation>
-    </message>
-    <message>
         <source>To reference max %1</source>
         <translation>Zur Referenz, größter %1</translation>
-    </message>
-    <message>
-        <source>Distance from the reference panel in the file: the largest</source>
-        <translation>Abstand vom Referenzteil der Datei: der größte</translation>
     </message>
     <message>
         <source>How many are cut. Double-click or F2 to change it, of all selected pieces at once</source>
@@ -5578,6 +5594,30 @@
     <message>
         <source>What the piece is cut from; empty: the garment&apos;s own fabric</source>
         <translation>Woraus das Schnittteil zugeschnitten wird; leer: aus dem Material des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>No piece of the reference pattern is like this one</source>
+        <translation>Kein Teil des Referenzschnitts gleicht diesem</translation>
+    </message>
+    <message>
+        <source>Several pieces of the reference pattern fit: %1</source>
+        <translation>Mehrere Teile des Referenzschnitts passen: %1</translation>
+    </message>
+    <message>
+        <source>Mirrored to %1 of the reference pattern</source>
+        <translation>Gespiegelt zu %1 des Referenzschnitts</translation>
+    </message>
+    <message>
+        <source>To %1 of the reference pattern</source>
+        <translation>Zu %1 des Referenzschnitts</translation>
+    </message>
+    <message>
+        <source>Distance from the reference panel in the file, or from the reference pattern, laid on as well as it goes: root mean square</source>
+        <translation>Abstand vom Referenzteil der Datei oder vom Referenzschnitt, bestmöglich aufgelegt: quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Distance from the reference panel in the file, or from the reference pattern: the largest</source>
+        <translation>Abstand vom Referenzteil der Datei oder vom Referenzschnitt: der größte</translation>
     </message>
 </context>
 <context>
@@ -6061,6 +6101,29 @@
     <message>
         <source>Remove what was kept: it cannot be brought back</source>
         <translation>Entfernen, was gesichert wurde: es lässt sich nicht zurückholen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::ReferenceFinder</name>
+    <message>
+        <source>Reference pattern %1: %2 of %3 pieces paired</source>
+        <translation>Referenzschnitt %1: %2 von %3 Schnittteilen zugeordnet</translation>
+    </message>
+    <message>
+        <source>without a partner: %1</source>
+        <translation>ohne Gegenstück: %1</translation>
+    </message>
+    <message>
+        <source>fits several: %1</source>
+        <translation>passt zu mehreren: %1</translation>
+    </message>
+    <message>
+        <source>in the file alone: %1</source>
+        <translation>nur in der Datei: %1</translation>
+    </message>
+    <message>
+        <source>its unit is in doubt, taken for %1</source>
+        <translation>seine Einheit ist zweifelhaft, angenommen: %1</translation>
     </message>
 </context>
 <context>
@@ -6826,6 +6889,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Seam to dart</source>
         <translation>Naht zum Abnäher</translation>
+    </message>
+    <message>
+        <source>Reference pattern</source>
+        <translation>Referenzschnitt</translation>
+    </message>
+    <message>
+        <source>No reference pattern</source>
+        <translation>Kein Referenzschnitt</translation>
     </message>
 </context>
 </TS>

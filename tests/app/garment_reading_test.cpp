@@ -238,6 +238,19 @@ private slots:
         QVERIFY(fixture_.openAndWait(fixture_.path("plain.obj")));
         QVERIFY(!action.isEnabled());
         QVERIFY(table.isColumnHidden(PiecesModel::ReferenceMax));
+
+        // A pattern file that is opened goes before the file's own panels.
+        const auto pattern = fixture_.path("strip.svg").toStdU16String();
+        fixture_.workspace().exportTo(pattern);
+        QVERIFY(fixture_.waitUntilIdle());
+        QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
+        fixture_.workspace().openReference(pattern);
+        QTRY_VERIFY_WITH_TIMEOUT(document().reference(), test::kPatience);
+        for (int piece = 0; piece < document().pieceCount(); ++piece) {
+            const auto fit = document().referenceFit(piece);
+            QVERIFY(document().result(piece)->quality->reference);
+            QVERIFY(!fit || fit->max > 1);
+        }
     }
 };
 

@@ -90,6 +90,9 @@ QString difference(const Moment& one, const Moment& other) {
     if (!(one.state.fabric == other.state.fabric) || one.state.materials != other.state.materials) {
         return "fabric";
     }
+    if (one.state.reference.path != other.state.reference.path) {
+        return "reference";
+    }
     for (const auto& [id, said] : one.state.settings) {
         const auto found = other.state.settings.find(id);
         if (found == other.state.settings.end()) {

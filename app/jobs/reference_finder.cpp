@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/reference_finder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/base/text.h"
+#include "app/document/document.h"
+#include "app/render/reference_lines.h"
+#include "core/base/units.h"
+#include "core/pattern/pattern.h"
+
+namespace toile::app {
+
+namespace {
+
+/// What may be asked of another pattern, or by other names, then.
+constexpr DocumentChanges kAskedOf = DocumentChange::Garment | DocumentChange::Results |
+                                     DocumentChange::Settings | DocumentChange::Reference;
+/// Names in one sentence.
+constexpr int kNamed = 4;
+
+ReferenceMatch answerTo(const ReferenceQuestion& question) {
+    Pattern pattern = *question.pattern;
+    for (std::size_t k = 0; k < pattern.pieces.size(); ++k) {
+        pattern.pieces[k].name = question.names[k];
+    }
+    ReferenceMatch found{question.pattern, question.file, matchPatterns(pattern, *question.file)};
+    found.lines = std::make_shared<const ReferenceLines>(referenceLines(found.match));
+    return found;
+}
+
+QString listOf(const QStringList& names) {
+    return names.mid(0, kNamed).join(", ") + (names.size() > kNamed ? ", …" : "");
+}
+
+}  // namespace
+
+bool isSameQuestion(const ReferenceQuestion& a, const ReferenceQuestion& b) {
+    return a.pattern == b.pattern && a.file == b.file && a.names == b.names;
+}
+
+ReferenceFinder::ReferenceFinder(Document& document, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      answerer_(
+          answerTo, [](const ReferenceQuestion&) { return false; },
+          [this](const Attempt<ReferenceMatch>& made, const ReferenceQuestion&, bool) {
+              take(made);
+          }) {
+    connect(&document_, &Document::changed, this, &ReferenceFinder::onChanged);
+}
+
+void ReferenceFinder::onChanged(DocumentChanges what) {
+    const auto& file = document_.state().reference.file;
+    const auto& pattern = document_.derived().pattern;
+    if (!(what & kAskedOf) || !file || !pattern) {
+        return;
+    }
+    ReferenceQuestion question{pattern, file};
+    for (const auto& piece : document_.garment()->pieces) {
+        question.names.push_back(nameOf(document_.state().labels, *piece));
+    }
+    answerer_.ask(std::move(question));
+}
+
+void ReferenceFinder::take(const Attempt<ReferenceMatch>& made) {
+    if (!made.answer) {
+        return;  // out of memory: another pattern asks again
+    }
+    document_.showReference(std::make_shared<const ReferenceMatch>(*made.answer));
+    const ReferenceMatch* shown = document_.reference();
+    if (shown && told_.lock() != shown->file) {
+        told_ = shown->file;
+        emit paired(summaryOf(*shown));
+    }
+}
+
+QString ReferenceFinder::summaryOf(const ReferenceMatch& found) const {
+    const auto nameOfPiece = [this](int piece) {
+        const Piece& named = *document_.garment()->pieces[static_cast<std::size_t>(piece)];
+        return QString::fromStdString(nameOf(document_.state().labels, named));
+    };
+    QStringList alone, doubtful, unused;
+    for (const int piece : found.match.alone) {
+        alone << nameOfPiece(piece);
+    }
+    for (const PieceMatch& pair : found.match.pairs) {
+        if (!isSure(pair)) {
+            doubtful << nameOfPiece(pair.piece);
+        }
+    }
+    for (const int piece : found.match.aloneInFile) {
+        unused << QString::fromStdString(found.file->pieces[static_cast<std::size_t>(piece)].name);
+    }
+    const auto pairs = static_cast<qsizetype>(found.match.pairs.size());
+    QString text =
+        tr("Reference pattern %1: %2 of %3 pieces paired")
+            .arg(textOf(document_.state().reference.path.filename()),
+                 QString::number(pairs - doubtful.size()), QString::number(pairs + alone.size()));
+    const auto add = [&text](const QString& clause) { text += "; " + clause; };
+    if (!alone.isEmpty()) {
+        add(tr("without a partner: %1").arg(listOf(alone)));
+    }
+    if (!doubtful.isEmpty()) {
+        add(tr("fits several: %1").arg(listOf(doubtful)));
+    }
+    if (!unused.isEmpty()) {
+        add(tr("in the file alone: %1").arg(listOf(unused)));
+    }
+    if (found.file->unitInDoubt) {
+        add(tr("its unit is in doubt, taken for %1")
+                .arg(QString::fromUtf8(symbol(found.file->unit))));
+    }
+    return text;
+}
+
+}  // namespace toile::app
