@@ -71,7 +71,9 @@ private:
         }
         // Layouts, figures and legends come a little later, each in its time.
         const QImage picture = window_.grab().toImage();
-        quietRounds_ = picture == last_ ? quietRounds_ + 1 : 0;
+        const Document& document = workspace.document();
+        const bool isLaid = !document.state().reference.file || document.reference();
+        quietRounds_ = picture == last_ && isLaid ? quietRounds_ + 1 : 0;
         last_ = picture;
         if (quietRounds_ < kQuietRounds && ++rounds_ < kMaxRounds) {
             return;

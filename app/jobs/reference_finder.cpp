@@ -70,7 +70,8 @@ void ReferenceFinder::take(const Attempt<ReferenceMatch>& made) {
     }
     document_.showReference(std::make_shared<const ReferenceMatch>(*made.answer));
     const ReferenceMatch* shown = document_.reference();
-    if (shown && told_.lock() != shown->file) {
+    // Of pieces that are not flat yet there is nothing to tell.
+    if (shown && document_.isFlattened() && told_.lock() != shown->file) {
         told_ = shown->file;
         emit paired(summaryOf(*shown));
     }

@@ -137,8 +137,12 @@ private slots:
         QVERIFY(waitForReference());
         saveAs("dress.toile");
         reopenWindow();
+        const QSignalSpy noted(&workspace(), &Workspace::noted);
         QVERIFY(fixture_->openAndWait(path("dress.toile")));
+        QVERIFY(waitUntilFlat());
         QVERIFY(waitForReference());
+        QCOMPARE(noted.count(), 1);  // once the pieces are flat
+        QVERIFY(noted[0][0].toString().contains("3 of 3 pieces paired"));
         QVERIFY(document().state().reference.path == file("dress.dxf"));
         QVERIFY(document().referenceFit(1));
         QVERIFY(document().view().referencePanels);
