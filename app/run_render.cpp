@@ -12,6 +12,7 @@
 #include "app/document/document.h"
 #include "app/document/project_state.h"
 #include "app/jobs/derivation.h"
+#include "app/jobs/lay_reference.h"
 #include "app/platform_choice.h"
 #include "app/render/offscreen.h"
 #include "app/settings/language.h"
@@ -35,6 +36,18 @@ QFont pictureFont() {
                                                           : QGuiApplication::font();
 }
 
+/// Reads the reference pattern of a project. What cannot be read is left out, and said.
+void addReference(DocumentState& state) {
+    if (state.reference.path.empty()) {
+        return;
+    }
+    if (auto read = readReference(state.reference.path)) {
+        state.reference = std::move(read).value();
+    } else {
+        std::cerr << "toile: " << sentence(read.error()) << '\n';
+    }
+}
+
 /// Opens what the window shows once everything is flat. @return whether some piece is not
 bool openFlattened(Document& document, const Arguments& arguments, Garment read) {
     Progress progress;
@@ -45,6 +58,7 @@ bool openFlattened(Document& document, const Arguments& arguments, Garment read)
     DocumentState state;
     if (arguments.project) {
         state = stateOf(*arguments.project, derived.inputs, *derived.garment);
+        addReference(state);
     }
     state.options = arguments.options;
     state.lines = arguments.lines;
@@ -54,6 +68,9 @@ bool openFlattened(Document& document, const Arguments& arguments, Garment read)
     state.settings = settingsAfter(made, std::move(state.settings), {});
     const bool failed = printFailures(derived.results, std::cerr);
     document.open(std::move(state), std::move(derived));
+    if (const auto question = referenceQuestion(document)) {
+        document.showReference(std::make_shared<const ReferenceMatch>(layReference(*question)));
+    }
     return failed;
 }
 

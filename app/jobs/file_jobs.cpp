@@ -9,13 +9,13 @@
 #include "app/document/document.h"
 #include "app/document/project_state.h"
 #include "app/jobs/derivation.h"
+#include "app/jobs/lay_reference.h"
 #include "app/text/error_text.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/export/export_file.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/project/project_file.h"
-#include "core/reading/read_pattern.h"
 
 namespace toile::app {
 namespace {
@@ -55,14 +55,6 @@ Result<Project> projectNow(DocumentState state, const Derived& derived,
     state.inputs = made->derived.inputs;
     state.settings = settingsAfter(*made, std::move(state.settings), settings);
     return projectOf(state, made->derived, view);
-}
-
-Result<ReferenceFile> readReference(const std::filesystem::path& path) {
-    Result<PatternFile> read = readPatternFile(path);
-    if (!read) {
-        return read.error();
-    }
-    return ReferenceFile{path, std::make_shared<const PatternFile>(std::move(read).value())};
 }
 
 struct ReadMeshes {

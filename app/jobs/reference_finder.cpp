@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/reference_finder.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "app/render/reference_lines.h"
+#include "app/jobs/lay_reference.h"
 #include "core/base/units.h"
-#include "core/pattern/pattern.h"
 
 namespace toile::app {
 
@@ -19,16 +17,6 @@ constexpr DocumentChanges kAskedOf = DocumentChange::Garment | DocumentChange::R
                                      DocumentChange::Settings | DocumentChange::Reference;
 /// Names in one sentence.
 constexpr int kNamed = 4;
-
-ReferenceMatch answerTo(const ReferenceQuestion& question) {
-    Pattern pattern = *question.pattern;
-    for (std::size_t k = 0; k < pattern.pieces.size(); ++k) {
-        pattern.pieces[k].name = question.names[k];
-    }
-    ReferenceMatch found{question.pattern, question.file, matchPatterns(pattern, *question.file)};
-    found.lines = std::make_shared<const ReferenceLines>(referenceLines(found.match));
-    return found;
-}
 
 QString listOf(const QStringList& names) {
     return names.mid(0, kNamed).join(", ") + (names.size() > kNamed ? ", …" : "");
@@ -44,7 +32,7 @@ ReferenceFinder::ReferenceFinder(Document& document, QObject* parent)
     : QObject(parent),
       document_(document),
       answerer_(
-          answerTo, [](const ReferenceQuestion&) { return false; },
+          layReference, [](const ReferenceQuestion&) { return false; },
           [this](const Attempt<ReferenceMatch>& made, const ReferenceQuestion&, bool) {
               take(made);
           }) {
@@ -52,16 +40,12 @@ ReferenceFinder::ReferenceFinder(Document& document, QObject* parent)
 }
 
 void ReferenceFinder::onChanged(DocumentChanges what) {
-    const auto& file = document_.state().reference.file;
-    const auto& pattern = document_.derived().pattern;
-    if (!(what & kAskedOf) || !file || !pattern) {
+    if (!(what & kAskedOf)) {
         return;
     }
-    ReferenceQuestion question{pattern, file};
-    for (const auto& piece : document_.garment()->pieces) {
-        question.names.push_back(nameOf(document_.state().labels, *piece));
+    if (auto question = referenceQuestion(document_)) {
+        answerer_.ask(*std::move(question));
     }
-    answerer_.ask(std::move(question));
 }
 
 void ReferenceFinder::take(const Attempt<ReferenceMatch>& made) {

@@ -152,6 +152,36 @@ TEST(Render, WhatIsTypedGoesBeforeWhatAProjectSays) {
     EXPECT_NE(typed, said);
 }
 
+TEST(Render, ThePatternThatAProjectComparesWithIsDrawnWhereItIsThere) {
+    const test::TemporaryFolder folder;
+    const fs::path pattern = folder / "cap.svg";
+    ASSERT_EQ(
+        test::run(TOILE_PROGRAM, {"flatten", kCap, "--unit", "mm", "-o", pattern.string()}).status,
+        0);
+    Project project;
+    project.files = {FileReference{.path = kCap}};
+    project.loading.unit = LengthUnit::Millimetre;
+    project.view.referencePanels = true;
+    const auto picture = [&](test::ProgramRun& run) -> std::string {
+        fs::remove(folder / "out.png");
+        EXPECT_TRUE(writeProject(folder / "cap.toile", project));
+        run = render({(folder / "cap.toile").string(), "--size", "400x300", "-o",
+                      (folder / "out.png").string()});
+        return run.status == 0 ? folder.read("out.png") : std::string();
+    };
+    test::ProgramRun run;
+    const std::string without = picture(run);
+    TOILE_NEEDS_DRAWING(run);
+    project.reference = FileReference{.path = pattern};
+    EXPECT_NE(picture(run), without);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.err, "");
+    fs::remove(pattern);
+    EXPECT_EQ(picture(run), without);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_TRUE(isOneSentence(run.err)) << run.err;
+}
+
 TEST(Render, FailuresHaveTheStatusOfTheOtherCommands) {
     const test::TemporaryFolder folder;
     const std::string out = (folder / "out.png").string();

@@ -73,6 +73,8 @@ TEST(FitLine, MeasuresWhatDiffers) {
     EXPECT_NEAR(fit.farthest, 2, 0.02);
     EXPECT_GT(fit.mean, 0.1);
     EXPECT_LT(fit.mean, 2);
+    EXPECT_GT(fit.rms, fit.mean);
+    EXPECT_LT(fit.rms, fit.farthest);
 }
 
 TEST(PatternMatch, PairsByNameThenByShape) {
