@@ -60,6 +60,12 @@ struct Drawing {
     std::vector<DrawnBlock> blocks{};  ///< the pieces; what is in none belongs to the page
 };
 
+/// A pattern and its drawing: what is printed.
+struct DrawnPattern {
+    Pattern pattern;
+    Drawing drawing;
+};
+
 /// Around all of a drawing, mm.
 inline constexpr double kDrawingMargin = 10;
 

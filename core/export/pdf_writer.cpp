@@ -5,11 +5,11 @@
 
 #include "core/base/version.h"
 #include "core/export/pdf_content.h"
-#include "core/export/pdf_drawing.h"
 #include "core/export/pdf_file.h"
 #include "core/export/pdf_letters.h"
 #include "core/export/pdf_pages.h"
-#include "core/export/pdf_sheets.h"
+#include "core/export/sheet_drawing.h"
+#include "core/export/sheets.h"
 #include "core/pattern/label.h"
 
 namespace toile {
@@ -17,7 +17,8 @@ namespace {
 
 using Eigen::AlignedBox2d;
 
-constexpr PdfLineWidths kOnScreen{1.5, 1, 0.8};  // mm: what a projector shows
+constexpr double kPageScale = 72 / 25.4;           // points per mm
+constexpr SheetLineWidths kOnScreen{1.5, 1, 0.8};  // mm: what a projector shows
 
 bool isOnTiles(Paper paper) {
     return paper == Paper::A4 || paper == Paper::Letter || paper == Paper::Shared;
@@ -74,12 +75,14 @@ struct Sheet {
 
 std::vector<Sheet> sheetsOf(const Drawing& drawing, const PdfPlan& plan, bool hasGrid,
                             PdfLetters& letters) {
-    if (!plan.isTiled) {
-        return {{plan.paper, singlePage(drawing, plan, hasGrid, letters)}};
-    }
-    std::vector<Sheet> sheets{{plan.coverPaper, coverPage(drawing, plan, letters)}};
-    for (std::size_t k = 0; k < plan.pages.size(); ++k) {
-        sheets.push_back({plan.paper, tilePage(drawing, plan, k, letters)});
+    std::vector<Sheet> sheets;
+    for (std::size_t k = 0; k < sheetCount(plan); ++k) {
+        PdfContent out(letters);
+        out.save();
+        out.transform(kPageScale, 0, 0, kPageScale, Eigen::Vector2d::Zero());
+        drawSheet(out, drawing, plan, k, hasGrid);
+        out.restore();
+        sheets.push_back({sheetPaper(plan, k), out.take()});
     }
     return sheets;
 }
@@ -165,8 +168,7 @@ Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
     if (!plan) {
         return plan.error();
     }
-    const std::vector<LayerKind> kinds =
-        pdfLayers(drawing, isOnTiles(options.paper) || plan->isTiled);
+    const std::vector<LayerKind> kinds = pdfLayers(drawing, plan->isTiled);
     const bool isProjected = options.paper == Paper::Projector;
     std::vector<int> layers;
     for (const LayerKind kind : kLayerKinds) {
@@ -192,8 +194,8 @@ Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
     const std::string fonts = "/F1 " + pdfReference(font);
     // What pages show is made first: the texts of all of it are in the file once.
     PdfLetters letters;
-    const std::string drawn =
-        pdfDrawing(drawing, pattern, kinds, isProjected ? kOnScreen : PdfLineWidths{}, letters);
+    PdfContent drawn(letters);
+    drawPattern(drawn, drawing, pattern, kinds, isProjected ? kOnScreen : SheetLineWidths{});
     const std::vector<Sheet> sheets = sheetsOf(drawing, *plan, isProjected, letters);
     const std::string texts = letters.addTo(file, fonts);
     const std::string common =
@@ -203,7 +205,7 @@ Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
     const int form = file.addStream(
         "/Type /XObject /Subtype /Form /BBox [" + pdfNumber(-2 * kPageMargin) + " " +
             pdfNumber(-2 * kPageMargin) + " " + extent + "] /Resources << " + common + " >> >>",
-        drawn);
+        drawn.take());
     const Shared shared{file.reserve(), pdfReference(file.add("<< " + common + " /P " +
                                                               pdfReference(form) + " >> >>"))};
     std::vector<int> pages;

@@ -9,10 +9,10 @@
 #include "core/export/export_file.h"
 #include "core/export/formats.h"
 #include "core/export/pdf_content.h"
-#include "core/export/pdf_drawing.h"
 #include "core/export/pdf_file.h"
 #include "core/export/pdf_letters.h"
 #include "core/export/pdf_read_back.h"
+#include "core/export/sheet_drawing.h"
 #include "core/pipeline/pipeline.h"
 #include "core/reading/pdf_reader.h"
 #include "tests/core/export/export_fixtures.h"
@@ -160,8 +160,9 @@ TEST(WritePdf, GivesAPatternItsSheetAndTheSquaresTheMap) {
 
 TEST(WritePdf, DrawsFairSeamLinesAsCurves) {
     PdfLetters letters;
-    const std::string content =
-        pdfDrawing(shirt().drawing, shirt().pattern, {LayerKind::Sew}, {}, letters);
+    PdfContent out(letters);
+    drawPattern(out, shirt().drawing, shirt().pattern, {LayerKind::Sew});
+    const std::string content = out.take();
     std::size_t curves = 0, lines = 0;
     for (std::size_t at = 0; (at = content.find('\n', at)) != std::string::npos; ++at) {
         curves += at > 0 && content[at - 1] == 'c';

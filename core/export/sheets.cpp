@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/pdf_sheets.h"
+#include "core/export/sheets.h"
 
 #include <algorithm>
 
 #include "core/base/characters.h"
 #include "core/base/text.h"
-#include "core/export/pdf_content.h"
 
 namespace toile {
 namespace {
@@ -13,7 +12,6 @@ namespace {
 using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
-constexpr double kPageScale = 72 / 25.4;  // points per mm
 constexpr double kInch = 25.4;
 constexpr double kThin = 0.15, kMarkWidth = 0.25, kSquareWidth = 0.2;  // mm
 constexpr double kPale = 0.65, kGrey = 0.4;                            // of frames and names
@@ -33,7 +31,7 @@ const DrawnPath* checkSquare(const Drawing& drawing) {
 }
 
 /// Both squares from the lower left corner of the first.
-void addSquares(PdfContent& out, const Vector2d& corner) {
+void addSquares(SheetCanvas& out, const Vector2d& corner) {
     out.beginLayer(kCheckLayer);
     out.save();
     out.setGrey(0);
@@ -56,7 +54,7 @@ Vector2d moveOf(const PdfPlan& plan, const PdfPage& page) {
     return plan.origin - page.window.min();
 }
 
-void useDrawing(PdfContent& out, const PdfPlan& plan, const PdfPage& page) {
+void useDrawing(SheetCanvas& out, const PdfPlan& plan, const PdfPage& page) {
     if (plan.turned) {
         out.transform(0, 1, -1, 0, moveOf(plan, page));
     } else {
@@ -64,24 +62,12 @@ void useDrawing(PdfContent& out, const PdfPlan& plan, const PdfPage& page) {
     }
 }
 
-void addForm(PdfContent& out, const PdfPlan& plan, const PdfPage& page) {
+void addDrawing(SheetCanvas& out, const PdfPlan& plan, const PdfPage& page) {
     out.save();
     out.clip({plan.origin, plan.origin + page.window.sizes()});
     useDrawing(out, plan, page);
-    out.form("P");
+    out.drawing();
     out.restore();
-}
-
-PdfContent inMillimetres(PdfLetters& letters) {
-    PdfContent out(letters);
-    out.save();
-    out.transform(kPageScale, 0, 0, kPageScale, Vector2d::Zero());
-    return out;
-}
-
-std::string finishedPage(PdfContent& out) {
-    out.restore();
-    return out.take();
 }
 
 std::string styleName(const Drawing& drawing) {
@@ -89,7 +75,7 @@ std::string styleName(const Drawing& drawing) {
 }
 
 /// The marks of the edges that a page shares, and whom it shares them with.
-void addSharedEdges(PdfContent& out, const PdfPlan& plan, std::size_t index) {
+void addSharedEdges(SheetCanvas& out, const PdfPlan& plan, std::size_t index) {
     const PdfPage& page = plan.pages[index];
     for (const SharedEdge& edge : plan.shared) {
         const bool isFirst = edge.page == static_cast<int>(index);
@@ -124,7 +110,7 @@ std::vector<std::string> pageNumber(std::size_t number, const PdfPlan& plan) {
 /// A column of lines of text from the top of a page down.
 class TextColumn {
 public:
-    TextColumn(PdfContent& out, const Vector2d& top, double width)
+    TextColumn(SheetCanvas& out, const Vector2d& top, double width)
         : out_(out), at_(top), width_(width) {}
 
     void add(std::string_view line, double height, double grey) {
@@ -148,7 +134,7 @@ public:
     double bottom() const { return at_.y(); }
 
 private:
-    PdfContent& out_;
+    SheetCanvas& out_;
     Vector2d at_;
     double width_;
 };
@@ -156,7 +142,7 @@ private:
 /// Points nearer to each other than this on a map are one, mm.
 constexpr double kMapStep = 0.25;
 
-void addMapLine(PdfContent& out, const PdfPlan& plan, const DrawnPath& path, double scale,
+void addMapLine(SheetCanvas& out, const PdfPlan& plan, const DrawnPath& path, double scale,
                 const Vector2d& move) {
     Points2 line(path.points.rows(), 2);
     Eigen::Index count = 0;
@@ -173,7 +159,7 @@ void addMapLine(PdfContent& out, const PdfPlan& plan, const DrawnPath& path, dou
 }
 
 /// The tiles and the lines that are cut, small, from the top of a box.
-void addMap(PdfContent& out, const Drawing& drawing, const PdfPlan& plan,
+void addMap(SheetCanvas& out, const Drawing& drawing, const PdfPlan& plan,
             const AlignedBox2d& room) {
     AlignedBox2d sheet;
     for (const PdfPage& page : plan.pages) {
@@ -207,20 +193,7 @@ void addMap(PdfContent& out, const Drawing& drawing, const PdfPlan& plan,
     }
 }
 
-}  // namespace
-
-AlignedBox2d squaresBeside(const Drawing& drawing) {
-    const DrawnPath* check = checkSquare(drawing);
-    if (!check) {
-        return {};
-    }
-    const Vector2d corner(check->points.col(0).minCoeff(),
-                          check->points.col(1).maxCoeff() + kSquareGap);
-    return {corner, corner + Vector2d(kMetricSquare + kSquareGap + kInchSquare, kMetricSquare)};
-}
-
-std::string coverPage(const Drawing& drawing, const PdfPlan& plan, PdfLetters& letters) {
-    PdfContent out = inMillimetres(letters);
+void drawCover(SheetCanvas& out, const Drawing& drawing, const PdfPlan& plan) {
     const Vector2d paper = plan.coverPaper;
     const Vector2d top(2 * kPageMargin, paper.y() - 2 * kPageMargin);
     const double width = paper.x() - 4 * kPageMargin;
@@ -250,13 +223,10 @@ std::string coverPage(const Drawing& drawing, const PdfPlan& plan, PdfLetters& l
                             Vector2d(top.x() + width, squares.y() - 1.5 * kSquareGap));
     addMap(out, drawing, plan, room);
     out.end();
-    return finishedPage(out);
 }
 
-std::string tilePage(const Drawing& drawing, const PdfPlan& plan, std::size_t index,
-                     PdfLetters& letters) {
+void drawTile(SheetCanvas& out, const Drawing& drawing, const PdfPlan& plan, std::size_t index) {
     const PdfPage& page = plan.pages[index];
-    PdfContent out = inMillimetres(letters);
     const Vector2d move = moveOf(plan, page);
     const AlignedBox2d frame(page.frame.min() + move, page.frame.max() + move);
     out.beginLayer(kPageLayer);
@@ -273,14 +243,11 @@ std::string tilePage(const Drawing& drawing, const PdfPlan& plan, std::size_t in
     names.add(styleName(drawing), kTileText, kGrey);
     out.restore();
     out.end();
-    addForm(out, plan, page);
-    return finishedPage(out);
+    addDrawing(out, plan, page);
 }
 
-std::string singlePage(const Drawing& drawing, const PdfPlan& plan, bool hasGrid,
-                       PdfLetters& letters) {
+void drawAll(SheetCanvas& out, const Drawing& drawing, const PdfPlan& plan, bool hasGrid) {
     const PdfPage& page = plan.pages.front();
-    PdfContent out = inMillimetres(letters);
     if (hasGrid) {
         out.beginLayer(kGridLayer);
         out.save();
@@ -295,14 +262,44 @@ std::string singlePage(const Drawing& drawing, const PdfPlan& plan, bool hasGrid
         out.restore();
         out.end();
     }
-    addForm(out, plan, page);
+    addDrawing(out, plan, page);
     if (const AlignedBox2d squares = squaresBeside(drawing); !squares.isEmpty()) {
         out.save();
         useDrawing(out, plan, page);
         addSquares(out, squares.min());
         out.restore();
     }
-    return finishedPage(out);
+}
+
+}  // namespace
+
+AlignedBox2d squaresBeside(const Drawing& drawing) {
+    const DrawnPath* check = checkSquare(drawing);
+    if (!check) {
+        return {};
+    }
+    const Vector2d corner(check->points.col(0).minCoeff(),
+                          check->points.col(1).maxCoeff() + kSquareGap);
+    return {corner, corner + Vector2d(kMetricSquare + kSquareGap + kInchSquare, kMetricSquare)};
+}
+
+std::size_t sheetCount(const PdfPlan& plan) {
+    return plan.pages.size() + (plan.isTiled ? 1 : 0);
+}
+
+Vector2d sheetPaper(const PdfPlan& plan, std::size_t sheet) {
+    return plan.isTiled && sheet == 0 ? plan.coverPaper : plan.paper;
+}
+
+void drawSheet(SheetCanvas& out, const Drawing& drawing, const PdfPlan& plan, std::size_t sheet,
+               bool hasGrid) {
+    if (!plan.isTiled) {
+        drawAll(out, drawing, plan, hasGrid);
+    } else if (sheet == 0) {
+        drawCover(out, drawing, plan);
+    } else {
+        drawTile(out, drawing, plan, sheet - 1);
+    }
 }
 
 }  // namespace toile

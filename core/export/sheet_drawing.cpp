@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/pdf_drawing.h"
+#include "core/export/sheet_drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/export/pdf_content.h"
 #include "core/export/read_back.h"
 #include "core/pattern/label.h"
 #include "core/pattern/piece_curves.h"
@@ -110,40 +109,38 @@ std::vector<CubicCurve> outlineCurves(const PatternPiece& piece, const Placement
     return isWhole ? chain : std::vector<CubicCurve>{};
 }
 
-class DrawingWriter {
+class PatternDrawer {
 public:
-    DrawingWriter(const Drawing& drawing, const Pattern& pattern, const PdfLineWidths& widths,
-                  PdfLetters& letters)
-        : drawing_(drawing),
+    PatternDrawer(SheetCanvas& out, const Drawing& drawing, const Pattern& pattern,
+                  const SheetLineWidths& widths)
+        : out_(out),
+          drawing_(drawing),
           pattern_(pattern),
           widths_(widths),
-          blockOf_(drawing.paths.size()),
-          out_(letters) {
+          blockOf_(drawing.paths.size()) {
         for (const DrawnBlock& block : drawing.blocks) {
             std::fill_n(blockOf_.begin() + static_cast<std::ptrdiff_t>(block.path), block.pathCount,
                         &block);
         }
     }
 
-    void writeLayer(LayerKind layer) {
+    void drawLayer(LayerKind layer) {
         out_.beginLayer(static_cast<int>(layer));
         out_.save();
         setStyle(layer);
         for (std::size_t k = 0; k < drawing_.paths.size(); ++k) {
             if (drawing_.paths[k].layer == layer) {
-                writePath(k);
+                drawPath(k);
             }
         }
         for (const DrawnText& text : drawing_.texts) {
             if (text.layer == layer) {
-                writeText(text);
+                drawText(text);
             }
         }
         out_.restore();
         out_.end();
     }
-
-    std::string take() { return out_.take(); }
 
 private:
     void setStyle(LayerKind layer) {
@@ -160,7 +157,7 @@ private:
         }
     }
 
-    void writePath(std::size_t index) {
+    void drawPath(std::size_t index) {
         const DrawnPath& path = drawing_.paths[index];
         const DrawnBlock* block = blockOf_[index];
         out_.beginItem(path.id, block ? block->id : "");
@@ -189,7 +186,7 @@ private:
         return outlineCurves(piece, block.placement);
     }
 
-    void writeText(const DrawnText& text) {
+    void drawText(const DrawnText& text) {
         const Eigen::Vector2d down = Eigen::Rotation2Dd(text.angle) * Eigen::Vector2d(0, -1);
         Eigen::Vector2d baseline = text.position + 0.5 * text.height * down;
         for (const std::string& line : text.lines) {
@@ -198,23 +195,21 @@ private:
         }
     }
 
+    SheetCanvas& out_;
     const Drawing& drawing_;
     const Pattern& pattern_;
-    PdfLineWidths widths_;
+    SheetLineWidths widths_;
     std::vector<const DrawnBlock*> blockOf_;  ///< of each path; null: of the page
-    PdfContent out_;
 };
 
 }  // namespace
 
-std::string pdfDrawing(const Drawing& drawing, const Pattern& pattern,
-                       const std::vector<LayerKind>& layers, const PdfLineWidths& widths,
-                       PdfLetters& letters) {
-    DrawingWriter writer(drawing, pattern, widths, letters);
+void drawPattern(SheetCanvas& out, const Drawing& drawing, const Pattern& pattern,
+                 const std::vector<LayerKind>& layers, const SheetLineWidths& widths) {
+    PatternDrawer drawer(out, drawing, pattern, widths);
     for (const LayerKind layer : layers) {
-        writer.writeLayer(layer);
+        drawer.drawLayer(layer);
     }
-    return writer.take();
 }
 
 }  // namespace toile

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/export/drawing.h"
+#include "core/export/sheet_canvas.h"
+#include "core/pattern/pattern.h"
+
+namespace toile {
+
+/// Widths of lines, mm, by the kinds.
+struct SheetLineWidths {
+    double cut = 0.35, others = 0.25, marks = 0.18;
+};
+
+/// Draws all of a drawing, in its own coordinates: layer by layer, each line known by its id and
+/// its piece. Seam lines of pieces whose outline stands for a curve are drawn as the curves of
+/// `curvesOf`, where these keep to the line; everything else by its points.
+/// @param pattern  that was drawn  @param layers  that are drawn, in this order
+/// Cost: linear, and that of `curvesOf` per segment and of the canvas per text.
+void drawPattern(SheetCanvas& out, const Drawing& drawing, const Pattern& pattern,
+                 const std::vector<LayerKind>& layers, const SheetLineWidths& widths = {});
+
+}  // namespace toile
