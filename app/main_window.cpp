@@ -96,6 +96,7 @@ MainWindow::~MainWindow() {
 void MainWindow::connectParts() {
     const ProjectSession& session = garmentActions_->project().session();
     connect(garmentActions_.get(), &GarmentActions::failed, &banner(), &Banner::showSentence);
+    connect(garmentActions_.get(), &GarmentActions::done, status_.get(), &WindowStatus::say);
     connect(&session, &ProjectSession::noticed, &banner(), &Banner::showSentence);
     connect(&session, &ProjectSession::changed, this, &MainWindow::updateTitle);
     connect(centre_.get(), &WindowCentre::filesWanted, this, &MainWindow::openFiles);

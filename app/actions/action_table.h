@@ -19,6 +19,7 @@ enum class ActionId {
     ExportPattern,
     OpenReference,
     CloseReference,
+    PrintPattern,
     ReadyToCut,
     Quit,
     Undo,

@@ -4,6 +4,9 @@
 #include <QDesktopServices>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QPrinterInfo>
 #include <QPushButton>
 #include <QUrl>
 #include <algorithm>
@@ -100,6 +103,13 @@ QString askForTarget(QWidget* parent, const QString& title, const QString& sugge
     return {};
 }
 
+bool askForPrinter(QWidget* parent, QPrinter& printer, int pages) {
+    QPrintDialog dialog(&printer, parent);
+    dialog.setOption(QPrintDialog::PrintPageRange);
+    dialog.setMinMax(1, pages);
+    return dialog.exec() == QDialog::Accepted;
+}
+
 }  // namespace
 
 FileDialogs FileDialogs::native() {
@@ -137,6 +147,8 @@ FileDialogs FileDialogs::native() {
     };
     dialogs.askToSave = askInABox;
     dialogs.askToOverwrite = askAboutOthers;
+    dialogs.hasPrinter = [] { return !QPrinterInfo::availablePrinterNames().isEmpty(); };
+    dialogs.choosePrinter = askForPrinter;
     return dialogs;
 }
 

@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <functional>
 
+class QPrinter;
 class QWidget;
 
 namespace toile::app {
@@ -15,7 +16,7 @@ enum class SaveAnswer { Save, Discard, Cancel };
 /// What becomes of a file that another program has changed.
 enum class OverwriteAnswer { SaveAnyway, SaveAs, Cancel };
 
-/// Asking for files. Replaceable, so that tests answer without a dialog on the screen.
+/// Asking for files and printers. Replaceable, so that tests answer without a dialog on the screen.
 struct FileDialogs {
     Q_DECLARE_TR_FUNCTIONS(FileDialogs)
 
@@ -42,6 +43,11 @@ public:
 
     /// Whether the project of this name is to be saved over what another program has put there.
     std::function<OverwriteAnswer(QWidget* parent, const QString& name)> askToOverwrite;
+
+    /// Whether there is a printer to choose.
+    std::function<bool()> hasPrinter;
+    /// Which printer, which pages of so many, and how; false where the person thought better of it.
+    std::function<bool(QWidget* parent, QPrinter& printer, int pages)> choosePrinter;
 
     /// The desktop's own dialogs.
     static FileDialogs native();

@@ -7,6 +7,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "app/actions/pattern_printing.h"
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
 #include "app/base/text.h"
@@ -26,8 +27,12 @@ GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
       workspace_(workspace),
       preferences_(preferences),
       window_(window),
-      project_(new ProjectActions(workspace, preferences, dialogs_, window, this)) {
+      project_(new ProjectActions(workspace, preferences, dialogs_, window, this)),
+      printing_(new PatternPrinting(workspace, preferences, dialogs_, window, this)) {
     connect(project_, &ProjectActions::failed, this, &GarmentActions::failed);
+    connect(printing_, &PatternPrinting::failed, this, &GarmentActions::failed);
+    connect(printing_, &PatternPrinting::printed, this, &GarmentActions::done);
+    connect(printing_, &PatternPrinting::fileWanted, this, [this] { askAndExportAs(".pdf"); });
     connect(&project_->recent(), &RecentFiles::wanted, this, &GarmentActions::openFiles);
     connect(&workspace_.jobs(), &JobRunner::cancelled, this, [this](const QString&, bool replaced) {
         if (grain_ != 0 && !workspace_.jobs().isUnderWay(grain_)) {
@@ -143,7 +148,17 @@ void GarmentActions::openReference(const QString& file) {
     workspace_.openReference(pathOf(QFileInfo(file).absoluteFilePath()));
 }
 
+void GarmentActions::askAndPrint() {
+    if (workspace_.canExport()) {
+        printing_->ask();
+    }
+}
+
 void GarmentActions::askAndExport() {
+    askAndExportAs(preferences_.exportFormat());
+}
+
+void GarmentActions::askAndExportAs(const QString& format) {
     if (!workspace_.canExport()) {
         return;
     }
@@ -159,15 +174,14 @@ void GarmentActions::askAndExport() {
             return dialogs_.save(parent, suggestion, filter);
         },
         [this](QWidget* parent, const QString& path) { return dialogs_.mayReplace(parent, path); }};
-    auto* dialog = new ExportDialog(folder + '/' + name, preferences_.exportFormat(),
-                                    preferences_.exportOptions(), questions, &window_);
+    auto* dialog = new ExportDialog(folder + '/' + name, format, preferences_.exportOptions(),
+                                    questions, &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    const auto drawing =
-        workspace_.drawPattern([asked = QPointer(dialog)](std::shared_ptr<const Drawing> drawn) {
-            if (asked) {
-                asked->setDrawing(std::move(drawn));
-            }
-        });
+    const auto drawing = workspace_.drawPattern([asked = QPointer(dialog)](const auto& drawn) {
+        if (asked) {
+            asked->setDrawing({drawn, &drawn->drawing});
+        }
+    });
     connect(dialog, &QDialog::finished, this, [this, dialog, drawing](int answer) {
         workspace_.writing().drop(drawing);
         if (answer != QDialog::Accepted) {

@@ -12,6 +12,7 @@
 namespace toile::app {
 
 class Preferences;
+class PatternPrinting;
 class ProjectActions;
 class Workspace;
 
@@ -38,6 +39,7 @@ public:
     void askAndOpenReference();
     /// Opens a pattern to compare with, that the person has chosen or dropped.
     void openReference(const QString& file);
+    void askAndPrint();
     void askAndReadSeams();
     void askAndWriteSeams();
     void selectAll();
@@ -53,12 +55,16 @@ public:
 signals:
     /// A request was refused, and why.
     void failed(const QString& sentence);
+    /// A request was met, which nothing else in the window shows.
+    void done(const QString& sentence);
 
 private:
     void connectState();
     void updateHistory();
     void onChanged(DocumentChanges what);
     void openNow(const QStringList& files);
+    /// @param format  suggested, by its ending
+    void askAndExportAs(const QString& format);
     /// The folder of a file that is being written, on the desktop.
     void showOnceWritten(const QString& path);
     void findGrain(GrainRule rule);
@@ -70,6 +76,7 @@ private:
     QWidget& window_;
     FileDialogs dialogs_ = FileDialogs::native();
     ProjectActions* project_;
+    PatternPrinting* printing_;
     JobRunner::Ticket grain_ = 0;  ///< finds the grain
 };
 

@@ -51,7 +51,7 @@ std::vector<MenuSpec> makeTable() {
          {Open, Submenu{"recentMenu"}, kLine,
           Save, SaveAs, kLine,
           OpenReference, CloseReference, kLine,
-          ReadyToCut, ExportPattern, kLine,
+          ReadyToCut, ExportPattern, PrintPattern, kLine,
           Quit}},
         {"recentMenu", TR("Open &recent"), {RecentPlace{}}, false},
         {"editMenu", TR("&Edit"),

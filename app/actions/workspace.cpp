@@ -323,7 +323,8 @@ void Workspace::exportTo(const std::filesystem::path& path, const ExportOptions&
     }));
 }
 
-JobRunner::Ticket Workspace::drawPattern(std::function<void(std::shared_ptr<const Drawing>)> done) {
+JobRunner::Ticket Workspace::drawPattern(
+    std::function<void(std::shared_ptr<const DrawnPattern>)> done) {
     Q_ASSERT(canExport());
     return writing_.start(drawingJob(document_, std::move(done)));
 }

@@ -149,8 +149,8 @@ public:
     /// Writes the pattern as it is now, whatever is edited meanwhile; several one after the other.
     /// Requires canExport. The ending chooses the format.
     void exportTo(const std::filesystem::path& path, const ExportOptions& options = {});
-    /// Draws it as files would have it. Requires canExport.
-    JobRunner::Ticket drawPattern(std::function<void(std::shared_ptr<const Drawing>)> done);
+    /// Draws it as files and paper would have it. Requires canExport.
+    JobRunner::Ticket drawPattern(std::function<void(std::shared_ptr<const DrawnPattern>)> done);
 
 signals:
     /// `loading` is another now.

@@ -3,7 +3,6 @@
 
 #include <QBuffer>
 #include <QPainter>
-#include <QPainterPath>
 #include <cmath>
 #include <numbers>
 
@@ -20,7 +19,6 @@ constexpr QRgb kLayerColours[] = {0xd00000, 0x606060, 0xc06000, 0x0070c0,
                                   0x008000, 0x800080, 0x000000, 0x0000ff};
 static_assert(std::size(kLayerColours) == kLayerKinds.size());
 
-constexpr double kMillimetresPerInch = 25.4;
 constexpr double kMostDots = 30000;  // on a side; painters count no farther than 32767
 constexpr double kMostOfPicture = 400e6;
 
@@ -37,32 +35,15 @@ QPolygonF polygonOf(const DrawnPath& path, double height) {
     return polygon;
 }
 
-QPainterPath letters(const std::string& line, double height) {
-    const TextOutlines outlines = textOutlines(line, height);
-    QPainterPath path;
-    path.setFillRule(Qt::WindingFill);
-    const auto at = [&](const Eigen::Vector2d& point) {
-        return QPointF(point.x() - 0.5 * outlines.width, -point.y());
-    };
-    for (const auto& contour : outlines.contours) {
-        for (std::size_t k = 0; k < contour.size(); ++k) {
-            if (k == 0) {
-                path.moveTo(at(contour[k].start));
-            }
-            path.cubicTo(at(contour[k].startHandle), at(contour[k].endHandle), at(contour[k].end));
-        }
-        path.closeSubpath();
-    }
-    return path;
-}
-
 void paintText(QPainter& painter, const DrawnText& text, double height) {
     painter.save();
     painter.translate(text.position.x(), height - text.position.y());
     painter.rotate(-text.angle * 180 / std::numbers::pi);
     double baseline = 0.5 * text.height;
     for (const std::string& line : text.lines) {
-        painter.fillPath(letters(line, text.height).translated(0, baseline), colourOf(text.layer));
+        const Letters letters = lettersOf(line, text.height);
+        painter.fillPath(letters.path.translated(-0.5 * letters.width, baseline),
+                         colourOf(text.layer));
         baseline += kLineSpacing * text.height;
     }
     painter.restore();
@@ -83,6 +64,24 @@ Result<ExportedFiles> makePng(const ExportSource& source) {
 }
 
 }  // namespace
+
+Letters lettersOf(const std::string& line, double height) {
+    const TextOutlines outlines = textOutlines(line, height);
+    Letters letters{{}, outlines.width};
+    letters.path.setFillRule(Qt::WindingFill);
+    const auto at = [](const Eigen::Vector2d& point) { return QPointF(point.x(), -point.y()); };
+    for (const auto& contour : outlines.contours) {
+        for (std::size_t k = 0; k < contour.size(); ++k) {
+            if (k == 0) {
+                letters.path.moveTo(at(contour[k].start));
+            }
+            letters.path.cubicTo(at(contour[k].startHandle), at(contour[k].endHandle),
+                                 at(contour[k].end));
+        }
+        letters.path.closeSubpath();
+    }
+    return letters;
+}
 
 void paintDrawing(QPainter& painter, const Drawing& drawing, const DrawingLook& look) {
     const auto isSeen = [&look](LayerKind layer) -> bool {

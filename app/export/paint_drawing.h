@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QImage>
+#include <QPainterPath>
+#include <string>
 
 #include "core/base/result.h"
 #include "core/export/drawing.h"
@@ -13,6 +15,8 @@ namespace toile::app {
 
 /// The drawing of files, painted: for previews, pictures and paper alike.
 
+inline constexpr double kMillimetresPerInch = 25.4;
+
 /// What of a drawing is seen at a scale.
 struct DrawingLook {
     double line = 0.3;  ///< width of lines, mm
@@ -23,6 +27,15 @@ struct DrawingLook {
 /// Paints in the painter's units, which are millimetres with y down, the page's upper left corner
 /// at the origin. Cost: linear in the points and letters.
 void paintDrawing(QPainter& painter, const Drawing& drawing, const DrawingLook& look = {});
+
+/// A line of text as one area, y down, from (0, 0) on the baseline to the right.
+struct Letters {
+    QPainterPath path;
+    double width = 0;
+};
+
+/// @param height  of a capital. Cost: that of `textOutlines`; as that, thread-safe
+Letters lettersOf(const std::string& line, double height);
 
 /// The whole drawing on white, with the scale kept as the picture's resolution.
 /// @param dpi  dots per inch

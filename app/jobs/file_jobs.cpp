@@ -173,11 +173,12 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
 }
 
 std::unique_ptr<Job> drawingJob(const Document& document,
-                                std::function<void(std::shared_ptr<const Drawing>)> done) {
-    using Made = std::shared_ptr<const Drawing>;
+                                std::function<void(std::shared_ptr<const DrawnPattern>)> done) {
+    using Made = std::shared_ptr<const DrawnPattern>;
     auto work = [now = PatternNow(document)](Progress& progress) -> Result<Made> {
         return now.with({}, progress, [](const ExportSource& source, const Progress&) {
-            return Result<Made>(std::make_shared<const Drawing>(source.drawing()));
+            return Result<Made>(std::make_shared<const DrawnPattern>(
+                DrawnPattern{source.laid().pattern, source.drawing()}));
         });
     };
     return makeJob(QCoreApplication::translate("ExportJob", "Drawing the pattern"), std::move(work),

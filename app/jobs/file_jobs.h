@@ -29,9 +29,9 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
                                const ExportOptions& options,
                                std::function<void(const Exported&)> done);
 
-/// The drawing that files would have.
+/// The pattern and the drawing of it that files and paper would have.
 std::unique_ptr<Job> drawingJob(const Document& document,
-                                std::function<void(std::shared_ptr<const Drawing>)> done);
+                                std::function<void(std::shared_ptr<const DrawnPattern>)> done);
 
 /// What a project file held when it was last read or written here: what else it holds now, another
 /// program has put there. Shared by those jobs that run one after the other; the GUI thread makes

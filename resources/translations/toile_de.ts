@@ -4166,6 +4166,14 @@
         <source>Draw the reference panels, the designer&apos;s own, over the flat pieces, where the file has them, or the reference pattern that is open</source>
         <translation>Die Referenzteile, die des Entwerfers, über die flachen legen, wo die Datei sie enthält, oder den geöffneten Referenzschnitt</translation>
     </message>
+    <message>
+        <source>&amp;Print pattern…</source>
+        <translation>Schnitt &amp;drucken…</translation>
+    </message>
+    <message>
+        <source>Print the pattern at true scale, on pages to join or on large sheets</source>
+        <translation>Den Schnitt maßstabsgetreu drucken, auf Blätter zum Zusammenkleben oder auf große Bögen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -5431,6 +5439,29 @@
     </message>
 </context>
 <context>
+    <name>toile::app::PatternPrinting</name>
+    <message>
+        <source>The printer leaves more free at the edges of its page than the pattern&apos;s pages do; lines there would be missing. Choose another paper: the tiles that fit A4 and Letter leave most.</source>
+        <translation>Der Drucker lässt am Rand seiner Seite mehr frei als die Seiten des Schnitts; dort würden Linien fehlen. Ein anderes Papier wählen: Die Blätter, die auf A4 und Letter passen, lassen am meisten frei.</translation>
+    </message>
+    <message>
+        <source>The printer&apos;s page is %1; the pattern&apos;s pages are %2, and are never printed smaller. Choose another paper here, or a larger one for the printer.</source>
+        <translation>Die Seite des Druckers ist %1 groß; die Seiten des Schnitts sind %2 groß und werden nie kleiner gedruckt. Hier ein anderes Papier wählen oder für den Drucker ein größeres.</translation>
+    </message>
+    <message>
+        <source>Printing the pattern</source>
+        <translation>Schnitt wird gedruckt</translation>
+    </message>
+    <message>
+        <source>Printed: %1</source>
+        <translation>Gedruckt: %1</translation>
+    </message>
+    <message>
+        <source>%1 takes nothing to print. See whether it is switched on, or print a PDF file from another program.</source>
+        <translation>%1 nimmt nichts zum Drucken an. Nachsehen, ob er eingeschaltet ist, oder eine PDF-Datei aus einem anderen Programm drucken.</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::PercentEdit</name>
     <message>
         <source>%1 %</source>
@@ -5980,6 +6011,60 @@
     </message>
 </context>
 <context>
+    <name>toile::app::PrintDialog</name>
+    <message>
+        <source>Print pattern</source>
+        <translation>Schnitt drucken</translation>
+    </message>
+    <message>
+        <source>&amp;Export as PDF…</source>
+        <translation>Als PDF &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken…</translation>
+    </message>
+    <message>
+        <source>P&amp;age:</source>
+        <translation>&amp;Seite:</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>The pattern is being drawn…</source>
+        <translation>Der Schnitt wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Export the pattern as a PDF file, and print that elsewhere.</source>
+        <translation>Auf diesem Computer ist kein Drucker eingerichtet. Den Schnitt als PDF-Datei exportieren und diese anderswo drucken.</translation>
+    </message>
+    <message>
+        <source>A projector&apos;s page is shown from a file: export it as PDF.</source>
+        <translation>Die Seite für einen Projektor wird aus einer Datei gezeigt: Sie als PDF exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 x %3 mm, at true scale</source>
+        <translation>%1 zu %2 x %3 mm, maßstabsgetreu</translation>
+    </message>
+    <message>
+        <source>1 page</source>
+        <translation>1 Seite</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pages</source>
+        <translation>
+            <numerusform>%n Seiten</numerusform>
+            <numerusform>%n Seiten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> von %1</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::ProblemsModel</name>
     <message>
         <source>Where</source>
@@ -6502,6 +6587,13 @@
     <message>
         <source>Removal of a notch</source>
         <translation>Entfernen eines Knipses</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::SheetPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,7 @@ private slots:
         QVERIFY(fixture_.find<QWidget>("welcome").isVisible());
         QVERIFY(!window().views().isVisible());
         QVERIFY(!action(ActionId::ExportPattern).isEnabled());
+        QVERIFY(!action(ActionId::PrintPattern).isEnabled());
         QVERIFY(!fixture_.find<QWidget>("pieceTable").isVisible());
     }
 

@@ -12,6 +12,7 @@
 #include "app/document/layout.h"
 #include "app/document/project_state.h"
 #include "app/export/export_dialog.h"
+#include "app/export/print_dialog.h"
 #include "core/layout/marker.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/extension.h"
@@ -169,6 +170,15 @@ private slots:
         QApplication::processEvents();  // new fields are shown then
         keep("export-dialog.png", exporting);
         exporting.reject();
+
+        auto& dialogs = fixture_.window().garmentActions().fileDialogs();
+        dialogs.hasPrinter = [] { return true; };
+        fixture_.action(ActionId::PrintPattern).trigger();
+        auto& printing = fixture_.find<PrintDialog>("printDialog");
+        QVERIFY(QTest::qWaitFor([&] { return printing.sheets() != nullptr; }, test::kPatience));
+        QApplication::processEvents();
+        keep("print-dialog.png", printing);
+        printing.reject();
 
         const LaidOutPattern laid = laidOut(pattern());
         QCOMPARE(laid.pattern.pieces.size(), std::size_t(document().pieceCount()) + 1);

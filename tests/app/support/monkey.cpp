@@ -88,6 +88,8 @@ Monkey::Monkey(MainWindow& window, Generator& random, QString folder)
     };
     dialogs.findMesh = [](QWidget*, const QString&, const QString&) -> QString { return {}; };
     dialogs.askToSave = [](QWidget*, const QString&) { return SaveAnswer::Cancel; };
+    dialogs.hasPrinter = [this] { return random_.chance(0.5); };
+    dialogs.choosePrinter = [](QWidget*, QPrinter&, int) { return false; };
     QObject::connect(&closer_, &QTimer::timeout, &window_, [this] { answerDialogs(); });
     closer_.start(5);
     watchExports();

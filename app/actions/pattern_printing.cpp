@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/pattern_printing.h"
+
+#include <QPointer>
+#include <QPrinter>
+#include <QWidget>
+#include <memory>
+#include <utility>
+
+#include "app/actions/file_dialogs.h"
+#include "app/actions/workspace.h"
+#include "app/export/print_dialog.h"
+#include "app/settings/preferences.h"
+
+namespace toile::app {
+
+namespace {
+
+QString sizeText(const QSizeF& size) {
+    return QString("%1 x %2 mm").arg(qRound(size.width())).arg(qRound(size.height()));
+}
+
+QString lackText(const RoomLacking& lack) {
+    return lack.isMargin
+               ? PatternPrinting::tr(
+                     "The printer leaves more free at the edges of its page than the pattern's "
+                     "pages do; lines there would be missing. Choose another paper: the tiles that "
+                     "fit A4 and Letter leave most.")
+               : PatternPrinting::tr(
+                     "The printer's page is %1; the pattern's pages are %2, and are never printed "
+                     "smaller. Choose another paper here, or a larger one for the printer.")
+                     .arg(sizeText(lack.page), sizeText(lack.paper));
+}
+
+QString nameOf(const QPrinter& printer) {
+    return printer.outputFileName().isEmpty() ? printer.printerName() : printer.outputFileName();
+}
+
+}  // namespace
+
+PatternPrinting::PatternPrinting(Workspace& workspace, Preferences& preferences,
+                                 const FileDialogs& dialogs, QWidget& window, QObject* parent)
+    : QObject(parent),
+      workspace_(workspace),
+      preferences_(preferences),
+      dialogs_(dialogs),
+      window_(window) {}
+
+void PatternPrinting::ask() {
+    auto* dialog = new PrintDialog(preferences_.exportOptions(), dialogs_.hasPrinter(), &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    const auto drawing = workspace_.drawPattern(
+        [asked = QPointer(dialog)](std::shared_ptr<const DrawnPattern> drawn) {
+            if (asked) {
+                asked->setPattern(std::move(drawn));
+            }
+        });
+    connect(dialog, &QDialog::finished, this,
+            [this, drawing] { workspace_.writing().drop(drawing); });
+    connect(dialog, &PrintDialog::printWanted, this, [this, dialog] { printFrom(*dialog); });
+    connect(dialog, &PrintDialog::fileWanted, this, [this, dialog] {
+        preferences_.setExportOptions(dialog->options());
+        dialog->accept();
+        emit fileWanted();
+    });
+    dialog->open();
+}
+
+void PatternPrinting::printFrom(PrintDialog& dialog) {
+    const std::shared_ptr<const PrintedPattern> sheets = dialog.sheets();
+    const auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+    printer->setDocName(sheets->title());
+    printer->setDuplex(QPrinter::DuplexNone);  // tiles are joined side by side
+    printer->setFullPage(true);
+    if (dialog.options().pdf.paper != Paper::Shared) {  // that is in the middle of the printer's
+        choosePaper(*printer, sheets->paper(sheets->count() - 1));
+    }
+    if (!dialogs_.choosePrinter(&dialog, *printer, sheets->count())) {
+        return;
+    }
+    printer->setFullPage(true);  // what its dialog says of margins is not for us
+    if (const auto lack = roomLacking(*printer, *sheets)) {
+        dialog.say(lackText(*lack));
+        return;
+    }
+    preferences_.setExportOptions(dialog.options());
+    dialog.accept();
+    workspace_.writing().start(makeJob(
+        tr("Printing the pattern"),
+        [printer, sheets](Progress& progress) { return print(*printer, *sheets, progress); },
+        [this, name = nameOf(*printer)](bool isTaken) {
+            if (isTaken) {
+                emit printed(tr("Printed: %1").arg(name));
+            } else {
+                emit failed(tr("%1 takes nothing to print. See whether it is switched on, or print "
+                               "a PDF file from another program.")
+                                .arg(name));
+            }
+        }));
+}
+
+}  // namespace toile::app

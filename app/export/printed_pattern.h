@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSizeF>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/export/ink_canvas.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/export/drawing.h"
+#include "core/export/export_options.h"
+#include "core/export/pdf_pages.h"
+
+class QPrinter;
+
+namespace toile::app {
+
+/// A pattern on sheets of paper, the same as those of a PDF file: for printers and previews.
+class PrintedPattern {
+public:
+    /// Errors: those of planPages. Cost: that of `drawPattern`. Any thread.
+    static Result<PrintedPattern> on(std::shared_ptr<const DrawnPattern> pattern,
+                                     const PdfOptions& options);
+
+    QString title() const;
+    int count() const;
+    QSizeF paper(int sheet) const;  ///< mm
+    /// @param painter  in mm with y down, the sheet's upper left corner at the origin
+    /// @param sheet     from 0 to count() - 1
+    /// @param thinnest  lines are painted so wide at least, mm: to be seen when they are small
+    void paint(QPainter& painter, int sheet, double thinnest = 0) const;
+
+private:
+    PrintedPattern(std::shared_ptr<const DrawnPattern> pattern, PdfPlan plan);
+
+    std::shared_ptr<const DrawnPattern> pattern_;
+    PdfPlan plan_;
+    std::vector<Ink> drawn_;  ///< all of the pattern
+};
+
+/// Sets the printer's paper to a sheet's, where it has that, upright or lying. What it has then is
+/// its own affair: see `roomLacking`.
+void choosePaper(QPrinter& printer, const QSizeF& paper);
+
+/// A sheet that the printer's page has no room for.
+struct RoomLacking {
+    QSizeF paper, page;     ///< mm, of the sheet and of the printer
+    bool isMargin = false;  ///< the page is large enough, but the printer leaves more of it free
+};
+
+/// Whether sheets in the middle of the printer's page would lose something; the first that would.
+/// Rounding of paper sizes to points or tenths of an inch is none.
+std::optional<RoomLacking> roomLacking(const QPrinter& printer, const PrintedPattern& pattern);
+
+/// Prints the sheets that the printer's settings ask for, at true scale, each in the middle of the
+/// printer's page. Cancelled, it goes no further: a file is removed, but what some printers have
+/// got by then they print.
+/// @return false where the printer takes nothing
+/// Errors: Cancelled. Any thread, while no other uses the printer.
+Result<bool> print(QPrinter& printer, const PrintedPattern& pattern, Progress& progress);
+
+}  // namespace toile::app

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/sheets.h"
+
+#include <gtest/gtest.h>
+
+#include "core/export/pdf_writer.h"
+#include "core/export/sheet_drawing.h"
+#include "tests/core/export/export_fixtures.h"
+
+namespace toile {
+namespace {
+
+/// Counts what is begun and ended, and keeps the squares.
+class CountingCanvas : public SheetCanvas {
+public:
+    void save() override { ++saved; }
+    void restore() override { EXPECT_GE(--saved, 0); }
+    void transform(double a, double b, double c, double d, const Eigen::Vector2d&) override {
+        EXPECT_EQ(a * d - b * c, 1);  // true scale, never mirrored
+    }
+    void clip(const Eigen::AlignedBox2d& box) override { clipped = box; }
+    void drawing() override {
+        ++drawings;
+        EXPECT_FALSE(clipped.isEmpty());
+    }
+    void beginLayer(int) override { ++begun; }
+    void beginItem(std::string_view id, std::string_view) override {
+        ++begun;
+        items.emplace_back(id);
+    }
+    void end() override { EXPECT_GE(--begun, 0); }
+    void setGrey(double grey) override { EXPECT_TRUE(grey >= 0 && grey <= 1); }
+    void setWidth(double width) override { EXPECT_GT(width, 0); }
+    void setDashes(double, double) override {}
+    void setRoundEnds() override {}
+    void line(const Points2& points, bool) override { EXPECT_GT(points.rows(), 0); }
+    void curves(const std::vector<CubicCurve>& curves, bool) override {
+        EXPECT_FALSE(curves.empty());
+    }
+    void box(const Eigen::AlignedBox2d& box) override { boxes.push_back(box); }
+    void segment(const Eigen::Vector2d&, const Eigen::Vector2d&) override {}
+    double text(std::string_view text, const Eigen::Vector2d&, double height, TextStart, double,
+                double) override {
+        return static_cast<double>(text.size()) * height;
+    }
+
+    int saved = 0, begun = 0, drawings = 0;
+    Eigen::AlignedBox2d clipped;
+    std::vector<std::string> items;
+    std::vector<Eigen::AlignedBox2d> boxes;
+};
+
+class Sheets : public testing::TestWithParam<Paper> {};
+
+TEST_P(Sheets, EndWhatTheyBeginAndShowTheDrawingOnce) {
+    const Drawing drawing = test::sewingDrawing();
+    const auto plan = planPdf(drawing, {GetParam(), 10});
+    ASSERT_TRUE(plan);
+    for (std::size_t sheet = 0; sheet < sheetCount(*plan); ++sheet) {
+        CountingCanvas canvas;
+        drawSheet(canvas, drawing, *plan, sheet, GetParam() == Paper::Projector);
+        EXPECT_EQ(canvas.saved, 0);
+        EXPECT_EQ(canvas.begun, 0);
+        const bool isCover = plan->isTiled && sheet == 0;
+        EXPECT_EQ(canvas.drawings, isCover ? 0 : 1);
+        EXPECT_TRUE(
+            (sheetPaper(*plan, sheet) - (isCover ? plan->coverPaper : plan->paper)).isZero());
+    }
+}
+
+TEST_P(Sheets, HaveBothSquaresOnce) {
+    const Drawing drawing = test::sewingDrawing();
+    const auto plan = planPdf(drawing, {GetParam(), 10});
+    ASSERT_TRUE(plan);
+    std::vector<double> sides;
+    for (std::size_t sheet = 0; sheet < sheetCount(*plan); ++sheet) {
+        CountingCanvas canvas;
+        drawSheet(canvas, drawing, *plan, sheet);
+        if (!canvas.items.empty()) {
+            ASSERT_EQ(canvas.items, (std::vector<std::string>{"square-50-mm", "square-1-in"}));
+            sides.push_back(canvas.boxes[0].sizes().x());
+            sides.push_back(canvas.boxes[1].sizes().x());
+        }
+    }
+    ASSERT_EQ(sides.size(), 2U);
+    EXPECT_NEAR(sides[0], kMetricSquare, 1e-9);
+    EXPECT_NEAR(sides[1], kInchSquare, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Papers, Sheets,
+                         testing::Values(Paper::A4, Paper::Letter, Paper::Shared, Paper::A0,
+                                         Paper::ArchD, Paper::ArchE, Paper::Roll610, Paper::Roll841,
+                                         Paper::Roll914, Paper::Projector));
+
+TEST(DrawPattern, DrawsEveryLineOfItsLayersOnce) {
+    const Pattern pattern = test::sewingPattern();
+    const Drawing drawing = draw(pattern, layOut(pattern));
+    CountingCanvas canvas;
+    drawPattern(canvas, drawing, pattern, {LayerKind::Sew, LayerKind::Cut});
+    std::vector<std::string> wanted;
+    for (const LayerKind layer : {LayerKind::Sew, LayerKind::Cut}) {
+        for (const DrawnPath& path : drawing.paths) {
+            if (path.layer == layer) {
+                wanted.push_back(path.id);
+            }
+        }
+    }
+    EXPECT_EQ(canvas.items, wanted);
+    EXPECT_EQ(canvas.saved, 0);
+    EXPECT_EQ(canvas.begun, 0);
+}
+
+}  // namespace
+}  // namespace toile
