@@ -6,10 +6,13 @@
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
+#include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTimer>
 
 #include "app/export/export_dialog.h"
 #include "app/export/sheet_preview.h"
@@ -118,6 +121,36 @@ private slots:
         QVERIFY(!dialog());
         QVERIFY(fixture_.waitUntilIdle());
         QVERIFY(!QFile::exists(fixture_.path("out.pdf")));
+    }
+
+    void aPrinterThatTakesNothingIsSaid() {
+        dialogs().choosePrinter = [this](QWidget*, QPrinter& printer, int) {
+            printer.setOutputFormat(QPrinter::PdfFormat);
+            printer.setOutputFileName(fixture_.path("no/such/folder/out.pdf"));
+            return true;
+        };
+        QVERIFY(openDialog());
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression("QPainter::begin.*"));
+        QSignalSpy failed(&fixture_.window().garmentActions(), &GarmentActions::failed);
+        click("printNow");
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
+        QVERIFY(failed[0][0].toString().contains("takes nothing to print"));
+    }
+
+    void theDesktopsDialogOpensAndCanBeLeft() {
+        QTimer leaver;
+        QString opened;
+        connect(&leaver, &QTimer::timeout, this, [&] {
+            if (auto* asked = qobject_cast<QPrintDialog*>(QApplication::activeModalWidget())) {
+                opened = QString("%1 to %2").arg(asked->minPage()).arg(asked->maxPage());
+                asked->reject();
+            }
+        });
+        leaver.start(20);
+        QPrinter printer(QPrinter::HighResolution);
+        printer.setOutputFormat(QPrinter::PdfFormat);
+        QVERIFY(!FileDialogs::native().choosePrinter(&fixture_.window(), printer, 7));
+        QCOMPARE(opened, QString("1 to 7"));
     }
 
     void withoutAPrinterAFileIsOffered() {
