@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/pattern_printing.h"
 
+#include <QCoreApplication>
 #include <QPointer>
 #include <QPrinter>
 #include <QWidget>
@@ -49,14 +50,8 @@ PatternPrinting::PatternPrinting(Workspace& workspace, Preferences& preferences,
 void PatternPrinting::ask() {
     auto* dialog = new PrintDialog(preferences_.exportOptions(), dialogs_.hasPrinter(), &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    const auto drawing = workspace_.drawPattern(
-        [asked = QPointer(dialog)](std::shared_ptr<const DrawnPattern> drawn) {
-            if (asked) {
-                asked->setPattern(std::move(drawn));
-            }
-        });
-    connect(dialog, &QDialog::finished, this,
-            [this, drawing] { workspace_.writing().drop(drawing); });
+    showPattern(*dialog);
+    connect(dialog, &QDialog::finished, this, [this] { workspace_.writing().drop(drawing_); });
     connect(dialog, &PrintDialog::printWanted, this, [this, dialog] { printFrom(*dialog); });
     connect(dialog, &PrintDialog::fileWanted, this, [this, dialog] {
         preferences_.setExportOptions(dialog->options());
@@ -64,6 +59,25 @@ void PatternPrinting::ask() {
         emit fileWanted();
     });
     dialog->open();
+}
+
+/// Once it is drawn, and painted, which takes its time too.
+void PatternPrinting::showPattern(PrintDialog& dialog) {
+    using Made = std::shared_ptr<const InkedPattern>;
+    const QPointer asked(&dialog);
+    const auto show = [asked](Made made) {
+        if (asked) {
+            asked->setPattern(std::move(made));
+        }
+    };
+    drawing_ = workspace_.drawPattern(
+        [this, asked, show](const std::shared_ptr<const DrawnPattern>& drawn) {
+            if (asked) {
+                drawing_ = workspace_.writing().start(makeJob(
+                    QCoreApplication::translate("ExportJob", "Drawing the pattern"),
+                    [drawn](Progress&) { return Result<Made>(inked(drawn)); }, show));
+            }
+        });
 }
 
 void PatternPrinting::printFrom(PrintDialog& dialog) {

@@ -3,6 +3,8 @@
 
 #include <QObject>
 
+#include "app/jobs/job_runner.h"
+
 class QWidget;
 
 namespace toile::app {
@@ -32,12 +34,14 @@ signals:
     void fileWanted();
 
 private:
+    void showPattern(PrintDialog& dialog);
     void printFrom(PrintDialog& dialog);
 
     Workspace& workspace_;
     Preferences& preferences_;
     const FileDialogs& dialogs_;
     QWidget& window_;
+    JobRunner::Ticket drawing_ = 0;  ///< of the pattern, for the dialog
 };
 
 }  // namespace toile::app

@@ -55,10 +55,7 @@ void InkCanvas::clip(const Eigen::AlignedBox2d& box) {
 }
 
 void InkCanvas::drawing() {
-    if (!pattern_) {
-        return;
-    }
-    for (const Ink& drawn : *pattern_) {
+    for (const Ink& drawn : pattern_) {
         Ink ink = drawn;
         ink.path = state_.place.map(drawn.path);
         ink.clip = state_.clip;

@@ -5,6 +5,7 @@
 #include <QPen>
 #include <QTransform>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/export/sheet_canvas.h"
@@ -25,8 +26,8 @@ struct Ink {
 /// are passed over: paper has none.
 class InkCanvas : public SheetCanvas {
 public:
-    /// @param pattern  what `drawing` draws; outlives the canvas. Null: nothing
-    explicit InkCanvas(const std::vector<Ink>* pattern = nullptr) : pattern_(pattern) {}
+    /// @param pattern  what `drawing` draws; outlives the canvas
+    explicit InkCanvas(std::span<const Ink> pattern = {}) : pattern_(pattern) {}
 
     void save() override { kept_.push_back(state_); }
     void restore() override;
@@ -63,7 +64,7 @@ private:
 
     void stroke(const QPainterPath& path);
 
-    const std::vector<Ink>* pattern_;
+    std::span<const Ink> pattern_;
     State state_{};
     std::vector<State> kept_;
     std::vector<Ink> inks_;

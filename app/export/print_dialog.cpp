@@ -132,7 +132,7 @@ void PrintDialog::layOut() {
     preview_->setPattern(sheets_);
 }
 
-void PrintDialog::setPattern(std::shared_ptr<const DrawnPattern> pattern) {
+void PrintDialog::setPattern(std::shared_ptr<const InkedPattern> pattern) {
     pattern_ = std::move(pattern);
     layOut();
 }

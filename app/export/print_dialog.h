@@ -26,7 +26,7 @@ public:
     PrintDialog(const ExportOptions& options, bool hasPrinter, QWidget* parent);
 
     /// What is printed, once it is drawn.
-    void setPattern(std::shared_ptr<const DrawnPattern> pattern);
+    void setPattern(std::shared_ptr<const InkedPattern> pattern);
     const ExportOptions& options() const;
     /// The sheets as they are chosen now; null where there are none, or not yet.
     std::shared_ptr<const PrintedPattern> sheets() const { return sheets_; }
@@ -42,7 +42,7 @@ private:
     QWidget* makePages();
     void layOut();
 
-    std::shared_ptr<const DrawnPattern> pattern_;
+    std::shared_ptr<const InkedPattern> pattern_;
     std::shared_ptr<const PrintedPattern> sheets_;
     bool hasPrinter_;
     OptionForm* form_;

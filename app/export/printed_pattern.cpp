@@ -7,6 +7,8 @@
 #include <QPainter>
 #include <QPrinter>
 #include <algorithm>
+#include <iterator>
+#include <span>
 #include <utility>
 
 #include "app/export/paint_drawing.h"
@@ -70,17 +72,25 @@ void paintSheet(QPainter& painter, const QPrinter& printer, const PrintedPattern
 
 }  // namespace
 
-PrintedPattern::PrintedPattern(std::shared_ptr<const DrawnPattern> pattern, PdfPlan plan)
-    : pattern_(std::move(pattern)), plan_(std::move(plan)) {
+std::shared_ptr<const InkedPattern> inked(std::shared_ptr<const DrawnPattern> pattern) {
+    auto made = std::make_shared<InkedPattern>();
     InkCanvas out;
-    drawPattern(out, pattern_->drawing, pattern_->pattern,
-                pdfLayers(pattern_->drawing, plan_.isTiled));
-    drawn_ = out.take();
+    drawPattern(out, pattern->drawing, pattern->pattern, pdfLayers(pattern->drawing, true));
+    made->inks = out.take();
+    made->checkFrom = made->inks.size();
+    InkCanvas check;
+    drawPattern(check, pattern->drawing, pattern->pattern, {LayerKind::Check});
+    std::ranges::move(check.take(), std::back_inserter(made->inks));
+    made->pattern = std::move(pattern);
+    return made;
 }
 
-Result<PrintedPattern> PrintedPattern::on(std::shared_ptr<const DrawnPattern> pattern,
+PrintedPattern::PrintedPattern(std::shared_ptr<const InkedPattern> pattern, PdfPlan plan)
+    : pattern_(std::move(pattern)), plan_(std::move(plan)) {}
+
+Result<PrintedPattern> PrintedPattern::on(std::shared_ptr<const InkedPattern> pattern,
                                           const PdfOptions& options) {
-    Result<PdfPlan> plan = planPdf(pattern->drawing, options);
+    Result<PdfPlan> plan = planPdf(pattern->pattern->drawing, options);
     if (!plan) {
         return plan.error();
     }
@@ -88,7 +98,7 @@ Result<PrintedPattern> PrintedPattern::on(std::shared_ptr<const DrawnPattern> pa
 }
 
 QString PrintedPattern::title() const {
-    return QString::fromStdString(pattern_->drawing.title);
+    return QString::fromStdString(drawing().title);
 }
 
 int PrintedPattern::count() const {
@@ -101,8 +111,9 @@ QSizeF PrintedPattern::paper(int sheet) const {
 }
 
 void PrintedPattern::paint(QPainter& painter, int sheet, double thinnest) const {
-    InkCanvas out(&drawn_);
-    drawSheet(out, pattern_->drawing, plan_, static_cast<std::size_t>(sheet));
+    const std::span<const Ink> inks(pattern_->inks);
+    InkCanvas out(plan_.isTiled ? inks.first(pattern_->checkFrom) : inks);
+    drawSheet(out, drawing(), plan_, static_cast<std::size_t>(sheet));
     paintInks(painter, out.take(), paper(sheet).height(), thinnest);
 }
 

@@ -18,11 +18,21 @@ class QPrinter;
 
 namespace toile::app {
 
+/// A pattern as paper has it: what of it is the same on every paper, and takes the time.
+struct InkedPattern {
+    std::shared_ptr<const DrawnPattern> pattern;
+    std::vector<Ink> inks;      ///< of all of it
+    std::size_t checkFrom = 0;  ///< the first of its check square, which is not printed in tiles
+};
+
+/// Cost: that of `drawPattern`. Any thread.
+std::shared_ptr<const InkedPattern> inked(std::shared_ptr<const DrawnPattern> pattern);
+
 /// A pattern on sheets of paper, the same as those of a PDF file: for printers and previews.
 class PrintedPattern {
 public:
-    /// Errors: those of planPages. Cost: that of `drawPattern`. Any thread.
-    static Result<PrintedPattern> on(std::shared_ptr<const DrawnPattern> pattern,
+    /// Errors and cost: those of planPages. Any thread.
+    static Result<PrintedPattern> on(std::shared_ptr<const InkedPattern> pattern,
                                      const PdfOptions& options);
 
     QString title() const;
@@ -34,11 +44,12 @@ public:
     void paint(QPainter& painter, int sheet, double thinnest = 0) const;
 
 private:
-    PrintedPattern(std::shared_ptr<const DrawnPattern> pattern, PdfPlan plan);
+    PrintedPattern(std::shared_ptr<const InkedPattern> pattern, PdfPlan plan);
 
-    std::shared_ptr<const DrawnPattern> pattern_;
+    const Drawing& drawing() const { return pattern_->pattern->drawing; }
+
+    std::shared_ptr<const InkedPattern> pattern_;
     PdfPlan plan_;
-    std::vector<Ink> drawn_;  ///< all of the pattern
 };
 
 /// Sets the printer's paper to a sheet's, where it has that, upright or lying. What it has then is

@@ -65,7 +65,7 @@ private slots:
 
     void thereAreAsManySheetsAsPagesOfAFile() {
         for (const Paper paper : {Paper::A4, Paper::Letter, Paper::A0}) {
-            const auto plan = planPdf(shirt_->drawing, {paper, 10});
+            const auto plan = planPdf(shirt_->pattern->drawing, {paper, 10});
             QVERIFY(plan);
             const PrintedPattern printed = on(paper);
             QCOMPARE(printed.count(), static_cast<int>(plan->pages.size() + plan->isTiled));
@@ -103,13 +103,13 @@ private slots:
     /// A line of the drawing lies on its sheet where the plan has it.
     void linesAreWhereThePlanHasThem() {
         const int dpi = 150;
-        const auto plan = planPdf(shirt_->drawing, {Paper::A4, 10});
+        const auto plan = planPdf(shirt_->pattern->drawing, {Paper::A4, 10});
         const PrintedPattern printed = on(Paper::A4);
         int probed = 0;
         for (std::size_t k = 0; k < plan->pages.size(); ++k) {
             const PdfPage& page = plan->pages[k];
             const QImage sheet = picture(printed, static_cast<int>(k) + 1, dpi);
-            for (const DrawnPath& path : shirt_->drawing.paths) {
+            for (const DrawnPath& path : shirt_->pattern->drawing.paths) {
                 for (Eigen::Index i = 0; path.layer == LayerKind::Cut && i < path.points.rows();
                      ++i) {
                     const Eigen::Vector2d at = onSheet(*plan, path.points.row(i));
@@ -138,7 +138,8 @@ private slots:
         for (const Paper paper : {Paper::A4, Paper::ArchE}) {
             const int dpi = paper == Paper::A4 ? 100 : 60;
             QTemporaryDir folder;
-            const auto bytes = writePdf(shirt->drawing, shirt->pattern, {paper, 10});
+            const auto bytes =
+                writePdf(shirt->pattern->drawing, shirt->pattern->pattern, {paper, 10});
             QFile file(folder.filePath("shirt.pdf"));
             QVERIFY(bytes && file.open(QIODevice::WriteOnly));
             file.write(QByteArray::fromStdString(*bytes));
@@ -236,14 +237,14 @@ private slots:
     }
 
 private:
-    static std::shared_ptr<const DrawnPattern> drawn(const LineSettings& lines) {
+    static std::shared_ptr<const InkedPattern> drawn(const LineSettings& lines) {
         Progress progress;
         const auto garment =
             loadGarment({TOILE_SOURCE_DIR "/resources/samples/tshirt.obj"}, {}, progress);
         const PieceResults results = flattenGarment(*garment, {}, progress, 0, lines);
         const LaidOutPattern laid = inRows(*garment, results, lines);
-        return std::make_shared<const DrawnPattern>(
-            DrawnPattern{laid.pattern, draw(laid.pattern, laid.marker)});
+        return inked(std::make_shared<const DrawnPattern>(
+            DrawnPattern{laid.pattern, draw(laid.pattern, laid.marker)}));
     }
 
     PrintedPattern on(Paper paper) const { return *PrintedPattern::on(shirt_, {paper, 10}); }
@@ -277,7 +278,7 @@ private:
         return pages;
     }
 
-    std::shared_ptr<const DrawnPattern> shirt_;
+    std::shared_ptr<const InkedPattern> shirt_;
 };
 
 TOILE_WINDOW_TEST(PrintedPatternTest)
