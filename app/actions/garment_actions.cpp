@@ -182,8 +182,20 @@ void GarmentActions::askAndExportAs(const QString& format) {
             asked->setDrawing({drawn, &drawn->drawing});
         }
     });
-    connect(dialog, &QDialog::finished, this, [this, dialog, drawing](int answer) {
+    const auto beginning = std::make_shared<JobRunner::Ticket>();
+    connect(dialog, &ExportDialog::textWanted, this,
+            [this, dialog, beginning](FormatId of, const ExportOptions& options) {
+                workspace_.writing().drop(*beginning);
+                *beginning = workspace_.beginFile(
+                    of, options, [of, asked = QPointer(dialog)](const std::string& text) {
+                        if (asked) {
+                            asked->setText(of, QString::fromStdString(text));
+                        }
+                    });
+            });
+    connect(dialog, &QDialog::finished, this, [this, dialog, drawing, beginning](int answer) {
         workspace_.writing().drop(drawing);
+        workspace_.writing().drop(*beginning);
         if (answer != QDialog::Accepted) {
             return;
         }

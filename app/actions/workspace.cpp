@@ -323,6 +323,12 @@ void Workspace::exportTo(const std::filesystem::path& path, const ExportOptions&
     }));
 }
 
+JobRunner::Ticket Workspace::beginFile(FormatId format, const ExportOptions& options,
+                                       std::function<void(const std::string&)> done) {
+    Q_ASSERT(canExport());
+    return writing_.start(beginningJob(document_, format, options, std::move(done)));
+}
+
 JobRunner::Ticket Workspace::drawPattern(
     std::function<void(std::shared_ptr<const DrawnPattern>)> done) {
     Q_ASSERT(canExport());

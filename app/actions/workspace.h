@@ -15,7 +15,7 @@
 #include "app/jobs/job_runner.h"
 #include "app/jobs/reference_finder.h"
 #include "core/export/drawing.h"
-#include "core/export/export_options.h"
+#include "core/export/formats.h"
 
 namespace toile::app {
 
@@ -149,6 +149,9 @@ public:
     /// Writes the pattern as it is now, whatever is edited meanwhile; several one after the other.
     /// Requires canExport. The ending chooses the format.
     void exportTo(const std::filesystem::path& path, const ExportOptions& options = {});
+    /// The beginning of the file as it would be written now. Requires canExport.
+    JobRunner::Ticket beginFile(FormatId format, const ExportOptions& options,
+                                std::function<void(const std::string&)> done);
     /// Draws it as files and paper would have it. Requires canExport.
     JobRunner::Ticket drawPattern(std::function<void(std::shared_ptr<const DrawnPattern>)> done);
 

@@ -4,11 +4,14 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
+#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -24,6 +27,13 @@ namespace toile::app {
 namespace {
 
 constexpr int kListWidth = 170, kFormWidth = 250;
+
+/// Whether a person sees more in the file's text than in a page.
+bool isText(FormatId format) {
+    constexpr FormatId kTexts[] = {FormatId::Obj, FormatId::Usd, FormatId::GarmentCode,
+                                   FormatId::Csv, FormatId::Report};
+    return std::ranges::find(kTexts, format) != std::end(kTexts);
+}
 
 /// The path without the ending of any format.
 QString withoutEnding(const QString& path) {
@@ -69,7 +79,9 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
       questions_(std::move(questions)),
       list_(new QListWidget(this)),
       form_(new OptionForm(this)),
+      shown_(new QStackedWidget(this)),
       preview_(new DrawingPreview(this)),
+      text_(new QPlainTextEdit(this)),
       use_(new QLabel(this)),
       page_(new QLabel(this)) {
     setObjectName("exportDialog");
@@ -82,6 +94,13 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
     page_->setObjectName("exportPage");
     page_->setWordWrap(true);
     preview_->setObjectName("exportPreview");
+    text_->setObjectName("exportText");
+    text_->setAccessibleName(tr("Beginning of the file"));
+    text_->setReadOnly(true);
+    text_->setLineWrapMode(QPlainTextEdit::NoWrap);
+    text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    shown_->addWidget(preview_);
+    shown_->addWidget(text_);
 
     auto* choices = new QVBoxLayout;
     choices->addWidget(use_);
@@ -93,7 +112,7 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
     side->setFixedWidth(kFormWidth);
     choices->setContentsMargins(0, 0, 0, 0);
     auto* page = new QVBoxLayout;
-    page->addWidget(preview_, 1);
+    page->addWidget(shown_, 1);
     page->addWidget(page_);
     auto* row = new QHBoxLayout;
     row->setSpacing(14);
@@ -191,7 +210,25 @@ void ExportDialog::browse() {
     }
 }
 
+/// The page, or the beginning of the file.
+void ExportDialog::showFile() {
+    if (!isText(format().id)) {
+        shown_->setCurrentWidget(preview_);
+        return;
+    }
+    shown_->setCurrentWidget(text_);
+    text_->clear();
+    emit textWanted(format().id, form_->options());
+}
+
+void ExportDialog::setText(FormatId format, const QString& text) {
+    if (format == this->format().id) {
+        text_->setPlainText(text);
+    }
+}
+
 void ExportDialog::describe() {
+    showFile();
     use_->setText(tr("For %1.").arg(app::tr(format().use)));
     if (!drawing_) {
         page_->clear();

@@ -11,7 +11,9 @@ class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QPlainTextEdit;
 class QPushButton;
+class QStackedWidget;
 
 namespace toile::app {
 
@@ -33,7 +35,8 @@ struct ExportChoice {
     bool showsFolder = false;
 };
 
-/// In which format the pattern is written, how, and where to; with a picture of the page.
+/// In which format the pattern is written, how, and where to; with a picture of the page, or of a
+/// format that is read as text with the beginning of the file.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
@@ -45,9 +48,15 @@ public:
 
     /// The page, once it is drawn.
     void setDrawing(std::shared_ptr<const Drawing> drawing);
+    /// The beginning of a file; nothing where another format is chosen by now.
+    void setText(FormatId format, const QString& text);
     ExportChoice choice() const;
 
     void accept() override;
+
+signals:
+    /// The beginning of such a file is to be shown (`setText`).
+    void textWanted(toile::FormatId format, const toile::ExportOptions& options);
 
 private:
     const Format& format() const;
@@ -57,6 +66,7 @@ private:
     void onPathEdited();
     void browse();
     void describe();
+    void showFile();
 
     std::vector<const Format*> formats_;  ///< that can be written, by rows
     std::shared_ptr<const Drawing> drawing_;
@@ -64,7 +74,9 @@ private:
     QString browsed_;  ///< chosen in the dialog of files, which has asked whether to replace it
     QListWidget* list_;
     OptionForm* form_;
+    QStackedWidget* shown_;
     DrawingPreview* preview_;
+    QPlainTextEdit* text_;
     QLabel *use_, *page_;
     QLineEdit* path_ = nullptr;
     QCheckBox* folder_ = nullptr;

@@ -2,6 +2,7 @@
 #include "app/jobs/file_jobs.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -40,6 +41,8 @@ KnownFile knownOf(const std::filesystem::path& path, std::uint64_t hash, const P
 
 /// Of the time of an export whose flat pieces are still warm, about.
 constexpr double kSettlingShare = 0.7;
+/// Of a file that is looked at before it is written, bytes.
+constexpr std::size_t kMostOfBeginning = 20000;
 
 /// What is saved of a state, also where its garment is still on its way.
 Result<Project> projectNow(DocumentState state, const Derived& derived,
@@ -170,6 +173,27 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
     };
     return makeJob(QCoreApplication::translate("ExportJob", "Writing %1").arg(name),
                    std::move(work), std::move(done));
+}
+
+std::unique_ptr<Job> beginningJob(const Document& document, FormatId format,
+                                  const ExportOptions& options,
+                                  std::function<void(const std::string&)> done) {
+    auto work = [now = PatternNow(document), format,
+                 options](Progress& progress) -> Result<std::string> {
+        return now.with(
+            options, progress,
+            [format](const ExportSource& source, const Progress&) -> Result<std::string> {
+                Result<ExportedFiles> made = formatOf(format).write(source);
+                if (!made) {
+                    return made.error();
+                }
+                std::string& bytes = made->front().bytes;
+                bytes.resize(std::min(bytes.size(), kMostOfBeginning));
+                return std::move(bytes);
+            });
+    };
+    return makeJob(QCoreApplication::translate("ExportJob", "Drawing the pattern"), std::move(work),
+                   std::move(done));
 }
 
 std::unique_ptr<Job> drawingJob(const Document& document,

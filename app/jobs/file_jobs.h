@@ -13,6 +13,7 @@
 #include "app/jobs/job.h"
 #include "core/export/drawing.h"
 #include "core/export/export_file.h"
+#include "core/export/formats.h"
 #include "core/project/project.h"
 
 namespace toile::app {
@@ -28,6 +29,11 @@ class Document;
 std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path path,
                                const ExportOptions& options,
                                std::function<void(const Exported&)> done);
+
+/// The beginning of the file that an export would write. Errors: of the format's writer.
+std::unique_ptr<Job> beginningJob(const Document& document, FormatId format,
+                                  const ExportOptions& options,
+                                  std::function<void(const std::string&)> done);
 
 /// The pattern and the drawing of it that files and paper would have.
 std::unique_ptr<Job> drawingJob(const Document& document,

@@ -4174,6 +4174,10 @@
         <source>Print the pattern at true scale, on pages to join or on large sheets</source>
         <translation>Den Schnitt maßstabsgetreu drucken, auf Blätter zum Zusammenkleben oder auf große Bögen</translation>
     </message>
+    <message>
+        <source>read back: %1 x %2 dots</source>
+        <translation>zurückgelesen: %1 x %2 Punkte</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -4746,6 +4750,10 @@
             <numerusform>%n Seiten</numerusform>
             <numerusform>%n Seiten</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Beginning of the file</source>
+        <translation>Anfang der Datei</translation>
     </message>
 </context>
 <context>

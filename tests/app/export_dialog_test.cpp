@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <algorithm>
@@ -191,6 +192,21 @@ private slots:
             blue += dot.blue() > dot.red() + 100 ? 1 : 0;
         }
         QVERIFY2(std::abs(blue - 100 * 150 / 25.4) < 4, qPrintable(QString::number(blue)));
+    }
+
+    void showsTheBeginningOfWhatIsText() {
+        auto& text = *dialog()->findChild<QPlainTextEdit*>("exportText");
+        auto& page = *dialog()->findChild<DrawingPreview*>("exportPreview");
+        QVERIFY(page.isVisible());
+        chooseFormat(FormatId::Csv);
+        QVERIFY(!page.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(text.toPlainText().startsWith("piece,"), test::kPatience);
+        chooseFormat(FormatId::Obj);
+        QTRY_VERIFY_WITH_TIMEOUT(text.toPlainText().contains("\nv "), test::kPatience);
+        QVERIFY(text.isReadOnly());
+        chooseFormat(FormatId::Dxf);
+        QVERIFY(page.isVisible());
+        QVERIFY(!text.isVisible());
     }
 
     void aReportHasPicturesWhereThereIsOpenGl() {
