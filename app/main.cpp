@@ -6,6 +6,7 @@
 #include "app/cli/command_line.h"
 #ifdef TOILE_GUI
 #include "app/export/paint_drawing.h"
+#include "app/report_pictures.h"
 #include "app/run_render.h"
 #include "app/run_window.h"
 #endif
@@ -28,6 +29,7 @@ int end(int status) {
 int main(int argc, char** argv) {
 #ifdef TOILE_GUI
     toile::app::provideWriters();
+    toile::provideReportPictures(toile::app::reportPictures);
 #endif
     const toile::app::Arguments arguments = toile::app::parseArguments(argc, argv);
 #ifdef TOILE_GUI

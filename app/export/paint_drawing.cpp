@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/export/report_pictures.h"
 #include "core/export/text_outlines.h"
 #include "core/pattern/label.h"
 
@@ -137,7 +136,6 @@ Result<QImage> pictureOf(const Drawing& drawing, double dpi) {
 
 void provideWriters() {
     provideWriter(FormatId::Png, makePng);
-    provideReportPictures(reportPictures);
 }
 
 }  // namespace toile::app

@@ -42,8 +42,7 @@ Letters lettersOf(const std::string& line, double height);
 /// Errors: PageTooSmall where the picture would be larger than pictures can be.
 Result<QImage> pictureOf(const Drawing& drawing, double dpi);
 
-/// Gives the table of formats what needs Qt: its writers, and the report's pictures. Before
-/// anything is written.
+/// Gives the table of formats the writers that need Qt. Before anything is written.
 void provideWriters();
 
 }  // namespace toile::app

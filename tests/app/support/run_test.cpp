@@ -10,6 +10,7 @@
 
 #include "app/export/paint_drawing.h"
 #include "app/platform_choice.h"
+#include "app/report_pictures.h"
 
 namespace toile::test {
 
@@ -47,6 +48,7 @@ void prepareApplication() {
 void prepareTest() {
     loadResources();
     provideWriters();
+    provideReportPictures(reportPictures);
     QLocale::setDefault(QLocale::c());
 }
 

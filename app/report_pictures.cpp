@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/export/report_pictures.h"
+#include "app/report_pictures.h"
 
 #include <QBuffer>
 #include <QGuiApplication>
