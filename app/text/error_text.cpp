@@ -83,7 +83,16 @@ DrawingWords drawingWords() {
         .placeOnFold = told(QCoreApplication::translate("toile", "place on fold")),
         .pieceNumber = told(QCoreApplication::translate("toile", "piece %1 of %2")),
         .size = told(QCoreApplication::translate("toile", "size %1")),
-        .allowance = told(QCoreApplication::translate("toile", "seam allowance included"))};
+        .allowance = told(QCoreApplication::translate("toile", "seam allowance included")),
+        .pages = told(QCoreApplication::translate("toile", "pieces: %1, pages after this one: %2")),
+        .page = told(QCoreApplication::translate("toile", "page %1 of %2")),
+        .printing = told(QCoreApplication::translate(
+            "toile",
+            "Print at 100 % (actual size),\nnot fitted to the page.\nMeasure both squares first.")),
+        .joining = told(QCoreApplication::translate("toile",
+                                                    "Cut along the grey frames where pages\nmeet, "
+                                                    "and join them by their marks:\nthe halves "
+                                                    "make whole diamonds."))};
 }
 
 QString readBackText(const ReadBack& found) {

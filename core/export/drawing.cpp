@@ -280,6 +280,7 @@ Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& w
     const double left =
         marker.width > 0 ? std::ceil(kDrawingMargin + marker.width + kCheckGap) : kDrawingMargin;
     Drawing drawing;
+    drawing.words = words;
     drawing.title = pattern.name.empty() ? "pattern" : pattern.name;
     drawing.width = left + kCheckSide + kDrawingMargin;
     drawing.height = std::ceil(std::max(marker.height, kCheckSide)) + 2 * kDrawingMargin;

@@ -58,6 +58,7 @@ struct Drawing {
     std::vector<DrawnText> texts;
     std::vector<DrawnEdge> edges{};
     std::vector<DrawnBlock> blocks{};  ///< the pieces; what is in none belongs to the page
+    DrawingWords words{};              ///< of its language, for the sheets
 };
 
 /// A pattern and its drawing: what is printed.

@@ -103,8 +103,26 @@ void addSharedEdges(SheetCanvas& out, const PdfPlan& plan, std::size_t index) {
     }
 }
 
-std::vector<std::string> pageNumber(std::size_t number, const PdfPlan& plan) {
-    return {"page ", std::to_string(number), " of " + std::to_string(plan.pages.size() + 1)};
+/// "page %1 of %2" with numbers there, divided where they stand.
+std::vector<std::string> withNumbers(std::string_view words, std::size_t first,
+                                     std::size_t second) {
+    std::vector<std::string> parts;
+    for (std::size_t at = 0; at < words.size();) {
+        const std::size_t place = std::min(words.find('%', at), words.size());
+        if (place > at) {
+            parts.emplace_back(words.substr(at, place - at));
+        }
+        if (place < words.size()) {
+            parts.push_back(std::to_string(words.substr(place).starts_with("%1") ? first : second));
+        }
+        at = place + 2;
+    }
+    return parts;
+}
+
+std::vector<std::string> pageNumber(std::size_t number, const PdfPlan& plan,
+                                    const Drawing& drawing) {
+    return withNumbers(drawing.words.page, number, plan.pages.size() + 1);
 }
 
 /// A column of lines of text from the top of a page down.
@@ -118,6 +136,15 @@ public:
         out_.setGrey(grey);
         out_.text(line, at_, height, TextStart::Left, 0, width_);
         at_.y() -= 0.9 * height;
+    }
+
+    /// Line by line.
+    void addLines(std::string_view lines, double height, double grey) {
+        for (std::size_t at = 0; at <= lines.size();) {
+            const std::size_t end = std::min(lines.find('\n', at), lines.size());
+            add(lines.substr(at, end - at), height, grey);
+            at = end + 1;
+        }
     }
 
     /// Parts of a line, of which others have some too: these are in the file once.
@@ -200,25 +227,19 @@ void drawCover(SheetCanvas& out, const Drawing& drawing, const PdfPlan& plan) {
     out.beginLayer(kPageLayer);
     TextColumn head(out, top, width);
     head.add(styleName(drawing), kTitle, 0);
-    const int pieces = static_cast<int>(drawing.blocks.size());
-    head.add(counted(pieces, "piece") + " on " +
-                 counted(static_cast<long long>(plan.pages.size()), "page") + " after this one",
-             kPlain, 0);
+    head.addParts(withNumbers(drawing.words.pages, drawing.blocks.size(), plan.pages.size()),
+                  kPlain, 0);
     out.end();
     const Vector2d squares(top.x(), head.bottom() - kSquareGap - kMetricSquare);
     addSquares(out, squares);
     out.beginLayer(kPageLayer);
     const double right = squares.x() + kMetricSquare + kInchSquare + 2 * kSquareGap;
     TextColumn how(out, {right, squares.y() + kMetricSquare}, top.x() + width - right);
-    how.add("Print at 100 % (actual size),", kPlain, 0);
-    how.add("not fitted to the page.", kPlain, 0);
-    how.add("Measure both squares first.", kPlain, 0);
+    how.addLines(drawing.words.printing, kPlain, 0);
     how.add("", kPlain, 0);
-    how.add("Cut along the grey frames where pages", kSmallPlain, kGrey);
-    how.add("meet, and join them by their marks:", kSmallPlain, kGrey);
-    how.add("the halves make whole diamonds.", kSmallPlain, kGrey);
+    how.addLines(drawing.words.joining, kSmallPlain, kGrey);
     TextColumn(out, {top.x(), 1.5 * kPageMargin + kTileText}, width)
-        .addParts(pageNumber(1, plan), kTileText, kGrey);
+        .addParts(pageNumber(1, plan, drawing), kTileText, kGrey);
     const AlignedBox2d room(Vector2d(top.x(), 2.5 * kPageMargin),
                             Vector2d(top.x() + width, squares.y() - 1.5 * kSquareGap));
     addMap(out, drawing, plan, room);
@@ -239,7 +260,7 @@ void drawTile(SheetCanvas& out, const Drawing& drawing, const PdfPlan& plan, std
     TextColumn names(out, {frame.min().x() + kTileInset, frame.max().y() - kTileInset},
                      0.4 * frame.sizes().x());
     names.add(tileName(page), kTileName, kPale);
-    names.addParts(pageNumber(index + 2, plan), kTileText, kGrey);
+    names.addParts(pageNumber(index + 2, plan, drawing), kTileText, kGrey);
     names.add(styleName(drawing), kTileText, kGrey);
     out.restore();
     out.end();

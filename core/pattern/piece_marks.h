@@ -13,7 +13,8 @@
 
 namespace toile {
 
-/// What a drawing says, in the language of whoever reads it. "%1" stands for how many are cut.
+/// What a drawing and its sheets of paper say, in the language of whoever reads it. "%1" and "%2"
+/// stand for numbers.
 struct DrawingWords {
     std::string noAllowance = "seam line, no allowance";
     std::string mirrored = "mirrored: wrong side of the fabric up";
@@ -22,6 +23,13 @@ struct DrawingWords {
     std::string cutOnFold = "cut %1 on fold", placeOnFold = "place on fold";
     std::string pieceNumber = "piece %1 of %2", size = "size %1";
     std::string allowance = "seam allowance included";
+    std::string pages = "pieces: %1, pages after this one: %2", page = "page %1 of %2";
+    /// On the first page of tiles, line by line.
+    std::string printing =
+        "Print at 100 % (actual size),\nnot fitted to the page.\nMeasure both squares first.";
+    std::string joining =
+        "Cut along the grey frames where pages\nmeet, and join them by their marks:\n"
+        "the halves make whole diamonds.";
 };
 
 /// What stands on a label beside the name and how often the piece is cut; what is empty or 0 is not

@@ -2112,6 +2112,30 @@
         <source>the file says none; this format is usually in cm</source>
         <translation>die Datei nennt keine; das Format ist meist in cm</translation>
     </message>
+    <message>
+        <source>pieces: %1, pages after this one: %2</source>
+        <translation>Schnittteile: %1, Seiten nach dieser: %2</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>Print at 100 % (actual size),
+not fitted to the page.
+Measure both squares first.</source>
+        <translation>Mit 100 % drucken (Originalgröße),
+nicht an die Seite anpassen.
+Zuerst beide Quadrate nachmessen.</translation>
+    </message>
+    <message>
+        <source>Cut along the grey frames where pages
+meet, and join them by their marks:
+the halves make whole diamonds.</source>
+        <translation>An den grauen Rahmen schneiden, wo sich
+Seiten treffen, und an den Marken zusammen-
+setzen: zwei Hälften ergeben eine Raute.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>

@@ -41,11 +41,13 @@ public:
     void segment(const Eigen::Vector2d&, const Eigen::Vector2d&) override {}
     double text(std::string_view text, const Eigen::Vector2d&, double height, TextStart, double,
                 double) override {
+        said += std::string(text) + '|';
         return static_cast<double>(text.size()) * height;
     }
 
     int saved = 0, begun = 0, drawings = 0;
     Eigen::AlignedBox2d clipped;
+    std::string said;
     std::vector<std::string> items;
     std::vector<Eigen::AlignedBox2d> boxes;
 };
@@ -85,6 +87,27 @@ TEST_P(Sheets, HaveBothSquaresOnce) {
     ASSERT_EQ(sides.size(), 2U);
     EXPECT_NEAR(sides[0], kMetricSquare, 1e-9);
     EXPECT_NEAR(sides[1], kInchSquare, 1e-9);
+}
+
+TEST(SheetTexts, AreInTheWordsOfTheDrawing) {
+    Drawing drawing = test::sewingDrawing();
+    drawing.words.pages = "Teile: %1, Seiten: %2";
+    drawing.words.page = "von %2 die %1.";
+    drawing.words.printing = "Auf 100 %\nstellen";
+    const auto plan = planPdf(drawing, {Paper::A4, 10});
+    ASSERT_TRUE(plan);
+    CountingCanvas cover, tile;
+    drawSheet(cover, drawing, *plan, 0);
+    drawSheet(tile, drawing, *plan, 1);
+    const std::string pages = std::to_string(plan->pages.size());
+    const std::string all = std::to_string(plan->pages.size() + 1);
+    const std::string pieces = std::to_string(drawing.blocks.size());
+    EXPECT_NE(cover.said.find("|Teile: |" + pieces + "|, Seiten: |" + pages + "|"),
+              std::string::npos)
+        << cover.said;
+    EXPECT_NE(cover.said.find("|Auf 100 %|stellen||Cut along"), std::string::npos) << cover.said;
+    EXPECT_NE(cover.said.find("|von |" + all + "| die |1|.|"), std::string::npos) << cover.said;
+    EXPECT_NE(tile.said.find("|von |" + all + "| die |2|.|"), std::string::npos) << tile.said;
 }
 
 INSTANTIATE_TEST_SUITE_P(Papers, Sheets,
