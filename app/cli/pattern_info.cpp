@@ -10,6 +10,7 @@
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/export/pattern_file_writer.h"
+#include "core/geometry/polygon.h"
 #include "core/reading/read_pattern.h"
 
 namespace toile::app {
@@ -19,7 +20,7 @@ constexpr double kSquareMillimetresPerSquareCm = 100;
 constexpr std::size_t kSizesListed = 20;
 
 std::string outlineFigures(const Points2& line) {
-    return line.rows() == 0 ? "-" : fixed(perimeterOf(line), 1);
+    return line.rows() == 0 ? "-" : fixed(geometry::perimeterOf(line), 1);
 }
 
 std::string quantityOf(const FilePiece& piece) {
@@ -35,7 +36,7 @@ void printPieces(const PatternFile& file, std::ostream& out) {
         const Points2& outline = outlineOf(piece);
         table.add({piece.name, piece.size, quantityOf(piece), outlineFigures(piece.cut),
                    outlineFigures(piece.sew),
-                   fixed(signedAreaOf(outline) / kSquareMillimetresPerSquareCm, 1),
+                   fixed(geometry::signedAreaOf(outline) / kSquareMillimetresPerSquareCm, 1),
                    std::to_string(outline.rows()), std::to_string(piece.holes.size()),
                    std::to_string(piece.internals.size()), std::to_string(piece.notches.size()),
                    std::to_string(piece.drills.size()), piece.isUnfolded ? "unfolded" : "",

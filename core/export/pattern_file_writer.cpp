@@ -2,12 +2,13 @@
 #include "core/export/pattern_file_writer.h"
 
 #include "core/export/json.h"
+#include "core/geometry/polygon.h"
 
 namespace toile {
 namespace {
 
 Json perimeterJson(const Points2& line) {
-    return line.rows() == 0 ? Json() : number(perimeterOf(line));
+    return line.rows() == 0 ? Json() : number(geometry::perimeterOf(line));
 }
 
 Json pieceJson(const FilePiece& piece) {
@@ -20,7 +21,7 @@ Json pieceJson(const FilePiece& piece) {
     json["material"] = textOrNull(piece.material);
     json["cut_length"] = perimeterJson(piece.cut);
     json["seam_length"] = perimeterJson(piece.sew);
-    json["area"] = number(signedAreaOf(outlineOf(piece)));
+    json["area"] = number(geometry::signedAreaOf(outlineOf(piece)));
     json["points"] = outlineOf(piece).rows();
     json["holes"] = piece.holes.size();
     json["internal_lines"] = piece.internals.size();

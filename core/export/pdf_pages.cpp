@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 
 namespace toile {
@@ -101,7 +102,8 @@ public:
         const auto [low, high] = cellsOf(area.colwise().minCoeff(), area.colwise().maxCoeff());
         for (int row = low.y(); row <= high.y(); ++row) {
             for (int column = low.x(); column <= high.x(); ++column) {
-                if (!isUsed(column, row) && isInside(area, window(column, row).center())) {
+                if (!isUsed(column, row) &&
+                    geometry::isInside(area, window(column, row).center())) {
                     isUsed_[index(column, row)] = true;
                 }
             }
@@ -143,19 +145,6 @@ private:
                 }
             }
         }
-    }
-
-    /// By the even-odd rule.
-    static bool isInside(const Points2& area, const Vector2d& point) {
-        bool inside = false;
-        for (Eigen::Index k = 0; k < area.rows(); ++k) {
-            const Vector2d a = area.row(k), b = area.row((k + 1) % area.rows());
-            if ((a.y() > point.y()) != (b.y() > point.y()) &&
-                point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
-                inside = !inside;
-            }
-        }
-        return inside;
     }
 
     Vector2d corner_, step_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include "core/geometry/polygon.h"
+
 namespace toile {
 namespace {
 
@@ -18,19 +20,6 @@ Points2 turnedBack(const Points2& line, const Drawing& drawing, const PltOptions
     return back;
 }
 
-/// By the crossings of a ray to the right.
-bool isAround(const Points2& outline, const Eigen::Vector2d& point) {
-    bool isInside = false;
-    for (Eigen::Index k = 0, before = outline.rows() - 1; k < outline.rows(); before = k++) {
-        const auto a = outline.row(before), b = outline.row(k);
-        if ((a.y() > point.y()) != (b.y() > point.y()) &&
-            point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
-            isInside = !isInside;
-        }
-    }
-    return isInside;
-}
-
 /// What is cut out and lies in no other, or in a hole: pieces.
 int countPieces(const std::vector<ReadLine>& lines) {
     int pieces = 0;
@@ -38,7 +27,7 @@ int countPieces(const std::vector<ReadLine>& lines) {
         const Eigen::Vector2d point = line.points.row(0);
         const auto around = std::ranges::count_if(lines, [&](const ReadLine& other) {
             return &other != &line && other.layer == LayerKind::Cut && other.closed &&
-                   isAround(other.points, point);
+                   geometry::isInside(other.points, point);
         });
         pieces += line.layer == LayerKind::Cut && line.closed && around % 2 == 0 ? 1 : 0;
     }

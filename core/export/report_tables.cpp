@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/export/seam_walk_writer.h"
 #include "core/flatten/base/piece_result.h"
+#include "core/geometry/polygon.h"
 #include "core/pattern/piece_marks.h"
 #include "core/quality/closed_line.h"
 
@@ -21,15 +22,6 @@ std::string percentText(const std::optional<double>& fraction) {
     return fraction ? fixed(100 * *fraction, 2) : "-";
 }
 
-double enclosedArea(const Points2& line) {
-    double twice = 0;
-    for (Eigen::Index k = 0; k < line.rows(); ++k) {
-        const auto next = (k + 1) % line.rows();
-        twice += line(k, 0) * line(next, 1) - line(next, 0) * line(k, 1);
-    }
-    return 0.5 * std::abs(twice);
-}
-
 std::string lineLengthText(const Points2& line) {
     return line.rows() > 2 ? fixed(ClosedLine(line).length(), 2) : "-";
 }
@@ -37,10 +29,11 @@ std::string lineLengthText(const Points2& line) {
 std::vector<std::string> pieceRow(const PatternPiece& piece, const PieceResult* result) {
     std::vector<std::string> row{piece.name, cuttingNote(piece, {}, piece.cutAs), piece.material};
     row[1] = row[1].empty() ? "cut 1" : row[1];
-    row.insert(row.end(),
-               {fixed(enclosedArea(edgeOf(piece)) / kSquareMillimetresPerSquareCentimetre, 1),
-                lineLengthText(piece.outline), lineLengthText(piece.cuttingLine),
-                std::to_string(piece.notches.size())});
+    row.insert(row.end(), {fixed(std::abs(geometry::signedAreaOf(edgeOf(piece))) /
+                                     kSquareMillimetresPerSquareCentimetre,
+                                 1),
+                           lineLengthText(piece.outline), lineLengthText(piece.cuttingLine),
+                           std::to_string(piece.notches.size())});
     const auto& quality = result ? result->quality : std::nullopt;
     row.insert(row.end(), {quality ? percentText(quality->strainMin) : "-",
                            quality ? percentText(quality->strainMax) : "-",

@@ -7,6 +7,7 @@
 
 #include "core/base/characters.h"
 #include "core/base/text.h"
+#include "core/geometry/polygon.h"
 #include "core/reading/dxf_document.h"
 #include "core/reading/dxf_piece.h"
 #include "core/reading/dxf_unit.h"
@@ -64,7 +65,8 @@ Wording faultOf(const FilePiece& piece) {
     if (outline.rows() < 3) {
         return worded("it has no closed outline");
     }
-    return std::abs(signedAreaOf(outline)) > 0 ? Wording() : worded("its outline has no area");
+    return std::abs(geometry::signedAreaOf(outline)) > 0 ? Wording()
+                                                         : worded("its outline has no area");
 }
 
 /// The end of a name that only says the size again: "front_36".
@@ -159,7 +161,7 @@ private:
                 continue;
             }
             work_ += static_cast<double>(outlineOf(pieces_[k]).rows());
-            if (isInside(outlineOf(pieces_[k]), point)) {
+            if (geometry::isInside(outlineOf(pieces_[k]), point)) {
                 return &pieces_[k];
             }
         }
@@ -171,11 +173,11 @@ private:
         std::vector<Points2> closed;
         for (const FileLine& line : dxfLines(document_.entities, role, place_)) {
             if (line.closed && line.points.rows() > 2) {
-                closed.push_back(antiClockwise(line.points));
+                closed.push_back(geometry::antiClockwise(line.points));
             }
         }
         std::ranges::stable_sort(closed, [](const Points2& a, const Points2& b) {
-            return signedAreaOf(a) > signedAreaOf(b);
+            return geometry::signedAreaOf(a) > geometry::signedAreaOf(b);
         });
         for (const Points2& line : closed) {
             FilePiece* const outer = around(line.row(0).transpose());

@@ -9,6 +9,7 @@
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/base/words.h"
+#include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 #include "core/reading/joined_lines.h"
 
@@ -78,7 +79,7 @@ std::vector<Points2> closedOf(const std::vector<FileLine>& lines) {
         }
     }
     std::ranges::stable_sort(closed, [](const Points2& a, const Points2& b) {
-        return std::abs(signedAreaOf(a)) > std::abs(signedAreaOf(b));
+        return std::abs(geometry::signedAreaOf(a)) > std::abs(geometry::signedAreaOf(b));
     });
     return closed;
 }
@@ -112,7 +113,7 @@ std::vector<FileLine> closedByFold(std::vector<FileLine> lines,
         if (fold && !line.closed && line.points.rows() > 2) {
             Points2 ends(2, 2);
             ends << line.points.row(0), line.points.row(line.points.rows() - 1);
-            line.closed = isOnLine(ends, *fold, dxfNearness(perimeterOf(line.points)));
+            line.closed = isOnLine(ends, *fold, dxfNearness(geometry::perimeterOf(line.points)));
         }
     }
     return lines;
@@ -356,7 +357,7 @@ std::vector<FileLine> dxfLines(const std::vector<DxfEntity>& entities, DxfRole r
         if (dxfRole(entity.layer) == role) {
             if (auto line = lineOf(entity, place)) {
                 box.extend(boxOf(line->points));
-                length += perimeterOf(line->points) / 2;
+                length += geometry::perimeterOf(line->points) / 2;
                 lines.push_back(std::move(*line));
             }
         }
@@ -387,15 +388,15 @@ FilePiece dxfPiece(const std::vector<DxfEntity>& entities, const DxfPlace& place
     const Outlines sew = linesOf(DxfRole::Sew, DxfRole::FineSew);
     const Outlines holes = linesOf(DxfRole::CutOut, DxfRole::FineCutOut);
     if (!cut.closed.empty()) {
-        piece.cut = antiClockwise(cut.closed.front());
+        piece.cut = geometry::antiClockwise(cut.closed.front());
         piece.holes.assign(cut.closed.begin() + 1, cut.closed.end());
     }
     if (!sew.closed.empty()) {
-        piece.sew = antiClockwise(sew.closed.front());
+        piece.sew = geometry::antiClockwise(sew.closed.front());
     }
     piece.holes.insert(piece.holes.end(), holes.closed.begin(), holes.closed.end());
     for (Points2& hole : piece.holes) {
-        hole = antiClockwise(hole).colwise().reverse().eval();
+        hole = geometry::antiClockwise(hole).colwise().reverse().eval();
     }
     if (const std::size_t open = cut.open + sew.open; open > 0) {
         notes.push_back(

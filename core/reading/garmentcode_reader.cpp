@@ -8,6 +8,7 @@
 #include "core/base/characters.h"
 #include "core/base/json_fields.h"
 #include "core/base/text.h"
+#include "core/geometry/polygon.h"
 
 namespace toile {
 namespace {
@@ -365,7 +366,7 @@ PatternFile patternOf(const GarmentCode& code) {
         FilePiece& piece = file.pieces.emplace_back();
         piece.id = piece.name = panel.name;
         piece.annotation = panel.label;
-        piece.sew = antiClockwise(outlineOf(panel));
+        piece.sew = geometry::antiClockwise(outlineOf(panel));
     }
     return file;
 }

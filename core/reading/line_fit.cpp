@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 #include "core/reading/pattern_file.h"
 
@@ -25,7 +26,7 @@ constexpr double kMirrorLength = 0.05;  // and by so much, mm
 
 /// Points of a closed line at even shares of its length, from its first on.
 Points2 evenPoints(const Points2& closed, int count) {
-    const double length = perimeterOf(closed);
+    const double length = geometry::perimeterOf(closed);
     Points2 points(count, 2);
     Eigen::Index k = 0;
     double begin = 0;
@@ -84,7 +85,7 @@ Turn bestTurn(const std::vector<Complex>& line, const std::vector<Complex>& othe
 }
 
 bool isLine(const Points2& closed) {
-    return closed.rows() > 2 && closed.allFinite() && perimeterOf(closed) > 0;
+    return closed.rows() > 2 && closed.allFinite() && geometry::perimeterOf(closed) > 0;
 }
 
 Points2 turned(const Points2& points, double angle, const Eigen::RowVector2d& from,
@@ -192,8 +193,8 @@ LineFit fitLine(const Points2& line, const Points2& other, bool canMirror) {
     if (!isLine(line) || !isLine(other)) {
         return {};
     }
-    const Points2 first = antiClockwise(fewerPoints(line)),
-                  second = antiClockwise(fewerPoints(other));
+    const Points2 first = geometry::antiClockwise(fewerPoints(line)),
+                  second = geometry::antiClockwise(fewerPoints(other));
     LineFit plain = settledFit(first, second, false);
     if (!canMirror) {
         return plain;

@@ -71,15 +71,6 @@ struct PatternFile {
     std::vector<Wording> notes{};  ///< what was left out or put right
 };
 
-/// Of a closed line, mm and mm2; 0 where it has fewer than two points. Pure, linear.
-double perimeterOf(const Points2& closed);
-/// Positive where it runs anti-clockwise.
-double signedAreaOf(const Points2& closed);
-/// By crossings of a ray: true inside of a closed line. Pure, linear.
-bool isInside(const Points2& closed, const Eigen::Vector2d& point);
-/// The same line anti-clockwise: as it is, or from its last point to its first.
-Points2 antiClockwise(const Points2& closed);
-
 /// The pieces of one size: of the sample size where the file has several and says which, else of
 /// the first. Indices into `pieces`.
 std::vector<int> sampleOf(const PatternFile& file);

@@ -10,6 +10,7 @@
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/base/words.h"
+#include "core/geometry/polygon.h"
 
 namespace toile {
 namespace {
@@ -119,8 +120,9 @@ private:
     };
 
     static bool isAlike(const Points2& a, const Points2& b) {
-        const double lengths = perimeterOf(a) / perimeterOf(b);
-        const double areas = std::sqrt(std::abs(signedAreaOf(a) / signedAreaOf(b)));
+        const double lengths = geometry::perimeterOf(a) / geometry::perimeterOf(b);
+        const double areas =
+            std::sqrt(std::abs(geometry::signedAreaOf(a) / geometry::signedAreaOf(b)));
         return lengths < kMostRatio && lengths > 1 / kMostRatio && areas < kMostRatio &&
                areas > 1 / kMostRatio;
     }
@@ -143,11 +145,11 @@ private:
                 if (!isAlike(line, otherLine)) {
                     continue;
                 }
-                const double plain = roughDistance(line, antiClockwise(otherLine), false),
-                             image = roughDistance(line, antiClockwise(otherLine), true);
+                const double plain = roughDistance(line, geometry::antiClockwise(otherLine), false),
+                             image = roughDistance(line, geometry::antiClockwise(otherLine), true);
                 const bool mirrored = image + kForMirrored < plain;
                 const double distance = mirrored ? image : plain;
-                if (distance < kMostApart * std::sqrt(std::abs(signedAreaOf(line)))) {
+                if (distance < kMostApart * std::sqrt(std::abs(geometry::signedAreaOf(line)))) {
                     candidates.push_back({distance, mirrored, k, f});
                 }
             }
@@ -181,10 +183,10 @@ private:
             match.ours = which;
             match.theirs = whichOther;
             match.fit = fitLine(line, otherLine);
-            match.lengthOurs = perimeterOf(line);
-            match.lengthTheirs = perimeterOf(otherLine);
-            match.areaOurs = std::abs(signedAreaOf(line));
-            match.areaTheirs = std::abs(signedAreaOf(otherLine));
+            match.lengthOurs = geometry::perimeterOf(line);
+            match.lengthTheirs = geometry::perimeterOf(otherLine);
+            match.areaOurs = std::abs(geometry::signedAreaOf(line));
+            match.areaTheirs = std::abs(geometry::signedAreaOf(otherLine));
         };
         const bool hasCut = piece.cuttingLine.rows() > 0;
         if (other.sew.rows() > 0) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/base/characters.h"
+#include "core/geometry/polygon.h"
 #include "core/reading/dxf_piece.h"
 #include "core/reading/svg_reader.h"
 
@@ -43,7 +44,7 @@ Points2 closedPoints(const SvgLine& line) {
         --count;
     }
     points.conservativeResize(count, 2);
-    return antiClockwise(points);
+    return geometry::antiClockwise(points);
 }
 
 std::string layerText(const SvgLine& line) {
@@ -58,7 +59,7 @@ void addLine(const SvgLine& line, FilePiece& piece) {
     if ((role == DxfRole::Cut || role == DxfRole::Sew) && isClosed) {
         Points2 points = closedPoints(line);
         Points2& outline = role == DxfRole::Cut ? piece.cut : piece.sew;
-        if (signedAreaOf(points) > signedAreaOf(outline)) {
+        if (geometry::signedAreaOf(points) > geometry::signedAreaOf(outline)) {
             std::swap(points, outline);
         }
         if (points.rows() > 0) {
@@ -103,7 +104,7 @@ std::vector<FilePiece> outerPieces(const ReadSvg& svg) {
     for (const SvgLine& line : svg.lines) {
         if (isClosedLine(line) && line.text.empty() && line.layer != "check") {
             Points2 points = closedPoints(line);
-            const double area = signedAreaOf(points);
+            const double area = geometry::signedAreaOf(points);
             if (area > kLeastArea) {
                 closed.push_back({std::move(points), &line, area});
             }
@@ -124,13 +125,14 @@ std::vector<FilePiece> outerPieces(const ReadSvg& svg) {
             }
             steps += static_cast<double>(pieces[k].cut.rows());
             isThere |= pieces[k].cut.rows() == line.points.rows() && boxes[k].isApprox(box);
-            outer = isInside(pieces[k].cut, line.points.row(0).transpose()) ? &pieces[k] : nullptr;
+            outer = geometry::isInside(pieces[k].cut, line.points.row(0).transpose()) ? &pieces[k]
+                                                                                      : nullptr;
         }
         if (isThere) {
             continue;
         }
         if (outer && outer->sew.rows() == 0 &&
-            line.area > kSeamLineShare * signedAreaOf(outer->cut)) {
+            line.area > kSeamLineShare * geometry::signedAreaOf(outer->cut)) {
             outer->sew = line.points;
         } else if (outer) {
             outer->holes.emplace_back(line.points.colwise().reverse());

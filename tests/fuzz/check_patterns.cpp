@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/geometry/polygon.h"
 #include "core/reading/mesh_file.h"
 #include "core/reading/pattern_match.h"
 #include "core/reading/pdf_reader.h"
@@ -75,8 +76,8 @@ public:
         add(piece.grain);
         add(piece.fold);
         for (const Points2* outline : {&piece.cut, &piece.sew}) {
-            add(perimeterOf(*outline));
-            add(signedAreaOf(*outline));
+            add(geometry::perimeterOf(*outline));
+            add(geometry::signedAreaOf(*outline));
         }
     }
     void add(const PatternFile& file) {

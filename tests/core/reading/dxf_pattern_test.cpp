@@ -8,6 +8,7 @@
 
 #include "core/base/file.h"
 #include "core/export/writers.h"
+#include "core/geometry/polygon.h"
 #include "core/reading/joined_lines.h"
 #include "tests/core/export/export_fixtures.h"
 #include "tests/core/reading/dxf_builder.h"
@@ -92,8 +93,8 @@ TEST(DxfPattern, ReadsAPieceWithAllThatIsOnIt) {
     EXPECT_EQ(piece.mirroredQuantity, 1);
     EXPECT_EQ(piece.cut, kPanelOutline);
     EXPECT_EQ(piece.sew.rows(), 0);
-    EXPECT_DOUBLE_EQ(perimeterOf(piece.cut), 1700);
-    EXPECT_DOUBLE_EQ(signedAreaOf(piece.cut), 400 * 300 + 0.5 * (400 + 250) * 200);
+    EXPECT_DOUBLE_EQ(geometry::perimeterOf(piece.cut), 1700);
+    EXPECT_DOUBLE_EQ(geometry::signedAreaOf(piece.cut), 400 * 300 + 0.5 * (400 + 250) * 200);
     ASSERT_TRUE(piece.grain);
     EXPECT_EQ((*piece.grain)[1], Eigen::Vector2d(50, 300));
     ASSERT_EQ(piece.notches.size(), 1U);
@@ -102,7 +103,7 @@ TEST(DxfPattern, ReadsAPieceWithAllThatIsOnIt) {
     ASSERT_EQ(piece.drills.size(), 1U);
     EXPECT_EQ(piece.drills.front().diameter, 2);
     ASSERT_EQ(piece.holes.size(), 1U);
-    EXPECT_LT(signedAreaOf(piece.holes.front()), 0);
+    EXPECT_LT(geometry::signedAreaOf(piece.holes.front()), 0);
     EXPECT_EQ(piece.internals.size(), 1U);
     EXPECT_EQ(piece.layers.at("1"), 5);
 }
@@ -120,8 +121,9 @@ TEST(DxfPattern, JoinsOpenLinesInAnyOrderAndDirection) {
         const PatternFile file = readAll(fileOfParts(parts));
         ASSERT_EQ(file.pieces.size(), 1U);
         EXPECT_EQ(file.pieces.front().cut.rows(), 5);
-        EXPECT_NEAR(perimeterOf(file.pieces.front().cut), 1700, 1e-9);
-        EXPECT_NEAR(signedAreaOf(file.pieces.front().cut), signedAreaOf(kPanelOutline), 1e-6);
+        EXPECT_NEAR(geometry::perimeterOf(file.pieces.front().cut), 1700, 1e-9);
+        EXPECT_NEAR(geometry::signedAreaOf(file.pieces.front().cut),
+                    geometry::signedAreaOf(kPanelOutline), 1e-6);
     }
 }
 
@@ -144,8 +146,8 @@ TEST(DxfPattern, MakesHalvesWhole) {
     ASSERT_EQ(file.pieces.size(), 1U);
     const FilePiece& piece = file.pieces.front();
     EXPECT_TRUE(piece.isUnfolded);
-    EXPECT_NEAR(signedAreaOf(piece.cut), 2 * signedAreaOf(kPanelOutline), 1e-6);
-    EXPECT_NEAR(perimeterOf(piece.cut), 2 * (1700 - 500), 1e-9);
+    EXPECT_NEAR(geometry::signedAreaOf(piece.cut), 2 * geometry::signedAreaOf(kPanelOutline), 1e-6);
+    EXPECT_NEAR(geometry::perimeterOf(piece.cut), 2 * (1700 - 500), 1e-9);
     // The seam line is open where the fold is.
     EXPECT_NEAR(piece.sew.col(0).minCoeff(), -390, 1e-9);
     // That on the fold is there once.
@@ -188,7 +190,8 @@ TEST(DxfPattern, TakesTheFinerOfALineAndItsQualityLine) {
             .section("ENTITIES")
             .end();
         const PatternFile file = readAll(text.take());
-        EXPECT_NEAR(perimeterOf(file.pieces.front().cut), perimeterOf(fine), 1e-3);
+        EXPECT_NEAR(geometry::perimeterOf(file.pieces.front().cut), geometry::perimeterOf(fine),
+                    1e-3);
     }
 }
 
@@ -255,10 +258,11 @@ TEST(DxfPattern, JudgesTheUnitByWhatItSaysAndByTheSize) {
         EXPECT_EQ(file.unitInDoubt, inDoubt) << side << units;
         EXPECT_FALSE(file.unitReason.empty());
         EXPECT_EQ(file.pieces.front().name, "FRONT");
-        EXPECT_NEAR(perimeterOf(file.pieces.front().cut), 4 * side * millimetresPer(unit), 1e-3);
+        EXPECT_NEAR(geometry::perimeterOf(file.pieces.front().cut), 4 * side * millimetresPer(unit),
+                    1e-3);
     }
     const PatternFile stated = readAll(squareFile(600, "METRIC"), LengthUnit::Inch);
-    EXPECT_NEAR(perimeterOf(stated.pieces.front().cut), 4 * 600 * 25.4, 1e-6);
+    EXPECT_NEAR(geometry::perimeterOf(stated.pieces.front().cut), 4 * 600 * 25.4, 1e-6);
     EXPECT_FALSE(stated.unitInDoubt);
 }
 
@@ -289,11 +293,11 @@ TEST(DxfPattern, ReadsOurOwnDrawing) {
     ASSERT_EQ(file.pieces.size(), drawing.blocks.size());
     std::vector<double> is, should;
     for (const FilePiece& piece : file.pieces) {
-        is.push_back(perimeterOf(piece.cut));
+        is.push_back(geometry::perimeterOf(piece.cut));
         EXPECT_FALSE(piece.name.empty());
     }
     for (const DrawnBlock& block : drawing.blocks) {
-        should.push_back(perimeterOf(drawing.paths[block.path].points));
+        should.push_back(geometry::perimeterOf(drawing.paths[block.path].points));
     }
     std::ranges::sort(is);
     std::ranges::sort(should);
@@ -322,7 +326,7 @@ TEST(DxfPattern, SurvivesWhateverIsChanged) {
         const auto file = readDxfPattern(bytes);
         for (const FilePiece& piece : file ? file->pieces : std::vector<FilePiece>{}) {
             EXPECT_TRUE(outlineOf(piece).allFinite());
-            EXPECT_GT(std::abs(signedAreaOf(outlineOf(piece))), 0);
+            EXPECT_GT(std::abs(geometry::signedAreaOf(outlineOf(piece))), 0);
         }
     }
 }
@@ -364,8 +368,8 @@ TEST(DxfPattern, FindsTheSameInBothFormsOfAStyle) {
     ASSERT_EQ(aama.pieces.size(), astm.pieces.size());
     for (std::size_t k = 0; k < aama.pieces.size(); ++k) {
         EXPECT_EQ(aama.pieces[k].id, astm.pieces[k].id);
-        const double coarse = perimeterOf(aama.pieces[k].cut);
-        EXPECT_NEAR(perimeterOf(astm.pieces[k].cut), coarse, 2e-3 * coarse);
+        const double coarse = geometry::perimeterOf(aama.pieces[k].cut);
+        EXPECT_NEAR(geometry::perimeterOf(astm.pieces[k].cut), coarse, 2e-3 * coarse);
     }
 }
 
@@ -416,7 +420,8 @@ TEST(DxfPattern, ReadsANestOfOptitexInCentimetresThatSaysMetric) {
     EXPECT_EQ(file.pieces[1].id, "2");
     EXPECT_EQ(file.pieces[1].quantity, 2);
     EXPECT_EQ(sampleOf(file), std::vector<int>{1});
-    EXPECT_NEAR(perimeterOf(file.pieces[1].cut), 1.1 * perimeterOf(kPanelOutline), 0.01);
+    EXPECT_NEAR(geometry::perimeterOf(file.pieces[1].cut),
+                1.1 * geometry::perimeterOf(kPanelOutline), 0.01);
 }
 
 TEST(DxfPattern, DoubtsMetresOfOptitexOverInchesAndTakesAPersonsWord) {
@@ -426,7 +431,8 @@ TEST(DxfPattern, DoubtsMetresOfOptitexOverInchesAndTakesAPersonsWord) {
     const PatternFile file = readAll(bytes, LengthUnit::Inch);
     ASSERT_EQ(file.pieces.size(), 2U);
     EXPECT_FALSE(file.unitInDoubt);
-    EXPECT_NEAR(perimeterOf(file.pieces[0].cut), 1.05 * perimeterOf(kPanelOutline), 0.01);
+    EXPECT_NEAR(geometry::perimeterOf(file.pieces[0].cut),
+                1.05 * geometry::perimeterOf(kPanelOutline), 0.01);
 }
 
 TEST(DxfPattern, LeavesOutWhatIsNowhere) {

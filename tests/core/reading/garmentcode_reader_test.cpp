@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/geometry/polygon.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {
@@ -47,7 +48,7 @@ TEST(GarmentCodeReader, ReadsPanelsStitchesAndPlacesInMillimetres) {
     const PatternFile file = patternOf(code);
     EXPECT_EQ(file.unit, LengthUnit::Centimetre);
     ASSERT_EQ(file.pieces.size(), 1U);
-    EXPECT_DOUBLE_EQ(signedAreaOf(file.pieces.front().sew), 1e4);
+    EXPECT_DOUBLE_EQ(geometry::signedAreaOf(file.pieces.front().sew), 1e4);
     EXPECT_EQ(file.pieces.front().cut.rows(), 0);
 }
 
@@ -75,7 +76,7 @@ TEST(GarmentCodeReader, ReadsPartsOfCircles) {
     for (const bool isRight : {true, false}) {
         const GarmentCode code = readCode(
             squareWith(R"({"type":"circle","params":[)" + r + ",0," + (isRight ? "1]}" : "0]}")));
-        EXPECT_NEAR(signedAreaOf(outlineOf(code.panels.front())),
+        EXPECT_NEAR(geometry::signedAreaOf(outlineOf(code.panels.front())),
                     1e4 + (isRight ? segment : -segment), 1);
     }
 }
@@ -131,7 +132,7 @@ TEST(GarmentCodeReader, ReadsItsOwnProgramsFiles) {
         EXPECT_EQ(code.stitches.size(), stitches) << name;
         EXPECT_DOUBLE_EQ(code.unit, 10);
         for (const GarmentCodePanel& panel : code.panels) {
-            EXPECT_NE(signedAreaOf(outlineOf(panel)), 0) << panel.name;
+            EXPECT_NE(geometry::signedAreaOf(outlineOf(panel)), 0) << panel.name;
         }
     }
 }
@@ -148,7 +149,7 @@ TEST(GarmentCodeReader, FindsTheAreasOfTheMeasuredPanels) {
         for (const FilePiece& piece : file.pieces) {
             if (piece.name == panel["name"]) {
                 const double area = 100 * panel["area_2d"].get<double>();
-                EXPECT_NEAR(signedAreaOf(piece.sew), area, 1e-3 * area) << piece.name;
+                EXPECT_NEAR(geometry::signedAreaOf(piece.sew), area, 1e-3 * area) << piece.name;
                 ++found;
             }
         }

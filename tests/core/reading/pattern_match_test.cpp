@@ -5,6 +5,7 @@
 
 #include "core/export/pattern_match_writer.h"
 #include "core/export/writers.h"
+#include "core/geometry/polygon.h"
 #include "core/reading/dxf_pattern.h"
 #include "tests/core/export/export_fixtures.h"
 
@@ -15,7 +16,7 @@ Points2 moved(const Points2& line, double angle, double x, double y, bool mirror
     Points2 image = line;
     image.col(0) *= mirrored ? -1 : 1;
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
-    return antiClockwise((image * turn.transpose()).rowwise() + Eigen::RowVector2d(x, y));
+    return geometry::antiClockwise((image * turn.transpose()).rowwise() + Eigen::RowVector2d(x, y));
 }
 
 /// The same line with its points beginning elsewhere.
@@ -58,7 +59,7 @@ TEST(FitLine, FindsTheMotionOfAnyLine) {
                     startedAt(moved(line, angle, 500, -70, mirrored), line.rows() / 3);
                 const LineFit fit = fitLine(line, other);
                 EXPECT_LT(fit.farthest, 1e-4) << angle << mirrored;
-                EXPECT_NEAR(perimeterOf(fit.laid), perimeterOf(line), 1e-9);
+                EXPECT_NEAR(geometry::perimeterOf(fit.laid), geometry::perimeterOf(line), 1e-9);
             }
         }
     }

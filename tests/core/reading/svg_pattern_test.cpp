@@ -7,6 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/export/writers.h"
+#include "core/geometry/polygon.h"
 #include "core/reading/pattern_match.h"
 #include "tests/core/export/export_fixtures.h"
 #include "tests/core/support/shared_data.h"
@@ -44,10 +45,10 @@ TEST(SvgPattern, TakesOuterLinesForPieces) {
     EXPECT_FALSE(file->unitInDoubt);
     ASSERT_EQ(file->pieces.size(), 2U);
     EXPECT_EQ(file->pieces[0].holes.size(), 1U);
-    EXPECT_NEAR(perimeterOf(file->pieces[0].cut), 600, 1e-6);
+    EXPECT_NEAR(geometry::perimeterOf(file->pieces[0].cut), 600, 1e-6);
     EXPECT_EQ(file->pieces[1].name, "sleeve");
     EXPECT_EQ(file->pieces[1].cut.rows(), 3);
-    EXPECT_GT(signedAreaOf(file->pieces[1].cut), 0);
+    EXPECT_GT(geometry::signedAreaOf(file->pieces[1].cut), 0);
     const auto none = readSvgPattern("<svg xmlns='http://www.w3.org/2000/svg'/>");
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().code, ErrorCode::NoGeometry);
