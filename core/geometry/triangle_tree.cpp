@@ -99,6 +99,7 @@ TriangleTree<Dim, Scalar>::TriangleTree(const Scalar* points, std::size_t stride
 }
 
 template class TriangleTree<2>;
+template class TriangleTree<2, double>;
 template class TriangleTree<3>;
 template class TriangleTree<3, double>;
 

@@ -14,7 +14,7 @@ namespace toile::geometry {
 /// once, in order of the places the triangles have on a curve that fills space (Morton's), which
 /// needs one sort and no choice of planes: 0.1 s for a million. Reading is thread-safe.
 /// @tparam Dim     3 for cloth in space, 2 for flat pieces
-/// @tparam Scalar  of the coordinates: float or, in space, double
+/// @tparam Scalar  of the coordinates: float or double
 template <int Dim, class Scalar = float>
 class TriangleTree {
 public:
@@ -87,6 +87,7 @@ private:
 };
 
 extern template class TriangleTree<2>;
+extern template class TriangleTree<2, double>;
 extern template class TriangleTree<3>;
 extern template class TriangleTree<3, double>;
 

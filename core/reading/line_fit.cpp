@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
+#include "core/geometry/triangle_tree.h"
 #include "core/reading/pattern_file.h"
 
 namespace toile {
@@ -94,33 +97,61 @@ Points2 turned(const Points2& points, double angle, const Eigen::RowVector2d& fr
     return ((points.rowwise() - from) * rotation.transpose()).rowwise() + to;
 }
 
-Eigen::RowVector2d nearestOn(const Points2& closed, const Eigen::RowVector2d& point) {
-    Eigen::RowVector2d best = closed.row(0);
-    double least = std::numeric_limits<double>::infinity();
-    for (Eigen::Index k = 0; k < closed.rows(); ++k) {
-        const Eigen::RowVector2d a = closed.row(k), b = closed.row((k + 1) % closed.rows());
-        const Eigen::RowVector2d place = a + geometry::nearestShare(point, a, b) * (b - a);
-        if (const double square = (place - point).squaredNorm(); square < least) {
-            least = square;
-            best = place;
+/// Finds the point of a closed line that is nearest to another.
+class NearestOnLine {
+    using Tree = geometry::TriangleTree<2, double>;
+
+public:
+    explicit NearestOnLine(const Points2& closed) : points_(closed) {
+        std::vector<std::uint32_t> edges;  // triangles without area
+        const auto count = static_cast<std::uint32_t>(closed.rows());
+        for (std::uint32_t k = 0; k < count; ++k) {
+            edges.insert(edges.end(), {k, (k + 1) % count, k});
         }
+        tree_ = Tree(points_.data(), 2, edges);
     }
-    return best;
-}
+
+    Eigen::RowVector2d operator()(const Eigen::RowVector2d& point) const {
+        Eigen::RowVector2d best = points_.row(0);
+        std::pair least(std::numeric_limits<double>::infinity(), Eigen::Index{0});
+        tree_.search(
+            [&](const Tree::Box& box) {
+                const Eigen::Map<const Eigen::RowVector2d> low(box.low.data()),
+                    high(box.high.data());
+                const double square = (point.cwiseMax(low).cwiseMin(high) - point).squaredNorm();
+                return square <= least.first ? square : Tree::kMissed;
+            },
+            [&](Eigen::Index k) {
+                const Eigen::RowVector2d a = points_.row(k),
+                                         b = points_.row((k + 1) % points_.rows());
+                const Eigen::RowVector2d place = a + geometry::nearestShare(point, a, b) * (b - a);
+                // Of places equally near the first along the line, in whatever order they come.
+                if (const std::pair found((place - point).squaredNorm(), k); found < least) {
+                    least = found;
+                    best = place;
+                }
+            });
+        return best;
+    }
+
+private:
+    Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> points_;
+    Tree tree_;
+};
 
 /// Pairs of points of two lines that lie nearest to each other, from either side.
 struct NearPairs {
     Points2 first, second;
 
-    NearPairs(const Points2& line, const Points2& points, const Points2& other,
+    NearPairs(const NearestOnLine& line, const Points2& points, const NearestOnLine& other,
               const Points2& otherPoints)
         : first(points.rows() + otherPoints.rows(), 2), second(first.rows(), 2) {
         for (Eigen::Index k = 0; k < points.rows(); ++k) {
             first.row(k) = points.row(k);
-            second.row(k) = nearestOn(other, points.row(k));
+            second.row(k) = other(points.row(k));
         }
         for (Eigen::Index k = 0; k < otherPoints.rows(); ++k) {
-            first.row(points.rows() + k) = nearestOn(line, otherPoints.row(k));
+            first.row(points.rows() + k) = line(otherPoints.row(k));
             second.row(points.rows() + k) = otherPoints.row(k);
         }
     }
@@ -146,9 +177,10 @@ LineFit settledFit(const Points2& line, Points2 other, bool mirrored) {
     const auto otherEven = centred(evenPoints(other, kRoughPoints), otherMiddle);
     other = turned(other, bestTurn(even, otherEven).angle, otherMiddle, middle);
     const Points2 points = pointsToTry(line);
+    const NearestOnLine onLine(line);
     LineFit fit{other, mirrored, std::numeric_limits<double>::infinity(), 0};
     for (int round = 0; round < kMostRounds; ++round) {
-        const NearPairs pairs(line, points, other, pointsToTry(other));
+        const NearPairs pairs(onLine, points, NearestOnLine(other), pointsToTry(other));
         const Eigen::VectorXd distances = pairs.distances();
         const double mean = distances.mean();
         if (!(mean < fit.mean)) {

@@ -27,7 +27,7 @@ double roughDistance(const Points2& line, const Points2& other, bool mirrored);
 /// better; a mirrored fit must be clearly better.
 /// Of more than 20 000 points these lie at even distances.
 /// @param canMirror  whether it may be mirrored
-/// Cost: some thousand times the edges of the lines. Pure.
+/// Cost: some forty rounds of n log n in the points of both lines. Pure.
 LineFit fitLine(const Points2& line, const Points2& other, bool canMirror = true);
 
 }  // namespace toile
