@@ -90,10 +90,7 @@ WindowCentre::WindowCentre(Workspace& workspace, const ActionRegistry& actions, 
 
 QWidget* WindowCentre::makeWork(const ActionRegistry& actions) {
     connect(views_, &ViewArea::failed, banner_, &Banner::showSentence);
-    connect(views_, &ViewArea::entered, this, [this](ViewKind view) {
-        viewInUse_ = view;
-        emit hintChanged();
-    });
+    connect(views_, &ViewArea::entered, this, &WindowCentre::hintChanged);
     actions.on(ActionId::Frame, views_, &ViewArea::frameSelection);
     connectLooks(actions);
     auto* work = new QWidget(pages_);
@@ -126,7 +123,7 @@ void WindowCentre::connectTools(const ActionRegistry& actions) {
     for (const auto& [action, tool] : kTools) {
         actions.on(action, this, [this, tool = tool] {
             tools_.choose(tool);
-            views_->takeKeyboard(viewInUse_);  // for Escape and Enter
+            views_->takeKeyboard();  // for Escape and Enter
         });
     }
     const auto show = [&actions](ToolId chosen) {
@@ -162,9 +159,10 @@ void WindowCentre::showViews(bool shown) {
 }
 
 QString WindowCentre::hint() const {
+    const ViewKind view = views_->viewInUse();
     return QString("%1 · %2").arg(
-        tools_.current().hint(viewInUse_),
-        cameraHint(preferences_.choices().navigation, viewInUse_ == ViewKind::Pattern));
+        tools_.current().hint(view),
+        cameraHint(preferences_.choices().navigation, view == ViewKind::Pattern));
 }
 
 }  // namespace toile::app

@@ -65,7 +65,6 @@ private:
     GarmentCard* card_;
     QStackedWidget* pages_;
     ViewArea* views_;
-    ViewKind viewInUse_ = ViewKind::Garment;
     Workspace::Paths keptGuesses_;  ///< files whose guesses the person has found right
 };
 

@@ -52,6 +52,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
       document_(workspace.document()),
       views_(views),
       checker_(document_),
+      keys_([this] { views_.takeKeyboard(); }, this),
       pieces_(new PiecesPanel(document_)),
       seams_(new SeamsPanel(document_, actions)),
       problems_(new ProblemsPanel(checker_)),
@@ -108,6 +109,7 @@ void WindowDocks::add(const QString& title, const char* name, QWidget* panel, QW
     auto* dock = new QDockWidget(title, &window_);
     dock->setObjectName(name);
     dock->setWidget(panel);
+    keys_.watch(*dock);
     docks_ << dock;
     fields_ << &field;
     connect(&goThere, &QAction::triggered, dock, [this, at = docks_.size() - 1] { goTo(at); });

@@ -6,6 +6,7 @@
 
 #include "app/document/view_state.h"
 #include "app/jobs/ready_checker.h"
+#include "app/widgets/field_keys.h"
 
 class QAction;
 class QDockWidget;
@@ -76,6 +77,7 @@ private:
     Document& document_;
     ViewArea& views_;
     ReadyChecker checker_;
+    FieldKeys keys_;
     PiecesPanel* pieces_;
     SeamsPanel* seams_;
     ProblemsPanel* problems_;

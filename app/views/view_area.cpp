@@ -60,7 +60,10 @@ void ViewArea::makeViews() {
     views_ = {garmentView_, patternView_};
     for (SceneView* view : views_) {
         splitter_->addWidget(view);
-        connect(view, &SceneView::entered, this, [this, view] { emit entered(view->kind()); });
+        connect(view, &SceneView::entered, this, [this, view] {
+            viewInUse_ = view->kind();
+            emit entered();
+        });
         connect(view, &SceneView::pointed, this, &ViewArea::showValueAt);
     }
     morphBar_ = new MorphBar(document_, *garmentView_);
@@ -72,8 +75,8 @@ void ViewArea::makeViews() {
     splitter_->setSizes({1000, 1000});  // halves, whatever the width
 }
 
-void ViewArea::takeKeyboard(ViewKind view) {
-    const auto found = std::ranges::find(views_, view, &SceneView::kind);
+void ViewArea::takeKeyboard() {
+    const auto found = std::ranges::find(views_, viewInUse_, &SceneView::kind);
     if (found != views_.end()) {
         (*found)->setFocus();
     }

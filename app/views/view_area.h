@@ -36,8 +36,10 @@ public:
     GarmentView* garmentView() const { return garmentView_; }
     PatternView* patternView() const { return patternView_; }
 
-    /// Moves the keyboard to a view, where there is one.
-    void takeKeyboard(ViewKind view);
+    /// The view that the pointer was in last.
+    ViewKind viewInUse() const { return viewInUse_; }
+    /// Moves the keyboard there, where there are views.
+    void takeKeyboard();
     /// The slider from the garment to the pattern; null where there is no OpenGL 3.3.
     MorphBar* morphBar() const { return morphBar_; }
     /// The walk along the selected seam; null where there is no OpenGL 3.3.
@@ -57,8 +59,8 @@ public:
     void showValueAt(const std::optional<SurfaceHit>& place);
 
 signals:
-    /// The pointer has come into this view.
-    void entered(toile::app::ViewKind view);
+    /// The pointer has come into a view, maybe another.
+    void entered();
     /// The overlay's figures could not be worked out.
     void failed(const QString& sentence);
 
@@ -78,6 +80,7 @@ private:
     MorphBar* morphBar_ = nullptr;
     WalkBar* walkBar_ = nullptr;
     std::optional<SurfaceHit> pointed_;
+    ViewKind viewInUse_ = ViewKind::Garment;
 };
 
 }  // namespace toile::app
