@@ -3,6 +3,7 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QScrollArea>
 #include <QTreeView>
 #include <QUndoView>
 
@@ -19,6 +20,7 @@
 #include "app/settings/preferences.h"
 #include "app/views/view_area.h"
 #include "app/widgets/columns_model.h"
+#include "app/widgets/scrolled.h"
 
 namespace toile::app {
 
@@ -68,11 +70,12 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
     add(tr("Problems"), "problemsDock", problems_, problems_->table(),
         actions[ActionId::GoToProblems]);
     add(tr("History"), "historyDock", history_, *history_, actions[ActionId::GoToHistory]);
-    add(tr("Lines"), "linesDock", lines_, lines_->firstField(), actions[ActionId::GoToLines]);
+    add(tr("Lines"), "linesDock", scrolledRow(*lines_, &window_), lines_->firstField(),
+        actions[ActionId::GoToLines]);
     add(tr("Symmetry"), "symmetryDock", symmetry_, symmetry_->firstField(),
         actions[ActionId::GoToSymmetry]);
-    add(tr("Position"), "positionDock", position_, position_->firstField(),
-        actions[ActionId::GoToPosition]);
+    add(tr("Position"), "positionDock", scrolledColumn(*position_, &window_),
+        position_->firstField(), actions[ActionId::GoToPosition]);
     add(tr("Fabric"), "fabricDock", fabric_, fabric_->firstField(), actions[ActionId::GoToFabric]);
     arrange();
     constexpr auto kPieces = "pieces";

@@ -16,6 +16,7 @@
 #include "app/document/document.h"
 #include "app/text/error_text.h"
 #include "app/widgets/number_edits.h"
+#include "app/widgets/scrolled.h"
 
 namespace toile::app {
 
@@ -113,13 +114,7 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& wor
     empty->setObjectName("fabricEmpty");
     empty->setAlignment(Qt::AlignCenter);
     empty->setContentsMargins(kPanelAir, kPanelAir, kPanelAir, kPanelAir);
-    auto* scroll = new QScrollArea(pages_);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(makeContents());
-    scroll->setMinimumWidth(scroll->widget()->minimumSizeHint().width());
-    pages_->addWidget(scroll);
+    pages_->addWidget(scrolledColumn(*makeContents(), pages_));
     pages_->addWidget(empty);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

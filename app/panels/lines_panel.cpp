@@ -7,7 +7,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -24,6 +23,7 @@
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
+#include "app/widgets/scrolled.h"
 #include "core/base/units.h"
 
 namespace toile::app {
@@ -35,18 +35,6 @@ constexpr int kWidestField = 140;  // logical pixels
 void setQuietly(QDoubleSpinBox& field, double value) {
     const QSignalBlocker quiet(field);
     field.setValue(value);
-}
-
-/// A column of the panel, which scrolls where the panel is low.
-QScrollArea* makeColumn(QWidget* contents, QWidget* parent) {
-    auto* scroll = new QScrollArea(parent);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(contents);
-    scroll->setMinimumWidth(contents->minimumSizeHint().width() +
-                            scroll->verticalScrollBar()->sizeHint().width());
-    return scroll;
 }
 
 }  // namespace
@@ -69,14 +57,14 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
     auto* columns = new QHBoxLayout(this);
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(0);
-    columns->addWidget(makeColumn(makeSettings(), this), 2);
+    columns->addWidget(scrolledColumn(*makeSettings(), this), 2);
     auto* added = new QWidget(this);
     auto* rows = new QVBoxLayout(added);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
     rows->addWidget(allowance_);
     rows->addWidget(label_, 1);
-    columns->addWidget(makeColumn(added, this), 2);
+    columns->addWidget(scrolledColumn(*added, this), 2);
     columns->addWidget(ends_, 2);
     auto* selected = new QWidget(this);
     auto* forms = new QVBoxLayout(selected);
@@ -84,7 +72,7 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
     forms->setSpacing(0);
     forms->addWidget(dart_);
     forms->addWidget(segment_, 1);
-    columns->addWidget(makeColumn(selected, this), 4);
+    columns->addWidget(scrolledColumn(*selected, this), 4);
     connect(fair_, &QCheckBox::clicked, this, &LinesPanel::setFair);
     connect(true_, &QCheckBox::clicked, this, &LinesPanel::setTrueing);
     connect(tolerance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {

@@ -18,6 +18,7 @@
 #include "app/text/figures.h"
 #include "app/widgets/cell_delegate.h"
 #include "app/widgets/number_edits.h"
+#include "app/widgets/scrolled.h"
 
 namespace toile::app {
 
@@ -46,17 +47,10 @@ SymmetryPanel::SymmetryPanel(Document& document, QWidget* parent)
       pieces_(new MirroredPiecesList(this)),
       seams_(new QTreeWidget(this)) {
     makeSeamList();
-    auto* scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    QWidget* settings = makeSettings();
-    scroll->setWidget(settings);
-    scroll->setMinimumWidth(settings->minimumSizeHint().width());
     auto* columns = new QHBoxLayout(this);
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(0);
-    columns->addWidget(scroll, kSettingsShare);
+    columns->addWidget(scrolledColumn(*makeSettings(), this), kSettingsShare);
     columns->addWidget(pieces_, kPiecesShare);
     columns->addSpacing(kGap);
     columns->addWidget(seams_, kSeamsShare);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDockWidget>
-#include <QDebug>
 
-#include "app/settings/language.h"
+#include "app/document/document.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
@@ -16,20 +15,51 @@ class WindowSizeTest : public QObject {
 private:
     test::WindowFixture fixture_;
 
+    QList<QDockWidget*> docks() { return fixture_.window().findChildren<QDockWidget*>(); }
+    int dockWidth(const char* name) { return fixture_.find<QDockWidget>(name).width(); }
+
 private slots:
     void initTestCase() { SKIP_WITHOUT_GL(); }
     void cleanup() { fixture_.close(); }
 
+    /// What a screen of 1280 x 720 leaves of itself.
     void fitsASmallScreen() {
-        fixture_.open({1280, 680});
-        QVERIFY(fixture_.openAndWait(TOILE_SOURCE_DIR "/resources/samples/tshirt.obj"));
-        for (const auto* dock : fixture_.window().findChildren<QDockWidget*>()) {
-            qDebug() << dock->objectName() << dock->minimumSizeHint() << dock->widget()->minimumSizeHint()<< dock->size();
+        constexpr QSize kSmall(1280, 680);
+        fixture_.open(kSmall);
+        for (const char* sample : {"tshirt", "trousers"}) {
+            QVERIFY(fixture_.openAndWait(
+                QString(TOILE_SOURCE_DIR "/resources/samples/%1.obj").arg(QLatin1String(sample))));
+            for (QDockWidget* dock : docks()) {
+                for (const int pieces : {0, 1, 2}) {
+                    fixture_.document().setSelection(pieces == 0   ? Document::Selection{}
+                                                     : pieces == 1 ? Document::Selection{0}
+                                                                   : Document::Selection{0, 1});
+                    dock->raise();
+                    QCoreApplication::processEvents();
+                    const QSize least = fixture_.window().minimumSizeHint();
+                    QVERIFY2(least.width() <= kSmall.width() && least.height() <= kSmall.height(),
+                             qPrintable(QString("%1: %2 x %3")
+                                            .arg(dock->objectName())
+                                            .arg(least.width())
+                                            .arg(least.height())));
+                }
+            }
+            QCOMPARE(fixture_.window().size(), kSmall);
         }
-        qDebug() << fixture_.window().minimumSizeHint() << fixture_.window().size();
-        const QSize size = fixture_.window().size();
-        QVERIFY(size.width() <= 1280);
-        QVERIFY(size.height() <= 680);
+    }
+
+    void columnsKeepTheirWidthWhateverIsSelected() {
+        fixture_.open();
+        QVERIFY(fixture_.openAndWait(TOILE_SOURCE_DIR "/resources/samples/tshirt.obj"));
+        const int before = fixture_.patternView().width();
+        const int column = dockWidth("positionDock");
+        for (const Document::Selection& pieces :
+             {Document::Selection{0}, Document::Selection{1, 2}, Document::Selection{}}) {
+            fixture_.document().setSelection(pieces);
+            QCoreApplication::processEvents();
+            QCOMPARE(dockWidth("positionDock"), column);
+            QCOMPARE(fixture_.patternView().width(), before);
+        }
     }
 };
 
