@@ -4,6 +4,7 @@
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "app/actions/action_registry.h"
@@ -44,6 +45,8 @@ constexpr std::pair<ActionId, ViewKey> kLooks[] = {
     {ActionId::LookBottom, ViewKey::Bottom},
     {ActionId::Orthographic, ViewKey::Orthographic},
 };
+
+const QString kBetweenHints = QStringLiteral(" \u00b7 ");
 
 /// Groups in the bar: after these comes a line.
 bool endsGroup(ToolId tool) {
@@ -160,9 +163,13 @@ void WindowCentre::showViews(bool shown) {
 
 QString WindowCentre::hint() const {
     const ViewKind view = views_->viewInUse();
-    return QString("%1 · %2").arg(
-        tools_.current().hint(view),
-        cameraHint(preferences_.choices().navigation, view == ViewKind::Pattern));
+    QStringList hints = tools_.current().hint(view).split(kBetweenHints);
+    const QStringList camera =
+        cameraHint(preferences_.choices().navigation, view == ViewKind::Pattern)
+            .split(kBetweenHints);
+    // What is seen at a glance is of both.
+    hints.insert(std::min<qsizetype>(hints.size(), 2), camera.front());
+    return (hints + camera.mid(1)).join(kBetweenHints);
 }
 
 }  // namespace toile::app

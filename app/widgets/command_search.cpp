@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace toile::app {
 
@@ -36,30 +37,75 @@ bool isScattered(const std::vector<int>& places, const QString& text) {
     return 2 * telling < places.size();
 }
 
-/// A place or a tip is worth less than the least match of a text of three letters.
-constexpr int kPlaceScore = 2, kTipScore = 1;
+/// How well a typed word fits, the best last. What a person has written out is meant before what
+/// only has its letters somewhere.
+enum class Fit { Scattered, TipBegins, Together, PlaceBegins, TextBegins, TextWord };
 
 struct Candidate {
     FoundCommand found;
     bool enabled;
-    int score;
+    Fit fit = Fit::TextWord;  ///< of the word that fits least
+    int score = 0;
+    qsizetype length = 0;  ///< of two that fit alike the shorter one is meant
 };
+
+/// True where every letter but the first begins a word or follows the one before.
+bool areTogether(const std::vector<int>& places, const QString& text) {
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        if (places[i] != places[i - 1] + 1 && !beginsWordAt(text, places[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// True where the letters are a word of the text, or several.
+bool isWord(const QString& letters, const QString& text) {
+    const QString wanted = folded(letters), given = folded(text);
+    for (auto at = given.indexOf(wanted); at >= 0; at = given.indexOf(wanted, at + 1)) {
+        const auto end = at + wanted.size();
+        if (at < given.size() && beginsWordAt(given, at) &&
+            (end == given.size() || !given[end].isLetterOrNumber())) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Nothing where the word fits nowhere.
+std::optional<Fit> fitOf(const QString& word, const Command& command,
+                         const std::optional<FuzzyMatch>& inText) {
+    if (inText && beginsWord(word, command.text)) {
+        return isWord(word, command.text) ? Fit::TextWord : Fit::TextBegins;
+    }
+    if (beginsWord(word, command.place) || beginsWord(word, command.otherwise)) {
+        return Fit::PlaceBegins;
+    }
+    if (inText && areTogether(inText->letters, command.text)) {
+        return Fit::Together;
+    }
+    if (beginsWord(word, command.tip)) {
+        return Fit::TipBegins;
+    }
+    return inText ? std::optional(Fit::Scattered) : std::nullopt;
+}
 
 /// @return false where a word fits nowhere
 bool score(const Command& command, const QStringList& words, Candidate& candidate) {
     for (const QString& word : words) {
-        if (const auto match = fuzzyMatch(word, command.text)) {
+        const auto match = fuzzyMatch(word, command.text);
+        const auto fit = fitOf(word, command, match);
+        if (!fit) {
+            return false;
+        }
+        candidate.fit = std::min(candidate.fit, *fit);
+        if (match) {
             candidate.score += match->score;
             auto& letters = candidate.found.letters;
             letters.insert(letters.end(), match->letters.begin(), match->letters.end());
-        } else if (beginsWord(word, command.place) || beginsWord(word, command.otherwise)) {
-            candidate.score += kPlaceScore;
-        } else if (beginsWord(word, command.tip)) {
-            candidate.score += kTipScore;
-        } else {
-            return false;
         }
     }
+    candidate.length = words.isEmpty() ? 0 : command.text.size();
     auto& letters = candidate.found.letters;
     std::sort(letters.begin(), letters.end());
     letters.erase(std::unique(letters.begin(), letters.end()), letters.end());
@@ -129,14 +175,17 @@ std::vector<FoundCommand> searchCommands(const std::vector<Command>& commands,
     const QStringList words = typed.simplified().split(' ', Qt::SkipEmptyParts);
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < commands.size(); ++i) {
-        Candidate candidate{{static_cast<int>(i), {}}, commands[i].enabled, 0};
+        Candidate candidate{{static_cast<int>(i), {}}, commands[i].enabled};
         if ((!words.isEmpty() || commands[i].listedUnasked) &&
             score(commands[i], words, candidate)) {
             candidates.push_back(std::move(candidate));
         }
     }
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-        return a.enabled != b.enabled ? a.enabled : a.score > b.score;
+        const auto order = [](const Candidate& of) {
+            return std::tuple(!of.enabled, -static_cast<int>(of.fit), -of.score, of.length);
+        };
+        return order(a) < order(b);
     });
     std::vector<FoundCommand> found;
     found.reserve(candidates.size());

@@ -176,6 +176,26 @@ private slots:
         QCOMPARE(found.back().command, 0);
     }
 
+    void wordsGoBeforeScatteredLetters() {
+        const auto first = [](const std::vector<Command>& commands, const QString& typed) {
+            const auto found = searchCommands(commands, typed);
+            return found.empty() ? QString()
+                                 : commands[static_cast<std::size_t>(found.front().command)].text;
+        };
+        const std::vector<Command> commands = {
+            {.text = "Least stretch on a circle", .run = [] {}},
+            {.text = "Checkerboard", .tip = "True-scale squares of 1 cm", .run = [] {}},
+            {.text = "Principal strain", .run = [] {}},
+            {.text = "Print pattern…", .run = [] {}},
+            {.text = "Export pattern…", .tip = "Write a file for printing", .run = [] {}},
+            {.text = "sleeve_left / front", .run = [] {}},
+            {.text = "sleeve_left", .run = [] {}}};
+        QCOMPARE(first(commands, "scale"), QString("Checkerboard"));
+        QCOMPARE(first(commands, "print"), QString("Print pattern…"));
+        QCOMPARE(first(commands, "sle"), QString("sleeve_left"));
+        QCOMPARE(first(commands, "ps"), QString("Principal strain"));
+    }
+
     void typedCommandRuns() {
         QVERIFY(fixture_.openAndWait(fixture_.path("pair.obj")));
         ask("edge str");
@@ -485,14 +505,22 @@ private slots:
         QVERIFY(window().findChild<QLabel*>("faintText"));
     }
 
-    void hintsEndWithAWholeClause() {
-        const QString text = QStringLiteral("Click: select · Drag: turn · Wheel: zoom");
-        const QFontMetrics metrics(window().font());
-        QCOMPARE(fittingClauses(text, metrics, metrics.horizontalAdvance(text)), text);
-        QCOMPARE(fittingClauses(text, metrics, metrics.horizontalAdvance(text) - 1),
-                 QStringLiteral("Click: select · Drag: turn …"));
-        QVERIFY(fittingClauses(text, metrics, 30).endsWith(QChar(0x2026)));
-        QVERIFY(metrics.horizontalAdvance(fittingClauses(text, metrics, 30)) <= 30);
+    void hintsAreWholeClausesAndTheTipHasAll() {
+        const auto clauses = hintClauses("Click: select · Shift+drag: move · a sentence");
+        QCOMPARE(clauses.size(), std::size_t(3));
+        QCOMPARE(clauses[1].keys, QString("Shift+drag"));
+        QCOMPARE(clauses[1].what, QString("move"));
+        QVERIFY(clauses[2].keys.isEmpty());
+        HintLabel label;
+        label.setHint("Click: select · Drag: turn · Wheel: zoom · Esc: select nothing");
+        QCOMPARE(label.fitting(10000), HintLabel::kMostShown);
+        std::size_t before = HintLabel::kMostShown;
+        for (int width = 600; width > 0; width -= 5) {
+            QVERIFY(label.fitting(width) <= before);
+            before = label.fitting(width);
+        }
+        QCOMPARE(before, std::size_t(0));
+        QVERIFY(label.toolTip().contains("Esc: select nothing"));
     }
 
     void whatIsTypedIsTakenBackByTheWindowsKeys() {
