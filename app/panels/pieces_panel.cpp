@@ -83,6 +83,7 @@ void PiecesPanel::makeTable() {
     sorted_->setSourceModel(model_);
     sorted_->setSortRole(PiecesModel::SortRole);
     table_->setObjectName("pieceTable");
+    table_->setAccessibleName(tr("Pieces"));
     table_->setModel(sorted_);
     closeEditorsBeforeReset(*table_);
     table_->setRootIsDecorated(false);

@@ -33,6 +33,7 @@ constexpr double kAirAroundSeam = 0.15;
 GarmentView::GarmentView(Document& document, ToolChoice& tools, QWidget* parent)
     : SceneView(document, tools, std::make_unique<GarmentRenderer>(), parent) {
     setObjectName("garmentView");
+    setAccessibleName(tr("Garment"));
 }
 
 void GarmentView::setCameraViewport(double width, double height) {

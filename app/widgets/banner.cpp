@@ -39,6 +39,7 @@ Banner::Banner(QWidget* parent) : SentenceBar(parent) {
     auto* close = new QToolButton(this);
     close->setAutoRaise(true);
     close->setIcon(themedIcon("close", QColor(58, 40, 8)));
+    close->setAccessibleName(tr("Close"));
     close->setToolTip(tr("Close this message"));
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
     row_->setContentsMargins(14, 8, 8, 8);

@@ -139,6 +139,7 @@ CommandPalette::CommandPalette(QWidget* parent)
     line_->setMinimumHeight(34);
     line_->setTextMargins(6, 0, 6, 0);
     list_->setObjectName("commandList");
+    list_->setAccessibleName(tr("Commands found"));
     list_->setItemDelegate(new CommandDelegate(list_));
     list_->setFocusPolicy(Qt::NoFocus);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
