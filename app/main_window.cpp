@@ -70,7 +70,7 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
     setUnifiedTitleAndToolBarOnMac(true);
     setCentralWidget(centre_.get());
     fillMenuBar(*this, actions_, docks_->all(), garmentActions_->project().recent());
-    app::addToolBar(*this, actions_);
+    app::addToolBar(*this, actions_, workspace_);
     connectParts();
     connect(&preferences_, &Preferences::choicesChanged, this, &MainWindow::followChoices);
     followChoices(preferences_.choices());

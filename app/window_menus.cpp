@@ -12,6 +12,8 @@
 
 #include "app/actions/menu_table.h"
 #include "app/actions/project_actions.h"
+#include "app/actions/workspace.h"
+#include "app/overlay_buttons.h"
 #include "app/widgets/icon.h"
 
 namespace toile::app {
@@ -76,40 +78,22 @@ struct MenuMaker {
     }
 };
 
-/// Overlays that have no button of their own: one button that shows which of them is on.
-constexpr std::initializer_list<ActionId> kRarerOverlays = {
-    ActionId::OverlayArea, ActionId::OverlayAngle, ActionId::OverlayDirichlet};
-
-/// A button with these choices; it looks as the chosen one does, or says `text` where none is.
-QToolButton* makeChoiceButton(const ActionRegistry& actions, std::initializer_list<ActionId> ids,
-                              const QString& text, const QString& tip, QWidget* parent) {
-    auto* button = new QToolButton(parent);
-    button->setToolTip(tip);
-    button->setStatusTip(tip);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(button);
-    for (const ActionId id : ids) {
-        menu->addAction(&actions[id]);
-    }
-    button->setMenu(menu);
-    const auto follow = [button, menu, text] {
-        const QList<QAction*> choices = menu->actions();
-        const auto chosen = std::ranges::find_if(
-            choices, [](const QAction* choice) { return choice->isChecked(); });
-        const bool any = chosen != choices.end();
-        button->setText(any ? (*chosen)->iconText() : text);
-        button->setIcon(any ? (*chosen)->icon() : choices.front()->icon());
-        button->setDown(any);
-        button->setEnabled(choices.front()->isEnabled());
+/// Flatten stands out while the pattern is older than what was done since and nobody is about it.
+void glowWhenWanted(QWidget& button, Workspace& workspace) {
+    button.setObjectName("flattenButton");
+    const auto follow = [&button, &workspace] {
+        const Document& document = workspace.document();
+        const bool isWanted = document.garment() && !document.isFlattened() && !workspace.isBusy();
+        button.setStyleSheet(isWanted ? "QToolButton { border: 1px solid palette(highlight);"
+                                        " border-radius: 3px; font-weight: 600; padding: 3px; }"
+                                      : "");
     };
-    for (const QAction* choice : menu->actions()) {
-        QObject::connect(choice, &QAction::changed, button, follow);
+    // Later: what was changed is as a rule flattened at once.
+    QObject::connect(&workspace.document(), &Document::changed, &button, follow,
+                     Qt::QueuedConnection);
+    for (const JobRunner* jobs : workspace.runners()) {
+        QObject::connect(jobs, &JobRunner::idle, &button, follow, Qt::QueuedConnection);
     }
-    // The button forgets that it is down when its menu closes.
-    QObject::connect(menu, &QMenu::aboutToHide, button, follow, Qt::QueuedConnection);
-    follow();
-    return button;
 }
 
 }  // namespace
@@ -127,7 +111,7 @@ void fillMenuBar(QMainWindow& window, const ActionRegistry& actions,
     }
 }
 
-void addToolBar(QMainWindow& window, const ActionRegistry& actions) {
+void addToolBar(QMainWindow& window, const ActionRegistry& actions, Workspace& workspace) {
     QToolBar& bar = *window.addToolBar(WindowMenus::tr("Tools"));
     bar.setObjectName("toolBar");
     bar.setMovable(false);
@@ -141,19 +125,13 @@ void addToolBar(QMainWindow& window, const ActionRegistry& actions) {
     bar.addAction(&actions[ActionId::Redo]);
     bar.addSeparator();
     bar.addAction(&actions[ActionId::FlattenAgain]);
+    glowWhenWanted(*bar.widgetForAction(&actions[ActionId::FlattenAgain]), workspace);
     bar.addAction(&actions[ActionId::Frame]);
     bar.addSeparator();
-    for (const ActionId id : {ActionId::OverlayNone, ActionId::OverlayChecker,
-                              ActionId::OverlayStrain, ActionId::OverlayWarp, ActionId::OverlayWeft,
-                              ActionId::OverlayBias, ActionId::OverlayPrincipal}) {
-        bar.addAction(&actions[id]);
-    }
-    auto* more = makeChoiceButton(actions, kRarerOverlays, WindowMenus::tr("More"),
-                                  WindowMenus::tr("More overlays"), &bar);
-    more->setObjectName("moreOverlays");
-    bar.addWidget(more);
+    new OverlayButtons(bar, actions);  // the bar's
     bar.addSeparator();
-    bar.addAction(&actions[ActionId::Wireframe]);
+    bar.addAction(&actions[ActionId::GoToFabric]);
+    bar.addAction(&actions[ActionId::ReadyToCut]);
     // Qt's own is black on any ground.
     if (auto* rest = bar.findChild<QToolButton*>("qt_toolbar_ext_button")) {
         rest->setIcon(themedIcon("more"));

@@ -37,6 +37,7 @@ enum class ActionId {
     OverlayBias,
     OverlayPrincipal,
     OverlayDirichlet,
+    OverlayNormal,
     ValuesPerTriangle,
     WorstSpots,
     Wireframe,

@@ -21,9 +21,10 @@ enum class Overlay {
     Bias,       ///< strain at 45 degrees to it, the worse of both diagonals
     Principal,  ///< largest and least strain and their directions, as glyphs
     Dirichlet,  ///< symmetric Dirichlet energy, above that of cloth that keeps its shape
+    Normal,     ///< where the worn cloth faces, as a colour ([Wan05], figures)
 };
 
-inline constexpr int kOverlayCount = 10;
+inline constexpr int kOverlayCount = 11;
 
 /// What the overlays are called on the command line and in project files. Once released they stay.
 inline constexpr Word<Overlay> kOverlayWords[] = {
@@ -32,12 +33,13 @@ inline constexpr Word<Overlay> kOverlayWords[] = {
     {Overlay::Strain, "strain"},       {Overlay::Warp, "warp"},
     {Overlay::Weft, "weft"},           {Overlay::Bias, "bias"},
     {Overlay::Principal, "principal"}, {Overlay::Dirichlet, "dirichlet"},
+    {Overlay::Normal, "normal"},
 };
 static_assert(std::size(kOverlayWords) == kOverlayCount, "each overlay needs a word");
 
 /// True where the overlay shows a number and so needs a colour bar.
 constexpr bool isMeasured(Overlay overlay) {
-    return overlay != Overlay::None && overlay != Overlay::Checker;
+    return overlay != Overlay::None && overlay != Overlay::Checker && overlay != Overlay::Normal;
 }
 
 /// True where the number depends on how the grain runs.

@@ -37,6 +37,7 @@ double unbounded(Overlay overlay, const OverlaySample& sample, const Eigen::Vect
     switch (overlay) {
         case Overlay::None:
         case Overlay::Checker:
+        case Overlay::Normal:
             return 0;
         case Overlay::Area:
             return static_cast<double>(sample.values[0]);
@@ -145,6 +146,7 @@ std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric)
             return inPercent(tightest(fabric));
         case Overlay::None:
         case Overlay::Checker:
+        case Overlay::Normal:
         case Overlay::Area:
         case Overlay::Angle:
         case Overlay::Dirichlet:

@@ -198,7 +198,6 @@ ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
     program.setUniformValue("overlayLimited", scale.limited);
     program.setUniformValue("triangleTable", triangleTable);
     program.setUniformValue("perTriangle", triangleTable && frame.view.valuesPerTriangle);
-    program.setOpaque("selectionColour", frame.style.selection);
     setOwnUniforms(program);
     return program;
 }

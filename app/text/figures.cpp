@@ -177,6 +177,10 @@ OverlayWords overlayWords(Overlay overlay) {
             return {
                 OverlayText::tr("Distortion energy"), OverlayText::tr("%"),
                 OverlayText::tr("symmetric Dirichlet, above that of cloth that keeps its shape")};
+        case Overlay::Normal:
+            return {OverlayText::tr("Surface normals"),
+                    {},
+                    OverlayText::tr("where the worn cloth faces: one colour for each direction")};
     }
     return {};
 }

@@ -1,19 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/colour_bar.h"
 
+#include <QEvent>
 #include <QPainter>
+#include <algorithm>
 
+#include "app/render/render_style.h"
 #include "app/text/figures.h"
 
 namespace toile::app {
+
+namespace {
+
+/// Logical pixels, also what the scale bar in the other corner takes.
+constexpr int kCornerWidth = 440, kCornerMargin = 12, kBesideCorner = 150;
+constexpr int kLeastGround = 238;  ///< of 255: what is drawn below must not be read
+
+}  // namespace
 
 ColourBar::ColourBar(QWidget* parent) : QWidget(parent) {
     setObjectName("colourBar");
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
 }
 
+ColourBar* ColourBar::inCorner(QWidget& view) {
+    auto* bar = new ColourBar(&view);
+    bar->shape_ = LegendShape::Corner;
+    bar->setCursor(Qt::ArrowCursor);
+    bar->setAttribute(Qt::WA_NoMousePropagation);
+    bar->hide();
+    view.installEventFilter(bar);
+    return bar;
+}
+
+void ColourBar::placeInCorner() {
+    const QWidget& view = *parentWidget();
+    const int width = std::min(kCornerWidth, view.width() - kBesideCorner);
+    const int height = sizeHint().height();
+    setGeometry(view.width() - width - kCornerMargin, view.height() - height - kCornerMargin, width,
+                height);
+}
+
+bool ColourBar::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == parentWidget() && event->type() == QEvent::Resize) {
+        placeInCorner();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
 QSize ColourBar::sizeHint() const {
-    return {640, legendHeight(font())};
+    return {640, legendHeight(font(), shape_)};
 }
 
 QSize ColourBar::minimumSizeHint() const {
@@ -32,6 +68,10 @@ void ColourBar::show(const ColourLegend& legend) {
     const QString share = legend_.shareSentence();
     const QString meaning = overlayWords(legend_.overlay).meaning;
     setToolTip(share.isEmpty() ? meaning : tr("%1; %2").arg(meaning, share));
+    if (shape_ == LegendShape::Corner) {
+        setVisible(isMeasured(legend_.overlay) || legend_.overlay == Overlay::Normal);
+        placeInCorner();
+    }
     update();
 }
 
@@ -44,7 +84,15 @@ void ColourBar::showValue(std::optional<double> value) {
 
 void ColourBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    paintLegend(painter, legend_, size(), font(), palette());
+    if (shape_ == LegendShape::Corner) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        QColor ground = renderStyle(palette()).labelFill;
+        ground.setAlpha(std::max(ground.alpha(), kLeastGround));
+        painter.setBrush(ground);
+        painter.drawRoundedRect(rect(), 7, 7);
+    }
+    paintLegend(painter, legend_, size(), font(), palette(), shape_);
 }
 
 }  // namespace toile::app

@@ -8,12 +8,15 @@
 
 namespace toile::app {
 
-/// Legend of the overlay below the views. Shows nothing of the garment itself.
+/// Legend of the overlay. Shows nothing of the garment itself.
 class ColourBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit ColourBar(QWidget* parent = nullptr);
+    /// In the lower right corner of a view, above what it draws; seen while the overlay's colours
+    /// have to be told.
+    static ColourBar* inCorner(QWidget& view);
 
     /// The value under the pointer stays, where the overlay does.
     void show(const ColourLegend& legend);
@@ -28,8 +31,12 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void placeInCorner();
+
+    LegendShape shape_ = LegendShape::Row;
     ColourLegend legend_;
 };
 

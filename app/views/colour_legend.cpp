@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
+#include <QImage>
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
@@ -27,6 +28,8 @@ constexpr int kTop = 7;
 constexpr int kHistogramHeight = 22;
 constexpr int kBarHeight = 12;
 constexpr int kLongestBar = 460;
+constexpr int kCornerAir = 10, kCornerGap = 4;
+constexpr float kFaint = 0.72F;
 /// Samples of the hatching beside the bar, and the gap between.
 constexpr double kCapWidth = 34, kCapGap = 3;
 /// Room for the label of a tick, so that neighbours do not touch.
@@ -106,18 +109,23 @@ QString endLabel(const ColourLegend& legend, bool high) {
 class LegendPainter {
 public:
     LegendPainter(QPainter& painter, const ColourLegend& legend, const QSize& size,
-                  const QFont& font, const QPalette& palette)
+                  const QFont& font, const QPalette& palette, LegendShape shape)
         : painter_(painter),
           legend_(legend),
           size_(size),
+          shape_(shape),
           font_(font),
           metrics_(font),
           ink_(palette.color(QPalette::WindowText)),
           ground_(palette.color(QPalette::Window)) {}
 
-    void paint();
+    void paint() { shape_ == LegendShape::Row ? paintRow() : paintCorner(); }
 
 private:
+    void paintRow();
+    void paintCorner();
+    QFont strongFont() const;
+    QString title() const;
     bool hasCaps() const { return legend_.scale.limited; }
     double xOf(const QRectF& bar, double value) const {
         return bar.left() + bar.width() * legend_.scale.position(value);
@@ -128,23 +136,72 @@ private:
     void paintTicks(const QRectF& bar);
     void paintValue(const QRectF& bar);
     void paintSquares(const QRectF& area);
+    void paintBall(const QRectF& area);
     void paintWords(double left);
 
     QPainter& painter_;
     const ColourLegend& legend_;
     QSize size_;
+    LegendShape shape_;
     QFont font_;
     QFontMetrics metrics_;
     QColor ink_, ground_;
 };
 
-void LegendPainter::paint() {
-    const OverlayWords what = overlayWords(legend_.overlay);
+QFont LegendPainter::strongFont() const {
     QFont strong = font_;
     strong.setWeight(QFont::DemiBold);
+    return strong;
+}
+
+QString LegendPainter::title() const {
+    const OverlayWords what = overlayWords(legend_.overlay);
+    return what.unit.isEmpty() ? what.title : LegendWords::tr("%1 (%2)").arg(what.title, what.unit);
+}
+
+void LegendPainter::paintCorner() {
+    const double line = metrics_.height(), room = size_.width() - 2 * kCornerAir;
+    double left = kCornerAir;
+    if (legend_.overlay == Overlay::Normal) {
+        const double size = size_.height() - 2 * kCornerAir;
+        paintBall({left, kCornerAir, size, size});
+        left += size + kCornerAir;
+    }
+    const QFontMetricsF strong(strongFont());
+    const QString name =
+        strong.elidedText(title(), Qt::ElideRight, size_.width() - left - kCornerAir);
+    painter_.setFont(strongFont());
+    painter_.setPen(ink_);
+    painter_.drawText(QRectF(left, kTop, room, line), Qt::AlignVCenter, name);
+    painter_.setFont(font_);
+    if (legend_.overlay == Overlay::Normal) {
+        painter_.setPen(withAlpha(ink_, kFaint));
+        painter_.drawText(QRectF(left, kTop + line, size_.width() - left - kCornerAir,
+                                 size_.height() - kTop - line - kCornerAir),
+                          Qt::AlignTop | Qt::TextWordWrap, overlayWords(legend_.overlay).meaning);
+        return;
+    }
+    const double said = left + strong.horizontalAdvance(name) + kCornerAir;
+    const QString share = legend_.shortShare();
+    painter_.setPen(withAlpha(ink_, kFaint));
+    painter_.drawText(
+        QRectF(said, kTop, size_.width() - said - kCornerAir, line),
+        Qt::AlignVCenter | Qt::AlignRight,
+        metrics_.elidedText(share.isEmpty() ? overlayWords(legend_.overlay).meaning : share,
+                            Qt::ElideRight, static_cast<int>(size_.width() - said - kCornerAir)));
+    const double side = kCornerAir + kCapWidth + kCapGap;
+    const QRectF bar(side, kTop + line + kCornerGap + kHistogramHeight, size_.width() - 2 * side,
+                     kBarHeight);
+    paintHistogram(bar);
+    paintBar(bar);
+    paintTicks(bar);
+    paintValue(bar);
+}
+
+void LegendPainter::paintRow() {
+    const QFont strong = strongFont();
     const QFontMetricsF strongMetrics(strong);
-    const QString title =
-        what.unit.isEmpty() ? what.title : LegendWords::tr("%1 (%2)").arg(what.title, what.unit);
+    const QString title = this->title();
 
     // Every title gets the same room, so that the bar keeps its place when the overlay changes.
     const double titleWidth =
@@ -170,6 +227,11 @@ void LegendPainter::paint() {
         const QRectF area(left, (size_.height() - 16) / 2.0, 32, 16);
         paintSquares(area);
         end = area.right() + 12;
+    } else if (legend_.overlay == Overlay::Normal) {
+        const double size = std::min(40.0, size_.height() - 8.0);
+        const QRectF area(left, (size_.height() - size) / 2, size, size);
+        paintBall(area);
+        end = area.right() + 12;
     }
     paintWords(end);
 }
@@ -187,7 +249,7 @@ void LegendPainter::paintWords(double left) {
         painter_.drawText(QRectF(left, y, room, line), Qt::AlignVCenter,
                           metrics_.elidedText(text, Qt::ElideRight, int(room)));
     };
-    write(overlayWords(legend_.overlay).meaning, top, 0.72F);
+    write(overlayWords(legend_.overlay).meaning, top, kFaint);
     if (!share.isEmpty()) {
         const QString hatched =
             legend_.histogram->beyond() > 0 ? LegendWords::tr("%1 (hatched)").arg(share) : share;
@@ -294,8 +356,7 @@ void LegendPainter::paintValue(const QRectF& bar) {
     painter_.fillPath(mark, ink_);
     painter_.fillRect(QRectF(x - 0.75, bar.top(), 1.5, bar.height()), ink_);
 
-    QFont strong = font_;
-    strong.setWeight(QFont::DemiBold);
+    const QFont strong = strongFont();
     const QFontMetricsF metrics(strong);
     const double width = metrics.horizontalAdvance(text) + 10;
     QRectF box(x - width / 2, bar.top() - 8 - metrics.height(), width, metrics.height());
@@ -321,6 +382,27 @@ void LegendPainter::paintSquares(const QRectF& area) {
                 (row + column) % 2 == 0 ? dark : light);
         }
     }
+}
+
+/// What faces the eye of a ball, seen from the garment's front: as in surface.glsl.
+void LegendPainter::paintBall(const QRectF& area) {
+    constexpr int kSize = 128;
+    QImage ball(kSize, kSize, QImage::Format_ARGB32_Premultiplied);
+    ball.fill(Qt::transparent);
+    for (int row = 0; row < kSize; ++row) {
+        for (int column = 0; column < kSize; ++column) {
+            const double x = (2 * column + 1.0) / kSize - 1, y = 1 - (2 * row + 1.0) / kSize;
+            if (const double rest = 1 - x * x - y * y; rest >= 0) {
+                ball.setPixelColor(
+                    column, row,
+                    QColor::fromRgbF(static_cast<float>(0.5 + 0.5 * x),
+                                     static_cast<float>(0.5 + 0.5 * y),
+                                     static_cast<float>(0.5 + 0.5 * std::sqrt(rest))));
+            }
+        }
+    }
+    painter_.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter_.drawImage(area, ball);
 }
 
 }  // namespace
@@ -349,6 +431,16 @@ QString ColourLegend::shareSentence() const {
                : LegendWords::tr(words.within);
 }
 
+QString ColourLegend::shortShare() const {
+    if (shareSentence().isEmpty()) {
+        return {};
+    }
+    const double share = histogram->beyond();
+    return share > 0 ? LegendWords::tr("%1 beyond the fabric (hatched)")
+                           .arg(shareText(share, EndPercents(*histogram).all))
+                     : LegendWords::tr("all within the fabric");
+}
+
 QString ColourLegend::summary() const {
     const OverlayWords what = overlayWords(overlay);
     if (!isMeasured(overlay)) {
@@ -370,15 +462,17 @@ ColourLegend legendOf(const OverlayFigures& figures) {
     return legend;
 }
 
-int legendHeight(const QFont& font) {
-    return kTop + kHistogramHeight + kBarHeight + QFontMetrics(font).height() + 9;
+int legendHeight(const QFont& font, LegendShape shape) {
+    const int line = QFontMetrics(font).height();
+    const int row = kTop + kHistogramHeight + kBarHeight + line + 9;
+    return shape == LegendShape::Row ? row : row + line + kCornerGap;
 }
 
 void paintLegend(QPainter& painter, const ColourLegend& legend, const QSize& size,
-                 const QFont& font, const QPalette& palette) {
+                 const QFont& font, const QPalette& palette, LegendShape shape) {
     painter.save();
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-    LegendPainter(painter, legend, size, font, palette).paint();
+    LegendPainter(painter, legend, size, font, palette, shape).paint();
     painter.restore();
 }
 

@@ -28,6 +28,8 @@ struct ColourLegend {
     /// another direction may say something else. The shares at the ends as they are shown add up to
     /// it. Empty where the fabric has no limits, or nothing is flat yet.
     QString shareSentence() const;
+    /// The same in few words: "12 % beyond the fabric".
+    QString shortShare() const;
     /// "12 %": how much of the cloth lies beyond the lower or the higher end; empty where no cloth
     /// has been counted.
     QString endShareText(bool high) const;
@@ -38,10 +40,16 @@ struct ColourLegend {
 /// The legend of these figures: the ends say whether anything that is drawn lies beyond them.
 ColourLegend legendOf(const OverlayFigures& figures);
 
+/// How a legend is laid out.
+enum class LegendShape {
+    Row,     ///< words beside the colours: a strip below the views
+    Corner,  ///< words above them, and fewer: in a corner of a view
+};
+
 /// How high a legend is, logical pixels.
-int legendHeight(const QFont& font);
+int legendHeight(const QFont& font, LegendShape shape = LegendShape::Row);
 
 void paintLegend(QPainter& painter, const ColourLegend& legend, const QSize& size,
-                 const QFont& font, const QPalette& palette);
+                 const QFont& font, const QPalette& palette, LegendShape shape = LegendShape::Row);
 
 }  // namespace toile::app

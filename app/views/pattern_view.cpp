@@ -19,13 +19,14 @@ namespace toile::app {
 namespace {
 
 /// Room for the bar at the foot, logical pixels.
-constexpr double kWalkBar = 110;
+constexpr double kWalkBar = 72;
 
 }  // namespace
 
 PatternView::PatternView(Document& document, ToolChoice& tools, QWidget* parent)
     : SceneView(document, tools, std::make_unique<PatternRenderer>(), parent) {
     setObjectName("patternView");
+    setAccessibleName(tr("Pattern"));
 }
 
 void PatternView::setCameraViewport(double width, double height) {

@@ -24,14 +24,12 @@ ViewArea::ViewArea(Document& document, ToolChoice& tools, QWidget* parent)
       document_(document),
       tools_(tools),
       splitter_(new QSplitter(Qt::Horizontal, this)),
-      figures_(new OverlayWatcher(document, this)),
-      legend_(new ColourBar(this)) {
+      figures_(new OverlayWatcher(document, this)) {
     makeViews();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(splitter_, 1);
-    layout->addWidget(legend_);
     connect(figures_, &OverlayWatcher::changed, this, &ViewArea::showFigures);
     connect(figures_, &OverlayWatcher::failed, this, &ViewArea::failed);
     // The value at a place follows at once, however long the figures take.
@@ -66,6 +64,7 @@ void ViewArea::makeViews() {
         });
         connect(view, &SceneView::pointed, this, &ViewArea::showValueAt);
     }
+    legend_ = ColourBar::inCorner(*patternView_);
     morphBar_ = new MorphBar(document_, *garmentView_);
     walkBar_ = new WalkBar(document_, *patternView_, *garmentView_);
     splitter_->setChildrenCollapsible(false);
@@ -118,7 +117,9 @@ bool ViewArea::isUpToDate() const {
 
 void ViewArea::showFigures() {
     const OverlayFigures& figures = figures_->figures();
-    legend_->show(legendOf(figures));
+    if (legend_) {
+        legend_->show(legendOf(figures));
+    }
     for (SceneView* view : views_) {
         view->setWorstSpots({figures.spots, figures.overlay});
     }
@@ -131,7 +132,9 @@ void ViewArea::showValueAt(const std::optional<SurfaceHit>& place) {
 }
 
 void ViewArea::showPointedValue() {
-    legend_->showValue(pointed_ ? shownValueAt(document_, *pointed_) : std::nullopt);
+    if (legend_) {
+        legend_->showValue(pointed_ ? shownValueAt(document_, *pointed_) : std::nullopt);
+    }
 }
 
 }  // namespace toile::app

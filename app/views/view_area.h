@@ -24,8 +24,8 @@ class SceneView;
 class ToolChoice;
 class WalkBar;
 
-/// Both views side by side over the overlay's legend; a sentence in their place where this
-/// computer cannot draw them.
+/// Both views side by side, with the overlay's legend in a corner; a sentence in their place where
+/// this computer cannot draw them.
 class ViewArea : public QWidget {
     Q_OBJECT
 
@@ -73,7 +73,7 @@ private:
     ToolChoice& tools_;
     QSplitter* splitter_;
     OverlayWatcher* figures_;
-    ColourBar* legend_;
+    ColourBar* legend_ = nullptr;
     GarmentView* garmentView_ = nullptr;
     PatternView* patternView_ = nullptr;
     std::vector<SceneView*> views_;  ///< both, or none

@@ -10,6 +10,7 @@ uniform mat4 viewProjection;
 uniform mat3 normalToView;
 
 out vec3 viewNormal;
+out vec3 wornNormal;
 out vec2 millimetres;
 out vec4 vertexValues;
 out vec3 vertexMetric;
@@ -21,6 +22,7 @@ flat out int pieceFlags;
 void main() {
     vec4 entry = pieceColourAndFlags(piece);
     viewNormal = normalToView * morphedNormal(piece, int(entry.a + 0.5), normal);
+    wornNormal = normal;
     millimetres = flatPoint;
     vertexValues = values;
     vertexMetric = metric;

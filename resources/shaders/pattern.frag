@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+in vec3 wornNormal;
 in vec2 millimetres;
 in vec4 vertexValues;
 in vec3 vertexMetric;
@@ -7,15 +8,13 @@ flat in vec2 ownRange;
 flat in vec3 pieceColour;
 flat in int pieceFlags;
 
-uniform vec3 selectionColour;
-
 out vec4 colour;
 
 void main() {
-    vec3 cloth = clothColour(pieceColour, pieceFlags, millimetres, vertexValues, vertexMetric,
-                             grain, ownRange);
-    if ((pieceFlags & kPieceSelected) != 0 && overlay <= kOverlayChecker) {
-        cloth = mix(cloth, selectionColour, 0.12);
+    vec3 cloth = clothColour(pieceColour, pieceFlags, wornNormal, millimetres, vertexValues,
+                             vertexMetric, grain, ownRange);
+    if ((pieceFlags & kPieceSelected) != 0 && !isRead()) {
+        cloth = mix(cloth, vec3(1.0), kSelectedLight);
     }
     colour = vec4(cloth, 1.0);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 flatPoint;
 layout(location = 3) in vec4 values;
 layout(location = 4) in float piece;
@@ -6,6 +7,7 @@ layout(location = 5) in vec3 metric;
 
 uniform mat4 viewProjection;
 
+out vec3 wornNormal;
 out vec2 millimetres;
 out vec4 vertexValues;
 out vec3 vertexMetric;
@@ -16,6 +18,7 @@ flat out int pieceFlags;
 
 void main() {
     vec4 entry = pieceColourAndFlags(piece);
+    wornNormal = normal;
     millimetres = flatPoint;
     vertexValues = values;
     vertexMetric = metric;

@@ -13,16 +13,21 @@ const int kOverlayWeft = 6;
 const int kOverlayBias = 7;
 const int kOverlayPrincipal = 8;
 const int kOverlayDirichlet = 9;
+const int kOverlayNormal = 10;
 
 const int kPieceSelected = 1;
 const int kPieceFlat = 2;
 
+// How much lighter the cloth of a selected piece is: its hue says which piece it is
+const float kSelectedLight = 0.3;
+
 // Side of a checkerboard square, mm
 const float kSquare = 10.0;
 
-// Hatching, in logical pixels
+// Hatching, in logical pixels, and how much of the colour it leaves
 const float kHatchPeriod = 7.0;
-const float kHatchWidth = 1.9;
+const float kHatchWidth = 1.3;
+const float kHatchStrength = 0.6;
 
 // Of a table of triangles: two texels each, in rows of this many
 const int kFaceTableWidth = 2048;
@@ -51,6 +56,11 @@ float checker(vec2 millimetres) {
     vec2 p = millimetres / kSquare;
     vec2 window = max(fwidth(p), vec2(1e-4));
     return 0.5 - 0.5 * filteredWave(p.x, window.x) * filteredWave(p.y, window.y);
+}
+
+// True where colours stand for something that is read: light and selection leave them alone.
+bool isRead() {
+    return overlay > kOverlayChecker;
 }
 
 bool isTwoSided(vec2 range) {
@@ -137,11 +147,14 @@ float hatching(bool stretched) {
 }
 
 // Colour of the cloth of a piece before light falls on it.
-// ownRange: pieceRange of piece_table.glsl
-vec3 clothColour(vec3 piece, int flags, vec2 millimetres, vec4 values, vec3 metric, vec2 grain,
-                 vec2 ownRange) {
+// worn: the normal of the cloth on the garment; ownRange: pieceRange of piece_table.glsl
+vec3 clothColour(vec3 piece, int flags, vec3 worn, vec2 millimetres, vec4 values, vec3 metric,
+                 vec2 grain, vec2 ownRange) {
     // Called outside of any branch: derivatives are undefined inside.
     float square = checker(millimetres);
+    if (overlay == kOverlayNormal) {
+        return 0.5 + 0.5 * normalize(worn);
+    }
     if ((flags & kPieceFlat) == 0) {
         return piece;
     }
@@ -170,7 +183,7 @@ vec3 clothColour(vec3 piece, int flags, vec2 millimetres, vec4 values, vec3 metr
     vec3 ground = overlay == kOverlayPrincipal ? valueColour(0.0) : painted;
     if (overlayLimited && severity(own, range) > 1.0005) {
         vec3 stripe = overlay == kOverlayPrincipal ? mix(ground, painted, 0.5) : vec3(0.97);
-        return mix(ground, stripe, hatching(own > 0.0));
+        return mix(ground, stripe, kHatchStrength * hatching(own > 0.0));
     }
     return ground;
 }
