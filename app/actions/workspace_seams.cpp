@@ -31,19 +31,19 @@ std::string freeName(const std::vector<Entry>& entries, const std::string& stem,
 
 struct CutWords {
     QString text;      ///< for the history
-    std::string stem;  ///< of its name
+    std::string stem;  ///< of its name, which is the person's
 };
 
 CutWords wordsOf(UserCut::Kind kind) {
     switch (kind) {
         case UserCut::Kind::Dart:
-            return {Workspace::tr("Dart"), "dart"};
+            return {Workspace::tr("Dart"), Workspace::tr("dart").toStdString()};
         case UserCut::Kind::Loop:
-            return {Workspace::tr("Closed loop"), "loop"};
+            return {Workspace::tr("Closed loop"), Workspace::tr("loop").toStdString()};
         case UserCut::Kind::Path:
             break;
     }
-    return {Workspace::tr("Cut"), "cut"};
+    return {Workspace::tr("Cut"), Workspace::tr("cut").toStdString()};
 }
 
 /// Whether a mirror image is found at once: within some milliseconds.

@@ -2345,7 +2345,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>Principal</source>
-        <translation>Haupt</translation>
+        <translation>Hauptdehnung</translation>
     </message>
     <message>
         <source>&amp;Distortion energy</source>
@@ -4884,7 +4884,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>Beyond the fabric</source>
-        <translation>Jenseits des Materials</translation>
+        <translation>Mehr, als der Stoff hergibt</translation>
     </message>
     <message>
         <source>Show the strain in this direction on the cloth</source>
@@ -4892,7 +4892,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>In any</source>
-        <translation>In irgendeiner</translation>
+        <translation>In mindestens einer</translation>
     </message>
     <message>
         <source>Nothing is flat yet.</source>
