@@ -101,6 +101,7 @@ void MainWindow::connectParts() {
     connect(&session, &ProjectSession::changed, this, &MainWindow::updateTitle);
     connect(centre_.get(), &WindowCentre::filesWanted, this, &MainWindow::openFiles);
     connect(centre_.get(), &WindowCentre::hintChanged, this, &MainWindow::updateHint);
+    connect(status_.get(), &WindowStatus::summaryWanted, centre_.get(), &WindowCentre::askAgain);
     connect(&card(), &GarmentCard::kept, this, [this] { checker().setGuessesKept(true); });
     connect(&workspace_.document(), &Document::changed, this, &MainWindow::onChanged);
     actions_.on(ActionId::Quit, this, &QWidget::close);

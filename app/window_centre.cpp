@@ -72,7 +72,11 @@ WindowCentre::WindowCentre(Workspace& workspace, const ActionRegistry& actions, 
             banner_->showSentence(sentence);
         });
     }
-    connect(card_, &GarmentCard::kept, this, [this] { keptGuesses_ = workspace_.openPaths(); });
+    connect(card_, &GarmentCard::kept, this, [this] {
+        keptGuesses_ = workspace_.openPaths();
+        askedAgain_.clear();
+    });
+    connect(card_, &GarmentCard::answered, this, [this] { askedAgain_.clear(); });
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
         ask();
         views_->repaintViews();  // the scale bar
@@ -154,7 +158,15 @@ void WindowCentre::connectLooks(const ActionRegistry& actions) {
 }
 
 void WindowCentre::ask() {
-    card_->ask(areGuessesKept() ? GarmentQuestions{} : garmentQuestions(workspace_));
+    const bool isWanted = !askedAgain_.empty() && askedAgain_ == workspace_.openPaths();
+    card_->ask(isWanted           ? garmentQuestions(workspace_, Asked::Always)
+               : areGuessesKept() ? GarmentQuestions{}
+                                  : garmentQuestions(workspace_));
+}
+
+void WindowCentre::askAgain() {
+    askedAgain_ = workspace_.openPaths();
+    ask();
 }
 
 void WindowCentre::showViews(bool shown) {

@@ -37,6 +37,8 @@ public:
     bool areGuessesKept() const { return keptGuesses_ == workspace_.openPaths(); }
     /// Asks about what was guessed of the open garment.
     void ask();
+    /// Asks about unit and up axis of the open garment, guessed or not, until there is an answer.
+    void askAgain();
     /// The views in place of the welcome, or the other way round.
     void showViews(bool shown);
     /// What mouse and keys do in the view that the pointer was in last.
@@ -66,6 +68,7 @@ private:
     QStackedWidget* pages_;
     ViewArea* views_;
     Workspace::Paths keptGuesses_;  ///< files whose guesses the person has found right
+    Workspace::Paths askedAgain_;   ///< files that the person wants to say something of
 };
 
 }  // namespace toile::app

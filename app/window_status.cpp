@@ -30,13 +30,15 @@ constexpr int kWrittenMilliseconds = 10000;
 
 WindowStatus::WindowStatus(QStatusBar& bar, Workspace& workspace, const ActionRegistry& actions,
                            ProjectSession& session, const ReadyChecker& checker)
-    : bar_(bar), workspace_(workspace), hint_(new HintLabel), summary_(new QLabel) {
+    : bar_(bar), workspace_(workspace), hint_(new HintLabel), summary_(new QToolButton) {
     hint_->setObjectName("toolHint");
     hint_->setContentsMargins(8, 0, 8, 0);
     hint_->setMinimumWidth(60);
     bar_.addWidget(hint_, 1);
     summary_->setObjectName("garmentSummary");
-    summary_->setContentsMargins(8, 0, 8, 0);
+    summary_->setAutoRaise(true);
+    summary_->setFocusPolicy(Qt::TabFocus);
+    connect(summary_, &QToolButton::clicked, this, &WindowStatus::summaryWanted);
     bar_.addPermanentWidget(summary_);
     bar_.addPermanentWidget(new WorkDisplay(workspace.runners(), actions[ActionId::Cancel]));
     for (JobRunner* jobs : workspace.runners()) {
@@ -72,8 +74,11 @@ void WindowStatus::say(const QString& sentence) {
 }
 
 void WindowStatus::updateSummary() {
-    summary_->setText(garmentSummary(workspace_.document()));
-    summary_->setToolTip(garmentReasons(workspace_.document()));
+    const QString summary = garmentSummary(workspace_.document());
+    summary_->setText(summary);
+    summary_->setVisible(!summary.isEmpty());
+    summary_->setToolTip(tr("%1\n\nClick to choose the unit or to say how tall the garment is")
+                             .arg(garmentReasons(workspace_.document())));
 }
 
 bool WindowStatus::hasSummary() const {

@@ -8,6 +8,7 @@ class QAction;
 class QLabel;
 class QProgressBar;
 class QStatusBar;
+class QToolButton;
 
 namespace toile::app {
 
@@ -55,11 +56,15 @@ public:
     /// Whether anything was known of the garment then.
     bool hasSummary() const;
 
+signals:
+    /// What the bar says of the garment is to be said otherwise.
+    void summaryWanted();
+
 private:
     QStatusBar& bar_;
     Workspace& workspace_;
     HintLabel* hint_;
-    QLabel* summary_;
+    QToolButton* summary_;
 };
 
 }  // namespace toile::app

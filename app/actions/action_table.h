@@ -88,6 +88,7 @@ enum class ActionId {
     UnitAuto,
     UnitMillimetre,
     UnitCentimetre,
+    UnitDecimetre,
     UnitMetre,
     UnitInch,
     UpAuto,

@@ -100,7 +100,7 @@ std::vector<MenuSpec> makeTable() {
           AutoCut, Weld, kLine,
           SeamsFromFile, SeamsToFile}},
         {"unitMenu", TR("&Unit"),
-         {UnitAuto, UnitMillimetre, UnitCentimetre, UnitMetre, UnitInch}, false},
+         {UnitAuto, UnitMillimetre, UnitCentimetre, UnitDecimetre, UnitMetre, UnitInch}, false},
         {"upMenu", TR("Up &axis"), {UpAuto, UpY, UpZ}, false},
         {"divideMenu", TR("&Divide by"),
          {SplitAuto, SplitComponents, SplitObjects, SplitGroups, SplitMaterials, SplitUv,

@@ -260,7 +260,7 @@ void Workspace::setLoadingField(const QString& text, Value LoadOptions::*field,
     changeLoading({text, [field, value](LoadOptions& options) { options.*field = value; }});
 }
 
-void Workspace::setUnit(std::optional<LengthUnit> unit) {
+void Workspace::setUnit(std::optional<FileUnit> unit) {
     setLoadingField(tr("Unit"), &LoadOptions::unit, unit);
 }
 

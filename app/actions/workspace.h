@@ -80,7 +80,7 @@ public:
     /// Reads an open garment again with these options.
     void setLoading(LoadOptions loading);
     /// Unit of the files; none: guessed. Reads an open garment again where that is a change.
-    void setUnit(std::optional<LengthUnit> unit);
+    void setUnit(std::optional<FileUnit> unit);
     /// The axis that points up in the files; none: guessed. As setUnit.
     void setUpAxis(std::optional<UpAxis> up);
     /// By what files are divided. As setUnit.

@@ -105,8 +105,15 @@ void addReading(CLI::App& command, Arguments& arguments) {
               {"auto", "components", "objects", "groups", "materials", "uv", "seams"},
               parseSplitMode, "By what files are divided into pieces")
         ->default_str(std::string(name(load.split)));
-    addChoice(command, "--unit", load.unit, {"mm", "cm", "m", "in"}, parseLengthUnit,
-              "Unit of the input's coordinates");
+    command
+        .add_option_function<std::string>(
+            "--unit", [&load](const std::string& text) { load.unit = parseFileUnit(text); },
+            "Unit of the input's coordinates; or what one is: 12.5mm")
+        ->type_name("mm|cm|dm|m|in|LENGTH")
+        ->check([](const std::string& text) {
+            return parseFileUnit(text) ? std::string()
+                                       : text + " is no unit: mm, cm, dm, m, in, or a length";
+        });
     addChoice(command, "--up", load.up, {"y", "z"}, parseUpAxis,
               "Axis of the input that points up");
     command

@@ -120,7 +120,7 @@ int runComparePattern(const Arguments& arguments, std::ostream& out, std::ostrea
         out << writePatternMatch(pattern, *file, match);
     } else {
         out << shownText(arguments.pattern.string(), kMaxOfPlace) << ": " << file->format
-            << ", unit " << symbol(file->unit);
+            << ", unit " << unitText(file->unit);
         if (!file->unitReason.empty()) {
             out << " (" << file->unitReason << (file->unitInDoubt ? "; in doubt" : "") << ")";
         }

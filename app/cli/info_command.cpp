@@ -18,7 +18,7 @@ void printFile(const SourceFile& file, std::ostream& out) {
     out << shownText(file.path.string(), kMaxOfPlace) << ": "
         << counted(file.soup->faceCount(), "face") << ", "
         << counted(static_cast<long long>(file.soup->positions.size()), "vertex") << ", unit "
-        << symbol(file.unit);
+        << unitText(file.unit);
     if (!file.unitReason.empty()) {
         out << " (" << file.unitReason << ")";
     }

@@ -68,7 +68,7 @@ void printLayers(const PatternFile& file, std::ostream& out) {
 void printHead(const std::filesystem::path& path, const PatternFile& file, std::ostream& out) {
     out << shownText(path.string(), kMaxOfPlace) << ": " << file.format << ", "
         << counted(static_cast<long long>(file.pieces.size()), "piece") << ", unit "
-        << symbol(file.unit);
+        << unitText(file.unit);
     if (!file.unitReason.empty()) {
         out << " (" << file.unitReason << (file.unitInDoubt ? "; in doubt" : "") << ")";
     }

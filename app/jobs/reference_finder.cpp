@@ -95,7 +95,7 @@ QString ReferenceFinder::summaryOf(const ReferenceMatch& found) const {
     }
     if (found.file->unitInDoubt) {
         add(tr("its unit is in doubt, taken for %1")
-                .arg(QString::fromUtf8(symbol(found.file->unit))));
+                .arg(QString::fromStdString(unitText(found.file->unit))));
     }
     return text;
 }

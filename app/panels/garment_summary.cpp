@@ -15,21 +15,26 @@ namespace toile::app {
 
 namespace {
 
-constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre,
-                                 LengthUnit::Inch};
-/// From here on metres are easier to read.
+/// From here on no garment is meant.
 constexpr double kMetresFrom = 10000;
 
-QString symbolOf(LengthUnit unit) {
-    return QString::fromUtf8(symbol(unit));
+QString symbolOf(const FileUnit& unit) {
+    const auto named = unit.named();
+    return named ? QString::fromUtf8(symbol(*named))
+                 : tr("1 = %1 mm").arg(QLocale().toString(unit.millimetres(), 'g', 4));
 }
 
-QString wordOf(LengthUnit unit) {
-    switch (unit) {
+QString wordOf(const FileUnit& unit) {
+    if (!unit.named()) {
+        return tr("units of %1 mm").arg(QLocale().toString(unit.millimetres(), 'g', 4));
+    }
+    switch (*unit.named()) {
         case LengthUnit::Millimetre:
             return tr("millimetres");
         case LengthUnit::Centimetre:
             return tr("centimetres");
+        case LengthUnit::Decimetre:
+            return tr("decimetres");
         case LengthUnit::Metre:
             return tr("metres");
         case LengthUnit::Inch:
@@ -57,16 +62,18 @@ QString divisionWord(SplitMode mode) {
     return {};
 }
 
-/// "15 mm", "1225 mm", "48 1/4 in"; "14.8 m" whatever the unit, since no garment is meant then.
+/// As a height is told: "5.0 mm", "14.8 cm", "1.48 m", "48 1/4 in"; "14.8 m" whatever the unit.
 QString heightText(double millimetres) {
     const QLocale locale;
     if (millimetres >= kMetresFrom) {
         return tr("%1 m").arg(locale.toString(millimetres / 1000, 'f', 1));
     }
-    if (lengthUnit() == "mm" && millimetres >= 10) {  // a tenth is beyond what a height is told for
-        return QString("%1 mm").arg(qRound(millimetres));
+    if (lengthUnit() == QString::fromUtf8(symbol(LengthUnit::Inch))) {
+        return lengthWithUnit(millimetres);
     }
-    return lengthWithUnit(millimetres);
+    return millimetres < 10     ? tr("%1 mm").arg(locale.toString(millimetres, 'f', 1))
+           : millimetres < 1000 ? tr("%1 cm").arg(locale.toString(millimetres / 10, 'f', 1))
+                                : tr("%1 m").arg(locale.toString(millimetres / 1000, 'f', 2));
 }
 
 /// Box of the pieces of one file, mm.
@@ -86,23 +93,35 @@ CardQuestion askUnit(const SourceFile& file, const Eigen::Vector3d& extents, Wor
     const double perUnit = millimetresPer(file.unit);
     CardQuestion question{
         tr("The garment measures %1 in height, read as %2 (largest extent %3). Is that right?")
-            .arg(lengthWithUnit(extents.y()), wordOf(file.unit),
+            .arg(heightText(extents.y()), wordOf(file.unit),
                  QLocale().toString(extents.maxCoeff() / perUnit, 'g', 4))};
-    for (const LengthUnit unit : kUnits) {
+    for (const LengthUnit unit : kLengthUnits) {
         const QString height = heightText(extents.y() / perUnit * millimetresPer(unit));
         question.choices.push_back({QString("%1: %2").arg(symbolOf(unit), height),
                                     unit == file.unit,
                                     [&workspace, unit] { workspace.setUnit(unit); }});
+    }
+    if (extents.y() > 0) {
+        const double height = extents.y() / perUnit;
+        question.other = {tr("or the garment is"), tr("tall"), extents.y(),
+                          [&workspace, height](double typed) {
+                              if (const auto unit = FileUnit::ofMillimetres(typed / height)) {
+                                  workspace.setUnit(unit);
+                              }
+                          }};
     }
     return question;
 }
 
 CardQuestion askUpAxis(const SourceFile& file, Workspace& workspace) {
     const bool isY = file.up == UpAxis::Y;
-    return {isY ? tr("The garment was read as standing along y, but it may stand "
-                     "along z. Which axis points up?")
-                : tr("The garment was read as standing along z, but it may stand "
-                     "along y. Which axis points up?"),
+    const QString sentence = !file.upInDoubt ? tr("Which of the file's axes points up?")
+                             : isY
+                                 ? tr("The garment was read as standing along y, but it may stand "
+                                      "along z. Which axis points up?")
+                                 : tr("The garment was read as standing along z, but it may stand "
+                                      "along y. Which axis points up?");
+    return {sentence,
             {{tr("y up"), isY, [&workspace] { workspace.setUpAxis(UpAxis::Y); }},
              {tr("z up"), !isY, [&workspace] { workspace.setUpAxis(UpAxis::Z); }}}};
 }
@@ -151,18 +170,19 @@ QString garmentReasons(const Document& document) {
     return lines.join('\n');
 }
 
-GarmentQuestions garmentQuestions(Workspace& workspace) {
+GarmentQuestions garmentQuestions(Workspace& workspace, Asked asked) {
     const Document& document = workspace.document();
     GarmentQuestions questions;
     if (!document.garment() || !document.scene()) {
         return questions;
     }
+    const bool always = asked == Asked::Always;
     int index = 0;
     for (const auto& file : document.garment()->files) {
-        if (file->unitInDoubt && questions.unit.choices.empty()) {
+        if ((file->unitInDoubt || always) && questions.unit.choices.empty()) {
             questions.unit = askUnit(*file, extentsOf(document, index), workspace);
         }
-        if (file->upInDoubt && questions.up.choices.empty()) {
+        if ((file->upInDoubt || always) && questions.up.choices.empty()) {
             questions.up = askUpAxis(*file, workspace);
         }
         ++index;

@@ -16,8 +16,9 @@ class Workspace;
 QString garmentSummary(const Document& document);
 /// Why: unit, up axis and division of every file, a line each.
 QString garmentReasons(const Document& document);
-/// What to ask the person: the unit and the up axis of the first file where they are in doubt.
-/// Answers are the workspace's, which must outlive them.
-GarmentQuestions garmentQuestions(Workspace& workspace);
+enum class Asked { WhereInDoubt, Always };
+/// What to ask the person: the unit and the up axis of the first file where they are in doubt, or
+/// of the first file. Answers are the workspace's, which must outlive them.
+GarmentQuestions garmentQuestions(Workspace& workspace, Asked asked = Asked::WhereInDoubt);
 
 }  // namespace toile::app

@@ -100,6 +100,7 @@ RulerUnit rulerUnit(const RulerSteps& steps, LengthUnit unit) {
                 return {QCoreApplication::translate("Ruler", "mm"), millimetresPer(unit)};
             }
             break;
+        case LengthUnit::Decimetre:
         case LengthUnit::Metre:
             break;
     }

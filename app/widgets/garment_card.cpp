@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "app/widgets/number_edits.h"
+
 namespace toile::app {
 
 GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
@@ -37,7 +39,7 @@ GarmentCard::Row GarmentCard::makeRow(const char* name) {
     row.sentence->setWordWrap(true);
     auto* layout = new QHBoxLayout(row.widget);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(12);
+    layout->setSpacing(6);
     layout->addWidget(row.sentence, 1);
     return row;
 }
@@ -58,12 +60,46 @@ void GarmentCard::fillRow(Row& row, const CardQuestion& question) {
         auto* button = new QPushButton(choice.text, row.buttons);
         button->setCheckable(true);
         button->setChecked(choice.present);
-        connect(button, &QPushButton::clicked, this,
-                [this, choice] { choice.present ? keep() : choice.choose(); });
+        connect(button, &QPushButton::clicked, this, [this, choice] {
+            if (choice.present) {
+                keep();
+            } else {
+                emit answered();
+                choice.choose();
+            }
+        });
         layout->addWidget(button);
     }
-    row.widget->layout()->addWidget(row.buttons);
+    const bool isTyped = static_cast<bool>(question.other.choose);
+    if (isTyped) {
+        addField(*row.buttons, question.other);
+    }
+    // Too wide to stand beside the sentence.
+    auto* line = static_cast<QBoxLayout*>(row.widget->layout());
+    line->setDirection(isTyped ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    line->addWidget(row.buttons);
     row.buttons->setVisible(true);
+}
+
+void GarmentCard::addField(QWidget& buttons, const CardLength& length) {
+    auto* before = new QLabel(length.before, &buttons);
+    auto* field = new LengthEdit(&buttons);
+    field->setObjectName("otherLength");
+    field->setAccessibleName(QString("%1 … %2").arg(length.before, length.after));
+    field->setRange(1, 1e5);
+    field->setValue(length.millimetres);
+    field->setKeyboardTracking(false);
+    before->setBuddy(field);
+    connect(field, &LengthEdit::valueChanged, this, [this, choose = length.choose](double typed) {
+        emit answered();
+        choose(typed);
+    });
+    auto* layout = static_cast<QBoxLayout*>(buttons.layout());
+    layout->addSpacing(8);
+    layout->addWidget(before);
+    layout->addWidget(field);
+    layout->addWidget(new QLabel(length.after, &buttons));
+    layout->addStretch(1);
 }
 
 void GarmentCard::ask(const GarmentQuestions& questions) {

@@ -17,9 +17,17 @@ struct CardChoice {
     std::function<void()> choose{};
 };
 
+/// An answer that is typed.
+struct CardLength {
+    QString before{}, after{};  ///< what stands on its two sides
+    double millimetres = 0;     ///< what is used now
+    std::function<void(double)> choose{};
+};
+
 struct CardQuestion {
     QString sentence{};
     std::vector<CardChoice> choices{};  ///< none: nothing is in doubt here
+    CardLength other{};                 ///< beside the choices, where it says what it is
 };
 
 /// What the card asks.
@@ -44,6 +52,8 @@ public:
 signals:
     /// The guesses are right: nothing more is to be asked about them.
     void kept();
+    /// They were not.
+    void answered();
 
 private:
     struct Row {
@@ -54,6 +64,7 @@ private:
 
     Row makeRow(const char* name);
     void fillRow(Row& row, const CardQuestion& question);
+    void addField(QWidget& buttons, const CardLength& length);
     void keep();
 
     Row unit_, up_;

@@ -126,9 +126,9 @@ public:
             json_[key] = *value;
         }
     }
-    void field(const char* key, const std::optional<LengthUnit>& unit) {
+    void field(const char* key, const std::optional<FileUnit>& unit) {
         if (unit) {
-            json_[key] = symbol(*unit);
+            json_[key] = unitText(*unit);
         }
     }
     /// Left out where there is none.

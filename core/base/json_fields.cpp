@@ -14,7 +14,7 @@ namespace {
 // brackets alone would use the stack up.
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kUnknownNamed = 3;
-constexpr auto kUnits = R"("mm", "cm", "m" or "in")";
+constexpr auto kUnits = R"("mm", "cm", "dm", "m", "in" or a length such as "12.5 mm")";
 
 /// How deep lists and objects lie in each other; of a text that is no JSON, any number.
 int depthOf(std::string_view text) {
@@ -203,10 +203,10 @@ void JsonFields::read(std::string_view key, std::optional<int>& value, int least
     }
 }
 
-void JsonFields::read(std::string_view key, std::optional<LengthUnit>& unit) {
+void JsonFields::read(std::string_view key, std::optional<FileUnit>& unit) {
     if (find(key)) {
-        LengthUnit stated{};
-        readWord(key, stated, kUnits, parseLengthUnit);
+        FileUnit stated = LengthUnit::Millimetre;
+        readWord(key, stated, kUnits, parseFileUnit);
         unit = stated;
     }
 }

@@ -73,7 +73,7 @@ public:
     void read(std::string_view key, int& value, int least, int most);
     void read(std::string_view key, std::optional<double>& value, double least, double most);
     void read(std::string_view key, std::optional<int>& value, int least, int most);
-    void read(std::string_view key, std::optional<LengthUnit>& unit);
+    void read(std::string_view key, std::optional<FileUnit>& unit);
     /// `count` numbers.
     /// @param most  of what size each may be, either sign
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count,

@@ -42,9 +42,9 @@ std::string fraction(double inches, int denominator) {
 
 /// Words and signs a person writes after a number, and what one of them is; the longer of two that
 /// begin alike first.
-constexpr std::pair<std::string_view, double> kLengthUnits[] = {
-    {"mm", 1},      {"cm", 10},   {"m", 1000},      {"inches", 25.4}, {"inch", 25.4}, {"in", 25.4},
-    {"zoll", 25.4}, {"\"", 25.4}, {"\u2033", 25.4}, {"\u201d", 25.4}, {"''", 25.4},
+constexpr std::pair<std::string_view, double> kLengthWords[] = {
+    {"mm", 1},    {"cm", 10},     {"dm", 100},  {"m", 1000},      {"inches", 25.4}, {"inch", 25.4},
+    {"in", 25.4}, {"zoll", 25.4}, {"\"", 25.4}, {"\u2033", 25.4}, {"\u201d", 25.4}, {"''", 25.4},
 };
 constexpr std::pair<std::string_view, double> kAngleUnits[] = {
     {"\u00b0", kDegree}, {"degrees", kDegree}, {"deg", kDegree}, {"grad", kDegree}};
@@ -222,7 +222,10 @@ private:
 }  // namespace
 
 int lengthDecimals(LengthUnit unit) {
-    return unit == LengthUnit::Millimetre ? 1 : unit == LengthUnit::Metre ? 4 : 2;
+    return unit == LengthUnit::Millimetre  ? 1
+           : unit == LengthUnit::Decimetre ? 3
+           : unit == LengthUnit::Metre     ? 4
+                                           : 2;
 }
 
 std::string lengthNumber(double millimetres, const LengthFormat& format) {
@@ -240,7 +243,7 @@ std::string lengthText(double millimetres, const LengthFormat& format) {
 }
 
 std::optional<double> parseLength(std::string_view text, const LengthFormat& format) {
-    return QuantityReader(text, kLengthUnits, millimetresPer(format.unit)).sum();
+    return QuantityReader(text, kLengthWords, millimetresPer(format.unit)).sum();
 }
 
 std::string angleText(double radians, int decimals, std::string_view decimalMark) {

@@ -3,19 +3,51 @@
 
 #include <numbers>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace toile {
 
-/// Unit of the coordinates in a file. Inside Toile every length is in millimetres.
-enum class LengthUnit { Millimetre, Centimetre, Metre, Inch };
+/// A unit with a name. Inside Toile every length is in millimetres.
+enum class LengthUnit { Millimetre, Centimetre, Decimetre, Metre, Inch };
+inline constexpr LengthUnit kLengthUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre,
+                                              LengthUnit::Decimetre, LengthUnit::Metre,
+                                              LengthUnit::Inch};
 
-/// Millimetres in one unit: 1, 10, 1000, 25.4.
+/// Millimetres in one unit: 1, 10, 100, 1000, 25.4.
 double millimetresPer(LengthUnit unit);
-/// "mm", "cm", "m", "in".
+/// "mm", "cm", "dm", "m", "in".
 std::string_view symbol(LengthUnit unit);
-/// The unit of a symbol as typed by a person ("mm", "cm", "m", "in"), or nothing.
+/// The unit of a symbol as typed by a person ("mm", "cm", "dm", "m", "in"), or nothing.
 std::optional<LengthUnit> parseLengthUnit(std::string_view text);
+
+/// Unit of the coordinates in a file: one that has a name, or any other length, as when a person
+/// has said how tall a garment is.
+class FileUnit {
+public:
+    FileUnit(LengthUnit unit) : millimetres_(millimetresPer(unit)) {}
+    /// Nothing outside 1 nm to 1 km: no garment is measured in that.
+    static std::optional<FileUnit> ofMillimetres(double millimetres);
+
+    double millimetres() const { return millimetres_; }
+    /// Nothing where it has no name.
+    std::optional<LengthUnit> named() const;
+
+    bool operator==(const FileUnit&) const = default;
+
+private:
+    explicit FileUnit(double millimetres) : millimetres_(millimetres) {}
+
+    double millimetres_;
+};
+
+inline double millimetresPer(const FileUnit& unit) {
+    return unit.millimetres();
+}
+/// "cm"; "12.1866 mm" where it has no name, with as many digits as give the same unit again.
+std::string unitText(const FileUnit& unit);
+/// The unit of such a text: "cm", "12.1866 mm", "0.5in"; or nothing.
+std::optional<FileUnit> parseFileUnit(std::string_view text);
 
 inline constexpr double kPi = std::numbers::pi;
 /// One degree, in radians.

@@ -141,7 +141,7 @@ OrderedJson easeJson(const SeamsFile& seams, double easeUnit) {
 std::string writeSeamsFile(const SeamsFile& file) {
     OrderedJson json{{"version", kVersion}};
     if (file.unit) {
-        json["unit"] = std::string(symbol(*file.unit));
+        json["unit"] = unitText(*file.unit);
     }
     json["cuts"] = cutsJson(file, false);
     if (!file.joins.empty()) {

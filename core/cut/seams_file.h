@@ -18,7 +18,7 @@ namespace toile {
 /// to have. The format is described in docs/seams.md.
 struct SeamsFile {
     /// Of all points; without one they are in the unit of the garment's own file.
-    std::optional<LengthUnit> unit;
+    std::optional<FileUnit> unit;
     std::vector<UserCut> cuts;      ///< points as written, in the axes of the garment's file
     std::vector<UserJoin> joins{};  ///< likewise; made before the cuts
     /// By the seam's name: intended extra length of its left side, as a part of the right (0.1 = 10

@@ -12,7 +12,10 @@ constexpr int kNumberDecimals = 4;
 
 /// Of a millimetre 4, so of the larger units one more.
 int decimalsOf(LengthUnit unit) {
-    return unit == LengthUnit::Millimetre ? 4 : unit == LengthUnit::Metre ? 7 : 5;
+    return unit == LengthUnit::Millimetre  ? 4
+           : unit == LengthUnit::Metre     ? 7
+           : unit == LengthUnit::Decimetre ? 6
+                                           : 5;
 }
 
 }  // namespace

@@ -38,6 +38,8 @@ int unitCode(LengthUnit unit) {
             return 1;
         case LengthUnit::Centimetre:
             return 5;
+        case LengthUnit::Decimetre:
+            return 14;
         case LengthUnit::Metre:
             return 6;
         case LengthUnit::Millimetre:

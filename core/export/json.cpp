@@ -31,7 +31,7 @@ Json problemJson(const Error& error) {
 
 Json fileJson(const SourceFile& file, Json problems) {
     return {{"path", pathText(file.path)},
-            {"unit", text(symbol(file.unit))},
+            {"unit", text(unitText(file.unit))},
             {"unit_reason", textOrNull(file.unitReason)},
             {"up", text(name(file.up))},
             {"up_reason", textOrNull(file.upReason)},

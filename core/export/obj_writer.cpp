@@ -122,7 +122,7 @@ struct FileNotes {
 void appendFileHead(std::string& out, const SourceFile& file, const FileNotes& notes) {
     std::string line = "v " + std::to_string(notes.first) + " to " +
                        std::to_string(notes.first + notes.vertices - 1) + ": " +
-                       pathText(file.path.filename()) + ", in " + std::string(symbol(file.unit));
+                       pathText(file.path.filename()) + ", in " + unitText(file.unit);
     comment(out, line);
     for (const Error& error : problemsOf(file)) {
         if (changesOutput(error.code)) {

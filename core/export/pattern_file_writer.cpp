@@ -41,7 +41,7 @@ Json pieceJson(const FilePiece& piece) {
 std::string writePatternFile(const PatternFile& file) {
     Json json;
     json["format"] = text(file.format);
-    json["unit"] = text(symbol(file.unit));
+    json["unit"] = text(unitText(file.unit));
     json["unit_reason"] = textOrNull(file.unitReason);
     json["unit_in_doubt"] = file.unitInDoubt;
     json["style"] = textOrNull(file.style);

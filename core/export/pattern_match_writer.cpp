@@ -61,7 +61,7 @@ std::string writePatternMatch(const Pattern& pattern, const PatternFile& file,
                               const PatternMatch& match) {
     Json json;
     json["format"] = text(file.format);
-    json["unit"] = text(symbol(file.unit));
+    json["unit"] = text(unitText(file.unit));
     json["unit_reason"] = textOrNull(file.unitReason);
     json["unit_in_doubt"] = file.unitInDoubt;
     json["pairs"] = Json::array();

@@ -31,7 +31,7 @@ struct ReadFile {
 /// One mesh file of a garment, and how it was taken.
 struct SourceFile {
     std::filesystem::path path;
-    LengthUnit unit = LengthUnit::Millimetre;
+    FileUnit unit = LengthUnit::Millimetre;
     Wording unitReason;  ///< why this unit, where it was not stated; else empty
     bool unitInDoubt = false;
     UpAxis up = UpAxis::Y;  ///< the file's axis that points up; pieces have y up

@@ -58,8 +58,7 @@ AssimpUnit unitOfFbx(const aiScene& scene) {
     }
     const auto factor = static_cast<double>(stated);
     constexpr double kSame = 1e-6;  // the factor is a float
-    for (const LengthUnit unit :
-         {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
+    for (const LengthUnit unit : kLengthUnits) {
         const double centimetres = millimetresPer(unit) / 10;
         if (std::abs(factor / centimetres - 1) < kSame) {
             return {StatedUnit{unit, worded("stated in the FBX file")}};

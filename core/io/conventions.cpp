@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kMetresBelow = 3;        // a garment of 3 m or 3 cm: neither is likely
 constexpr double kCentimetresUpTo = 250;  // a floor-length dress has 160 cm, a child's shirt 250 mm
+constexpr double kDecimetres[2] = {13, 19};  // MakeHuman's: a suit of 16 dm, hardly one of 16 cm
 
 // Where a size would fit a neighbouring unit too: a doll's shirt of 12 cm, or 12 dm; a coat of
 // 170 cm, or a sock of 170 mm.
@@ -19,6 +20,8 @@ constexpr double kDoubt[2][2] = {{3, 25}, {150, 350}};
 
 Wording reasonFor(LengthUnit unit, const std::vector<Wording>& extents) {
     return unit == LengthUnit::Metre ? worded("largest extent %1, read as metres: %2 mm", extents)
+           : unit == LengthUnit::Decimetre
+               ? worded("largest extent %1, read as decimetres: %2 mm", extents)
            : unit == LengthUnit::Centimetre
                ? worded("largest extent %1, read as centimetres: %2 mm", extents)
                : worded("largest extent %1, read as millimetres", extents);
@@ -43,7 +46,9 @@ UnitGuess guessUnit(double largestExtent) {
     if (!std::isfinite(e) || e <= 0) {
         return {LengthUnit::Millimetre, true, worded("no extent, read as millimetres")};
     }
+    const bool isPerson = e >= kDecimetres[0] && e <= kDecimetres[1];
     const LengthUnit unit = e < kMetresBelow        ? LengthUnit::Metre
+                            : isPerson              ? LengthUnit::Decimetre
                             : e <= kCentimetresUpTo ? LengthUnit::Centimetre
                                                     : LengthUnit::Millimetre;
     const bool inDoubt = std::any_of(std::begin(kDoubt), std::end(kDoubt), [e](const auto& range) {

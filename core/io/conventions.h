@@ -19,7 +19,8 @@ struct UnitGuess {
 };
 
 /// Proposes a unit from the largest extent of the garment, in file units: below 3 metres, to 250
-/// centimetres, above millimetres; never inches. In doubt from 3 to 25 and from 150 to 350.
+/// centimetres, above millimetres; never inches. From 13 to 19 decimetres, the height of a person.
+/// In doubt from 3 to 25 and from 150 to 350.
 UnitGuess guessUnit(double largestExtent);
 
 /// The axis of a file that points up. Inside Toile it is always y.

@@ -31,7 +31,7 @@ Eigen::Vector3d extentsOf(const PolygonSoup& soup) {
     return box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.sizes());
 }
 
-void chooseUnit(SourceFile& file, const std::optional<LengthUnit>& stated, double largestExtent) {
+void chooseUnit(SourceFile& file, const std::optional<FileUnit>& stated, double largestExtent) {
     if (stated) {
         file.unit = *stated;
         return;

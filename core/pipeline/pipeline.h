@@ -24,8 +24,8 @@ namespace toile {
 /// shared between threads.
 
 struct LoadOptions {
-    std::optional<LengthUnit> unit{};  ///< of all files; guessed per file where not given
-    std::optional<UpAxis> up{};        ///< of all files; guessed per file where not given
+    std::optional<FileUnit> unit{};  ///< of all files; guessed per file where not given
+    std::optional<UpAxis> up{};      ///< of all files; guessed per file where not given
     SplitMode split = SplitMode::Auto;
     bool weld = false;     ///< join vertices that lie on each other, within each object
     bool strict = false;   ///< refuse a file in which anything had to be left out or repaired

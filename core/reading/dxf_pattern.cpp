@@ -272,7 +272,7 @@ Wording formatOf(const DxfDocument& document, const DxfFields& fields) {
 
 }  // namespace
 
-Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<LengthUnit> stated) {
+Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<FileUnit> stated) {
     const auto document = readDxfDocument(bytes);
     if (!document) {
         return document.error();

@@ -20,6 +20,6 @@ namespace toile {
 /// Errors: MalformedFile (no DXF file), NoGeometry (no closed line that could be a piece).
 /// Cost: linear in the bytes; for drawings without blocks also in pieces times points. Pure.
 Result<PatternFile> readDxfPattern(std::string_view bytes,
-                                   std::optional<LengthUnit> stated = std::nullopt);
+                                   std::optional<FileUnit> stated = std::nullopt);
 
 }  // namespace toile

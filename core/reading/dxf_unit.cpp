@@ -41,11 +41,12 @@ std::optional<LengthUnit> headerUnit(const DxfDocument& document) {
         return {};
     }
     const double code = variable->second.front().number().value_or(0);
-    return code == 1   ? std::optional(LengthUnit::Inch)
-           : code == 4 ? std::optional(LengthUnit::Millimetre)
-           : code == 5 ? std::optional(LengthUnit::Centimetre)
-           : code == 6 ? std::optional(LengthUnit::Metre)
-                       : std::nullopt;
+    return code == 1    ? std::optional(LengthUnit::Inch)
+           : code == 4  ? std::optional(LengthUnit::Millimetre)
+           : code == 5  ? std::optional(LengthUnit::Centimetre)
+           : code == 6  ? std::optional(LengthUnit::Metre)
+           : code == 14 ? std::optional(LengthUnit::Decimetre)
+                        : std::nullopt;
 }
 
 /// What a file says, or what the size tells where that cannot be.

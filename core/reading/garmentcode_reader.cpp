@@ -71,7 +71,7 @@ Wording reasonOfUnit(double perMetre) {
 
 class GarmentCodeReader {
 public:
-    explicit GarmentCodeReader(std::optional<LengthUnit> stated) : stated_(stated) {}
+    explicit GarmentCodeReader(std::optional<FileUnit> stated) : stated_(stated) {}
 
     Result<GarmentCode> read(const JsonDocument& document) {
         JsonFields fields(document, "", faults_);
@@ -307,7 +307,7 @@ private:
         code_.stitches.push_back(stitch);
     }
 
-    std::optional<LengthUnit> stated_;
+    std::optional<FileUnit> stated_;
     JsonFaults faults_;
     GarmentCode code_;
     std::map<std::string, int> numbers_;  ///< of panels
@@ -317,8 +317,7 @@ private:
 /// The unit that a number of millimetres is; the nearest where it is none of ours.
 LengthUnit unitOf(double millimetres) {
     LengthUnit best = LengthUnit::Centimetre;
-    for (const LengthUnit unit :
-         {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
+    for (const LengthUnit unit : kLengthUnits) {
         if (std::abs(std::log(millimetres / millimetresPer(unit))) <
             std::abs(std::log(millimetres / millimetresPer(best)))) {
             best = unit;
@@ -329,7 +328,7 @@ LengthUnit unitOf(double millimetres) {
 
 }  // namespace
 
-Result<GarmentCode> readGarmentCode(std::string_view bytes, std::optional<LengthUnit> stated) {
+Result<GarmentCode> readGarmentCode(std::string_view bytes, std::optional<FileUnit> stated) {
     const auto document = parseJson(bytes, {}, ErrorCode::MalformedFile);
     if (!document) {
         return Error{ErrorCode::MalformedFile, {}, document.error().detail};

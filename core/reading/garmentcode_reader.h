@@ -53,7 +53,7 @@ struct GarmentCode {
 /// @param stated  the unit, where a person has said it; else `units_in_meter`
 /// Errors: MalformedFile with the place in the file. Cost: linear. Pure.
 Result<GarmentCode> readGarmentCode(std::string_view bytes,
-                                    std::optional<LengthUnit> stated = std::nullopt);
+                                    std::optional<FileUnit> stated = std::nullopt);
 
 /// A closed line through points on its edges. mm
 Points2 outlineOf(const GarmentCodePanel& panel);

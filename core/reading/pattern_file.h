@@ -61,7 +61,7 @@ inline const Points2& outlineOf(const FilePiece& piece) {
 
 struct PatternFile {
     Wording format{};  ///< "DXF of AccuMark, AAMA"
-    LengthUnit unit = LengthUnit::Millimetre;
+    FileUnit unit = LengthUnit::Millimetre;
     Wording unitReason{};  ///< how it is known
     bool unitInDoubt = false;
     std::string style{};

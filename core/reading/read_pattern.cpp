@@ -21,7 +21,7 @@ std::optional<PatternFileKind> patternFileKind(const std::filesystem::path& path
 }
 
 Result<PatternFile> readPattern(std::string_view bytes, PatternFileKind kind,
-                                const std::string& name, std::optional<LengthUnit> unit) {
+                                const std::string& name, std::optional<FileUnit> unit) {
     const auto about = [&name](Error error) {
         error.subject = Subject::file(name);
         return error;
@@ -36,7 +36,7 @@ Result<PatternFile> readPattern(std::string_view bytes, PatternFileKind kind,
 }
 
 Result<PatternFile> readPatternFile(const std::filesystem::path& path,
-                                    std::optional<LengthUnit> unit) {
+                                    std::optional<FileUnit> unit) {
     const auto kind = patternFileKind(path);
     if (!kind) {
         return Error{ErrorCode::UnknownFormat, Subject::file(path.string()),

@@ -22,12 +22,12 @@ std::optional<PatternFileKind> patternFileKind(const std::filesystem::path& path
 /// Errors: MalformedFile, NoGeometry.
 Result<PatternFile> readPattern(std::string_view bytes, PatternFileKind kind,
                                 const std::string& name,
-                                std::optional<LengthUnit> unit = std::nullopt);
+                                std::optional<FileUnit> unit = std::nullopt);
 
 /// Reads a pattern by its ending.
 /// @param unit  of its coordinates, where a person has said it
 /// Errors: UnknownFormat, FileUnreadable, MalformedFile, NoGeometry, with the file's name.
 Result<PatternFile> readPatternFile(const std::filesystem::path& path,
-                                    std::optional<LengthUnit> unit = std::nullopt);
+                                    std::optional<FileUnit> unit = std::nullopt);
 
 }  // namespace toile

@@ -167,7 +167,7 @@ void scale(FilePiece& piece, double factor) {
 
 }  // namespace
 
-Result<PatternFile> readSvgPattern(std::string_view bytes, std::optional<LengthUnit> stated) {
+Result<PatternFile> readSvgPattern(std::string_view bytes, std::optional<FileUnit> stated) {
     const auto svg = readSvg(bytes);
     if (!svg) {
         return svg.error();

@@ -16,6 +16,6 @@ namespace toile {
 /// Errors: MalformedFile, NoGeometry (no closed line). Cost: linear, of other programs' files also
 /// pieces times points. Pure.
 Result<PatternFile> readSvgPattern(std::string_view bytes,
-                                   std::optional<LengthUnit> stated = std::nullopt);
+                                   std::optional<FileUnit> stated = std::nullopt);
 
 }  // namespace toile

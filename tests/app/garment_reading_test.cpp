@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QTreeView>
 #include <QTreeWidget>
 #include <fstream>
@@ -8,6 +9,7 @@
 #include "app/panels/pieces_model.h"
 #include "app/render/scene.h"
 #include "app/widgets/garment_card.h"
+#include "app/widgets/number_edits.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
@@ -54,7 +56,7 @@ private:
 
     Document& document() { return fixture_.document(); }
     GarmentCard& card() { return fixture_.window().card(); }
-    QString summary() { return fixture_.find<QLabel>("garmentSummary").text(); }
+    QString summary() { return fixture_.find<QToolButton>("garmentSummary").text(); }
 
     QPushButton* cardButton(const QString& text) {
         for (auto* button : card().findChildren<QPushButton*>()) {
@@ -71,6 +73,8 @@ private slots:
         // 12 units wide: a shirt for a doll in centimetres?
         writeWithUv(fixture_.path("small.obj").toStdString(), 0.05);
         writeWithUv(fixture_.path("sure.obj").toStdString(), 2.0);
+        // 14.4 units, as MakeHuman's suits are.
+        writeWithUv(fixture_.path("decimetres.obj").toStdString(), 0.06);
         // Flatter along y than along z, and not by enough.
         test::writeObj(fixture_.path("lying.obj").toStdString(),
                        {{"top", test::makeSheet(900, 260, 4, 4)},
@@ -84,8 +88,8 @@ private slots:
     void nothingIsAskedWhereThereIsNoDoubt() {
         QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
         QVERIFY(!card().isVisible());
-        QCOMPARE(summary(), QString("height 440 mm · mm (guessed) · 2 pieces by UV"));
-        const QString reasons = fixture_.find<QLabel>("garmentSummary").toolTip();
+        QCOMPARE(summary(), QString("height 44.0 cm · mm (guessed) · 2 pieces by UV"));
+        const QString reasons = fixture_.find<QToolButton>("garmentSummary").toolTip();
         QVERIFY(reasons.contains("largest extent 480, read as millimetres"));
         QVERIFY(reasons.contains("Up axis: "));
         QCOMPARE(reasons.count('\n'), 2);
@@ -94,18 +98,18 @@ private slots:
     void aDoubtfulUnitIsAskedForAndTheAnswerReadsAgain() {
         QVERIFY(fixture_.openAndWait(fixture_.path("small.obj")));
         QVERIFY(card().isVisible());
-        QVERIFY(card().sentence().contains("110.0 mm in height, read as centimetres"));
+        QVERIFY(card().sentence().contains("11.0 cm in height, read as centimetres"));
         QVERIFY(card().sentence().contains("(largest extent 12)"));
-        QVERIFY(cardButton("cm: 110 mm")->isChecked());
-        QVERIFY(!cardButton("in: 279 mm")->isChecked());
-        QVERIFY(cardButton("m: 11.0 m") && cardButton("mm: 11 mm"));
+        QVERIFY(cardButton("cm: 11.0 cm")->isChecked());
+        QVERIFY(!cardButton("in: 27.9 cm")->isChecked());
+        QVERIFY(cardButton("m: 11.0 m") && cardButton("mm: 1.1 cm") && cardButton("dm: 1.10 m"));
         QVERIFY(!fixture_.find<QWidget>("upQuestion").isVisible());
 
-        QTest::mouseClick(cardButton("in: 279 mm"), Qt::LeftButton);
+        QTest::mouseClick(cardButton("in: 27.9 cm"), Qt::LeftButton);
         QVERIFY(fixture_.waitForResults());
         QCOMPARE(document().garment()->files[0]->unit, LengthUnit::Inch);
         QVERIFY(!card().isVisible());
-        QCOMPARE(summary(), QString("height 279 mm · in · 2 pieces by UV"));
+        QCOMPARE(summary(), QString("height 27.9 cm · in · 2 pieces by UV"));
         QVERIFY(fixture_.action(ActionId::UnitInch).isChecked());
 
         // Another garment has another unit.
@@ -125,6 +129,41 @@ private slots:
         QCOMPARE(document().garment()->files[0]->unit, LengthUnit::Centimetre);
     }
 
+    void aHeightIsTyped() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("decimetres.obj")));
+        QVERIFY(cardButton("dm: 1.32 m")->isChecked());
+        auto& field = fixture_.find<LengthEdit>("otherLength");
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, "180 cm");
+        QTest::keyClick(&field, Qt::Key_Return);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(std::abs(document().scene()->box.sizes().y() - 1800) < 1e-9 * 1800);
+        QVERIFY(!document().garment()->files[0]->unit.named());
+        QVERIFY(!card().isVisible());
+        QVERIFY(summary().startsWith("height 1.80 m"));
+        fixture_.action(ActionId::Undo).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().garment()->files[0]->unit, FileUnit(LengthUnit::Decimetre));
+    }
+
+    void theSummaryAsksAgain() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
+        QVERIFY(!card().isVisible());
+        const auto press = [this] {
+            QTest::mouseClick(&fixture_.find<QToolButton>("garmentSummary"), Qt::LeftButton);
+        };
+        press();
+        QVERIFY(card().isVisible());
+        QTest::mouseClick(&fixture_.find<QPushButton>("keepGuess"), Qt::LeftButton);
+        QVERIFY(!card().isVisible());
+        press();
+        QTest::mouseClick(cardButton("dm: 44.0 m"), Qt::LeftButton);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(!card().isVisible());
+        QCOMPARE(summary(), QString("height 44.0 m · dm · 2 pieces by UV"));
+    }
+
     void aDoubtfulUpAxisIsAskedFor() {
         fixture_.workspace().setUnit(LengthUnit::Millimetre);
         QVERIFY(fixture_.openAndWait(fixture_.path("lying.obj")));
@@ -137,7 +176,7 @@ private slots:
         QCOMPARE(document().garment()->files[0]->up, UpAxis::Z);
         QVERIFY(!card().isVisible());
         QVERIFY(fixture_.action(ActionId::UpZ).isChecked());
-        QVERIFY(summary().startsWith("height 520 mm"));
+        QVERIFY(summary().startsWith("height 52.0 cm"));
     }
 
     void menuDividesAgain() {

@@ -35,12 +35,32 @@ TEST(Text, CountsAndSlugs) {
 }
 
 TEST(LengthUnits, ReadBackTheirSymbols) {
-    for (const LengthUnit unit :
-         {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
+    for (const LengthUnit unit : kLengthUnits) {
         EXPECT_EQ(parseLengthUnit(symbol(unit)), unit);
     }
     EXPECT_DOUBLE_EQ(millimetresPer(LengthUnit::Inch), 25.4);
     EXPECT_FALSE(parseLengthUnit("ell"));
+}
+
+TEST(FileUnits, AreNamedOrAnyLength) {
+    for (const LengthUnit unit : kLengthUnits) {
+        EXPECT_EQ(FileUnit(unit).named(), unit);
+        EXPECT_EQ(parseFileUnit(symbol(unit)), FileUnit(unit));
+        EXPECT_EQ(unitText(unit), symbol(unit));
+    }
+    for (const double millimetres : {1800 / 14.77, 1e-3, 1.0 / 3, 98765.4321}) {
+        const auto unit = FileUnit::ofMillimetres(millimetres);
+        ASSERT_TRUE(unit);
+        EXPECT_EQ(unit->millimetres(), millimetres);
+        EXPECT_FALSE(unit->named());
+        EXPECT_EQ(parseFileUnit(unitText(*unit)), unit);
+    }
+    EXPECT_EQ(parseFileUnit("0.5in"), FileUnit::ofMillimetres(12.7));
+    EXPECT_EQ(parseFileUnit("10 mm"), FileUnit(LengthUnit::Centimetre));
+    for (const char* text :
+         {"", "ell", "3", "mm 3", "0 mm", "-1 mm", "inf mm", "nan mm", "1e9 m", "3  mm", "3 mm "}) {
+        EXPECT_FALSE(parseFileUnit(text)) << text;
+    }
 }
 
 TEST(Version, IsTheProjects) {

@@ -33,6 +33,7 @@ TEST(UnitGuess, FollowsTheTable) {
 TEST(UnitGuess, SaysWhy) {
     EXPECT_EQ(guessUnit(1.52).reason, "largest extent 1.52, read as metres: 1520 mm");
     EXPECT_EQ(guessUnit(1.0 / 3).reason, "largest extent 0.3333, read as metres: 333.3 mm");
+    EXPECT_EQ(guessUnit(14.8).reason, "largest extent 14.8, read as decimetres: 1480 mm");
     EXPECT_EQ(guessUnit(66).reason, "largest extent 66, read as centimetres: 660 mm");
     EXPECT_EQ(guessUnit(12.3456).reason, "largest extent 12.35, read as centimetres: 123.5 mm");
     EXPECT_EQ(guessUnit(15234.5).reason, "largest extent 15234, read as millimetres");
