@@ -18,7 +18,7 @@ constexpr Word<LengthUnit> kSymbols[] = {{LengthUnit::Millimetre, "mm"},
                                          {LengthUnit::Metre, "m"},
                                          {LengthUnit::Inch, "in"}};
 constexpr double kMillimetres[] = {1, 10, 100, 1000, 25.4};
-constexpr double kSmallest = 1e-6, kLargest = 1e6;
+constexpr double kSmallestUnit = 1e-6, kLargestUnit = 1e6;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ std::optional<LengthUnit> parseLengthUnit(std::string_view text) {
 }
 
 std::optional<FileUnit> FileUnit::ofMillimetres(double millimetres) {
-    return millimetres >= kSmallest && millimetres <= kLargest
+    return millimetres >= kSmallestUnit && millimetres <= kLargestUnit
                ? std::optional(FileUnit(millimetres))
                : std::nullopt;
 }
