@@ -33,6 +33,10 @@ void printFile(const SourceFile& file, std::ostream& out) {
         out << " (" << file.split.reason << ")";
     }
     out << '\n';
+    if (const auto& better = file.betterSplit) {
+        out << better->flat << " of " << counted(better->pieces, "piece")
+            << " could lie flat as they are with --split " << name(better->mode) << '\n';
+    }
 }
 
 /// The lengths of the outline and of all other loops, the longest ones where there are many.

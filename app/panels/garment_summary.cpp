@@ -55,7 +55,7 @@ QString divisionWord(SplitMode mode) {
         case SplitMode::Materials:
             return tr("by materials");
         case SplitMode::Uv:
-            return tr("by UV");
+            return tr("by UV islands");
         case SplitMode::Seams:
             return tr("by cuts");
     }
@@ -126,6 +126,44 @@ CardQuestion askUpAxis(const SourceFile& file, Workspace& workspace) {
              {tr("z up"), !isY, [&workspace] { workspace.setUpAxis(UpAxis::Z); }}}};
 }
 
+QString divideBy(SplitMode mode) {
+    switch (mode) {
+        case SplitMode::Objects:
+            return tr("Divide by objects");
+        case SplitMode::Groups:
+            return tr("Divide by groups");
+        case SplitMode::Materials:
+            return tr("Divide by materials");
+        case SplitMode::Uv:
+            return tr("Divide by UV islands");
+        default:
+            return tr("Divide by parts");
+    }
+}
+
+/// Nothing where as many pieces of the file can lie flat as by the better division, cut or not.
+CardQuestion askDivision(const Garment& garment, int index, Workspace& workspace) {
+    const SourceFile& file = *garment.files[index];
+    int pieces = 0, flat = 0;
+    for (const auto& piece : garment.pieces) {
+        pieces += piece->file == index;
+        flat += piece->file == index && !piece->defect;
+    }
+    const DivisionCount& better = *file.betterSplit;
+    if (pieces == flat || flat >= better.flat) {
+        return {};
+    }
+    return {tr("Divided %1, %2 of %3 pieces can lie flat; %4 it would be %5 of %6.")
+                .arg(divisionWord(file.split.mode))
+                .arg(flat)
+                .arg(pieces)
+                .arg(divisionWord(better.mode))
+                .arg(better.flat)
+                .arg(better.pieces),
+            {{divideBy(better.mode), false,
+              [&workspace, mode = better.mode] { workspace.setSplit(mode); }}}};
+}
+
 }  // namespace
 
 QString garmentSummary(const Document& document) {
@@ -184,6 +222,9 @@ GarmentQuestions garmentQuestions(Workspace& workspace, Asked asked) {
         }
         if ((file->upInDoubt || always) && questions.up.choices.empty()) {
             questions.up = askUpAxis(*file, workspace);
+        }
+        if (file->betterSplit && questions.division.choices.empty()) {
+            questions.division = askDivision(*document.garment(), index, workspace);
         }
         ++index;
     }

@@ -12,13 +12,14 @@ class Workspace;
 
 /// What was assumed about the garment's files, in a person's words.
 
-/// "height 1225 mm · cm (guessed) · 13 pieces by UV". Empty where nothing is open.
+/// "height 1225 mm · cm (guessed) · 13 pieces by UV islands". Empty where nothing is open.
 QString garmentSummary(const Document& document);
 /// Why: unit, up axis and division of every file, a line each.
 QString garmentReasons(const Document& document);
 enum class Asked { WhereInDoubt, Always };
 /// What to ask the person: the unit and the up axis of the first file where they are in doubt, or
-/// of the first file. Answers are the workspace's, which must outlive them.
+/// of the first file; and whether to divide otherwise, where more pieces could lie flat then.
+/// Answers are the workspace's, which must outlive them.
 GarmentQuestions garmentQuestions(Workspace& workspace, Asked asked = Asked::WhereInDoubt);
 
 }  // namespace toile::app

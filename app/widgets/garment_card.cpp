@@ -15,6 +15,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     setBackgroundRole(QPalette::AlternateBase);
     unit_ = makeRow("unitQuestion");
     up_ = makeRow("upQuestion");
+    division_ = makeRow("divisionQuestion");
     auto* keep = new QPushButton(tr("&Keep"), this);
     keep->setObjectName("keepGuess");
     keep->setToolTip(tr("The guess is right: do not ask again about this garment"));
@@ -24,6 +25,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     rows->setSpacing(4);
     rows->addWidget(unit_.widget);
     rows->addWidget(up_.widget);
+    rows->addWidget(division_.widget);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 6, 10, 6);
     layout->setSpacing(12);
@@ -105,11 +107,12 @@ void GarmentCard::addField(QWidget& buttons, const CardLength& length) {
 void GarmentCard::ask(const GarmentQuestions& questions) {
     fillRow(unit_, questions.unit);
     fillRow(up_, questions.up);
+    fillRow(division_, questions.division);
     setVisible(!questions.empty());
 }
 
 QString GarmentCard::sentence() const {
-    return unit_.sentence->text() + up_.sentence->text();
+    return unit_.sentence->text() + up_.sentence->text() + division_.sentence->text();
 }
 
 void GarmentCard::keep() {

@@ -32,9 +32,11 @@ struct CardQuestion {
 
 /// What the card asks.
 struct GarmentQuestions {
-    CardQuestion unit, up;
+    CardQuestion unit, up, division;
 
-    bool empty() const { return unit.choices.empty() && up.choices.empty(); }
+    bool empty() const {
+        return unit.choices.empty() && up.choices.empty() && division.choices.empty();
+    }
 };
 
 /// A slim card over the views that asks whether a guess about the file is right: a sentence and a
@@ -67,7 +69,7 @@ private:
     void addField(QWidget& buttons, const CardLength& length);
     void keep();
 
-    Row unit_, up_;
+    Row unit_, up_, division_;
 };
 
 }  // namespace toile::app

@@ -3,11 +3,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/garment/better_division.h"
 #include "core/garment/cut_pieces.h"
 #include "core/garment/join_pieces.h"
 #include "core/garment/piece.h"
@@ -39,7 +41,9 @@ struct SourceFile {
     bool upInDoubt = false;
     /// As read, or welded; never null.
     std::shared_ptr<const PolygonSoup> soup = std::make_shared<const PolygonSoup>();
-    SplitChoice split;       ///< by what the file was divided, and why
+    SplitChoice split;  ///< by what the file was divided, and why
+    /// By which more pieces could lie flat, where Toile chose and some cannot.
+    std::optional<DivisionCount> betterSplit{};
     Problems problems;       ///< of the file as a whole; a piece's own are with the piece
     double readSeconds = 0;  ///< reading and dividing
 };

@@ -105,11 +105,7 @@ Division splitTriangles(SplitMode mode, const PolygonSoup& soup, const Triangula
     return division;
 }
 
-namespace {
-
-/// The share of parts that are disks, by Euler's number: the panels of a garment nearly all are,
-/// the islands of an artist's texture map are tubes and rings too.
-double diskShare(const Division& division) {
+int diskCount(const Division& division) {
     const auto vertexCount = static_cast<int>(division.positionOf.size());
     std::vector<int> euler(division.partCount, 0);
     std::vector<int> partOfVertex(vertexCount, -1);
@@ -126,15 +122,13 @@ double diskShare(const Division& division) {
     for (int e = 0; e < table.edges.rows(); ++e) {
         --euler[partOfVertex[table.edges(e, 0)]];
     }
-    return static_cast<double>(std::count(euler.begin(), euler.end(), 1)) / division.partCount;
+    return static_cast<int>(std::ranges::count(euler, 1));
 }
-
-}  // namespace
 
 SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangulation& triangles) {
     constexpr double kMostEdgesAreClose = 0.8;
+    // Panels of a garment nearly all are, an artist's islands are tubes and rings too.
     constexpr double kMostIslandsAreDisks = 0.8;
-    constexpr double kMinTrianglesPerIsland = 4;  // an atlas of single triangles is no pattern
     if (wanted != SplitMode::Auto) {
         return {wanted, ""};
     }
@@ -143,8 +137,8 @@ SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangu
         const Division division = splitTriangles(SplitMode::Uv, soup, triangles);
         const int islands = division.partCount;
         if (islands > 1 &&
-            static_cast<double>(triangles.F.rows()) >= kMinTrianglesPerIsland * islands &&
-            diskShare(division) >= kMostIslandsAreDisks) {
+            static_cast<double>(triangles.F.rows()) >= kMinTrianglesPerPart * islands &&
+            diskCount(division) >= kMostIslandsAreDisks * islands) {
             return {SplitMode::Uv,
                     worded("the UV map is a flat pattern of %1 (%2 % of its edges keep "
                            "their length)",

@@ -46,6 +46,12 @@ struct Division {
 
 Division splitTriangles(SplitMode mode, const PolygonSoup& soup, const Triangulation& triangles);
 
+/// How many parts are disks, by Euler's number: these can lie flat as they are.
+int diskCount(const Division& division);
+
+/// Fewer triangles a part, and a division is no pattern: an atlas of single triangles.
+inline constexpr double kMinTrianglesPerPart = 4;
+
 /// How the UV map's lengths relate to 3D: the median of 3D / UV over the edges, and the share of
 /// edges whose ratio lies within `kIsometricBand` of it. Nothing where there are no usable UVs.
 struct UvScale {

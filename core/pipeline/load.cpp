@@ -92,8 +92,20 @@ struct TakenFile {
     std::vector<std::shared_ptr<Piece>> pieces;
 };
 
+std::optional<DivisionCount> betterThan(const DividedFile& divided, const PolygonSoup& soup,
+                                        const Progress& progress) {
+    const auto flat =
+        std::ranges::count_if(divided.pieces, [](const auto& piece) { return !piece->defect; });
+    return flat == std::ssize(divided.pieces)
+               ? std::nullopt
+               : betterDivision(soup,
+                                {divided.split.mode, static_cast<int>(divided.pieces.size()),
+                                 static_cast<int>(flat)},
+                                progress);
+}
+
 Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& prefix,
-                           const LoadOptions& options) {
+                           const LoadOptions& options, const Progress& progress) {
     const Stopwatch time;
     auto file = std::make_shared<SourceFile>();
     file->path = read.path;
@@ -109,6 +121,9 @@ Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& p
     take(weldSoup(file->soup, options.weld, millimetresPer(file->unit),
                   read.path.filename().string()));
     DividedFile divided = divide(*file, index, prefix, {options.split, !options.strict});
+    if (options.split == SplitMode::Auto) {
+        file->betterSplit = betterThan(divided, *file->soup, progress);
+    }
     file->split = std::move(divided.split);
     take(divided.problems);
     if (options.strict) {
@@ -149,8 +164,9 @@ Result<Garment> divideFiles(const GarmentInputs& inputs, const Progress& progres
     const std::vector<std::string> prefix = prefixes(inputs.files);
     const auto count = static_cast<double>(inputs.files.size());
     for (std::size_t k = 0; k < inputs.files.size(); ++k) {
-        auto taken = takeFile(inputs.files[k], static_cast<int>(k),
-                              inputs.files.size() > 1 ? prefix[k] + "/" : "", inputs.loading);
+        auto taken =
+            takeFile(inputs.files[k], static_cast<int>(k),
+                     inputs.files.size() > 1 ? prefix[k] + "/" : "", inputs.loading, progress);
         if (!taken) {
             return taken.error();
         }

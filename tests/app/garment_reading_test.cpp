@@ -88,7 +88,7 @@ private slots:
     void nothingIsAskedWhereThereIsNoDoubt() {
         QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
         QVERIFY(!card().isVisible());
-        QCOMPARE(summary(), QString("height 44.0 cm · mm (guessed) · 2 pieces by UV"));
+        QCOMPARE(summary(), QString("height 44.0 cm · mm (guessed) · 2 pieces by UV islands"));
         const QString reasons = fixture_.find<QToolButton>("garmentSummary").toolTip();
         QVERIFY(reasons.contains("largest extent 480, read as millimetres"));
         QVERIFY(reasons.contains("Up axis: "));
@@ -109,7 +109,7 @@ private slots:
         QVERIFY(fixture_.waitForResults());
         QCOMPARE(document().garment()->files[0]->unit, LengthUnit::Inch);
         QVERIFY(!card().isVisible());
-        QCOMPARE(summary(), QString("height 27.9 cm · in · 2 pieces by UV"));
+        QCOMPARE(summary(), QString("height 27.9 cm · in · 2 pieces by UV islands"));
         QVERIFY(fixture_.action(ActionId::UnitInch).isChecked());
 
         // Another garment has another unit.
@@ -161,7 +161,7 @@ private slots:
         QTest::mouseClick(cardButton("dm: 44.0 m"), Qt::LeftButton);
         QVERIFY(fixture_.waitForResults());
         QVERIFY(!card().isVisible());
-        QCOMPARE(summary(), QString("height 44.0 m · dm · 2 pieces by UV"));
+        QCOMPARE(summary(), QString("height 44.0 m · dm · 2 pieces by UV islands"));
     }
 
     void aDoubtfulUpAxisIsAskedFor() {
