@@ -19,6 +19,7 @@ struct Words {
     std::string_view describe;  ///< what happened
     std::string_view advice;    ///< what to try
     bool note = false;          ///< only informs
+    std::string_view option{};  ///< what to type, for those at a command line
 };
 
 using enum ErrorCode;
@@ -30,7 +31,7 @@ constexpr Words kWords[] = {
     {FileUnwritable, "file-unwritable", TR("the file cannot be written"),
      TR("Check that the folder exists, is writable and has room")},
     {UnknownFormat, "unknown-format", TR("the file's ending names no format Toile knows"),
-     TR("Read .obj, .off, .ply or .stl; toile flatten --help lists what can be written")},
+     TR("Read .obj, .off, .ply or .stl"), false, "toile flatten --help lists what can be written"},
     {FormatNotBuilt, "format-not-built", TR("this build of Toile does not write the format"),
      TR("Use one that has the window")},
     {NotReadBack, "not-read-back", TR("the file made says something else than the pattern"),
@@ -119,11 +120,11 @@ constexpr Words kWords[] = {
         "along it"),
      true},
     {ClosedSurface, "closed-surface", TR("the piece is closed and has no outline"),
-     TR("Cut it open along a seam, or let Toile do it (--auto-cut)")},
+     TR("Cut it open along a seam, or let Toile do it"), false, "--auto-cut"},
     {SeveralLoops, "several-loops", TR("the piece has several boundary loops"),
-     TR("Cut it from loop to loop, or let Toile do it (--auto-cut)")},
+     TR("Cut it from loop to loop, or let Toile do it"), false, "--auto-cut"},
     {Handle, "handle", TR("the piece has a handle, like a ring or a cup"),
-     TR("Cut the handle open along a seam, or let Toile do it (--auto-cut)")},
+     TR("Cut the handle open along a seam, or let Toile do it"), false, "--auto-cut"},
     {NonManifoldEdge, "non-manifold-edge", TR("edges are shared by more than two faces"),
      TR("Separate the layers that meet there")},
     {NonManifoldVertex, "non-manifold-vertex", TR("parts of the piece touch in a single vertex"),
@@ -217,6 +218,9 @@ std::string sentence(const Error& error) {
         text += "; ";
         text += lowered(words.advice.front());
         text += words.advice.substr(1);
+    }
+    if (!words.option.empty()) {
+        text += " (" + std::string(words.option) + ")";
     }
     return text + ".";
 }

@@ -134,12 +134,14 @@ std::string_view name(ErrorCode code);
 /// What happened, in plain words, without a full stop.
 std::string_view describe(ErrorCode code);
 /// What the user can do about it, as a sentence without a full stop; empty where nothing is needed.
+/// In words for the window and the command line alike.
 std::string_view advice(ErrorCode code);
 /// True where the code only informs: the data was taken in and work goes on.
 bool isNote(ErrorCode code);
 /// Characters of name and `detail` that a sentence shows: a path, and a list of particulars.
 inline constexpr std::size_t kMaxOfPlace = 300, kMaxOfDetail = 1000;
-/// One sentence for a person: "front: the piece has several boundary loops (2 loops); cut it ...".
+/// One sentence for a person at a command line, with the option that helps: "front: the piece has
+/// several boundary loops (2 loops); cut it ...".
 std::string sentence(const Error& error);
 
 }  // namespace toile

@@ -58,9 +58,9 @@ Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progre
         }
         return soup;
 #else
-        return Error{
-            ErrorCode::UnknownFormat, Subject::file(name),
-            "\"" + ending + "\" needs Toile built with -DTOILE_ASSIMP=ON, or an export as OBJ"};
+        return Error{ErrorCode::UnknownFormat, Subject::file(name),
+                     worded("this copy of Toile was built without %1; export the garment as OBJ",
+                            {Wording(ending)})};
 #endif
     }
     const Reader reader = readerFor(ending);

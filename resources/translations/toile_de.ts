@@ -741,24 +741,24 @@
         <translation>das Schnittteil ist geschlossen und hat keinen Umriss</translation>
     </message>
     <message>
-        <source>Cut it open along a seam, or let Toile do it (--auto-cut)</source>
-        <translation>Schneiden Sie es entlang einer Naht auf, oder lassen Sie Toile das tun (--auto-cut)</translation>
+        <source>Cut it open along a seam, or let Toile do it</source>
+        <translation>Schneiden Sie es entlang einer Naht auf, oder lassen Sie Toile das tun</translation>
     </message>
     <message>
         <source>the piece has several boundary loops</source>
         <translation>das Schnittteil hat mehrere Ränder</translation>
     </message>
     <message>
-        <source>Cut it from loop to loop, or let Toile do it (--auto-cut)</source>
-        <translation>Schneiden Sie es von Rand zu Rand auf, oder lassen Sie Toile das tun (--auto-cut)</translation>
+        <source>Cut it from loop to loop, or let Toile do it</source>
+        <translation>Schneiden Sie es von Rand zu Rand auf, oder lassen Sie Toile das tun</translation>
     </message>
     <message>
         <source>the piece has a handle, like a ring or a cup</source>
         <translation>das Schnittteil hat einen Henkel wie ein Ring oder eine Tasse</translation>
     </message>
     <message>
-        <source>Cut the handle open along a seam, or let Toile do it (--auto-cut)</source>
-        <translation>Schneiden Sie den Henkel entlang einer Naht auf, oder lassen Sie Toile das tun (--auto-cut)</translation>
+        <source>Cut the handle open along a seam, or let Toile do it</source>
+        <translation>Schneiden Sie den Henkel entlang einer Naht auf, oder lassen Sie Toile das tun</translation>
     </message>
     <message>
         <source>Separate the layers that meet there</source>
@@ -1673,8 +1673,8 @@
         <translation>Machen Sie den Beleg schmaler, oder entfernen Sie ihn</translation>
     </message>
     <message>
-        <source>Read .obj, .off, .ply or .stl; toile flatten --help lists what can be written</source>
-        <translation>Gelesen werden .obj, .off, .ply und .stl; was geschrieben wird, nennt toile flatten --help</translation>
+        <source>Read .obj, .off, .ply or .stl</source>
+        <translation>Gelesen werden .obj, .off, .ply und .stl</translation>
     </message>
     <message>
         <source>this build of Toile does not write the format</source>

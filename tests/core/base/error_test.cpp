@@ -32,6 +32,14 @@ TEST(Error, ASentenceNamesPlacePieceAndNextStep) {
     EXPECT_EQ(sentence({ErrorCode::Cancelled}), "cancelled.");
 }
 
+TEST(Error, AdviceForTheWindowNamesNoOption) {
+    for (int k = 0; k < kErrorCodeCount; ++k) {
+        const auto code = static_cast<ErrorCode>(k);
+        EXPECT_EQ(advice(code).find("--"), std::string_view::npos) << name(code);
+        EXPECT_EQ(advice(code).find("toile "), std::string_view::npos) << name(code);
+    }
+}
+
 TEST(Error, ASentenceIsReadableAndShortWhateverTheNames) {
     const std::string text =
         sentence({ErrorCode::CutImpossible, Subject::cut("a\x1B[31m\n" + std::string(2000000, 'x')),
