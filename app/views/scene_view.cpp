@@ -162,6 +162,13 @@ void SceneView::stopFollowing() {
     cameraMoved();
 }
 
+void SceneView::takeByHand() {
+    const auto isSeen = [this](const auto& piece) {
+        return kind() == ViewKind::Garment || piece.flat;
+    };
+    followsAll_ = followsAll_ && !(scene() && std::ranges::any_of(scene()->pieces, isSeen));
+}
+
 const Scene* SceneView::scene() const {
     return document_.scene().get();
 }
@@ -322,7 +329,7 @@ void SceneView::moveCamera(QMouseEvent* event) {
     if (move == CameraMove::None) {
         return;
     }
-    followsAll_ = false;
+    takeByHand();
     switch (move) {
         case CameraMove::Turn:
             drag(Drag::Turn, delta);
@@ -384,7 +391,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
     if (notches == 0) {
         return;
     }
-    followsAll_ = false;
+    takeByHand();
     zoom(event->position(), std::pow(kZoomPerNotch, notches));
     if (scene() && press_ == Press::None && hover_.isOn()) {
         emit pointed(hover_.move(*this, event->position(), !tools_.current().speaks()));

@@ -128,6 +128,9 @@ private:
 
     void onChanged(DocumentChanges what);
     void releaseGl();
+    /// The camera is moved by hand: from here on it stays where it is, unless there is nothing to
+    /// be seen yet.
+    void takeByHand();
     void moveCamera(QMouseEvent* event);
     /// For a press whose release never comes: what it has begun is thrown away.
     void endPress();
