@@ -38,9 +38,15 @@ SaveAnswer askInABox(QWidget* parent, const QString& name) {
     QMessageBox box(parent);
     box.setObjectName("askToSave");
     box.setIcon(QMessageBox::Question);
-    box.setText(FileDialogs::tr("Save the changes to %1?").arg(name));
+    const bool isProject = name.endsWith(QString::fromUtf8(kProjectEnding), Qt::CaseInsensitive);
+    box.setText((isProject ? FileDialogs::tr("Save the changes to the project %1?")
+                           : FileDialogs::tr("Save the pattern made from %1 as a project?"))
+                    .arg(name));
     box.setInformativeText(
-        FileDialogs::tr("Without saving, what you have done since the last time is lost."));
+        isProject
+            ? FileDialogs::tr("Without saving, what you have done since the last time is lost.")
+            : FileDialogs::tr("The garment's file stays as it is. Without saving, what you have "
+                              "done is lost."));
     box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {

@@ -38,7 +38,8 @@ public:
     std::function<QString(QWidget* parent, const QString& suggestion)> saveProject;
     /// Where a mesh of a project is, that is not where it was; empty where that is not known.
     std::function<QString(QWidget* parent, const QString& folder, const QString& name)> findMesh;
-    /// Whether the changes to the garment of this name are to be saved before it is closed.
+    /// Whether the changes to the project of this name are to be saved before it is closed; where
+    /// it is none yet, the pattern that was made from the garment of this name.
     std::function<SaveAnswer(QWidget* parent, const QString& name)> askToSave;
 
     /// Whether the project of this name is to be saved over what another program has put there.

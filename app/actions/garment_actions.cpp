@@ -7,6 +7,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "app/actions/own_folders.h"
 #include "app/actions/pattern_printing.h"
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
@@ -122,11 +123,16 @@ void GarmentActions::askAndReadSeams() {
     }
 }
 
+QString GarmentActions::folderToWriteTo() const {
+    return writingFolder(textOf(workspace_.document().garment()->files.front()->path),
+                         textOf(project_->session().path()));
+}
+
 void GarmentActions::askAndWriteSeams() {
     const auto& source = workspace_.document().garment()->files.front()->path;
     const QFileInfo first(textOf(source));
     const QString path = dialogs_.save(
-        &window_, QString("%1/%2.seams.json").arg(first.absolutePath(), first.completeBaseName()),
+        &window_, QString("%1/%2.seams.json").arg(folderToWriteTo(), first.completeBaseName()),
         tr("Seams files (*.json)"));
     if (path.isEmpty()) {
         return;
@@ -165,7 +171,7 @@ void GarmentActions::askAndExportAs(const QString& format) {
     const auto& source = workspace_.document().garment()->files.front()->path;
     const QFileInfo first(textOf(source));
     const QString remembered = preferences_.exportFolder();
-    const QString folder = remembered.isEmpty() ? first.absolutePath() : remembered;
+    const QString folder = remembered.isEmpty() ? folderToWriteTo() : remembered;
     // "-pattern" keeps an OBJ export from proposing to replace the garment itself.
     const QString name = tr("%1-pattern").arg(first.completeBaseName());
     // Asked when it is pressed: tests answer otherwise by then.

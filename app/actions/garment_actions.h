@@ -67,6 +67,7 @@ private:
     void askAndExportAs(const QString& format);
     /// The folder of a file that is being written, on the desktop.
     void showOnceWritten(const QString& path);
+    QString folderToWriteTo() const;
     void findGrain(GrainRule rule);
     void sayOutdated();
 

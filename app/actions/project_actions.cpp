@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/actions/own_folders.h"
 #include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/settings/preferences.h"
@@ -146,9 +147,10 @@ void ProjectActions::saveAs(std::function<void()> then) {
         return;
     }
     const std::filesystem::path present = session_.path();
-    const QFileInfo from(textOf(present.empty() ? workspace_.openPaths().front() : present));
+    const QString garment = textOf(workspace_.openPaths().front());
+    const QString name = QFileInfo(present.empty() ? garment : textOf(present)).completeBaseName();
     QString path = dialogs_.saveProject(
-        &window_, QString("%1/%2%3").arg(from.absolutePath(), from.completeBaseName(),
+        &window_, QString("%1/%2%3").arg(writingFolder(garment, textOf(present)), name,
                                          QString::fromUtf8(kProjectEnding)));
     if (path.isEmpty()) {
         return;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/actions/own_folders.h"
 #include "app/settings/preferences.h"
 #include "app/widgets/icon.h"
 
@@ -126,26 +127,6 @@ QString sampleTitle(const QString& path) {
 }
 
 }  // namespace
-
-QStringList samplePaths() {
-    QStringList folders = {
-        QDir(QCoreApplication::applicationDirPath()).filePath("../share/toile/samples"),
-        QDir(QCoreApplication::applicationDirPath()).filePath("samples")};
-#ifdef TOILE_SAMPLES_DIR
-    folders << TOILE_SAMPLES_DIR;
-#endif
-    for (const QString& folder : folders) {
-        QStringList paths;
-        const QFileInfoList files = QDir(folder).entryInfoList({"*.obj"}, QDir::Files, QDir::Name);
-        for (const QFileInfo& file : files) {
-            paths << file.absoluteFilePath();
-        }
-        if (!paths.isEmpty()) {
-            return paths;
-        }
-    }
-    return {};
-}
 
 WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
     : QWidget(parent), preferences_(preferences) {

@@ -43,7 +43,4 @@ private:
     QVBoxLayout* recentRows_ = nullptr;
 };
 
-/// The sample garments that came with the program, or lie in its source tree; may be empty.
-QStringList samplePaths();
-
 }  // namespace toile::app
