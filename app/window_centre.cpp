@@ -18,7 +18,9 @@
 #include "app/views/view_area.h"
 #include "app/views/walk_bar.h"
 #include "app/widgets/banner.h"
+#include "app/widgets/busy_sheet.h"
 #include "app/widgets/garment_card.h"
+#include "app/window_busy.h"
 
 namespace toile::app {
 
@@ -65,7 +67,8 @@ WindowCentre::WindowCentre(Workspace& workspace, const ActionRegistry& actions, 
       recoveryCard_(new RecoveryCard(this)),
       card_(new GarmentCard(this)),
       pages_(new QStackedWidget(this)),
-      views_(new ViewArea(workspace.document(), tools, pages_)) {
+      views_(new ViewArea(workspace.document(), tools, pages_)),
+      busy_(new WindowBusy(workspace, actions[ActionId::Cancel], *this, views_->patternView())) {
     connect(&workspace_, &Workspace::refused, banner_, &Banner::showSentence);
     for (JobRunner* jobs : workspace_.runners()) {
         connect(jobs, &JobRunner::failed, banner_, [this](const QString&, const QString& sentence) {
@@ -86,6 +89,8 @@ WindowCentre::WindowCentre(Workspace& workspace, const ActionRegistry& actions, 
     connect(welcome, &WelcomePage::filesWanted, this, &WindowCentre::filesWanted);
     pages_->addWidget(welcome);
     pages_->addWidget(makeWork(actions));
+    pages_->addWidget(&busy_->page());
+    connect(busy_, &WindowBusy::changed, this, &WindowCentre::showPage);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -170,7 +175,12 @@ void WindowCentre::askAgain() {
 }
 
 void WindowCentre::showViews(bool shown) {
-    pages_->setCurrentIndex(shown ? 1 : 0);
+    hasViews_ = shown;
+    showPage();
+}
+
+void WindowCentre::showPage() {
+    pages_->setCurrentIndex(hasViews_ ? 1 : busy_->isReading() ? 2 : 0);
 }
 
 QString WindowCentre::hint() const {

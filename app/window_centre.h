@@ -17,6 +17,7 @@ class Preferences;
 class RecoveryCard;
 class ToolBox;
 class ViewArea;
+class WindowBusy;
 
 /// The middle of the window: a welcome, or the views with the tools beside them; above them what
 /// has gone wrong, and what a person is asked without having to answer.
@@ -28,10 +29,11 @@ public:
     WindowCentre(Workspace& workspace, const ActionRegistry& actions, ToolBox& tools,
                  Preferences& preferences, QWidget* parent);
 
-    /// Lives as long as this, as the three below do.
+    /// Lives as long as this, as the four below do.
     ViewArea& views() { return *views_; }
     Banner& banner() { return *banner_; }
     GarmentCard& card() { return *card_; }
+    WindowBusy& busy() { return *busy_; }
     RecoveryCard& recoveryCard() { return *recoveryCard_; }
     /// Whether the person has found the guesses about the open garment right.
     bool areGuessesKept() const { return keptGuesses_ == workspace_.openPaths(); }
@@ -53,6 +55,7 @@ signals:
 private:
     /// The views with the bar of tools beside them, and what is connected to both.
     QWidget* makeWork(const ActionRegistry& actions);
+    void showPage();
     /// A button for each tool.
     QWidget* makeToolPalette(const ActionRegistry& actions);
     void connectTools(const ActionRegistry& actions);
@@ -67,6 +70,8 @@ private:
     GarmentCard* card_;
     QStackedWidget* pages_;
     ViewArea* views_;
+    WindowBusy* busy_;
+    bool hasViews_ = false;
     Workspace::Paths keptGuesses_;  ///< files whose guesses the person has found right
     Workspace::Paths askedAgain_;   ///< files that the person wants to say something of
 };

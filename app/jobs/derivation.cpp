@@ -73,11 +73,17 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
 }
 
 Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
-                            const LoadOptions& loading, Progress& progress) {
+                            const LoadOptions& loading, Progress& progress,
+                            std::atomic<int>* faces) {
     progress.setShare(0, kReadingShare);
     const Result<ReadFiles> files = readFiles(paths, progress);
     if (!files) {
         return files.error();
+    }
+    for (const ReadFile& file : *files) {
+        if (faces) {
+            *faces += file.soup->faceCount();
+        }
     }
     progress.setShare(kReadingShare, kDrawingShare);
     DocumentState state;

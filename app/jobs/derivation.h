@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -33,8 +34,10 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
                                  const std::vector<PieceSettings>& settingsBefore,
                                  Progress& progress);
 /// Reads files and makes their garment, with its scene. Errors: of `readFiles` and `makeGarment`.
+/// @param faces  gets how many the files have as soon as they are read; may be null
 Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
-                            const LoadOptions& loading, Progress& progress);
+                            const LoadOptions& loading, Progress& progress,
+                            std::atomic<int>* faces = nullptr);
 /// Makes all of it flat, as the state asks.
 void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& flattener,
              Progress& progress);

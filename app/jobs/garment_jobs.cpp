@@ -2,6 +2,8 @@
 #include "app/jobs/garment_jobs.h"
 
 #include <QCoreApplication>
+#include <QLocale>
+#include <atomic>
 #include <utility>
 
 #include "app/base/text.h"
@@ -31,11 +33,18 @@ std::unique_ptr<Job> readingJob(std::vector<std::filesystem::path> paths,
 std::unique_ptr<Job> importJob(std::vector<std::filesystem::path> paths, LoadOptions loading,
                                std::function<void(Derived)> done) {
     const QString name = paths.empty() ? QString() : textOf(paths.front().filename());
-    auto work = [paths = std::move(paths), loading = std::move(loading)](Progress& progress) {
-        return readGarment(paths, loading, progress);
+    const auto faces = std::make_shared<std::atomic<int>>(0);
+    auto work = [paths = std::move(paths), loading = std::move(loading),
+                 faces](Progress& progress) {
+        return readGarment(paths, loading, progress, faces.get());
+    };
+    auto detail = [faces] {
+        return *faces == 0 ? QString()
+                           : QCoreApplication::translate("ImportJob", "%1 faces")
+                                 .arg(QLocale().toString(faces->load()));
     };
     return makeJob(QCoreApplication::translate("ImportJob", "Reading %1").arg(name),
-                   std::move(work), std::move(done));
+                   std::move(work), std::move(done), true, std::move(detail));
 }
 
 std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder& order,

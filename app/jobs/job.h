@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -20,6 +21,8 @@ public:
 
     /// For the status bar, for example "Reading tee.obj".
     virtual QString title() const = 0;
+    /// What more is known of it by now, for example "12,000 faces"; may be empty.
+    virtual QString detail() const { return {}; }
     /// False where the work is short and half of it is worse than all: cancelling passes it by.
     virtual bool isCancellable() const { return true; }
     /// The work. On a worker: touches no widget and no document. Polls `progress` for cancelling
@@ -33,13 +36,16 @@ public:
 template <class Work, class Done>
 class FunctionJob : public Job {
 public:
-    FunctionJob(QString title, Work work, Done done, bool isCancellable)
+    FunctionJob(QString title, Work work, Done done, bool isCancellable,
+                std::function<QString()> detail)
         : title_(std::move(title)),
           work_(std::move(work)),
           done_(std::move(done)),
-          isCancellable_(isCancellable) {}
+          isCancellable_(isCancellable),
+          detail_(std::move(detail)) {}
 
     QString title() const override { return title_; }
+    QString detail() const override { return detail_ ? detail_() : QString(); }
     bool isCancellable() const override { return isCancellable_; }
     Result<void> process(Progress& progress) override {
         auto made = work_(progress);
@@ -61,16 +67,19 @@ private:
     Work work_;
     Done done_;
     bool isCancellable_;
+    std::function<QString()> detail_;
     std::optional<std::decay_t<decltype(std::declval<Outcome&>().value())>> made_;
 };
 
 /// @param work  `Result<Made>(Progress&)`: what `process` does; what it holds is the snapshot. Once
 ///              cancelled it may return anything
 /// @param done  `void(Made)`: takes over what was made
+/// @param detail  called on the GUI thread while the job is there
 template <class Work, class Done>
-std::unique_ptr<Job> makeJob(QString title, Work work, Done done, bool isCancellable = true) {
-    return std::make_unique<FunctionJob<Work, Done>>(std::move(title), std::move(work),
-                                                     std::move(done), isCancellable);
+std::unique_ptr<Job> makeJob(QString title, Work work, Done done, bool isCancellable = true,
+                             std::function<QString()> detail = {}) {
+    return std::make_unique<FunctionJob<Work, Done>>(
+        std::move(title), std::move(work), std::move(done), isCancellable, std::move(detail));
 }
 
 }  // namespace toile::app

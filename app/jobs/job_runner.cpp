@@ -45,6 +45,10 @@ QString JobRunner::title() const {
     return current_ ? current_->job->title() : QString();
 }
 
+QString JobRunner::detail() const {
+    return current_ ? current_->job->detail() : QString();
+}
+
 double JobRunner::fraction() const {
     return current_ ? worker_.progress()->fraction() : 0;
 }

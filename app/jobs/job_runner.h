@@ -34,6 +34,8 @@ public:
     Ticket lastUnderWay() const;
     /// Of the running job; empty where none runs.
     QString title() const;
+    /// What more is known of it; may be empty.
+    QString detail() const;
     /// Of the running job, in [0, 1].
     double fraction() const;
     /// Runs the job when all earlier ones are done.

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From choosing a file to a pattern that lies as it should: what is seen on the way, what is asked,
+// and where what is made of it goes.
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QTimer>
+#include <filesystem>
+#include <fstream>
+
+#include "app/actions/own_folders.h"
+#include "app/render/scene.h"
+#include "app/widgets/busy_sheet.h"
+#include "app/widgets/garment_card.h"
+#include "app/widgets/number_edits.h"
+#include "app/window_busy.h"
+#include "app/window_centre.h"
+#include "tests/app/support/garments.h"
+#include "tests/app/support/mouse.h"
+#include "tests/app/support/run_test.h"
+#include "tests/app/support/window_fixture.h"
+
+using namespace toile;
+using namespace toile::app;
+
+namespace {
+
+/// A sleeve of 14.4 units, as MakeHuman writes a garment of 1.44 m: one tube, and two islands in
+/// its UV map, of which Toile cannot know that they are panels.
+void writeTubeInDecimetres(const std::string& path) {
+    constexpr int kAround = 12, kRings = 9;
+    std::ofstream out(path);
+    for (int ring = 0; ring < kRings; ++ring) {
+        for (int k = 0; k < kAround; ++k) {
+            const double angle = 2 * kPi * k / kAround;
+            out << "v " << std::cos(angle) << ' ' << 1.8 * ring << ' ' << std::sin(angle) << '\n';
+        }
+    }
+    constexpr int kUvs = kAround + 2;  // the islands' borders are there twice
+    for (int ring = 0; ring < kRings; ++ring) {
+        for (int u = 0; u < kUvs; ++u) {
+            out << "vt " << 0.03 * u * u << ' ' << 0.02 * ring * ring << '\n';
+        }
+    }
+    for (int ring = 0; ring + 1 < kRings; ++ring) {
+        for (int k = 0; k < kAround; ++k) {
+            out << 'f';
+            for (const auto& [dk, dr] : {std::pair{0, 0}, {0, 1}, {1, 1}, {1, 0}}) {
+                out << ' ' << (ring + dr) * kAround + (k + dk) % kAround + 1 << '/'
+                    << (ring + dr) * kUvs + k + dk + (k >= kAround / 2 ? 1 : 0) + 1;
+            }
+            out << '\n';
+        }
+    }
+}
+
+}  // namespace
+
+class OpeningTest : public QObject {
+    Q_OBJECT
+
+private:
+    test::WindowFixture fixture_;
+
+    Document& document() { return fixture_.document(); }
+    GarmentCard& card() { return fixture_.window().card(); }
+
+    QPushButton* cardButton(const QString& text) {
+        for (auto* button : card().findChildren<QPushButton*>()) {
+            if (button->text() == text && button->isVisible()) {
+                return button;
+            }
+        }
+        return nullptr;
+    }
+
+    int flatCount() {
+        return static_cast<int>(std::ranges::count_if(
+            document().garment()->pieces, [](const auto& piece) { return !piece->defect; }));
+    }
+
+    /// Says that the garment is so tall and divides it by the card's button.
+    void typeHeightAndDivide(const QString& file) {
+        QVERIFY(fixture_.openAndWait(file));
+        QVERIFY(card().isVisible());
+        const int before = flatCount();
+        auto& field = fixture_.find<LengthEdit>("otherLength");
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, "180 cm");
+        QTest::keyClick(&field, Qt::Key_Return);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(std::abs(document().scene()->box.sizes().y() - 1800) < 1e-6);
+        QPushButton* divide = cardButton("Divide by UV islands");
+        QVERIFY(divide);
+        QTest::mouseClick(divide, Qt::LeftButton);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(flatCount() > before);
+        QVERIFY(std::abs(document().scene()->box.sizes().y() - 1800) < 1e-6);
+        QVERIFY(!cardButton("Divide by UV islands"));
+    }
+
+private slots:
+    void initTestCase() {
+        SKIP_WITHOUT_GL();
+        test::writeObj(fixture_.path("shirt.obj").toStdString(),
+                       {{"front", test::makeSheet(300, 500, 6, 8)},
+                        {"back", test::makeSheet(300, 500, 6, 8, {400, 0, 0})}});
+        writeTubeInDecimetres(fixture_.path("tube.obj").toStdString());
+    }
+
+    void init() { fixture_.open(); }
+
+    void cleanup() { fixture_.close(); }
+
+    void whatIsReadIsSaidAtOnce() {
+        auto& page = fixture_.find<BusySheet>("busyPage");
+        QVERIFY(!page.isVisible());
+        fixture_.window().openFiles({fixture_.path("shirt.obj")});
+        QVERIFY(page.isVisible());  // before any event
+        QVERIFY(page.task().contains("shirt.obj"));
+        QVERIFY(!fixture_.find<QWidget>("welcome").isVisible());
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(!page.isVisible());
+    }
+
+    void cancellingTheReadingLeadsBackToTheWelcome() {
+        fixture_.window().openFiles({fixture_.path("shirt.obj")});
+        auto& page = fixture_.find<BusySheet>("busyPage");
+        QTest::mouseClick(page.findChild<QPushButton*>("busyCancel"), Qt::LeftButton);
+        QVERIFY(fixture_.waitUntilIdle());
+        QVERIFY(!page.isVisible());
+        QVERIFY(fixture_.find<QWidget>("welcome").isVisible());
+        QVERIFY(!document().garment());
+    }
+
+    void thePatternThatIsAwaitedIsCovered() {
+        auto& busy = *fixture_.window().findChild<WindowBusy*>();
+        busy.setDelay(0);
+        auto& sheet = fixture_.find<BusySheet>("busySheet");
+        int covered = 0;
+        connect(&fixture_.workspace().jobs(), &JobRunner::started, &sheet, [&] {
+            covered += document().garment() && sheet.isVisibleTo(&fixture_.patternView());
+        });
+        QVERIFY(fixture_.openAndWait(fixture_.path("shirt.obj")));
+        QCOMPARE(covered, 1);
+        QVERIFY(!sheet.isVisible());
+        fixture_.action(ActionId::FlattenAgain).trigger();  // the pattern is there meanwhile
+        QVERIFY(!sheet.isVisible());
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(covered, 1);
+    }
+
+    void aPatternIsFramedOnArrivalWhateverWasDraggedBefore() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("shirt.obj")));
+        (void)fixture_.patternPicture();
+        const double usual = fixture_.patternView().pixelsPerMillimetre();
+        fixture_.close();
+
+        fixture_.open();
+        bool dragged = false;
+        connect(&fixture_.workspace().jobs(), &JobRunner::started, this, [&] {
+            if (!document().garment() || dragged) {
+                return;
+            }
+            dragged = true;  // while the sheet is empty
+            test::drag(fixture_.patternView(), {200, 200}, {300, 260}, Qt::MiddleButton);
+            test::turnWheel(fixture_.patternView(), {200, 200}, 3);
+        });
+        QVERIFY(fixture_.openAndWait(fixture_.path("shirt.obj")));
+        QVERIFY(dragged);
+        (void)fixture_.patternPicture();
+        QVERIFY(std::abs(fixture_.patternView().pixelsPerMillimetre() / usual - 1) < 1e-9);
+
+        // What is there stays where a person puts it.
+        test::turnWheel(fixture_.patternView(), {200, 200}, 3);
+        const double near = fixture_.patternView().pixelsPerMillimetre();
+        QVERIFY(near > usual);
+        fixture_.action(ActionId::FlattenAgain).trigger();
+        QVERIFY(fixture_.waitForResults());
+        (void)fixture_.patternPicture();
+        QCOMPARE(fixture_.patternView().pixelsPerMillimetre(), near);
+    }
+
+    void aTubeInDecimetresGetsItsHeightAndItsPanels() {
+        typeHeightAndDivide(fixture_.path("tube.obj"));
+        QCOMPARE(flatCount(), 2);
+    }
+
+    void aSuitOfMakeHumanGetsItsHeightAndItsPanels() {
+        const std::filesystem::path suit =
+            std::filesystem::path(TOILE_SOURCE_DIR) / "../shared/data/garments/suit_mh.obj";
+        if (!std::filesystem::exists(suit)) {
+            QSKIP("needs the shared suit_mh.obj");
+        }
+        typeHeightAndDivide(QString::fromStdString(suit.string()));
+    }
+
+    void theQuestionBeforeLeavingNamesWhatIsSaved() {
+        const auto asked = [this](const QString& name) {
+            QString text;
+            QTimer::singleShot(0, this, [&text] {
+                auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                text = box->text();
+                box->reject();
+            });
+            (void)FileDialogs::native().askToSave(&fixture_.window(), name);
+            return text;
+        };
+        QCOMPARE(asked("shirt.obj"), QString("Save the pattern made from shirt.obj as a project?"));
+        QCOMPARE(asked("shirt.toile"), QString("Save the changes to the project shirt.toile?"));
+    }
+
+    void aSampleIsSavedAmongTheDocuments() {
+        QVERIFY(!samplePaths().isEmpty());
+        QStringList suggested;
+        fixture_.window().garmentActions().fileDialogs().saveProject =
+            [&suggested](QWidget*, const QString& suggestion) {
+                suggested << suggestion;
+                return QString();
+            };
+        QVERIFY(fixture_.openAndWait(samplePaths().front()));
+        fixture_.action(ActionId::SaveAs).trigger();
+        QVERIFY(fixture_.openAndWait(fixture_.path("shirt.obj")));
+        fixture_.action(ActionId::SaveAs).trigger();
+        QCOMPARE(suggested.size(), 2);
+        QCOMPARE(QFileInfo(suggested[0]).absolutePath(),
+                 QFileInfo(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+                     .absoluteFilePath());
+        QCOMPARE(suggested[1], fixture_.path("shirt.toile"));
+        QCOMPARE(writingFolder(samplePaths().front(), fixture_.path("shirt.toile")),
+                 QFileInfo(fixture_.path("shirt.toile")).absolutePath());
+    }
+};
+
+TOILE_WINDOW_TEST(OpeningTest)
+#include "opening_test.moc"
