@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window_dialogs.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QMessageBox>
+#include <QPushButton>
+#include <QSysInfo>
 
 #include "app/actions/action_registry.h"
 #include "app/actions/help_table.h"
+#include "app/actions/own_folders.h"
 #include "app/actions/workspace.h"
 #include "app/compare/compare_window.h"
+#include "app/panels/document_page.h"
 #include "app/panels/help_page.h"
 #include "app/panels/preferences_dialog.h"
+#include "app/render/gl_support.h"
 #include "app/views/view_area.h"
 #include "core/base/version.h"
 
@@ -25,6 +32,9 @@ WindowDialogs::WindowDialogs(QWidget& window, Workspace& workspace, const Action
     actions_.on(ActionId::CommandPalette, this, &WindowDialogs::showCommands);
     actions_.on(ActionId::EditPreferences, this, &WindowDialogs::editPreferences);
     actions_.on(ActionId::Shortcuts, this, &WindowDialogs::showHelp);
+    actions_.on(ActionId::FirstSteps, this, [this] { showPage("first-steps.md"); });
+    actions_.on(ActionId::Documentation, this, [this] { showPage("README.md"); });
+    actions_.on(ActionId::ReportProblem, this, &WindowDialogs::reportProblem);
     actions_.on(ActionId::About, this, &WindowDialogs::showAbout);
     actions_.on(ActionId::CompareMethods, this, &WindowDialogs::compareMethods);
 }
@@ -73,6 +83,52 @@ void WindowDialogs::showHelp() {
     page->show();
     page->raise();
     page->activateWindow();
+}
+
+void WindowDialogs::showPage(const QString& name) {
+    const QString path = documentationPage(name);
+    if (path.isEmpty()) {
+        auto* box = new QMessageBox(
+            QMessageBox::Information, tr("Documentation"),
+            tr("The documentation is not installed beside the program. Help > Keyboard and mouse "
+               "is always there, and every control says what it does under the pointer."),
+            QMessageBox::Ok, &window_);
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+        return;
+    }
+    auto* page = window_.findChild<DocumentPage*>();
+    if (!page) {
+        page = new DocumentPage(&window_);
+        page->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    page->read(path);
+    page->show();
+    page->raise();
+    page->activateWindow();
+}
+
+void WindowDialogs::reportProblem() {
+    // In English whatever the language: it is for those who look into it.
+    const QString facts =
+        QString("Toile %1\nQt %2 (%3)\nOpenGL %4\n%5, %6")
+            .arg(QString::fromUtf8(version()), QString::fromUtf8(qVersion()),
+                 QGuiApplication::platformName(), glDescription(), QSysInfo::prettyProductName(),
+                 QSysInfo::currentCpuArchitecture());
+    auto* box = new QMessageBox(&window_);
+    box->setObjectName("reportProblem");
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowTitle(tr("Report a problem"));
+    box->setText(
+        tr("Say what you did, what you expected and what came instead, and add these "
+           "lines and, if you may, the garment's file."));
+    box->setInformativeText(facts);
+    box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* copy = box->addButton(tr("&Copy"), QMessageBox::AcceptRole);
+    box->addButton(QMessageBox::Close);
+    connect(copy, &QPushButton::clicked, box,
+            [facts] { QGuiApplication::clipboard()->setText(facts); });
+    box->open();
 }
 
 void WindowDialogs::showAbout() {

@@ -29,6 +29,9 @@ private:
     void compareMethods();
     void editPreferences();
     void showHelp();
+    /// @param name  of a page of the documentation
+    void showPage(const QString& name);
+    void reportProblem();
     void showAbout();
 
     QWidget& window_;

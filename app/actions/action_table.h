@@ -145,7 +145,10 @@ enum class ActionId {
     ResetLayout,
     EditPreferences,
     CommandPalette,
+    FirstSteps,
+    Documentation,
     Shortcuts,
+    ReportProblem,
     About,
 };
 

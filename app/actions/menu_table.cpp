@@ -107,7 +107,7 @@ std::vector<MenuSpec> makeTable() {
           SplitSeams}, false},
         {"flattenMenu", TR("F&latten"), flattenItems()},
         {"qualityMenu", TR("&Quality"), {QualityDraft, QualityStandard, QualityFine}, false},
-        {"helpMenu", TR("&Help"), {Shortcuts, About}},
+        {"helpMenu", TR("&Help"), {FirstSteps, Documentation, Shortcuts, kLine, ReportProblem, About}},
     };
 }
 // clang-format on

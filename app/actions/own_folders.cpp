@@ -28,6 +28,20 @@ QStringList samplePaths() {
     return {};
 }
 
+QString documentationPage(const QString& name) {
+    QStringList folders = {
+        QDir(QCoreApplication::applicationDirPath()).filePath("../share/doc/toile")};
+#ifdef TOILE_DOCS_DIR
+    folders << TOILE_DOCS_DIR;
+#endif
+    for (const QString& folder : folders) {
+        if (const QFileInfo page(QDir(folder), name); page.isFile()) {
+            return page.absoluteFilePath();
+        }
+    }
+    return {};
+}
+
 QString writingFolder(const QString& garment, const QString& project) {
     const QString beside = QFileInfo(project.isEmpty() ? garment : project).absolutePath();
     const QStringList samples = samplePaths();

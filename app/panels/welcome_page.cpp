@@ -154,9 +154,11 @@ WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
                               1.05, false, true));
     lines->addSpacing(16);
     lines->addWidget(open_, 0, Qt::AlignHCenter);
-    lines->addWidget(makeText(tr("or drop OBJ, PLY, OFF, STL or .toile files here; several "
-                                 "meshes are taken as one garment"),
-                              0.95, false, true));
+    advice_ = makeText(tr("or drop OBJ, PLY, OFF, STL or .toile files here; several meshes are "
+                          "taken as one garment"),
+                       0.95, false, true);
+    lines->addWidget(advice_);
+    lines->addWidget(makeOrigins(), 0, Qt::AlignHCenter);
     lines->addWidget(makeRecent());
     if (QWidget* samples = makeSamples()) {
         lines->addSpacing(22);
@@ -178,6 +180,45 @@ void WelcomePage::tintFaintTexts() {
         tinted.setColor(QPalette::WindowText, colour);
         label->setPalette(tinted);
     }
+}
+
+QWidget* WelcomePage::makeOrigins() {
+    const struct {
+        const char* name;
+        QString title, advice;
+    } kOrigins[] = {
+        {"originClo", tr("CLO, Marvelous Designer"),
+         tr("Export as OBJ: all patterns, thin, in mm or cm, with the UV map. Toile takes the "
+            "panels "
+            "from the map.")},
+        {"originBlender", tr("Blender"),
+         tr("Export as Wavefront OBJ: the garment selected, modifiers applied, UV coordinates with "
+            "it. Where you have marked seams and unwrapped, divide by UV islands.")},
+        {"originGame", tr("Game or figure"),
+         tr("Export the garment alone as OBJ with its UV map. Say how tall it is when you are "
+            "asked; maps made for textures are often not cut as cloth is, and cuts can be drawn.")},
+        {"originScan", tr("Scan"),
+         tr("Save the garment alone as PLY, STL or OBJ, cleaned and reduced to some 100,000 "
+            "triangles. A scan has no seams: draw them as cuts.")},
+    };
+    auto* box = new QWidget;
+    box->setObjectName("origins");
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    for (const auto& origin : kOrigins) {
+        auto* button = new QToolButton;
+        button->setObjectName(origin.name);
+        button->setText(origin.title);
+        button->setToolTip(origin.advice);
+        button->setCheckable(true);
+        button->setAutoExclusive(true);
+        button->setAutoRaise(true);
+        connect(button, &QToolButton::clicked, this,
+                [this, advice = origin.advice] { advice_->setText(advice); });
+        row->addWidget(button);
+    }
+    return box;
 }
 
 QWidget* WelcomePage::makeSamples() {

@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <QWidget>
 
+class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
@@ -31,6 +32,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    QWidget* makeOrigins();
     QWidget* makeSamples();
     QWidget* makeRecent();
     void updateRecent();
@@ -39,6 +41,7 @@ private:
 
     Preferences& preferences_;
     QPushButton* open_ = nullptr;
+    QLabel* advice_ = nullptr;   ///< what can be opened, or how to get it from where it is made
     QWidget* recent_ = nullptr;  ///< heading and list; hidden where nothing was opened yet
     QVBoxLayout* recentRows_ = nullptr;
 };

@@ -59,6 +59,26 @@ QString glProblem() {
     return {};
 }
 
+QString glDescription() {
+    QOpenGLContext context;
+    context.setFormat(sceneSurfaceFormat());
+    if (!hasScreen() || !context.create()) {
+        return {};
+    }
+    QOffscreenSurface surface;
+    surface.setFormat(context.format());
+    surface.create();
+    if (!context.makeCurrent(&surface)) {
+        return {};
+    }
+    const auto text = [](GLenum name) {
+        return QString::fromUtf8(reinterpret_cast<const char*>(glGetString(name)));
+    };
+    QString description = text(GL_VERSION) + ", " + text(GL_RENDERER);
+    context.doneCurrent();
+    return description;
+}
+
 bool hasGl() {
     return (QOpenGLContext::currentContext() || isEglCurrent()) && epoxy_is_desktop_gl() &&
            epoxy_gl_version() >= 33;

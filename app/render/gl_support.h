@@ -22,6 +22,10 @@ bool hasScreen();
 /// well. GUI thread.
 QString glProblem();
 
+/// Version and maker of OpenGL here, "4.5 (Core Profile) Mesa 22.3.6, llvmpipe"; empty where there
+/// is none. GUI thread.
+QString glDescription();
+
 /// Whether a context is current, be it Qt's or one of offscreen.h, and has OpenGL 3.3.
 bool hasGl();
 
