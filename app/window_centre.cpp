@@ -14,6 +14,7 @@
 #include "app/settings/preferences.h"
 #include "app/views/garment_view.h"
 #include "app/views/morph_bar.h"
+#include "app/views/pattern_view.h"
 #include "app/views/tools/tool_box.h"
 #include "app/views/view_area.h"
 #include "app/views/walk_bar.h"

@@ -106,10 +106,6 @@
         <translation>Schnittmuster exportieren</translation>
     </message>
     <message>
-        <source>Save the changes to %1?</source>
-        <translation>Die Änderungen an %1 speichern?</translation>
-    </message>
-    <message>
         <source>Without saving, what you have done since the last time is lost.</source>
         <translation>Ohne Speichern geht verloren, was Sie seit dem letzten Mal getan haben.</translation>
     </message>
@@ -161,6 +157,18 @@
         <source>Patterns (%1);;All files (*)</source>
         <translation>Schnitte (%1);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Save the changes to the project %1?</source>
+        <translation>Die Änderungen am Projekt %1 speichern?</translation>
+    </message>
+    <message>
+        <source>Save the pattern made from %1 as a project?</source>
+        <translation>Den Schnitt aus %1 als Projekt speichern?</translation>
+    </message>
+    <message>
+        <source>The garment&apos;s file stays as it is. Without saving, what you have done is lost.</source>
+        <translation>Die Datei des Kleidungsstücks bleibt, wie sie ist. Ohne Speichern geht verloren, was Sie getan haben.</translation>
+    </message>
 </context>
 <context>
     <name>GarmentView</name>
@@ -196,6 +204,10 @@
     <message>
         <source>Reading %1</source>
         <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 Flächen</translation>
     </message>
 </context>
 <context>
@@ -2136,6 +2148,14 @@ the halves make whole diamonds.</source>
 Seiten treffen, und an den Marken zusammen-
 setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
+    <message>
+        <source>largest extent %1, read as decimetres: %2 mm</source>
+        <translation>größte Ausdehnung %1, gelesen als Dezimeter: %2 mm</translation>
+    </message>
+    <message>
+        <source>this copy of Toile was built without %1; export the garment as OBJ</source>
+        <translation>dieses Toile wurde ohne %1 gebaut; exportieren Sie das Kleidungsstück als OBJ</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -3639,10 +3659,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>nach Materialien</translation>
     </message>
     <message>
-        <source>by UV</source>
-        <translation>nach UV</translation>
-    </message>
-    <message>
         <source>by cuts</source>
         <translation>nach Einschnitten</translation>
     </message>
@@ -4202,6 +4218,98 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>read back: %1 x %2 dots</source>
         <translation>zurückgelesen: %1 x %2 Punkte</translation>
     </message>
+    <message>
+        <source>&amp;Decimetres</source>
+        <translation>&amp;Dezimeter</translation>
+    </message>
+    <message>
+        <source>Read the file&apos;s numbers as decimetres, as MakeHuman writes them</source>
+        <translation>Die Zahlen der Datei als Dezimeter lesen, wie MakeHuman sie schreibt</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>&amp;Erste Schritte</translation>
+    </message>
+    <message>
+        <source>From a garment to a pattern on the table, in five minutes</source>
+        <translation>Vom Kleidungsstück zum Schnitt auf dem Tisch, in fünf Minuten</translation>
+    </message>
+    <message>
+        <source>&amp;Documentation</source>
+        <translation>&amp;Dokumentation</translation>
+    </message>
+    <message>
+        <source>All that is written about Toile</source>
+        <translation>Alles, was über Toile geschrieben steht</translation>
+    </message>
+    <message>
+        <source>&amp;Report a problem…</source>
+        <translation>&amp;Problem melden …</translation>
+    </message>
+    <message>
+        <source>What to say when something goes wrong, with what is known of this computer</source>
+        <translation>Was zu sagen ist, wenn etwas schiefgeht, mit dem, was über diesen Rechner bekannt ist</translation>
+    </message>
+    <message>
+        <source>1 = %1 mm</source>
+        <translation>1 = %1 mm</translation>
+    </message>
+    <message>
+        <source>units of %1 mm</source>
+        <translation>Einheiten von %1 mm</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>Dezimeter</translation>
+    </message>
+    <message>
+        <source>by UV islands</source>
+        <translation>nach UV-Inseln</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>or the garment is</source>
+        <translation>oder das Kleidungsstück ist</translation>
+    </message>
+    <message>
+        <source>tall</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>Which of the file&apos;s axes points up?</source>
+        <translation>Welche Achse der Datei zeigt nach oben?</translation>
+    </message>
+    <message>
+        <source>Divide by objects</source>
+        <translation>Nach Objekten teilen</translation>
+    </message>
+    <message>
+        <source>Divide by groups</source>
+        <translation>Nach Gruppen teilen</translation>
+    </message>
+    <message>
+        <source>Divide by materials</source>
+        <translation>Nach Materialien teilen</translation>
+    </message>
+    <message>
+        <source>Divide by UV islands</source>
+        <translation>Nach UV-Inseln teilen</translation>
+    </message>
+    <message>
+        <source>Divide by parts</source>
+        <translation>Nach Teilen teilen</translation>
+    </message>
+    <message>
+        <source>Divided %1, %2 of %3 pieces can lie flat; %4 it would be %5 of %6.</source>
+        <translation>%1 geteilt, können %2 von %3 Teilen flach liegen; %4 wären es %5 von %6.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -4390,6 +4498,13 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::BusySheet</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -4698,6 +4813,17 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Ease no longer drawn</source>
         <translation>Einhalteweite nicht mehr zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::DocumentPage</name>
+    <message>
+        <source>Documentation</source>
+        <translation>Dokumentation</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
     </message>
 </context>
 <context>
@@ -6819,6 +6945,38 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>or drop OBJ, PLY, OFF, STL or .toile files here; several meshes are taken as one garment</source>
         <translation>oder OBJ-, PLY-, OFF-, STL- oder .toile-Dateien hier ablegen; mehrere Netze gelten als ein Kleidungsstück</translation>
     </message>
+    <message>
+        <source>CLO, Marvelous Designer</source>
+        <translation>CLO, Marvelous Designer</translation>
+    </message>
+    <message>
+        <source>Export as OBJ: all patterns, thin, in mm or cm, with the UV map. Toile takes the panels from the map.</source>
+        <translation>Als OBJ exportieren: alle Schnittteile, dünn (thin), in mm oder cm, mit UV-Karte. Toile nimmt die Schnittteile aus der Karte.</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>Export as Wavefront OBJ: the garment selected, modifiers applied, UV coordinates with it. Where you have marked seams and unwrapped, divide by UV islands.</source>
+        <translation>Als Wavefront OBJ exportieren: das Kleidungsstück ausgewählt, Modifikatoren angewendet, mit UV-Koordinaten. Wo Sie Nähte markiert und abgewickelt haben, nach UV-Inseln teilen.</translation>
+    </message>
+    <message>
+        <source>Game or figure</source>
+        <translation>Spiel oder Figur</translation>
+    </message>
+    <message>
+        <source>Export the garment alone as OBJ with its UV map. Say how tall it is when you are asked; maps made for textures are often not cut as cloth is, and cuts can be drawn.</source>
+        <translation>Nur das Kleidungsstück als OBJ mit seiner UV-Karte exportieren. Sagen Sie auf die Frage, wie hoch es ist; Karten für Texturen sind oft nicht wie Stoff geschnitten, Schnitte lassen sich zeichnen.</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Save the garment alone as PLY, STL or OBJ, cleaned and reduced to some 100,000 triangles. A scan has no seams: draw them as cuts.</source>
+        <translation>Nur das Kleidungsstück als PLY, STL oder OBJ speichern, bereinigt und auf etwa 100 000 Dreiecke verringert. Ein Scan hat keine Nähte: Zeichnen Sie sie als Schnitte.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::WindowCentre</name>
@@ -6840,6 +6998,26 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <translation>Schnittmuster aus 3D-Kleidungsstücken, jede Nahtlinie in ihrer wahren Länge: der längentreue natürliche Rand nach Wang (2005).
 
 Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
+    </message>
+    <message>
+        <source>Documentation</source>
+        <translation>Dokumentation</translation>
+    </message>
+    <message>
+        <source>The documentation is not installed beside the program. Help &gt; Keyboard and mouse is always there, and every control says what it does under the pointer.</source>
+        <translation>Die Dokumentation ist nicht mit dem Programm installiert. Hilfe &gt; Tastatur und Maus ist immer da, und jedes Bedienelement sagt unter dem Mauszeiger, was es tut.</translation>
+    </message>
+    <message>
+        <source>Report a problem</source>
+        <translation>Ein Problem melden</translation>
+    </message>
+    <message>
+        <source>Say what you did, what you expected and what came instead, and add these lines and, if you may, the garment&apos;s file.</source>
+        <translation>Sagen Sie, was Sie getan haben, was Sie erwartet haben und was stattdessen kam, und fügen Sie diese Zeilen bei und, wenn Sie dürfen, die Datei des Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
     </message>
 </context>
 <context>
@@ -6902,6 +7080,14 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Written: %1 (%2 left, see Problems)</source>
         <translation>Geschrieben: %1 (noch %2, siehe Probleme)</translation>
+    </message>
+    <message>
+        <source>%1
+
+Click to choose the unit or to say how tall the garment is</source>
+        <translation>%1
+
+Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück ist</translation>
     </message>
 </context>
 <context>
