@@ -23,6 +23,9 @@ TEST(Arguments, NothingOrAFileOpensTheWindow) {
     EXPECT_EQ(file.command, Command::Window);
     EXPECT_EQ(file.inputs.size(), 2U);
     EXPECT_EQ(file.load.unit, LengthUnit::Centimetre);
+    EXPECT_EQ(parse({"info", "a.obj", "--unit", "dm"}).load.unit, LengthUnit::Decimetre);
+    EXPECT_EQ(parse({"info", "a.obj", "--unit", "12.5mm"}).load.unit,
+              FileUnit::ofMillimetres(12.5));
     EXPECT_EQ(parse({"dress.obj", "--screenshot", "a.png"}).screenshot, "a.png");
     EXPECT_EQ(parse({"dress.obj", "--overlay", "strain"}).overlay, Overlay::Strain);
     EXPECT_EQ(parse({"dress.obj", "--overlay", "principal"}).overlay, Overlay::Principal);

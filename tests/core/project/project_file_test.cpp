@@ -166,8 +166,13 @@ private:
         return lines;
     }
 
-    std::optional<LengthUnit> unit() {
-        return flag() ? std::optional(static_cast<LengthUnit>(upTo(3))) : std::nullopt;
+    std::optional<FileUnit> unit() {
+        if (flag()) {
+            return std::nullopt;
+        }
+        return flag()
+                   ? std::optional<FileUnit>(kLengthUnits[upTo(4)])
+                   : FileUnit::ofMillimetres(std::uniform_real_distribution<>(0.01, 2000)(random_));
     }
 
     /// Any within the limit.
@@ -310,8 +315,9 @@ TEST(ProjectFile, AFaultNamesItsPlace) {
               R"("pieces[0].placement.offset" must be a list of 2 numbers)");
     EXPECT_EQ(detailWith([](Json& d) { d["seams"]["cuts"][0]["points"][1][2] = "x"; }),
               R"("seams.cuts[0].points[1]" must be a list of 3 numbers)");
-    EXPECT_EQ(detailWith([](Json& d) { d["reading"]["unit"] = "ell"; }),
-              R"("reading.unit" must be "mm", "cm", "m" or "in")");
+    EXPECT_EQ(
+        detailWith([](Json& d) { d["reading"]["unit"] = "ell"; }),
+        R"("reading.unit" must be "mm", "cm", "dm", "m", "in" or a length such as "12.5 mm")");
     EXPECT_EQ(detailWith([](Json& d) { d.erase("files"); }), R"("files" is missing)");
     EXPECT_EQ(detailWith([](Json& d) { d["files"] = Json::array(); }),
               R"("files" must name a file)");
