@@ -144,7 +144,7 @@ constexpr Words kWords[] = {
     {JoinImpossible, "join-impossible", TR("the seam cannot be taken out"),
      TR("Leave it, or join the parts in the modelling program")},
     {NoSuchSeam, "no-such-seam", TR("the garment has no seam of this name"),
-     TR("See the names with \"toile info\"")},
+     TR("Look at the names in the list of seams"), false, "toile info lists them"},
     {NoClosedOutline, "no-closed-outline",
      TR("one boundary edge is as long as all the others together, so that no flat "
         "outline has these lengths"),

@@ -837,8 +837,8 @@
         <translation>das Kleidungsstück hat keine Naht dieses Namens</translation>
     </message>
     <message>
-        <source>See the names with &quot;toile info&quot;</source>
-        <translation>Die Namen zeigt „toile info“</translation>
+        <source>Look at the names in the list of seams</source>
+        <translation>Sehen Sie die Namen in der Liste der Nähte nach</translation>
     </message>
     <message>
         <source>one boundary edge is as long as all the others together, so that no flat outline has these lengths</source>
