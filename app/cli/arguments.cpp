@@ -367,8 +367,8 @@ void addCheck(CLI::App& app, Arguments& arguments) {
         fabrics.push_back(fabric.id);
     }
     addChoice(check, "--fabric", arguments.fabric, fabrics, fabricPreset,
-              "What the garment is cut from: " + fabrics.front() +
-                  " where neither this nor a project says so");
+              "What the garment is cut from; " + fabrics.front() +
+                  ", and its strain no fault, where neither this nor a project says so");
     addMethodOptions(check, arguments.stated);
     addLineOptions(check, arguments.stated);
     addPatternOptions(check, arguments.stated);

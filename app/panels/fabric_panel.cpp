@@ -66,6 +66,25 @@ QString linked(const QString& text, const QString& link) {
     return QString("<a href=\"%1\">%2</a>").arg(link, text.toHtmlEscaped());
 }
 
+/// All that has been put into these rows, the last one excluded.
+std::vector<QWidget*> widgetsOfRows(const QGridLayout& grid, int first, int end) {
+    std::vector<QWidget*> widgets;
+    for (int index = 0; index < grid.count(); ++index) {
+        int row = 0, column = 0, rows = 0, columns = 0;
+        grid.getItemPosition(index, &row, &column, &rows, &columns);
+        if (row >= first && row < end) {
+            widgets.push_back(grid.itemAt(index)->widget());
+        }
+    }
+    return widgets;
+}
+
+void setShown(const std::vector<QWidget*>& widgets, bool shown) {
+    for (QWidget* widget : widgets) {
+        widget->setVisible(shown);
+    }
+}
+
 QLabel* makeHeading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     QFont strong = label->font();
@@ -78,9 +97,16 @@ QLabel* makeHeading(const QString& text, QWidget* parent) {
 
 QString fabricName(const Fabric& fabric) {
     const std::pair<const char*, QString> names[] = {
-        {"woven", FabricPanel::tr("woven")},     {"denim", FabricPanel::tr("denim")},
-        {"jersey", FabricPanel::tr("jersey")},   {"neoprene", FabricPanel::tr("neoprene")},
+        {"unstated", FabricPanel::tr("not stated")},
+        {"woven", FabricPanel::tr("woven")},
+        {"denim", FabricPanel::tr("denim")},
+        {"canvas", FabricPanel::tr("canvas")},
+        {"jersey", FabricPanel::tr("jersey")},
+        {"spandex", FabricPanel::tr("spandex")},
+        {"neoprene", FabricPanel::tr("neoprene")},
         {"leather", FabricPanel::tr("leather")},
+        {"faux-leather", FabricPanel::tr("faux leather")},
+        {"eva-foam", FabricPanel::tr("EVA foam")},
     };
     if (fabricPreset(fabric.id)) {
         for (const auto& [id, name] : names) {
@@ -171,14 +197,21 @@ QWidget* FabricPanel::makeContents() {
     label->setBuddy(preset_);
     grid->addWidget(label, 1, 0);
     grid->addWidget(preset_, 1, 1, 1, 2);
+    constexpr int kFitRow = 8, kLastRow = 14;
     addLimits(*grid);
     grid->addWidget(
         makeNote(tr("Presets are rules of thumb. Where it matters, measure a sample and "
                     "type what it allows.")),
         6, 0, 1, 3);
-    grid->setRowMinimumHeight(7, 6);
-    addFit(*grid, 8);
-    grid->setRowStretch(14, 1);
+    limitWidgets_ = widgetsOfRows(*grid, 2, kFitRow - 1);
+    addFit(*grid, kFitRow);
+    fitWidgets_ = widgetsOfRows(*grid, kFitRow, kLastRow);
+    QLabel* unstated =
+        makeNote(tr("Fabric not stated: choose one to see where it must give more than it can."));
+    unstated->setObjectName("fabricUnstated");
+    unstated_ = unstated;
+    grid->addWidget(unstated, kLastRow, 0, 1, 3);
+    grid->setRowStretch(kLastRow + 1, 1);
     return contents;
 }
 
@@ -362,6 +395,14 @@ void FabricPanel::refresh() {
         const QSignalBlocker quiet(limit.field);
         limit.field->setValue(kPercentPerShare * fabric.*limit.direction.*limit.end);
     }
+    const bool isStated = hasLimits(fabric);
+    setShown(limitWidgets_, isStated);
+    unstated_->setVisible(!isStated);
+    setShown(fitWidgets_, hasLimits(document_.fabric()) ||
+                              std::ranges::any_of(document_.state().materials,
+                                                  [](const Material& material) -> bool {
+                                                      return hasLimits(material.fabric);
+                                                  }));
     showFit();
 }
 
@@ -396,6 +437,8 @@ void FabricPanel::choosePreset(int index) {
     if (index >= 0 && index < static_cast<int>(presets.size())) {
         fabric = presets[static_cast<std::size_t>(index)];
     } else {
+        // Limits of 0 are nothing to begin with.
+        fabric = hasLimits(fabric) ? fabric : *fabricPreset("woven");
         fabric.id = kCustom;
     }
     const QString name = fabricName(fabric);

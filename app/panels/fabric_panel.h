@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "app/base/worker.h"
 #include "app/document/document_change.h"
@@ -21,8 +22,8 @@ struct DocumentState;
 class FieldGuard;
 class PercentEdit;
 
-/// What the garment is cut from, and what pieces of another material are: a preset, or limits that
-/// are typed. Below it, how much of the
+/// What the garment is cut from, and what pieces of another material are: not stated, a preset, or
+/// limits that are typed. Below it, how much of the
 /// garment goes beyond them: of a small one at once; that of a large one is worked out on another
 /// thread and comes a moment later. A change is a step of the history; nothing is flattened again.
 class FabricPanel : public QWidget {
@@ -82,8 +83,9 @@ private:
     QComboBox *material_, *preset_;
     std::string shown_{};  ///< the material; empty: the garment's own fabric
     std::array<Limit, 6> limits_{};
-    std::array<QLabel*, 3> directions_{}, shares_{};  ///< of warp, weft, bias
-    QLabel *all_, *worst_;
+    std::array<QLabel*, 3> directions_{}, shares_{};   ///< of warp, weft, bias
+    std::vector<QWidget*> limitWidgets_, fitWidgets_;  ///< nothing to see where none is stated
+    QLabel *all_, *worst_, *unstated_ = nullptr;
     int gesture_ = -1;  ///< what is typed into one field, one after the other, is one step
     std::optional<FabricFit> fit_;
     QString problem_;  ///< why the fit could not be worked out

@@ -27,7 +27,8 @@ void forEachValue(const Scene& scene, const SheetPlaces& places, Overlay overlay
 /// @param own  the piece's
 void count(Histogram& histogram, const OverlayScale& scale, const OverlayScale& own, double value,
            double area) {
-    if (own.isBeyond(value)) {
+    // Where the ends are limits, cloth that has none is beyond nothing.
+    if (own.isBeyond(value) && (own.limited || !scale.limited)) {
         (value < own.low ? histogram.below : histogram.above) += area;
         return;
     }

@@ -116,7 +116,8 @@ StrainedAreas strainedAreas(const FabricQuestion& question, const Scales& scales
         const OverlaySample sample = sampleOf(scene.faces[face]);
         bool isAny = false;
         for (std::size_t k = 0; k < kDirections.size(); ++k) {
-            if (own[k].isBeyond(overlayValue(kDirections[k], sample, grain, own[k]))) {
+            if (own[k].limited &&
+                own[k].isBeyond(overlayValue(kDirections[k], sample, grain, own[k]))) {
                 areas.beyond[k] += area;
                 isAny = true;
             }
@@ -134,6 +135,9 @@ std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric)
         return {std::min(kPercent * limits.least, -kMinLimit),
                 std::max(kPercent * limits.most, kMinLimit)};
     };
+    if (!hasLimits(fabric)) {
+        return std::nullopt;
+    }
     switch (overlay) {
         case Overlay::Warp:
             return inPercent(fabric.warp);
@@ -163,9 +167,15 @@ OverlayScale overlayScale(const Scene& scene, Overlay overlay, const Fabric& fab
 }
 
 OverlayScale scaleOn(const SheetPlace& place, Overlay overlay, const OverlayScale& scale) {
-    const auto limits = place.fabric && scale.limited ? fabricLimits(overlay, *place.fabric)
-                                                      : std::optional<OverlayLimits>();
-    return limits ? OverlayScale{limits->least, limits->most, false, false, true} : scale;
+    if (!place.fabric) {
+        return scale;
+    }
+    if (const auto limits = fabricLimits(overlay, *place.fabric)) {
+        return {limits->least, limits->most, false, false, true};
+    }
+    OverlayScale own = scale;
+    own.limited = false;
+    return own;
 }
 
 double overlayValue(Overlay overlay, const OverlaySample& sample, const Eigen::Vector2d& grain,

@@ -16,8 +16,8 @@ struct Fabric;
 
 namespace toile::app {
 
-/// What the fabric allows of a quantity; none where a fabric sets no limit to it. A strain that has
-/// no direction is held to the tightest limits of all directions. In percent.
+/// What the fabric allows of a quantity; none where it sets no limit to it or is not stated. A
+/// strain that has no direction is held to the tightest limits of all directions. In percent.
 struct OverlayLimits {
     double least = 0, most = 0;
 };
@@ -28,8 +28,8 @@ std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric)
 /// of the garment's values. Cost: none to speak of.
 OverlayScale overlayScale(const Scene& scene, Overlay overlay, const Fabric& fabric);
 
-/// The same on one piece: where the scale ends at the limits of the garment's fabric, and the piece
-/// is cut from another, at those of that.
+/// The same on one piece: of one that is cut from another fabric than the garment, with the limits
+/// of that, or without any where that is not stated.
 OverlayScale scaleOn(const SheetPlace& place, Overlay overlay, const OverlayScale& scale);
 
 /// What the mesh knows of a place: what its vertices and triangles carry.

@@ -147,7 +147,8 @@ struct Scene {
     StrainGlyphs glyphs;
     std::vector<PieceScene> pieces;
     std::vector<SeamScene> seams;  ///< one per seam of the garment
-    /// By Overlay: the span of the garment's values; of those only that no fabric limits.
+    /// By Overlay: the span of the garment's values; one for all directions of strain, so that they
+    /// can be compared and a turned grain changes none. Where a fabric has limits these come first.
     std::array<OverlayScale, kOverlayCount> scales;
     Eigen::AlignedBox3d box;  ///< relative to origin
 

@@ -148,14 +148,14 @@ private:
     float index_ = 0;
 };
 
-/// Of overlays that no fabric limits: the others take their scale from the fabric.
 OverlayScale scaleOf(const Scene& scene, Overlay overlay, double finest) {
+    const OverlayScale either{-1, 1};  // both signs weigh the same
     std::vector<float> values;
     values.reserve(scene.vertices.size());
     for (const ClothVertex& vertex : scene.vertices) {
         if (scene.pieces[static_cast<std::size_t>(vertex.piece)].flat) {
             values.push_back(static_cast<float>(
-                overlayValue(overlay, sampleOf(vertex), Eigen::Vector2d::UnitY(), OverlayScale{})));
+                overlayValue(overlay, sampleOf(vertex), Eigen::Vector2d::UnitY(), either)));
         }
     }
     return robustScale(std::move(values), isSigned(overlay), finest);
@@ -216,8 +216,12 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
     scene->glyphs = makeStrainGlyphs(*scene);
     for (const auto& [overlay, finest] :
          {std::pair(Overlay::Area, kFinestPercent), std::pair(Overlay::Angle, kFinestDegrees),
-          std::pair(Overlay::Dirichlet, kFinestEnergy)}) {
+          std::pair(Overlay::Dirichlet, kFinestEnergy),
+          std::pair(Overlay::Principal, kFinestPercent)}) {
         scene->scales[static_cast<std::size_t>(overlay)] = scaleOf(*scene, overlay, finest);
+    }
+    for (const Overlay strain : {Overlay::Strain, Overlay::Warp, Overlay::Weft, Overlay::Bias}) {
+        scene->scales[static_cast<std::size_t>(strain)] = scene->scale(Overlay::Principal);
     }
     return scene;
 }

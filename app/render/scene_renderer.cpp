@@ -17,6 +17,11 @@ namespace toile::app {
 
 namespace {
 
+bool hasOwnFabrics(const SheetPlaces& places) {
+    return std::ranges::any_of(
+        places, [](const SheetPlace& place) -> bool { return place.fabric.has_value(); });
+}
+
 constexpr int kPieceTableUnit = 0, kColourMapUnit = 1, kFaceTableUnit = 2;
 
 /// Widths in logical pixels.
@@ -139,11 +144,7 @@ bool SceneRenderer::synchronize(const ViewState& view) {
         tableChanged_ = true;
     }
     const bool isOther = std::exchange(overlay_, view.overlay) != view.overlay;
-    if (isOther && std::ranges::any_of(content_.places, [](const SheetPlace& place) -> bool {
-            return place.fabric.has_value();
-        })) {
-        tableChanged_ = true;
-    }
+    tableChanged_ = tableChanged_ || (isOther && hasOwnFabrics(content_.places));
     if (std::exchange(tableChanged_, false)) {
         pieces_.upload(makePieceTable(*content_.scene, content_.selection, content_.places,
                                       pieceColours_, overlay_));
@@ -185,7 +186,9 @@ ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
     const Overlay overlay = frame.view.overlay;
     const OverlayScale scale = scaleOf(overlay);
     const bool triangleTable =
-        isMeasured(overlay) && (scale.limited || frame.view.valuesPerTriangle) && hasFaceTable();
+        isMeasured(overlay) &&
+        (scale.limited || hasOwnFabrics(content_.places) || frame.view.valuesPerTriangle) &&
+        hasFaceTable();
     faces_.bind(kFaceTableUnit);
     bindColourMap(overlay);
 

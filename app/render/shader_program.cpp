@@ -146,7 +146,8 @@ std::vector<float> makePieceTable(const Scene& scene, const std::set<int>& selec
         texel[11] = static_cast<float>(std::sin(place.grain));
         const auto limits =
             place.fabric ? fabricLimits(overlay, *place.fabric) : std::optional<OverlayLimits>();
-        texel[12] = static_cast<float>(limits ? limits->least : 0);
+        // Upside down: a fabric of its own that has no limits.
+        texel[12] = static_cast<float>(limits ? limits->least : place.fabric ? 1 : 0);
         texel[13] = static_cast<float>(limits ? limits->most : 0);
     }
     return table;

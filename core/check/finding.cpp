@@ -65,6 +65,10 @@ constexpr FindingWords kWords[] = {
     {"message", TR("Messages"), "", ""},
 };
 
+/// Of a piece with several rims.
+constexpr const char* kTube =
+    TR("the piece is a tube with %1 openings, and lies flat only when it is cut open");
+
 #undef TR
 
 static_assert(std::size(kWords) == kFindingKindCount);
@@ -94,15 +98,24 @@ const FindingWords& findingWords(FindingKind kind) {
     return kWords[static_cast<std::size_t>(kind)];
 }
 
+const char* patternOf(const Finding& finding) {
+    if (!finding.error) {
+        return findingWords(finding.kind).describe;
+    }
+    const bool isTube = finding.error->code == ErrorCode::SeveralLoops && !finding.figures.empty();
+    return isTube ? kTube : "";
+}
+
 std::string description(const Finding& finding) {
-    if (finding.error) {
+    const char* pattern = patternOf(finding);
+    if (*pattern == '\0' && finding.error) {
         std::string text(describe(finding.error->code));
         return finding.error->detail.empty()
                    ? text
                    : text + " (" + shownText(finding.error->detail, kMaxOfDetail) + ")";
     }
     std::string text;
-    for (const char* at = findingWords(finding.kind).describe; *at != '\0'; ++at) {
+    for (const char* at = pattern; *at != '\0'; ++at) {
         const bool isPlace = *at == '%' && std::isdigit(static_cast<unsigned char>(at[1])) != 0;
         if (!isPlace) {
             text += *at;

@@ -102,6 +102,10 @@ struct FindingWords {
 
 const FindingWords& findingWords(FindingKind kind);
 
+/// What is the matter, with places for the figures as in `describe`: a tube is called so and not by
+/// what its error names. Empty where the error says it.
+const char* patternOf(const Finding& finding);
+
 /// What was found, without the place and without what to try: "the flat sides of the seam differ
 /// by 3.20 mm ...". English, millimetres.
 std::string description(const Finding& finding);

@@ -75,8 +75,8 @@ void addStrain(const PieceToCut& checked, FindingKind kind, const StrainExcess& 
     if (excess.face < 0 || excess.share < kStrainDoubtShare) {
         return;
     }
-    Finding finding = findingOf(
-        checked, kind, excess.share < kStrainFaultShare ? Severity::Doubt : Severity::Fault);
+    const bool isFault = excess.share >= kStrainFaultShare && !isRuleOfThumb(checked.fabric);
+    Finding finding = findingOf(checked, kind, isFault ? Severity::Fault : Severity::Doubt);
     finding.place = placeInTriangle(*checked.result.piece, checked.result.flat->Q, excess.face);
     finding.figures = {{excess.strain, Figure::Unit::Strain},
                        {excess.limit, Figure::Unit::Strain},
@@ -88,6 +88,9 @@ void addStrain(const PieceToCut& checked, FindingKind kind, const StrainExcess& 
 }
 
 void checkStrain(const PieceToCut& checked, FindingList& found) {
+    if (!hasLimits(checked.fabric)) {
+        return;
+    }
     const StrainExcesses excesses =
         strainExcesses(checked.result.piece->mesh, checked.result.flat->Q, checked.fabric,
                        grainOf(checked.settings));
@@ -103,6 +106,9 @@ void checkPiece(const PieceToCut& piece, FindingList& found) {
     if (result.error && result.error->code != ErrorCode::Cancelled) {
         Finding finding = findingOf(piece, FindingKind::NotFlat, Severity::Fault);
         finding.error = result.error;
+        if (result.error->code == ErrorCode::SeveralLoops) {
+            finding.figures = {count(static_cast<double>(loopLengths(*result.piece).size()))};
+        }
         found.add(std::move(finding));
     }
     if (!result.flat) {

@@ -22,7 +22,8 @@ struct PieceToCut {
 };
 
 /// Parts of a piece's area beyond the fabric's limits along one direction: from the first on it is
-/// a doubt, from the second on a fault. Less is a matter of single triangles.
+/// a doubt, from the second on a fault where a person has typed the limits; a rule of thumb makes
+/// none. Less is a matter of single triangles.
 inline constexpr double kStrainDoubtShare = 0.01, kStrainFaultShare = 0.05;
 
 /// What there is to say of the piece alone: not flat, outline, flips, strain, grain, and the notes

@@ -20,7 +20,7 @@ struct StrainLimits {
 
 /// What a garment is cut from, as far as flattening needs it.
 struct Fabric {
-    std::string id;     ///< "woven"; of a preset, or "custom"
+    std::string id;     ///< "woven"; of a preset, or "custom"; "unstated": nothing is known of it
     StrainLimits warp;  ///< along the grain
     StrainLimits weft;  ///< across it
     StrainLimits bias;  ///< at 45 degrees to it
@@ -28,17 +28,33 @@ struct Fabric {
     bool operator==(const Fabric&) const = default;
 };
 
-/// Common fabrics, the first of them the one to begin with (woven). Rules of thumb, not
-/// measurements: where it matters a sample is to be measured and the limits typed in.
+/// Common fabrics, the first of them the one to begin with: not stated, without limits. Rules of
+/// thumb, not measurements: where it matters a sample is to be measured and the limits typed in.
 inline std::span<const Fabric> fabricPresets() {
     static const Fabric presets[] = {
+        {"unstated", {}, {}, {}},
         {"woven", {-0.01, 0.02}, {-0.01, 0.03}, {-0.03, 0.08}},
         {"denim", {-0.005, 0.01}, {-0.005, 0.015}, {-0.015, 0.04}},
+        {"canvas", {-0.005, 0.01}, {-0.005, 0.02}, {-0.02, 0.05}},
         {"jersey", {-0.05, 0.15}, {-0.08, 0.35}, {-0.06, 0.25}},
+        {"spandex", {-0.08, 0.40}, {-0.08, 0.50}, {-0.08, 0.45}},
         {"neoprene", {-0.04, 0.20}, {-0.04, 0.20}, {-0.04, 0.20}},
         {"leather", {-0.005, 0.03}, {-0.005, 0.05}, {-0.005, 0.04}},
+        {"faux-leather", {-0.005, 0.04}, {-0.005, 0.08}, {-0.005, 0.06}},
+        {"eva-foam", {-0.03, 0.05}, {-0.03, 0.05}, {-0.03, 0.05}},
     };
     return presets;
+}
+
+/// Whether anything is known of what the fabric takes: false as long as nobody has stated it.
+inline bool hasLimits(const Fabric& fabric) {
+    return fabric.id != fabricPresets().front().id;
+}
+
+/// A preset as it is: what goes beyond it is a matter of judgement. Limits that a person typed are
+/// not.
+inline bool isRuleOfThumb(const Fabric& fabric) {
+    return std::ranges::find(fabricPresets(), fabric) != fabricPresets().end();
 }
 
 /// What some pieces are cut from beside the garment's own fabric: its lining, an interfacing.

@@ -85,7 +85,9 @@ std::optional<double> referenceGrain(const PieceResult& result) {
 }
 
 /// The straight grain, or the one turned by so much that the cloth suffers least.
-double leastStrained(const PieceResult& result, const Fabric& fabric, double straight) {
+double leastStrained(const PieceResult& result, const Fabric& stated, double straight) {
+    // A woven tells the grain most of all.
+    const Fabric& fabric = hasLimits(stated) ? stated : *fabricPreset("woven");
     double best = straight;
     double least = kWorthTurning * grainCost(result.piece->mesh, result.flat->Q, fabric, straight);
     for (const double turn : {kPi / 2, kPi / 4, -kPi / 4}) {

@@ -16,7 +16,7 @@ namespace toile {
 /// the rule. Of two pieces that mirror each other the first one's holds for both, mirrored.
 /// @param results   one per piece
 /// @param symmetry  null: every piece is looked at alone
-/// @param fabrics   one per piece, for LeastStrain
+/// @param fabrics   one per piece, for LeastStrain; one that is not stated counts as woven
 /// @return none where a piece is not flat, or lies level, so that no way is up
 /// Cost: linear in the triangles. Pure.
 std::vector<std::optional<double>> findGrains(const Garment& garment, const PieceResults& results,

@@ -181,7 +181,8 @@ vec3 clothColour(vec3 piece, int flags, vec3 worn, vec2 millimetres, vec4 values
     vec3 painted = valueColour(perTriangle ? own : overlayValue(values, metric, grain, range));
     // Crosses are drawn over it, and they carry the colours.
     vec3 ground = overlay == kOverlayPrincipal ? valueColour(0.0) : painted;
-    if (overlayLimited && severity(own, range) > 1.0005) {
+    bool isLimited = ownRange.y > ownRange.x || (overlayLimited && ownRange.y == ownRange.x);
+    if (isLimited && severity(own, range) > 1.0005) {
         vec3 stripe = overlay == kOverlayPrincipal ? mix(ground, painted, 0.5) : vec3(0.97);
         return mix(ground, stripe, kHatchStrength * hatching(own > 0.0));
     }

@@ -87,7 +87,7 @@ SheetPlaces grainAt(double radians) {
 }
 
 double valueOf(const BuiltScene& built, Overlay overlay, double grain, bool perTriangle = false) {
-    const OverlayScale scale = overlayScale(*built.scene, overlay, fabricPresets().front());
+    const OverlayScale scale = overlayScale(*built.scene, overlay, *fabricPreset("woven"));
     return valueAt(*built.scene, grainAt(grain), {0, 17, {0.2, 0.5, 0.3}}, overlay, scale,
                    perTriangle)
         .value_or(-999);
@@ -286,6 +286,12 @@ private slots:
         QCOMPARE(scale(Overlay::Principal, woven).low, -1.0);
         QVERIFY(scale(Overlay::Warp, woven).limited);
         QVERIFY(!scale(Overlay::Area, woven).limited);
+        // Nobody has said what it is cut from: one scale for all strain, and nothing beyond it.
+        const Fabric& unstated = fabricPresets().front();
+        QVERIFY(!scale(Overlay::Warp, unstated).limited);
+        QVERIFY(scale(Overlay::Warp, unstated) == scale(Overlay::Bias, unstated));
+        QVERIFY(scale(Overlay::Warp, unstated).high > 0);
+        QCOMPARE(fabricFit({sheet.scene, grainAt(kUp), unstated})->any, 0.0);
         Fabric stiff;  // all limits 0
         QVERIFY(scale(Overlay::Warp, stiff).high > 0 && scale(Overlay::Warp, stiff).low < 0);
     }
@@ -365,14 +371,14 @@ private slots:
                                             [](const Eigen::Vector2d& worn) { return worn; });
         for (int i = 0; i < kOverlayCount; ++i) {
             const auto overlay = static_cast<Overlay>(i);
-            const OverlayScale scale = overlayScale(*sheet.scene, overlay, fabricPresets().front());
+            const OverlayScale scale = overlayScale(*sheet.scene, overlay, *fabricPreset("woven"));
             QVERIFY(worstSpots(*sheet.scene, {}, overlay, scale).empty());
         }
     }
 
     void questionsDifferOnlyWhereTheirAnswersDo() {
         const BuiltScene sheet = stretchedSheet();
-        OverlayQuestion one{sheet.scene, grainAt(1), fabricPresets().front(), Overlay::Warp};
+        OverlayQuestion one{sheet.scene, grainAt(1), *fabricPreset("woven"), Overlay::Warp};
         OverlayQuestion other = one;
         other.places[0].placement.offset = {5, 7};
         QVERIFY(isSameQuestion(one, other));

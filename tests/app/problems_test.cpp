@@ -43,7 +43,14 @@ private:
 
     bool open(const char* file, LengthUnit unit = LengthUnit::Millimetre) {
         fixture_.workspace().setUnit(unit);
-        return fixture_.openAndWait(fixture_.path(file)) && waitForAnswer();
+        return fixture_.openAndWait(fixture_.path(file)) && setFabric(*fabricPreset("woven"));
+    }
+
+    bool setFabric(const Fabric& fabric) {
+        DocumentState next = document().state();
+        next.fabric = fabric;
+        document().edit("Fabric", std::move(next));
+        return waitForAnswer();
     }
 
     std::vector<Finding> findings(FindingKind kind) {
@@ -366,6 +373,9 @@ private slots:
         const QString clean = fixture_.window().statusBar()->currentMessage();
         QVERIFY2(clean.startsWith("Written") && !clean.contains("left"), qPrintable(clean));
         spoil(0, [](Points2& Q) { Q /= 1.5; });
+        Fabric typed = *fabricPreset("woven");
+        typed.id = "custom";  // a rule of thumb makes no faults
+        QVERIFY(setFabric(typed));
         write("b.svg");
         const QString message = fixture_.window().statusBar()->currentMessage();
         QVERIFY2(message.contains("faults left"), qPrintable(message));

@@ -38,14 +38,18 @@ TEST(Check, AProjectBringsItsGrainAndItsFabric) {
     EXPECT_EQ(ready.out, "Ready to cut\n");
 }
 
-TEST(Check, TheFabricDecidesWhatStrainIsAFault) {
-    const auto faults = [](const char* fabric) -> int {
+TEST(Check, TheFabricDecidesWhatStrainIsInDoubt) {
+    const auto doubts = [](const char* fabric) -> int {
         const auto run =
             test::toileRun({"check", kSample, "--unit", "mm", "--fabric", fabric, "--json"});
-        return nlohmann::json::parse(run.out)["faults"].get<int>();
+        EXPECT_EQ(run.status, 0) << run.out;  // a rule of thumb makes no faults
+        return nlohmann::json::parse(run.out)["doubts"].get<int>();
     };
-    EXPECT_GT(faults("denim"), faults("neoprene"));
-    EXPECT_EQ(faults("jersey"), 0);
+    EXPECT_GT(doubts("denim"), doubts("neoprene"));
+    EXPECT_EQ(doubts("jersey"), doubts("unstated"));
+    const auto unstated = test::toileRun({"check", kSample, "--unit", "mm"});
+    EXPECT_EQ(unstated.status, 0);
+    EXPECT_EQ(unstated.out.find("strain"), std::string::npos) << unstated.out;
     EXPECT_EQ(test::toileRun({"check", kSample, "--fabric", "granite"}).status, 2);
 }
 

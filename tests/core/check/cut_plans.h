@@ -34,6 +34,7 @@ inline CutPlan readyPlan(const std::vector<std::string>& names = {"front", "back
         plan.settings.push_back(settings);
     }
     plan.garment = std::move(garment);
+    plan.fabric = *fabricPreset("woven");
     return plan;
 }
 

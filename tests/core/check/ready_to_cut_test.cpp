@@ -74,13 +74,30 @@ TEST(ReadyToCut, PieceThatIsNotFlatIsAFault) {
     CutPlan plan = readyPlan();
     auto failed = copyOfResult(plan, 1);
     failed->flat.reset();
-    failed->error = Error{ErrorCode::SeveralLoops, Subject::piece("back"), "2 loops"};
+    failed->error = Error{ErrorCode::Handle, Subject::piece("back"), "1 handle"};
     plan.results[1] = failed;
     const Finding finding = onlyFinding(plan, FindingKind::NotFlat);
     EXPECT_EQ(finding.severity, Severity::Fault);
     EXPECT_EQ(finding.pieces, std::vector{1});
     EXPECT_EQ(sentence(finding), sentence(*failed->error));
     EXPECT_EQ(verdictText(readyToCut(plan)), "1 fault");
+}
+
+TEST(ReadyToCut, ATubeIsCalledSo) {
+    CutPlan plan = readyPlan({"front"});
+    auto garment = std::make_shared<Garment>(*plan.garment);
+    const auto tube = std::make_shared<const Piece>(makePiece("leg", test::tube(12, 4)));
+    ASSERT_TRUE(tube->defect && tube->defect->code == ErrorCode::SeveralLoops);
+    garment->pieces = {tube};
+    auto result = std::make_shared<PieceResult>();
+    result->piece = tube;
+    result->error = tube->defect;
+    plan.garment = garment;
+    plan.results = {result};
+    const auto found = findingsOf(readyToCut(plan), FindingKind::NotFlat);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(sentence(found[0]).find("leg: the piece is a tube with 2 openings"), 0U)
+        << sentence(found[0]);
 }
 
 TEST(ReadyToCut, FlippedTriangleIsAFaultWithItsPlace) {
@@ -149,7 +166,7 @@ TEST(ReadyToCut, StrainBeyondTheFabricNamesDirectionShareAndPlace) {
     const Readiness woven = readyToCut(plan);
     const auto warp = findingsOf(woven, FindingKind::StrainWarp);
     ASSERT_EQ(warp.size(), 1U);
-    EXPECT_EQ(warp[0].severity, Severity::Fault);
+    EXPECT_EQ(warp[0].severity, Severity::Doubt);  // of a rule of thumb
     EXPECT_NEAR(warp[0].figures[0].value, 0.05, 1e-9);
     EXPECT_EQ(warp[0].figures[1].value, plan.fabric.warp.most);
     EXPECT_NEAR(warp[0].figures[2].value, 1, 1e-12);
@@ -161,6 +178,23 @@ TEST(ReadyToCut, StrainBeyondTheFabricNamesDirectionShareAndPlace) {
     EXPECT_TRUE(findingsOf(readyToCut(plan), FindingKind::StrainWarp).empty());
     EXPECT_EQ(findingsOf(readyToCut(plan), FindingKind::StrainWeft).size(), 1U);
     plan.fabric = *fabricPreset("jersey");
+    EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
+
+    // Limits that a person has typed are no rule of thumb.
+    plan.fabric = *fabricPreset("woven");
+    plan.fabric.id = "custom";
+    EXPECT_EQ(findingsOf(readyToCut(plan), FindingKind::StrainWeft).at(0).severity,
+              Severity::Fault);
+}
+
+TEST(ReadyToCut, NothingIsSaidOfStrainWhileNoFabricIsStated) {
+    CutPlan plan = readyPlan({"front"});
+    auto stretched = copyOfResult(plan, 0);
+    stretched->flat->Q /= 2;
+    plan.results = {stretched};
+    EXPECT_EQ(readyToCut(plan).findings.size(), 3U);
+    plan.fabric = CutPlan{}.fabric;
+    EXPECT_FALSE(hasLimits(plan.fabric));
     EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
 }
 
@@ -202,6 +236,7 @@ TEST(ReadyToCut, LittleStrainedAreaIsADoubtAndLessIsNothing) {
     const auto planWithShareOf = [](int cells) -> CutPlan {
         // Of cells x cells squares the triangles about one point stretched.
         CutPlan plan = readyPlan({"front"});
+        plan.fabric.id = "custom";
         auto garment = std::make_shared<Garment>(*plan.garment);
         const auto piece =
             std::make_shared<const Piece>(makePiece("front", test::planeGrid(cells, cells, 10)));

@@ -39,7 +39,7 @@ FlatGarment flatGarment(MeshArrays mesh, Points2 Q, std::optional<Points2> refer
 }
 
 std::optional<double> grainOf(const FlatGarment& flat, GrainRule rule) {
-    return findGrains(flat.garment, flat.results, nullptr, rule, {fabricPresets().front()}).front();
+    return findGrains(flat.garment, flat.results, nullptr, rule, {*fabricPreset("woven")}).front();
 }
 
 Points2 turnedBy(const Points2& points, double angle) {

@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-const Fabric kWoven = fabricPresets().front();
+const Fabric kWoven = *fabricPreset("woven");
 
 /// Of two directions of a line.
 double apart(double a, double b) {
