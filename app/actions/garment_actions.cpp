@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QFileInfo>
+#include <QLocale>
 #include <QPointer>
 #include <QWidget>
 #include <utility>
@@ -250,7 +251,8 @@ void GarmentActions::findGrain(GrainRule rule) {
         return;
     }
     grain_ = workspace_.jobs().start(grainJob(
-        workspace_.document(), rule, pieces, [this](const PieceGrains& found, bool outdated) {
+        workspace_.document(), rule, pieces,
+        [this, rule](const PieceGrains& found, bool outdated, const GrainShares& shares) {
             grain_ = 0;
             if (outdated) {
                 sayOutdated();
@@ -262,7 +264,25 @@ void GarmentActions::findGrain(GrainRule rule) {
             if (!found.empty()) {
                 setGrain(workspace_.document(), tr("Grain"), found);
             }
+            if (rule == GrainRule::LeastStrain && !outdated && !found.empty()) {
+                sayWhatIsWon(shares);
+            }
         }));
+}
+
+void GarmentActions::sayWhatIsWon(const GrainShares& shares) {
+    const auto percent = [](double share) -> QString {
+        return QLocale().toString(100 * share, 'f', 1);
+    };
+    if (!hasLimits(workspace_.document().fabric()) && shares.before == 0) {
+        emit done(tr("Best grain as for a woven: the fabric is not stated"));
+    } else if (percent(shares.after) == percent(shares.before)) {
+        emit done(tr("Best grain: no turn helps; %1 % of the cloth lies beyond the fabric")
+                      .arg(percent(shares.after)));
+    } else {
+        emit done(tr("Best grain: %1 % of the cloth beyond the fabric, %2 % before")
+                      .arg(percent(shares.after), percent(shares.before)));
+    }
 }
 
 void GarmentActions::sayOutdated() {

@@ -11,6 +11,7 @@
 
 namespace toile::app {
 
+struct GrainShares;
 class Preferences;
 class PatternPrinting;
 class ProjectActions;
@@ -70,6 +71,8 @@ private:
     QString folderToWriteTo() const;
     void findGrain(GrainRule rule);
     void sayOutdated();
+    /// Of the best grain, in the figure that is shown beside the fabric.
+    void sayWhatIsWon(const GrainShares& shares);
 
     ActionRegistry& actions_;
     Workspace& workspace_;

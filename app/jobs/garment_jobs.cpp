@@ -9,6 +9,7 @@
 #include "app/base/text.h"
 #include "app/document/document.h"
 #include "core/pipeline/garment_flattener.h"
+#include "core/quality/grain_cost.h"
 
 namespace toile::app {
 
@@ -106,34 +107,55 @@ std::vector<Fabric> fabricsOf(const Document& document) {
 
 }  // namespace
 
-std::unique_ptr<Job> grainJob(const Document& document, GrainRule rule,
-                              const std::vector<int>& pieces,
-                              std::function<void(const PieceGrains& found, bool outdated)> done) {
+std::unique_ptr<Job> grainJob(
+    const Document& document, GrainRule rule, const std::vector<int>& pieces,
+    std::function<void(const PieceGrains& found, bool outdated, const GrainShares& shares)> done) {
+    struct Found {
+        PieceGrains grains;
+        GrainShares shares;
+    };
     std::map<int, std::shared_ptr<const PieceResult>> results;
+    std::map<int, double> before;
     for (const int piece : pieces) {
         results[piece] = document.results()[static_cast<std::size_t>(piece)];
+        before[piece] = grainOf(document.settings()[static_cast<std::size_t>(piece)]);
     }
-    auto work = [derived = document.derived(), results, rule,
-                 fabrics = fabricsOf(document)](Progress&) -> Result<PieceGrains> {
+    auto work = [derived = document.derived(), results, before, rule,
+                 fabrics = fabricsOf(document)](Progress&) -> Result<Found> {
         const auto grains =
             findGrains(*derived.garment, derived.results, derived.symmetry.get(), rule, fabrics);
-        PieceGrains found;
+        Found found;
+        StrainedArea was, is;
         for (const auto& [piece, result] : results) {
-            if (const auto& grain = grains[static_cast<std::size_t>(piece)]) {
-                found[piece] = grain;
+            const auto& grain = grains[static_cast<std::size_t>(piece)];
+            if (!grain) {
+                continue;
+            }
+            found.grains[piece] = grain;
+            if (rule == GrainRule::LeastStrain && result->flat) {
+                const auto add = [&](StrainedArea& sum, double angle) {
+                    const StrainedArea one =
+                        strainedArea(result->piece->mesh, result->flat->Q,
+                                     fabrics[static_cast<std::size_t>(piece)], angle);
+                    sum.all += one.all;
+                    sum.beyond += one.beyond;
+                };
+                add(was, before.at(piece));
+                add(is, *grain);
             }
         }
+        found.shares = {was.share(), is.share()};
         return found;
     };
     auto taken = [&document, results, fabrics = fabricsOf(document),
-                  done = std::move(done)](PieceGrains found) {
+                  done = std::move(done)](Found found) {
         // The grain is a direction in the flat coordinates it was found in.
-        const auto dropped = std::erase_if(found, [&](const auto& entry) {
+        const auto dropped = std::erase_if(found.grains, [&](const auto& entry) {
             const int piece = entry.first;
             return document.result(piece) != results.at(piece).get() ||
                    !(document.fabricOf(piece) == fabrics[static_cast<std::size_t>(piece)]);
         });
-        done(found, dropped > 0);
+        done(found.grains, dropped > 0, found.shares);
     };
     return makeJob(QCoreApplication::translate("GrainJob", "Finding the grain"), std::move(work),
                    std::move(taken));

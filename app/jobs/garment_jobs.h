@@ -48,11 +48,18 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
                                   std::function<void(Derivation)> onGarment,
                                   std::function<void(Derivation)> done);
 
+/// Parts of the flat cloth of some pieces that lie beyond the fabric, with the grain as it was and
+/// as it was found; 0 where that was not asked.
+struct GrainShares {
+    double before = 0, after = 0;
+};
+
 /// Finds the grain of some flat pieces by a rule.
 /// @param done  `found`: pieces for which there is none are left out. `outdated`: some was found
-///              for a flattening or a fabric that is another now: left out too
-std::unique_ptr<Job> grainJob(const Document& document, GrainRule rule,
-                              const std::vector<int>& pieces,
-                              std::function<void(const PieceGrains& found, bool outdated)> done);
+///              for a flattening or a fabric that is another now: left out too. `shares`: of
+///              LeastStrain only
+std::unique_ptr<Job> grainJob(
+    const Document& document, GrainRule rule, const std::vector<int>& pieces,
+    std::function<void(const PieceGrains& found, bool outdated, const GrainShares& shares)> done);
 
 }  // namespace toile::app

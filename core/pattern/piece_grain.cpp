@@ -17,8 +17,11 @@ namespace {
 constexpr double kLevel = 0.05;
 /// Of its absolute value: less of the mean change, and ups and downs cancel out.
 constexpr double kCancelled = 0.35;
-/// A turned grain is taken where it costs less than this part of the straight one.
-constexpr double kWorthTurning = 0.8;
+/// A turned grain is taken where it costs less than this part of the straight one, or leaves less
+/// than this part of its share, and less by this, beyond the fabric.
+constexpr double kWorthTurning = 0.8, kWorthShare = 0.02;
+/// Shares that are as good as the same.
+constexpr double kSameShare = 1e-9;
 
 /// How height changes over a flat piece, millimetres per millimetre.
 struct Rise {
@@ -84,17 +87,31 @@ std::optional<double> referenceGrain(const PieceResult& result) {
                                                       : std::nullopt;
 }
 
-/// The straight grain, or the one turned by so much that the cloth suffers least.
+/// The straight grain, or the one turned by so much that clearly less cloth lies beyond the fabric;
+/// where that is the same, that it goes clearly less far beyond. No turn makes the share grow that
+/// is shown of the piece.
 double leastStrained(const PieceResult& result, const Fabric& stated, double straight) {
     // A woven tells the grain most of all.
     const Fabric& fabric = hasLimits(stated) ? stated : *fabricPreset("woven");
-    double best = straight;
-    double least = kWorthTurning * grainCost(result.piece->mesh, result.flat->Q, fabric, straight);
+    const auto shareAt = [&](double angle) -> double {
+        return strainedArea(result.piece->mesh, result.flat->Q, fabric, angle).share();
+    };
+    const auto costAt = [&](double angle) -> double {
+        return grainCost(result.piece->mesh, result.flat->Q, fabric, angle);
+    };
+    const double straightShare = shareAt(straight), straightCost = costAt(straight);
+    double best = straight, bestShare = straightShare, bestCost = straightCost;
     for (const double turn : {kPi / 2, kPi / 4, -kPi / 4}) {
-        const double cost = grainCost(result.piece->mesh, result.flat->Q, fabric, straight + turn);
-        if (cost < least) {
-            least = cost;
+        const double share = shareAt(straight + turn), cost = costAt(straight + turn);
+        const bool isWorthIt =
+            share <= std::min(kWorthTurning * straightShare, straightShare - kWorthShare) ||
+            (share <= straightShare && cost < kWorthTurning * straightCost);
+        const bool isBetter = share < bestShare - kSameShare ||
+                              (share <= bestShare + kSameShare && cost < kWorthTurning * bestCost);
+        if (isWorthIt && isBetter) {  // the first of several that are alike
             best = straight + turn;
+            bestShare = share;
+            bestCost = cost;
         }
     }
     return best;

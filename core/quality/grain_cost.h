@@ -14,4 +14,19 @@ namespace toile {
 /// Cost: linear in the triangles, 15 ms for a million. Pure, thread-safe.
 double grainCost(const MeshArrays& mesh, const Points2& Q, const Fabric& fabric, double angle);
 
+/// Of flat cloth, mm2.
+struct StrainedArea {
+    double all = 0;
+    double beyond = 0;  ///< strained beyond the fabric along warp, weft or bias
+
+    double share() const { return all > 0 ? beyond / all : 0; }
+};
+
+/// What is shown of a piece beside its fabric: counted triangle by triangle, as the window's list
+/// of problems and fabric panel do. Nothing is beyond a fabric that is not stated.
+/// @param angle  as for grainCost
+/// Cost: linear in the triangles. Pure, thread-safe.
+StrainedArea strainedArea(const MeshArrays& mesh, const Points2& Q, const Fabric& fabric,
+                          double angle);
+
 }  // namespace toile

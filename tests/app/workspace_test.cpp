@@ -196,7 +196,7 @@ private slots:
         QVERIFY(waitUntilDone());
         PieceGrains found;
         bool outdated = true;
-        const auto done = [&](const PieceGrains& grains, bool old) {
+        const auto done = [&](const PieceGrains& grains, bool old, const GrainShares&) {
             found = grains;
             outdated = old;
         };

@@ -8,6 +8,7 @@
 
 #include "core/pattern/mirrored_edit.h"
 #include "core/pipeline/pipeline.h"
+#include "core/quality/grain_cost.h"
 #include "core/seam/find_seams.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
@@ -128,6 +129,25 @@ TEST(PieceGrain, IsTurnedOnlyWhereTheClothSuffersLessByThat) {
     const double turn = between(stretched, std::numbers::pi / 2) / (std::numbers::pi / 4);
     EXPECT_NEAR(turn, std::round(turn), 1e-9);
     EXPECT_GT(turn, 0.5);
+}
+
+TEST(PieceGrain, NoTurnPutsMoreOfTheClothBeyondTheFabric) {
+    const MeshArrays mesh = uprightSheet();
+    const Fabric& woven = *fabricPreset("woven");
+    for (int i = 0; i < 24; ++i) {
+        Points2 Q = inThePlane(mesh);
+        const double t = 0.7 * i;
+        for (Eigen::Index v = 0; v < Q.rows(); ++v) {  // another strain in every place
+            Q.row(v) += 6 * Eigen::RowVector2d(std::sin(t + mesh.V(v, 1) / 90),
+                                               std::cos(2 * t + mesh.V(v, 0) / 70));
+        }
+        const FlatGarment flat = flatGarment(mesh, Q);
+        const auto straight = grainOf(flat, GrainRule::Vertical);
+        const auto best = grainOf(flat, GrainRule::LeastStrain);
+        ASSERT_TRUE(straight && best);
+        EXPECT_LE(strainedArea(mesh, Q, woven, *best).share(),
+                  strainedArea(mesh, Q, woven, *straight).share() + 1e-12);
+    }
 }
 
 class GrainOfPairs : public testing::TestWithParam<const char*> {};
