@@ -14,7 +14,9 @@
 #include <utility>
 
 #include "app/document/document.h"
+#include "app/settings/length_display.h"
 #include "app/text/error_text.h"
+#include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
 #include "app/widgets/scrolled.h"
 
@@ -146,7 +148,9 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& wor
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(pages_);
     connect(&document_, &Document::changed, this, &FabricPanel::onChanged);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &FabricPanel::showNeed);
     refresh();
+    showNeed();
     askForFit();
 }
 
@@ -211,7 +215,11 @@ QWidget* FabricPanel::makeContents() {
     unstated->setObjectName("fabricUnstated");
     unstated_ = unstated;
     grid->addWidget(unstated, kLastRow, 0, 1, 3);
-    grid->setRowStretch(kLastRow + 1, 1);
+    need_ = makeNote({});
+    need_->setObjectName("fabricNeed");
+    need_->setToolTip(tr("The box around all pieces with their allowances, the grain upwards"));
+    grid->addWidget(need_, kLastRow + 1, 0, 1, 3);
+    grid->setRowStretch(kLastRow + 2, 1);
     return contents;
 }
 
@@ -339,12 +347,32 @@ void FabricPanel::onChanged(DocumentChanges what) {
     if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Fabric)) {
         refresh();
     }
+    if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
+                DocumentChange::Settings)) {
+        showNeed();
+    }
     if (what & DocumentChange::Garment) {
         showFit();  // other names, perhaps the same figures
     }
     if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::View |
                 DocumentChange::Fabric | DocumentChange::Settings)) {
         askForFit();
+    }
+}
+
+void FabricPanel::showNeed() {
+    Eigen::AlignedBox2d box;
+    if (const Scene* scene = document_.scene().get()) {
+        const SheetPlaces places = placesOf(document_.settings());
+        for (std::size_t piece = 0; piece < scene->pieces.size(); ++piece) {
+            box.extend(placedBox(scene->pieces[piece].edgeBox,
+                                 placeOf(places, static_cast<int>(piece)).placement));
+        }
+    }
+    need_->setVisible(!box.isEmpty());
+    if (!box.isEmpty()) {
+        need_->setText(tr("Needs %1 of cloth %2 wide, as the pieces lie now")
+                           .arg(lengthWithUnit(box.sizes().y()), lengthWithUnit(box.sizes().x())));
     }
 }
 

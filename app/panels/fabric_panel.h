@@ -66,6 +66,8 @@ private:
     void onChanged(DocumentChanges what);
     void refresh();
     void showDirections();
+    /// How much cloth the arrangement takes.
+    void showNeed();
     void askForFit();
     void setFit(const std::optional<FabricFit>& fit, const QString& problem = {});
     void showFit();
@@ -85,7 +87,7 @@ private:
     std::array<Limit, 6> limits_{};
     std::array<QLabel*, 3> directions_{}, shares_{};   ///< of warp, weft, bias
     std::vector<QWidget*> limitWidgets_, fitWidgets_;  ///< nothing to see where none is stated
-    QLabel *all_, *worst_, *unstated_ = nullptr;
+    QLabel *all_, *worst_, *unstated_ = nullptr, *need_ = nullptr;
     int gesture_ = -1;  ///< what is typed into one field, one after the other, is one step
     std::optional<FabricFit> fit_;
     QString problem_;  ///< why the fit could not be worked out

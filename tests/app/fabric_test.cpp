@@ -9,6 +9,7 @@
 #include <QTreeView>
 #include <new>
 
+#include "app/document/layout.h"
 #include "app/document/project_state.h"
 #include "app/panels/fabric_panel.h"
 #include "app/panels/pieces_model.h"
@@ -136,6 +137,18 @@ private slots:
         QVERIFY(document().fabric() == *fabricPreset("woven"));
         QCOMPARE(preset().currentText(), QString("Woven"));
         QCOMPARE(field("fabricWeftMost").value(), 3.0);
+    }
+
+    void theClothThatThePiecesTakeIsThatOfTheirArrangement() {
+        const auto needed = [this] { return label("fabricNeed"); };
+        const QString before = needed();
+        QVERIFY2(before.contains("as the pieces lie"), qPrintable(before));
+        Placement far = placementOf(document(), 0);
+        far.offset.y() += 1000;
+        place(document(), "Move", {{0, far}});
+        QVERIFY(needed() != before);
+        undo();
+        QCOMPARE(needed(), before);
     }
 
     void typedLimitsAreACustomFabric() {
