@@ -14,10 +14,13 @@
 #include "app/actions/garment_actions.h"
 #include "app/actions/project_actions.h"
 #include "app/base/text.h"
+#include "app/outdated_bar.h"
 #include "app/render/render_style.h"
 #include "app/settings/length_display.h"
 #include "app/settings/preferences.h"
 #include "app/settings/theme.h"
+#include "app/views/pattern_view.h"
+#include "app/views/tools/cut_tools.h"
 #include "app/views/tools/tool_box.h"
 #include "app/views/view_area.h"
 #include "app/widgets/banner.h"
@@ -102,6 +105,14 @@ void MainWindow::connectParts() {
     connect(centre_.get(), &WindowCentre::filesWanted, this, &MainWindow::openFiles);
     connect(centre_.get(), &WindowCentre::hintChanged, this, &MainWindow::updateHint);
     connect(status_.get(), &WindowStatus::summaryWanted, centre_.get(), &WindowCentre::askAgain);
+    if (PatternView* pattern = views().patternView()) {
+        new OutdatedBar(workspace_, actions_, *pattern);
+    }
+    connect(docks_.get(), &WindowDocks::dartWanted, this,
+            [this](int piece, const Eigen::Vector2d& flat) {
+                tools_->dart().propose(piece, flat);
+                views().takeKeyboard(ViewKind::Garment);
+            });
     connect(&card(), &GarmentCard::kept, this, [this] { checker().setGuessesKept(true); });
     connect(&workspace_.document(), &Document::changed, this, &MainWindow::onChanged);
     actions_.on(ActionId::Quit, this, &QWidget::close);

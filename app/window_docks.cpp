@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window_docks.h"
 
+#include <QCursor>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QScrollArea>
+#include <QMenu>
 #include <QTreeView>
 #include <QUndoView>
 
@@ -18,6 +20,7 @@
 #include "app/panels/symmetry_panel.h"
 #include "app/render/scene.h"
 #include "app/settings/preferences.h"
+#include "app/views/pattern_view.h"
 #include "app/views/view_area.h"
 #include "app/widgets/columns_model.h"
 #include "app/widgets/scrolled.h"
@@ -52,6 +55,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
                          ViewArea& views, Preferences& preferences)
     : window_(window),
       document_(workspace.document()),
+      actions_(actions),
       views_(views),
       checker_(document_),
       keys_([this] { views_.takeKeyboard(); }, this),
@@ -95,6 +99,16 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
                                                     : tr("Problems (%1)").arg(count));
     });
     connect(problems_, &ProblemsPanel::wanted, this, &WindowDocks::showFindings);
+    connect(problems_, &ProblemsPanel::remedyWanted, this, &WindowDocks::help);
+    if (PatternView* pattern = views_.patternView()) {
+        connect(&checker_, &ReadyChecker::changed, this, &WindowDocks::showHelp);
+        connect(pattern, &PatternView::helpWanted, this, [this](int piece) {
+            const std::map<int, Remedy> helps = helpOfPieces();
+            if (const auto found = helps.find(piece); found != helps.end()) {
+                help(found->second);
+            }
+        });
+    }
     actions.on(ActionId::ReadyToCut, this, [this] { goTo(Panel::ProblemList); });
     actions.on(ActionId::StateEase, this, [this] {
         goTo(Panel::Seams);
@@ -176,6 +190,53 @@ void WindowDocks::reset() {
     if (document_.garment()) {
         show();
     }
+}
+
+std::map<int, Remedy> WindowDocks::helpOfPieces() const {
+    std::map<int, Remedy> found;
+    for (const Finding& finding : checker_.readiness().findings) {
+        if (finding.kind == FindingKind::NotFlat &&
+            checker_.plan().garment == document_.garment()) {
+            const auto remedies = remediesFor(finding, checker_.plan());
+            if (!remedies.empty()) {
+                found.emplace(finding.pieces.front(), remedies.front());
+            }
+        }
+    }
+    return found;
+}
+
+void WindowDocks::showHelp() {
+    std::map<int, QString> buttons;
+    for (const auto& [piece, remedy] : helpOfPieces()) {
+        buttons.emplace(piece, remedyText(remedy));
+    }
+    views_.patternView()->setHelp(std::move(buttons));
+}
+
+void WindowDocks::help(Remedy remedy) {
+    const std::vector<ActionId> ids = actionsOf(remedy);
+    if (remedy == Remedy::LayOutAgain) {
+        document_.setSelection({});  // two that are laid out alone may meet the others
+    }
+    if (ids.size() == 1) {
+        QAction& action = actions_[ids.front()];
+        if (!action.isCheckable() || !action.isChecked()) {
+            action.trigger();
+        }
+        const auto spot = views_.shownSpot();
+        if (remedy == Remedy::PutDart && spot) {
+            emit dartWanted(spot->piece, spot->flat);
+        }
+        return;
+    }
+    auto* menu = new QMenu(&window_);
+    menu->setObjectName("remedyMenu");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const ActionId id : ids) {
+        menu->addAction(&actions_[id]);
+    }
+    menu->popup(QCursor::pos());
 }
 
 void WindowDocks::showFindings(const QList<int>& indices) {

@@ -3,10 +3,12 @@
 
 #include <QList>
 #include <QObject>
+#include <map>
 
 #include "app/document/view_state.h"
 #include "app/jobs/ready_checker.h"
 #include "app/widgets/field_keys.h"
+#include "app/panels/remedies.h"
 
 class QAction;
 class QDockWidget;
@@ -48,6 +50,10 @@ public:
     /// @return whether they came in
     bool setAvailable(bool available);
 
+signals:
+    /// A dart from the nearest edge to this place is to be proposed.
+    void dartWanted(int piece, const Eigen::Vector2d& flat);
+
 private:
     /// In the order of `Panel`, then the other one below the views and those beside them.
     enum Dock : qsizetype {
@@ -72,9 +78,15 @@ private:
     void reset();
     /// Selects and frames what these findings of the checker are about.
     void showFindings(const QList<int>& indices);
+    /// What helps pieces that are not flat, at their places in the pattern view.
+    std::map<int, Remedy> helpOfPieces() const;
+    void showHelp();
+    /// Does what helps, on what is selected by then.
+    void help(Remedy remedy);
 
     QMainWindow& window_;
     Document& document_;
+    const ActionRegistry& actions_;
     ViewArea& views_;
     ReadyChecker checker_;
     FieldKeys keys_;

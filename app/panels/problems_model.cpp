@@ -4,9 +4,11 @@
 #include <QFont>
 #include <QLocale>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 #include "app/base/text.h"
+#include "app/panels/remedies.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
@@ -20,6 +22,25 @@ QStandardItem* makeItem(const QString& text) {
     item->setEditable(false);
     item->setToolTip(text);
     return item;
+}
+
+/// The best remedy, if there is one.
+QStandardItem* makeHelp(const Finding& finding, const CutPlan& plan) {
+    QStandardItem* item = makeItem({});
+    if (const auto remedies = remediesFor(finding, plan); !remedies.empty()) {
+        item->setText(remedyText(remedies.front()));
+        item->setToolTip(remedyTip(remedies.front()));
+        item->setData(static_cast<int>(remedies.front()), ProblemsModel::RemedyRole);
+    }
+    return item;
+}
+
+/// What to try, in words that know the button.
+QString adviceBeside(const Finding& finding, const CutPlan& plan) {
+    const auto remedies = remediesFor(finding, plan);
+    const bool hasCut = std::ranges::find(remedies, Remedy::CutOpen) != remedies.end();
+    return hasCut ? ProblemsModel::tr("Cut it open along a seam, or let Toile do it")
+                  : problemAdvice(finding);
 }
 
 /// Tells what is found from all else, in the next list too.
@@ -36,9 +57,10 @@ QString keyOf(const Finding& finding) {
 
 ProblemsModel::ProblemsModel(QObject* parent) : QStandardItemModel(0, ColumnCount, parent) {}
 
-void ProblemsModel::show(const Readiness& readiness, const std::set<Severity>& shown) {
+void ProblemsModel::show(const Readiness& readiness, const CutPlan& plan,
+                         const std::set<Severity>& shown) {
     clear();
-    setHorizontalHeaderLabels({tr("Where"), tr("Problem"), tr("What to try")});
+    setHorizontalHeaderLabels({tr("Where"), tr("Problem"), tr("Help"), tr("What to try")});
     const auto& findings = readiness.findings;
     // They are in order: those of a severity and kind stand together.
     for (std::size_t i = 0; i < findings.size();) {
@@ -50,23 +72,24 @@ void ProblemsModel::show(const Readiness& readiness, const std::set<Severity>& s
             group.push_back(static_cast<int>(i));
         }
         if (shown.contains(first.severity)) {
-            addGroup(readiness, group);
+            addGroup(readiness, plan, group);
         }
     }
 }
 
-void ProblemsModel::addGroup(const Readiness& readiness, const std::vector<int>& group) {
+void ProblemsModel::addGroup(const Readiness& readiness, const CutPlan& plan,
+                             const std::vector<int>& group) {
     const auto finding = [&readiness](int index) -> const Finding& {
         return readiness.findings[static_cast<std::size_t>(index)];
     };
     const Finding& first = finding(group.front());
     if (group.size() == 1 || first.kind == FindingKind::Message) {
         for (std::size_t k = 0; k < group.size() && k < kMaxRows; ++k) {
-            appendRow(rowOf(finding(group[k]), group[k]));
+            appendRow(rowOf(finding(group[k]), plan, group[k]));
         }
         return;
     }
-    const Row parent = rowOfGroup(first, group);
+    const Row parent = rowOfGroup(first, plan, group);
     for (std::size_t k = 0; k < group.size(); ++k) {
         if (k == kMaxRows) {
             auto* rest =
@@ -76,28 +99,29 @@ void ProblemsModel::addGroup(const Readiness& readiness, const std::vector<int>&
             parent.front()->appendRow(rest);
             break;
         }
-        Row row = rowOf(finding(group[k]), group[k]);
+        Row row = rowOf(finding(group[k]), plan, group[k]);
         row[Advice]->setText({});  // said once, over all of them
         parent.front()->appendRow(row);
     }
     appendRow(parent);
 }
 
-ProblemsModel::Row ProblemsModel::rowOf(const Finding& finding, int index) {
+ProblemsModel::Row ProblemsModel::rowOf(const Finding& finding, const CutPlan& plan, int index) {
     Row row{makeItem(QString::fromStdString(finding.subject.name)), makeItem(problemText(finding)),
-            makeItem(problemAdvice(finding))};
+            makeHelp(finding, plan), makeItem(adviceBeside(finding, plan))};
     row[Where]->setIcon(severityMark(finding.severity));
     row[Where]->setData(QVariant::fromValue(QList<int>{index}), FindingsRole);
     row[Where]->setData(keyOf(finding), KeyRole);
     return row;
 }
 
-ProblemsModel::Row ProblemsModel::rowOfGroup(const Finding& first, const std::vector<int>& group) {
+ProblemsModel::Row ProblemsModel::rowOfGroup(const Finding& first, const CutPlan& plan,
+                                             const std::vector<int>& group) {
     const auto size = static_cast<qlonglong>(group.size());
     const QString where = QString::fromStdString(first.subject.name);
     Row row{makeItem(tr("%1 (%2)").arg(problemTitle(first.kind), QLocale().toString(size))),
             makeItem(first.figures.empty() ? problemText(first) : tr("Worst: %1").arg(where)),
-            makeItem(problemAdvice(first))};
+            makeHelp(first, plan), makeItem(adviceBeside(first, plan))};
     row[Where]->setIcon(severityMark(first.severity));
     row[Where]->setData(QVariant::fromValue(QList<int>(group.begin(), group.end())), FindingsRole);
     row[Where]->setData(static_cast<int>(first.kind), KindRole);
@@ -145,10 +169,11 @@ void paintNote(QPainter& painter) {
 }  // namespace
 
 QString problemText(const Finding& finding) {
-    if (finding.error) {
+    const char* pattern = patternOf(finding);
+    if (*pattern == '\0' && finding.error) {
         return withCapital(errorDescription(*finding.error));
     }
-    return withCapital(filledIn(tr(findingWords(finding.kind).describe), [&finding](int number) {
+    return withCapital(filledIn(tr(pattern), [&finding](int number) {
         const auto at = static_cast<std::size_t>(number);
         return number == 0                    ? wordingText(finding.reason)
                : at <= finding.figures.size() ? figureText(finding.figures[at - 1])

@@ -17,27 +17,30 @@ class ProblemsModel : public QStandardItemModel {
     Q_OBJECT
 
 public:
-    enum Column { Where, Problem, Advice, ColumnCount };
+    enum Column { Where, Problem, Help, Advice, ColumnCount };
     /// QList<int>: the findings that a row stands for, one or all of its kind.
     static constexpr int FindingsRole = Qt::UserRole;
     /// int: the kind of a row that stands for several; invalid else.
     static constexpr int KindRole = Qt::UserRole + 1;
     /// QString: by which a row is known in the next list; the rest of a long one has none.
     static constexpr int KeyRole = Qt::UserRole + 2;
+    /// int: the `Remedy` of a row's button; invalid: there is none.
+    static constexpr int RemedyRole = Qt::UserRole + 3;
     /// So many rows of a kind are listed; the last one says how many more there are.
     static constexpr int kMaxRows = 200;
 
     explicit ProblemsModel(QObject* parent = nullptr);
 
+    /// @param plan   what the findings are of
     /// @param shown  severities to list
-    void show(const Readiness& readiness, const std::set<Severity>& shown);
+    void show(const Readiness& readiness, const CutPlan& plan, const std::set<Severity>& shown);
 
 private:
     using Row = QList<QStandardItem*>;
 
-    void addGroup(const Readiness& readiness, const std::vector<int>& group);
-    static Row rowOf(const Finding& finding, int index);
-    static Row rowOfGroup(const Finding& first, const std::vector<int>& group);
+    void addGroup(const Readiness& readiness, const CutPlan& plan, const std::vector<int>& group);
+    static Row rowOf(const Finding& finding, const CutPlan& plan, int index);
+    static Row rowOfGroup(const Finding& first, const CutPlan& plan, const std::vector<int>& group);
 };
 
 /// Findings as the window tells them: in the person's language, with lengths in his unit.

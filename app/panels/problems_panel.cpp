@@ -4,9 +4,13 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
+#include <QPainter>
 #include <QScrollBar>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QStyle>
+#include <QStyleOptionButton>
 #include <QToolButton>
 #include <QTreeView>
 #include <algorithm>
@@ -22,6 +26,34 @@ namespace {
 
 /// Kinds with more rows than this begin closed: they would hide what comes after them.
 constexpr int kOpenUpTo = 4;
+
+/// Paints what helps as a button. Which row it is in a click on its cell says.
+class HelpDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        QStyleOptionViewItem empty(option);
+        initStyleOption(&empty, index);
+        empty.text.clear();
+        const QWidget* list = option.widget;
+        list->style()->drawControl(QStyle::CE_ItemViewItem, &empty, painter, list);
+        if (index.data(ProblemsModel::RemedyRole).isValid()) {
+            QStyleOptionButton button;
+            button.initFrom(list);
+            button.state = QStyle::State_Enabled | QStyle::State_Raised;
+            button.rect = option.rect.adjusted(2, 1, -2, -1);
+            button.text = index.data().toString();
+            list->style()->drawControl(QStyle::CE_PushButton, &button, painter, list);
+        }
+    }
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        constexpr int kAir = 24;
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(kAir, 2);
+    }
+};
 
 }  // namespace
 
@@ -107,15 +139,59 @@ void ProblemsPanel::makeTable() {
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setExpandsOnDoubleClick(false);  // the first click goes there
     table_->header()->setMinimumSectionSize(80);
-    const auto go = [this](const QModelIndex& index) {
-        const auto findings =
-            index.siblingAtColumn(ProblemsModel::Where).data(ProblemsModel::FindingsRole);
-        if (findings.isValid()) {
-            emit wanted(findings.value<QList<int>>());
-        }
-    };
-    connect(table_, &QTreeView::clicked, this, go);
-    onEnter(*table_, [this, go] { go(table_->currentIndex()); });
+    table_->setItemDelegateForColumn(ProblemsModel::Help, new HelpDelegate(table_));
+    table_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(table_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+        index.column() == ProblemsModel::Help ? help(index) : goTo(index);
+    });
+    connect(table_, &QTreeView::customContextMenuRequested, this, &ProblemsPanel::showMenu);
+    onEnter(*table_, [this] { goTo(table_->currentIndex()); });
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
+        connect(new QShortcut(QKeySequence(QKeyCombination(Qt::ControlModifier, key)), table_, {},
+                              {}, Qt::WidgetShortcut),
+                &QShortcut::activated, this, [this] { help(table_->currentIndex()); });
+    }
+}
+
+void ProblemsPanel::goTo(const QModelIndex& index) {
+    const auto findings =
+        index.siblingAtColumn(ProblemsModel::Where).data(ProblemsModel::FindingsRole);
+    if (findings.isValid()) {
+        emit wanted(findings.value<QList<int>>());
+    }
+}
+
+void ProblemsPanel::help(const QModelIndex& index) {
+    const QVariant remedy =
+        index.siblingAtColumn(ProblemsModel::Help).data(ProblemsModel::RemedyRole);
+    goTo(index);
+    if (remedy.isValid()) {
+        emit remedyWanted(static_cast<Remedy>(remedy.toInt()));
+    }
+}
+
+void ProblemsPanel::showMenu(const QPoint& at) {
+    const QModelIndex index = table_->indexAt(at).siblingAtColumn(ProblemsModel::Where);
+    const auto findings = index.data(ProblemsModel::FindingsRole).value<QList<int>>();
+    if (findings.isEmpty()) {
+        return;
+    }
+    auto* menu = new QMenu(this);
+    menu->setObjectName("problemMenu");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    connect(menu->addAction(tr("Go there")), &QAction::triggered, this,
+            [this, findings] { emit wanted(findings); });
+    const auto& finding = checker_.readiness().findings[static_cast<std::size_t>(findings.front())];
+    for (const Remedy remedy : remediesFor(finding, checker_.plan())) {
+        QAction* action = menu->addAction(remedyText(remedy));
+        action->setToolTip(remedyTip(remedy));
+        connect(action, &QAction::triggered, this, [this, findings, remedy] {
+            emit wanted(findings);
+            emit remedyWanted(remedy);
+        });
+    }
+    menu->popup(table_->viewport()->mapToGlobal(at));
 }
 
 int ProblemsPanel::count() const {
@@ -125,7 +201,7 @@ int ProblemsPanel::count() const {
 
 void ProblemsPanel::rebuild() {
     const Outlook before = outlook();
-    model_->show(checker_.readiness(), shown_);
+    model_->show(checker_.readiness(), checker_.plan(), shown_);
     restore(before);
     fitColumns();
     updateHead();
@@ -160,7 +236,7 @@ void ProblemsPanel::resizeEvent(QResizeEvent* event) {
 
 void ProblemsPanel::fitColumns() {
     constexpr int kAir = 12, kLongestWhere = 320;
-    for (const int column : {ProblemsModel::Where, ProblemsModel::Problem}) {
+    for (const int column : {ProblemsModel::Where, ProblemsModel::Problem, ProblemsModel::Help}) {
         table_->resizeColumnToContents(column);
         const int width = table_->columnWidth(column) + kAir;
         const int most = column == ProblemsModel::Where

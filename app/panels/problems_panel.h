@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 
+#include "app/panels/remedies.h"
 #include "core/check/ready_to_cut.h"
 
 class QLabel;
@@ -18,7 +19,8 @@ class ProblemsModel;
 class ReadyChecker;
 
 /// Whether the garment is ready to cut, and what stands against it: the verdict, and every finding
-/// under it, the faults first. A click on one, or Enter, goes there.
+/// under it, the faults first. A click on one, or Enter, goes there; the button in its row, or
+/// Ctrl+Enter, does what helps; the context menu has all that may help.
 class ProblemsPanel : public QWidget {
     Q_OBJECT
 
@@ -34,6 +36,8 @@ signals:
     void countChanged(int count);
     /// These findings of the checker's readiness are to be shown; never empty.
     void wanted(const QList<int>& findings);
+    /// This is to be done about them, after they were shown.
+    void remedyWanted(toile::app::Remedy remedy);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -41,6 +45,11 @@ protected:
 private:
     QWidget* makeHead();
     void makeTable();
+    /// Of the row: goes there.
+    void goTo(const QModelIndex& index);
+    /// And does what its button says, if it has one.
+    void help(const QModelIndex& index);
+    void showMenu(const QPoint& at);
     void rebuild();
     void updateHead();
     void fitColumns();

@@ -39,6 +39,9 @@ QString emptyText(const Document& document) {
     if (document.results().empty()) {
         return PatternWords::tr("The flat pieces appear here.");
     }
+    if (std::ranges::find(document.results(), nullptr) != document.results().end()) {
+        return PatternWords::tr("The pieces have changed and wait to be flattened.");
+    }
     return PatternWords::tr("None of the pieces could be flattened. The list of pieces says why.");
 }
 
@@ -103,8 +106,10 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     if (!document.scene() || sheetBox(*document.scene(), text.places).isEmpty()) {
         paintCaption(painter, style, corner, title, note, false);
         painter.setPen(style.faintText);
-        painter.drawText(text.view.adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
-                         emptyText(document));
+        if (!text.isElse) {
+            painter.drawText(text.view.adjusted(24, 24, -24, -24),
+                             Qt::AlignCenter | Qt::TextWordWrap, emptyText(document));
+        }
         return;
     }
     const SheetMap onScreen(text.camera);

@@ -22,6 +22,7 @@ struct PatternText {
     QRect view;  ///< logical pixels, from 0, 0
     const FlaggedSpots& spots;
     bool strongGrain = false;  ///< while the grain is what is being worked on
+    bool isElse = false;       ///< where no piece is flat, something else says why
 };
 
 void paintPatternText(QPainter& painter, const RenderStyle& style, const PatternText& text);

@@ -27,6 +27,24 @@ PatternView::PatternView(Document& document, ToolChoice& tools, QWidget* parent)
     : SceneView(document, tools, std::make_unique<PatternRenderer>(), parent) {
     setObjectName("patternView");
     setAccessibleName(tr("Pattern"));
+    connect(&document, &Document::changed, this, [this](DocumentChanges what) {
+        if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
+                    DocumentChange::Settings)) {
+            follow();
+        }
+    });
+    follow();
+}
+
+void PatternView::follow() {
+    others_.follow(document_, places());
+    old_.follow(document_, places());
+    update();
+}
+
+void PatternView::setHelp(std::map<int, QString> buttons) {
+    others_.setButtons(std::move(buttons));
+    update();
 }
 
 void PatternView::setCameraViewport(double width, double height) {
@@ -34,7 +52,11 @@ void PatternView::setCameraViewport(double width, double height) {
 }
 
 void PatternView::framePieces(const std::set<int>& pieces) {
-    framePattern(camera_, *scene(), places(), pieces, document_.view().rulers);
+    Eigen::AlignedBox2d others;
+    for (const int piece : pieces) {
+        others.extend(others_.boxOf(piece));
+    }
+    framePattern(camera_, *scene(), places(), pieces, document_.view().rulers, others);
 }
 
 bool PatternView::frameLines(const SeamScene& seam) {
@@ -118,10 +140,26 @@ std::optional<SpotPlace> PatternView::placeNow(const WorstSpot& spot) const {
 
 void PatternView::paintText(QPainter& painter, const RenderStyle& style) {
     const bool grain = tools().current().id() == ToolId::Grain;
-    paintPatternText(painter, style, {document_, places(), camera_, rect(), spots(), grain});
+    const SheetMap onScreen(camera_);
+    old_.paint(painter, style, onScreen, document_);
+    others_.paint(painter, style, onScreen, document_);
+    const bool isElse = !others_.isEmpty() || old_.isAny(document_);
+    paintPatternText(painter, style,
+                     {document_, places(), camera_, rect(), spots(), grain, isElse});
     if (rolled_) {
         rolled_->paint(painter, style, camera_, places());
     }
+}
+
+bool PatternView::clickOnOverlay(const QPointF& at) {
+    const auto hit = others_.hitAt(at, SheetMap(camera_), font());
+    if (hit) {
+        document_.setSelection({hit->piece});
+        if (hit->onButton) {
+            emit helpWanted(hit->piece);
+        }
+    }
+    return hit.has_value();
 }
 
 }  // namespace toile::app

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 
 #include "app/render/camera.h"
+#include "app/views/old_outlines.h"
+#include "app/views/piece_places.h"
 #include "app/views/scene_view.h"
 
 namespace toile::app {
@@ -34,6 +37,13 @@ public:
     const RolledPiece* rolled() const { return rolled_.get(); }
     /// Shows all of its way. Precondition: there is one.
     void frameRolled();
+    /// The dashed places of pieces that are not flat, and what their buttons say.
+    const PiecePlaces& piecePlaces() const { return others_; }
+    void setHelp(std::map<int, QString> buttons);
+
+signals:
+    /// The button at the place of a piece that is not flat was pressed.
+    void helpWanted(int piece);
 
 protected:
     const LineRuns& lines() const override { return scene()->patternLines; }
@@ -47,12 +57,16 @@ protected:
     void paintScene(const RenderStyle& style, int width, int height, double ratio) override;
     std::optional<SpotPlace> placeNow(const WorstSpot& spot) const override;
     void paintText(QPainter& painter, const RenderStyle& style) override;
+    bool clickOnOverlay(const QPointF& at) override;
 
 private:
+    void follow();
     /// Where a point of a flat piece is on the screen.
     QPointF placed(int piece, const Eigen::Vector2d& point) const;
 
     Camera2D camera_;
+    PiecePlaces others_;
+    OldOutlines old_;
     std::shared_ptr<const RolledPiece> rolled_;
 };
 

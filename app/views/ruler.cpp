@@ -187,8 +187,8 @@ Camera2D::Margins patternMargins(bool rulers) {
 }
 
 void framePattern(Camera2D& camera, const Scene& scene, const SheetPlaces& places,
-                  const std::set<int>& pieces, bool rulers) {
-    Eigen::AlignedBox2d box;
+                  const std::set<int>& pieces, bool rulers, const Eigen::AlignedBox2d& also) {
+    Eigen::AlignedBox2d box = also;
     for (const int piece : pieces) {
         box.extend(placedBox(scene.pieces[static_cast<std::size_t>(piece)].edgeBox,
                              placeOf(places, piece).placement));

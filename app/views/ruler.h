@@ -56,7 +56,9 @@ Camera2D::Margins patternMargins(bool rulers);
 /// Brings pieces into sight, in the view and in pictures of it. The camera's viewport is set
 /// before.
 /// @param pieces  indices into Scene::pieces
+/// @param also    on the sheet, mm
 void framePattern(Camera2D& camera, const Scene& scene, const SheetPlaces& places,
-                  const std::set<int>& pieces, bool rulers);
+                  const std::set<int>& pieces, bool rulers,
+                  const Eigen::AlignedBox2d& also = Eigen::AlignedBox2d());
 
 }  // namespace toile::app

@@ -74,8 +74,8 @@ void ViewArea::makeViews() {
     splitter_->setSizes({1000, 1000});  // halves, whatever the width
 }
 
-void ViewArea::takeKeyboard() {
-    const auto found = std::ranges::find(views_, viewInUse_, &SceneView::kind);
+void ViewArea::takeKeyboard(ViewKind view) {
+    const auto found = std::ranges::find(views_, view, &SceneView::kind);
     if (found != views_.end()) {
         (*found)->setFocus();
     }
@@ -103,6 +103,10 @@ void ViewArea::showSpot(const WorstSpot& spot) {
     for (SceneView* view : views_) {
         view->showSpot(spot);
     }
+}
+
+std::optional<WorstSpot> ViewArea::shownSpot() const {
+    return patternView_ ? patternView_->shownSpot() : std::nullopt;
 }
 
 void ViewArea::repaintViews() {

@@ -38,8 +38,9 @@ public:
 
     /// The view that the pointer was in last.
     ViewKind viewInUse() const { return viewInUse_; }
-    /// Moves the keyboard there, where there are views.
-    void takeKeyboard();
+    /// Moves the keyboard there, where there are views, or to another.
+    void takeKeyboard() { takeKeyboard(viewInUse_); }
+    void takeKeyboard(ViewKind view);
     /// The slider from the garment to the pattern; null where there is no OpenGL 3.3.
     MorphBar* morphBar() const { return morphBar_; }
     /// The walk along the selected seam; null where there is no OpenGL 3.3.
@@ -51,6 +52,8 @@ public:
     void frameSeam();
     /// Shows a place of a flat piece from near by, with a ring around it.
     void showSpot(const WorstSpot& spot);
+    /// The place with the ring, if any.
+    std::optional<WorstSpot> shownSpot() const;
     /// Paints both views again, in what the render style is now.
     void repaintViews();
     /// True once both views show the present scene.

@@ -225,6 +225,15 @@
     </message>
 </context>
 <context>
+    <name>OldOutlines</name>
+    <message>
+        <source>%1
+out of date</source>
+        <translation>%1
+veraltet</translation>
+    </message>
+</context>
+<context>
     <name>OverlayText</name>
     <message>
         <source>Piece colours</source>
@@ -349,6 +358,21 @@
         <source>right side of the fabric up, cutting and seam lines</source>
         <translation>rechte Stoffseite oben, Schnitt- und Nahtlinien</translation>
     </message>
+    <message>
+        <source>The pieces have changed and wait to be flattened.</source>
+        <translation>Die Schnittteile haben sich geändert und sind noch nicht wieder abgewickelt.</translation>
+    </message>
+</context>
+<context>
+    <name>PiecePlaces</name>
+    <message>
+        <source>a tube with %1 openings</source>
+        <translation>ein Schlauch mit %1 Öffnungen</translation>
+    </message>
+    <message>
+        <source>closed all round</source>
+        <translation>ringsum geschlossen</translation>
+    </message>
 </context>
 <context>
     <name>PlatformChoice</name>
@@ -381,6 +405,81 @@
     <message>
         <source>Drawing the pieces</source>
         <translation>Schnittteile werden gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>Remedy</name>
+    <message>
+        <source>Flatten now</source>
+        <translation>Jetzt abwickeln</translation>
+    </message>
+    <message>
+        <source>Flatten what is out of date</source>
+        <translation>Abwickeln, was veraltet ist</translation>
+    </message>
+    <message>
+        <source>Divide by UV</source>
+        <translation>Nach UV teilen</translation>
+    </message>
+    <message>
+        <source>Make each island of the file&apos;s UV map one piece; undo brings these back</source>
+        <translation>Jede Insel der UV-Karte der Datei zu einem Schnittteil machen; Rückgängig bringt die bisherigen zurück</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cut open every piece that cannot lie flat as it is; undo closes them</source>
+        <translation>Jedes Schnittteil aufschneiden, das so nicht flach liegen kann; Rückgängig schließt sie wieder</translation>
+    </message>
+    <message>
+        <source>Set unit…</source>
+        <translation>Einheit angeben…</translation>
+    </message>
+    <message>
+        <source>Choose the unit of the file&apos;s numbers</source>
+        <translation>Die Einheit der Zahlen in der Datei wählen</translation>
+    </message>
+    <message>
+        <source>Set axis…</source>
+        <translation>Achse angeben…</translation>
+    </message>
+    <message>
+        <source>Choose the axis of the file that points up</source>
+        <translation>Die Achse der Datei wählen, die nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>State ease…</source>
+        <translation>Einhalteweite angeben…</translation>
+    </message>
+    <message>
+        <source>Type how much longer one side of the seam is meant to be</source>
+        <translation>Eingeben, um wie viel länger eine Seite der Naht sein soll</translation>
+    </message>
+    <message>
+        <source>Best grain</source>
+        <translation>Bester Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Let the grain run up the garment, or at 90 or 45 degrees to that where the fabric is strained much less</source>
+        <translation>Den Fadenlauf am Kleidungsstück nach oben legen, oder um 90 oder 45 Grad dazu gedreht, wo der Stoff dann viel weniger gedehnt wird</translation>
+    </message>
+    <message>
+        <source>Put a dart</source>
+        <translation>Abnäher setzen</translation>
+    </message>
+    <message>
+        <source>Propose a dart from the nearest edge to the worst place: Enter cuts it, Escape throws it away</source>
+        <translation>Einen Abnäher von der nächsten Kante zur schlimmsten Stelle vorschlagen: Eingabe schneidet ihn, Esc verwirft ihn</translation>
+    </message>
+    <message>
+        <source>Lay out again</source>
+        <translation>Neu auslegen</translation>
+    </message>
+    <message>
+        <source>Put all pieces in rows side by side</source>
+        <translation>Alle Schnittteile in Reihen nebeneinander legen</translation>
     </message>
 </context>
 <context>
@@ -2155,6 +2254,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>this copy of Toile was built without %1; export the garment as OBJ</source>
         <translation>dieses Toile wurde ohne %1 gebaut; exportieren Sie das Kleidungsstück als OBJ</translation>
+    </message>
+    <message>
+        <source>the piece is a tube with %1 openings, and lies flat only when it is cut open</source>
+        <translation>das Schnittteil ist ein Schlauch mit %1 Öffnungen und liegt erst flach, wenn es aufgeschnitten ist</translation>
     </message>
 </context>
 <context>
@@ -4788,6 +4891,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Drag from an edge to the dart&apos;s tip, or click the edge and then the tip · Esc: back to selecting</source>
         <translation>Von einer Kante zur Spitze des Abnähers ziehen, oder die Kante und dann die Spitze anklicken · Esc: zurück zum Auswählen</translation>
     </message>
+    <message>
+        <source>Enter: cut the dart that is proposed · Drag from an edge: another one · Esc: throw the dart away</source>
+        <translation>Eingabe: den vorgeschlagenen Abnäher schneiden · Von einer Kante ziehen: ein anderer · Esc: Abnäher verwerfen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::Document</name>
@@ -5068,6 +5175,38 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Fabric of %1: %2</source>
         <translation>Material von %1: %2</translation>
     </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>canvas</source>
+        <translation>Canvas</translation>
+    </message>
+    <message>
+        <source>spandex</source>
+        <translation>Elastan</translation>
+    </message>
+    <message>
+        <source>faux leather</source>
+        <translation>Kunstleder</translation>
+    </message>
+    <message>
+        <source>EVA foam</source>
+        <translation>EVA-Schaum</translation>
+    </message>
+    <message>
+        <source>Fabric not stated: choose one to see where it must give more than it can.</source>
+        <translation>Stoff nicht angegeben: Wählen Sie einen, um zu sehen, wo er mehr nachgeben muss, als er kann.</translation>
+    </message>
+    <message>
+        <source>The box around all pieces with their allowances, the grain upwards</source>
+        <translation>Das Rechteck um alle Schnittteile mit ihren Zugaben, der Fadenlauf nach oben</translation>
+    </message>
+    <message>
+        <source>Needs %1 of cloth %2 wide, as the pieces lie now</source>
+        <translation>Braucht %1 Stoff, %2 breit, so wie die Schnittteile jetzt liegen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::FigureTable</name>
@@ -5133,6 +5272,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Pieces were flattened anew, or the fabric was changed, while their grain was found. Ask for it once more.</source>
         <translation>Während der Fadenlauf gesucht wurde, sind Schnittteile neu abgewickelt worden oder das Material hat sich geändert. Fragen Sie noch einmal danach.</translation>
+    </message>
+    <message>
+        <source>Best grain as for a woven: the fabric is not stated</source>
+        <translation>Bester Fadenlauf wie für einen Webstoff: Der Stoff ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Best grain: no turn helps; %1 % of the cloth lies beyond the fabric</source>
+        <translation>Bester Fadenlauf: Drehen hilft nicht; %1 % der Fläche übersteigen, was der Stoff kann</translation>
+    </message>
+    <message>
+        <source>Best grain: %1 % of the cloth beyond the fabric, %2 % before</source>
+        <translation>Bester Fadenlauf: %1 % der Fläche übersteigen, was der Stoff kann, vorher %2 %</translation>
     </message>
 </context>
 <context>
@@ -5587,6 +5738,25 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Removal of a notch</source>
         <translation>Entfernen eines Knipses</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::OutdatedBar</name>
+    <message>
+        <source>The pattern is out of date</source>
+        <translation>Der Schnitt ist veraltet</translation>
+    </message>
+    <message>
+        <source>Flatten now</source>
+        <translation>Jetzt abwickeln</translation>
+    </message>
+    <message>
+        <source>Flatten what edits have changed</source>
+        <translation>Abwickeln, was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>The pattern is out of date: flatten it first</source>
+        <translation>Der Schnitt ist veraltet: erst abwickeln</translation>
     </message>
 </context>
 <context>
@@ -6248,6 +6418,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Worst: %1</source>
         <translation>Am schlimmsten: %1</translation>
     </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::ProblemsPanel</name>
@@ -6278,6 +6452,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>What was found is hidden; the buttons above show it.</source>
         <translation>Was gefunden wurde, ist ausgeblendet; die Knöpfe darüber zeigen es.</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>Dorthin</translation>
     </message>
 </context>
 <context>

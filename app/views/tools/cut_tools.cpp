@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <algorithm>
+#include <limits>
 
 #include "app/actions/workspace.h"
 #include "core/geometry/segment.h"
@@ -55,6 +56,11 @@ QString LoopTool::hint(ViewKind) const {
 }
 
 QString DartTool::hint(ViewKind) const {
+    if (hasEnough()) {
+        return tr(
+            "Enter: cut the dart that is proposed · Drag from an edge: another one · Esc: "
+            "throw the dart away");
+    }
     return draft_.isEmpty() ? tr("Drag from an edge to the dart's tip, or click the edge and then "
                                  "the tip · Esc: back to selecting")
                             : tr("Click: the dart's tip · Ctrl+click: along the mesh's edges · "
@@ -66,6 +72,9 @@ QString DartTool::remark(const ClothPoint& point) const {
 }
 
 bool DartTool::press(ToolView& view, const Pointer& pointer) {
+    if (hasEnough()) {
+        cancel();  // what was proposed is not what is meant
+    }
     const auto place = placeAt(view, pointer);
     if (!draft_.isEmpty() || !place || !place->isOnRim()) {
         return false;
@@ -95,6 +104,52 @@ void DartTool::release(ToolView& view, const Pointer& pointer) {
     } else {
         cancel();
     }
+}
+
+void DartTool::propose(int piece, const Eigen::Vector2d& flat) {
+    const Document& document = workspace_.document();
+    const auto index = static_cast<std::size_t>(piece);
+    if (index >= document.results().size() || !document.results()[index] ||
+        !document.results()[index]->flat ||
+        document.results()[index]->piece != document.garment()->pieces[index]) {
+        return;
+    }
+    const Triangles& F = document.garment()->pieces[index]->mesh.F;
+    const Points2& Q = document.results()[index]->flat->Q;
+    const auto corner = [&](int face, int k) -> Eigen::Vector2d {
+        return Q.row(F(face, k)).transpose();
+    };
+    ClothPoint tip{piece, {}, ClothPoint::On::Cloth, -1};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int face = 0; face < static_cast<int>(F.rows()); ++face) {
+        const auto lifted = [&](int k) -> Eigen::Vector3d {
+            return {corner(face, k).x(), corner(face, k).y(), 0};
+        };
+        const Eigen::Vector3d weights =
+            nearestInTriangle({flat.x(), flat.y(), 0}, lifted(0), lifted(1), lifted(2));
+        const double distance = (flatPositionOf(Q, F, {face, weights}).transpose() - flat).norm();
+        if (distance < nearest) {
+            nearest = distance;
+            tip.at = {face, weights};
+        }
+    }
+    ClothPoint begin{piece, {}, ClothPoint::On::Rim, -1};
+    nearest = std::numeric_limits<double>::infinity();
+    for (const int use : snapper_.rim(document.garment()->pieces[index]).uses) {
+        const int face = use / 3, k = use % 3, next = (k + 1) % 3;
+        const Eigen::Vector2d a = corner(face, k), b = corner(face, next);
+        const double share = geometry::nearestShare(flat, a, b);
+        const double distance = (a + share * (b - a) - flat).norm();
+        if (distance < nearest) {
+            nearest = distance;
+            begin.at = {
+                face, (1 - share) * Eigen::Vector3d::Unit(k) + share * Eigen::Vector3d::Unit(next)};
+        }
+    }
+    cancel();
+    draft_.setAlongEdges(false);
+    add(begin);
+    add(tip);
 }
 
 void DartTool::click(ToolView& view, const Pointer& pointer) {

@@ -46,6 +46,10 @@ public:
     void drag(ToolView& view, const Pointer& pointer) override;
     void release(ToolView& view, const Pointer& pointer) override;
     void click(ToolView& view, const Pointer& pointer) override;
+    /// Begins a dart from the nearest edge to a place: Enter cuts it, a click begins another.
+    /// @param flat  of the tip, mm, the flat piece's own coordinates; does nothing where the piece
+    ///              is not flat
+    void propose(int piece, const Eigen::Vector2d& flat);
 
 protected:
     QString remark(const ClothPoint& point) const override;

@@ -38,6 +38,10 @@ ToolBox::ToolBox(Workspace& workspace, QObject* parent) : ToolChoice(parent) {
 
 ToolBox::~ToolBox() = default;
 
+DartTool& ToolBox::dart() const {
+    return static_cast<DartTool&>(tool(ToolId::Dart));
+}
+
 void ToolBox::add(std::unique_ptr<Tool> tool) {
     Tool* added = tool.get();
     connect(added, &Tool::changed, this, [this, added] {

@@ -9,6 +9,7 @@
 
 namespace toile::app {
 
+class DartTool;
 class Workspace;
 
 /// All tools, of which one is chosen.
@@ -21,6 +22,8 @@ public:
     ~ToolBox() override;
 
     Tool& tool(ToolId id) const { return *tools_.at(id); }
+    /// The one that proposes.
+    DartTool& dart() const;
     /// What the tool before had begun is thrown away.
     void choose(ToolId id);
 

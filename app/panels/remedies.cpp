@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/remedies.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace toile::app {
+namespace {
+
+/// The context of the translations.
+class RemedyWords {
+    Q_DECLARE_TR_FUNCTIONS(Remedy)
+};
+
+/// Whether the file of a piece has a UV map that it has not been divided by.
+bool hasOtherIslands(const Finding& finding, const Garment& garment) {
+    return std::ranges::any_of(finding.pieces, [&garment](int index) -> bool {
+        const Piece& piece = *garment.pieces[static_cast<std::size_t>(index)];
+        const SourceFile& file = *garment.files[static_cast<std::size_t>(piece.file)];
+        return !file.soup->cornerUvs.empty() && file.split.mode != SplitMode::Uv;
+    });
+}
+
+bool isOpenedByCuts(const Finding& finding) {
+    constexpr ErrorCode kCodes[] = {ErrorCode::ClosedSurface, ErrorCode::SeveralLoops,
+                                    ErrorCode::Handle};
+    return finding.error && std::ranges::find(kCodes, finding.error->code) != std::end(kCodes);
+}
+
+struct Words {
+    Remedy remedy;
+    const char *text, *tip;
+};
+
+constexpr Words kWords[] = {
+    {Remedy::FlattenNow, QT_TRANSLATE_NOOP("Remedy", "Flatten now"),
+     QT_TRANSLATE_NOOP("Remedy", "Flatten what is out of date")},
+    {Remedy::DivideByUv, QT_TRANSLATE_NOOP("Remedy", "Divide by UV"),
+     QT_TRANSLATE_NOOP("Remedy",
+                       "Make each island of the file's UV map one piece; undo brings these back")},
+    {Remedy::CutOpen, QT_TRANSLATE_NOOP("Remedy", "Cut open"),
+     QT_TRANSLATE_NOOP("Remedy",
+                       "Cut open every piece that cannot lie flat as it is; undo closes them")},
+    {Remedy::SetUnit, QT_TRANSLATE_NOOP("Remedy", "Set unit…"),
+     QT_TRANSLATE_NOOP("Remedy", "Choose the unit of the file's numbers")},
+    {Remedy::SetUpAxis, QT_TRANSLATE_NOOP("Remedy", "Set axis…"),
+     QT_TRANSLATE_NOOP("Remedy", "Choose the axis of the file that points up")},
+    {Remedy::StateEase, QT_TRANSLATE_NOOP("Remedy", "State ease…"),
+     QT_TRANSLATE_NOOP("Remedy", "Type how much longer one side of the seam is meant to be")},
+    {Remedy::BestGrain, QT_TRANSLATE_NOOP("Remedy", "Best grain"),
+     QT_TRANSLATE_NOOP("Remedy",
+                       "Let the grain run up the garment, or at 90 or 45 degrees to that where the "
+                       "fabric is strained much less")},
+    {Remedy::PutDart, QT_TRANSLATE_NOOP("Remedy", "Put a dart"),
+     QT_TRANSLATE_NOOP("Remedy",
+                       "Propose a dart from the nearest edge to the worst place: Enter cuts it, "
+                       "Escape throws it away")},
+    {Remedy::LayOutAgain, QT_TRANSLATE_NOOP("Remedy", "Lay out again"),
+     QT_TRANSLATE_NOOP("Remedy", "Put all pieces in rows side by side")},
+};
+
+const Words& wordsOf(Remedy remedy) {
+    return *std::ranges::find(kWords, remedy, &Words::remedy);
+}
+
+}  // namespace
+
+std::vector<Remedy> remediesFor(const Finding& finding, const CutPlan& plan) {
+    switch (finding.kind) {
+        case FindingKind::NotFlattened:
+            return {Remedy::FlattenNow};
+        case FindingKind::NotFlat: {
+            std::vector<Remedy> remedies;
+            if (hasOtherIslands(finding, *plan.garment)) {
+                remedies.push_back(Remedy::DivideByUv);
+            }
+            if (isOpenedByCuts(finding)) {
+                remedies.push_back(Remedy::CutOpen);
+            }
+            return remedies;
+        }
+        case FindingKind::SeamLengths:
+            return {Remedy::StateEase};
+        case FindingKind::StrainWarp:
+        case FindingKind::StrainWeft:
+        case FindingKind::StrainBias:
+            return {Remedy::PutDart, Remedy::BestGrain};
+        case FindingKind::PiecesOverlap:
+            return {Remedy::LayOutAgain};
+        case FindingKind::UnlikelySize:
+        case FindingKind::UnitInDoubt:
+            return {Remedy::SetUnit};
+        case FindingKind::UpAxisInDoubt:
+            return {Remedy::SetUpAxis};
+        case FindingKind::GrainMissing:
+            return {Remedy::BestGrain};
+        default:
+            return {};
+    }
+}
+
+QString remedyText(Remedy remedy) {
+    return RemedyWords::tr(wordsOf(remedy).text);
+}
+
+QString remedyTip(Remedy remedy) {
+    return RemedyWords::tr(wordsOf(remedy).tip);
+}
+
+std::vector<ActionId> actionsOf(Remedy remedy) {
+    switch (remedy) {
+        case Remedy::FlattenNow:
+            return {ActionId::FlattenAgain};
+        case Remedy::DivideByUv:
+            return {ActionId::SplitUv};
+        case Remedy::CutOpen:
+            return {ActionId::AutoCut};
+        case Remedy::SetUnit:
+            return {ActionId::UnitMillimetre, ActionId::UnitCentimetre, ActionId::UnitMetre,
+                    ActionId::UnitInch};
+        case Remedy::SetUpAxis:
+            return {ActionId::UpY, ActionId::UpZ};
+        case Remedy::StateEase:
+            return {ActionId::StateEase};
+        case Remedy::BestGrain:
+            return {ActionId::BestGrain};
+        case Remedy::PutDart:
+            return {ActionId::ToolDart};
+        case Remedy::LayOutAgain:
+            return {ActionId::LayOutAgain};
+    }
+    return {};
+}
+
+}  // namespace toile::app
