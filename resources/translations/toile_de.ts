@@ -6422,6 +6422,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Help</source>
         <translation>Hilfe</translation>
     </message>
+    <message>
+        <source>Cut it open along a seam, or let Toile do it</source>
+        <translation>Schneiden Sie es entlang einer Naht auf, oder lassen Sie Toile das tun</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::ProblemsPanel</name>
