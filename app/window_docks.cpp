@@ -110,6 +110,10 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
         });
     }
     actions.on(ActionId::ReadyToCut, this, [this] { goTo(Panel::ProblemList); });
+    actions.on(ActionId::RenamePiece, this, [this] {
+        goTo(Panel::Pieces);
+        pieces_->editName();
+    });
     actions.on(ActionId::StateEase, this, [this] {
         goTo(Panel::Seams);
         seams_->editEase();

@@ -89,6 +89,15 @@ bool isSewnSeam(Workspace& on) {
     return seam && seam->kind != SeamKind::Free;
 }
 
+bool isOnePiece(Workspace& on) {
+    return on.document().selection().size() == 1;
+}
+
+/// The key that renames the selected piece states the ease of the selected seam.
+bool isSeamMeant(Workspace& on) {
+    return isSewnSeam(on) && !isOnePiece(on);
+}
+
 bool isFlatSeam(Workspace& on) {
     const auto isFlat = [&on](int piece) { return on.document().patternPiece(piece) != nullptr; };
     const Seam* seam = isSewnSeam(on) ? selectedSeam(on) : nullptr;
@@ -519,12 +528,18 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::SeamsToFile, "seamsToFile", TR("Save sea&ms file…"), "",
          TR("Write the cuts and the ease that were stated to a seams file (JSON)"),
          asks(&GarmentActions::askAndWriteSeams, saysOfSeams)},
+        {ActionId::RenamePiece,
+         "renamePiece",
+         TR("&Rename…"),
+         "F2",
+         TR("Type what the selected piece is called, on the screen and in files"),
+         {.enabledWhen = isOnePiece}},
         {ActionId::StateEase,
          "stateEase",
          TR("State the &ease…"),
          "F2",
          TR("Say how much longer the left edge of the selected seam is meant to be"),
-         {.enabledWhen = isSewnSeam}},
+         {.enabledWhen = isSeamMeant}},
         {ActionId::ResetEase, "resetEase", TR("Ease fro&m the garment"), "Del",
          TR("Take the ease of the selected seam from its 3D lengths again"),
          asks(&GarmentActions::resetEase, isEasedSeam)},

@@ -9,6 +9,7 @@
 #include "app/actions/menu_table.h"
 #include "app/base/text.h"
 #include "app/document/document.h"
+#include "app/document/names.h"
 
 namespace toile::app {
 namespace {
@@ -203,13 +204,11 @@ std::vector<Command> commandList(const ActionRegistry& actions, const Document& 
         commands.push_back(std::move(command));
     };
     for (int i = 0; i < document.pieceCount(); ++i) {
-        const Piece& piece = *document.garment()->pieces[static_cast<std::size_t>(i)];
-        add(tr("Piece: %1").arg(QString::fromStdString(piece.name)), tr("Pieces"),
+        add(tr("Piece: %1").arg(pieceName(document, i)), tr("Pieces"),
             tr("Select the piece and show it in both views"), showPiece, i);
     }
     for (int i = 0; i < document.seamCount(); ++i) {
-        const Seam& seam = document.garment()->seams.seams[static_cast<std::size_t>(i)];
-        add(tr("Seam %1: %2").arg(i + 1).arg(QString::fromStdString(seam.name)), tr("Seams"),
+        add(tr("Seam %1: %2").arg(i + 1).arg(seamName(document, i)), tr("Seams"),
             tr("Select the seam and show both its edges in both views"), showSeam, i);
     }
     return commands;

@@ -78,6 +78,7 @@ std::vector<MenuSpec> makeTable() {
          {LookFront, LookBack, LookRight, LookLeft, LookTop, LookBottom, kLine,
           Orthographic}, false},
         {"listsMenu", TR("Sh&ow"), {ListsPlace{}}, false},
+        {"pieceMenu", TR("&Piece"), {RenamePiece}},
         {"toolsMenu", TR("&Tools"),
          {ToolSelect, kLine,
           ToolCut, ToolLoop, ToolDart, ToolJoin, kLine,

@@ -140,8 +140,7 @@ LaidOutPattern laidOutAsStated(const Arguments& arguments, const Garment& garmen
     for (PieceSettings& piece : settings) {
         piece.byHalf = piece.byHalf || arguments.stated.byHalf;
     }
-    LaidOutPattern laid =
-        layOut(garment, results, settings, arguments.project->labels, arguments.lines, symmetry);
+    LaidOutPattern laid = layOut(garment, results, settings, {}, arguments.lines, symmetry);
     laid.pattern.materials = arguments.project->materials;
     return laid;
 }

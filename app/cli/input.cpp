@@ -9,6 +9,7 @@
 #include "app/cli/command_line.h"
 #include "core/base/characters.h"
 #include "core/base/text.h"
+#include "core/project/piece_names.h"
 
 namespace toile::app {
 namespace {
@@ -39,7 +40,8 @@ std::optional<Garment> readInput(const Arguments& arguments, Progress& progress,
         return std::nullopt;
     }
     printDifferences(arguments, *garment, err);
-    return std::move(*garment);
+    return arguments.project ? named(std::move(*garment), arguments.project->labels)
+                             : std::move(*garment);
 }
 
 void printCuts(const Garment& garment, std::ostream& out) {

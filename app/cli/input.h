@@ -15,7 +15,8 @@ namespace toile::app {
 struct Arguments;
 
 /// Reads the seams file, if one was given, and the garment. Prints why one cannot be read, then
-/// there is no garment; and how the garment is not the one that a project was made with.
+/// there is no garment; and how the garment is not the one that a project was made with. Pieces
+/// have the names that the project gives them.
 std::optional<Garment> readInput(const Arguments& arguments, Progress& progress, std::ostream& err);
 
 /// Every cut that was made: its name, author, length and the piece it opened; nothing where there

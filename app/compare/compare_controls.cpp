@@ -12,6 +12,7 @@
 
 #include "app/compare/method_comparison.h"
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/text/figures.h"
 
 namespace toile::app {
@@ -126,8 +127,8 @@ void CompareControls::refresh() {
 void CompareControls::showPieces() {
     QStringList names, shown;
     if (document_.garment()) {
-        for (const auto& piece : document_.garment()->pieces) {
-            names << QString::fromStdString(piece->name);
+        for (int i = 0; i < document_.pieceCount(); ++i) {
+            names << pieceName(document_, i);
         }
     }
     for (int i = 0; i < piece_->count(); ++i) {

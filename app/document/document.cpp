@@ -22,6 +22,20 @@ bool haveTheSamePieces(const Garment* a, const Garment* b) {
     return a == b || (a && b && a->pieces == b->pieces);
 }
 
+bool haveTheSameNames(const PieceLabels& a, const PieceLabels& b) {
+    const auto isNamed = [](const auto& label) { return !label.second.name.empty(); };
+    const auto names = [&](const PieceLabels& labels) {
+        std::vector<std::pair<PieceId, std::string>> found;
+        for (const auto& label : labels) {
+            if (isNamed(label)) {
+                found.emplace_back(label.first, label.second.name);
+            }
+        }
+        return found;
+    };
+    return names(a) == names(b);
+}
+
 /// The first seam that one of the cuts has made.
 std::optional<int> seamOfCuts(const SeamGraph& graph, const std::vector<CutId>& cuts) {
     const auto isOf = [&cuts](const Seam& seam) {
@@ -225,6 +239,7 @@ DocumentChanges Document::differences(const DocumentState& before) const {
                  !(state_.fabric == before.fabric) || state_.materials != before.materials);
     what.setFlag(DocumentChange::Settings,
                  state_.settings != before.settings || state_.labels != before.labels);
+    what.setFlag(DocumentChange::Seams, !haveTheSameNames(state_.labels, before.labels));
     what.setFlag(DocumentChange::Reference, state_.reference != before.reference);
     return what;
 }

@@ -13,11 +13,11 @@ enum class DocumentChange : unsigned {
     Selection = 1U << 3,      ///< which pieces are selected
     Options = 1U << 4,        ///< how pieces are to be flattened; results follow later
     View = 1U << 5,           ///< what is painted: overlay, wireframe, designer's outline
-    Seams = 1U << 6,          ///< the ease that seams are meant to have; pieces and results stay
+    Seams = 1U << 6,          ///< the ease or the names of seams; pieces and results stay
     SeamSelection = 1U << 7,  ///< which seam is selected
     Loading = 1U << 8,        ///< how files are read, divided and cut
     Fabric = 1U << 9,         ///< what the garment is cut from
-    Settings = 1U << 10,      ///< of pieces: place, grain, quantity
+    Settings = 1U << 10,      ///< of pieces: name, place, grain, quantity
     Reference = 1U << 11,     ///< the reference pattern, and how it lies on the pieces
     Mark = 1U << 16,          ///< which stretch of an outline or vertex is selected
     Hover = 1U << 17,         ///< what the pointer is on

@@ -6,7 +6,9 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "core/pattern/piece_marks.h"
+#include "core/project/piece_names.h"
 
 namespace toile::app {
 
@@ -15,15 +17,6 @@ namespace {
 std::vector<int> inGarment(const Document& document, std::vector<int> pieces) {
     std::erase_if(pieces, [&](int piece) { return piece < 0 || piece >= document.pieceCount(); });
     return pieces;
-}
-
-/// "front", or "3 pieces".
-QString nameOf(const Document& document, const std::vector<int>& pieces) {
-    if (pieces.size() != 1) {
-        return tr("%n pieces", nullptr, static_cast<int>(pieces.size()));
-    }
-    return QString::fromStdString(
-        document.garment()->pieces[static_cast<std::size_t>(pieces.front())]->name);
 }
 
 DocumentState withSettings(const Document& document, const std::vector<int>& pieces,
@@ -45,12 +38,23 @@ void editSettings(Document& document, const QString& text, const std::vector<int
     document.edit(text, withSettings(document, pieces, change), gesture);
 }
 
+void renamePiece(Document& document, int piece, const QString& name) {
+    if (inGarment(document, {piece}).empty()) {
+        return;
+    }
+    DocumentState next = document.state();
+    next.labels = withName(std::move(next.labels), *document.garment(), piece,
+                           name.simplified().toStdString());
+    document.edit(tr("Rename %1").arg(pieceName(document, piece)), std::move(next));
+}
+
 void setQuantity(Document& document, const std::vector<int>& pieces, int quantity) {
     const std::vector<int> there = inGarment(document, pieces);
     const int copies = std::clamp(quantity, 1, kMaxCopies);
     if (!there.empty()) {
-        editSettings(document, tr("Quantity of %1: %2").arg(nameOf(document, there)).arg(copies),
-                     there, [copies](int, PieceSettings& settings) { settings.quantity = copies; });
+        editSettings(document,
+                     tr("Quantity of %1: %2").arg(nameOfPieces(document, there)).arg(copies), there,
+                     [copies](int, PieceSettings& settings) { settings.quantity = copies; });
     }
 }
 
@@ -58,7 +62,7 @@ void setMirroredPair(Document& document, const std::vector<int>& pieces, bool is
     const std::vector<int> there = inGarment(document, pieces);
     if (!there.empty()) {
         const QString text = isPair ? tr("Mirrored pair: %1") : tr("No mirrored pair: %1");
-        editSettings(document, text.arg(nameOf(document, there)), there,
+        editSettings(document, text.arg(nameOfPieces(document, there)), there,
                      [isPair](int, PieceSettings& settings) { settings.mirroredPair = isPair; });
     }
 }
@@ -85,9 +89,9 @@ void setMaterial(Document& document, const std::vector<int>& pieces, const QStri
     if (!name.empty() && !findMaterial(name, next.materials)) {
         next.materials.push_back({name, next.fabric});
     }
-    const QString text = name.empty()
-                             ? tr("Material of %1: as the garment").arg(nameOf(document, there))
-                             : tr("Material of %1: %2").arg(nameOf(document, there), shown);
+    const QString text =
+        name.empty() ? tr("Material of %1: as the garment").arg(nameOfPieces(document, there))
+                     : tr("Material of %1: %2").arg(nameOfPieces(document, there), shown);
     document.edit(text, std::move(next));
 }
 
@@ -102,7 +106,7 @@ void setByHalf(Document& document, const std::vector<int>& pieces, bool byHalf) 
         next.lines.mirror = Mirror::Mean;
     }
     const QString text = byHalf ? tr("Half only: %1") : tr("As a whole: %1");
-    document.edit(text.arg(nameOf(document, there)), std::move(next));
+    document.edit(text.arg(nameOfPieces(document, there)), std::move(next));
 }
 
 int copiesOf(const Document& document, int piece) {

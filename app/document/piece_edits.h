@@ -23,6 +23,8 @@ QStringList proposedMaterials();
 /// @param pieces  in the garment  @param gesture  as for Document::edit
 void editSettings(Document& document, const QString& text, const std::vector<int>& pieces,
                   const std::function<void(int piece, PieceSettings&)>& change, int gesture = -1);
+/// @param name  what the piece is called from now on (`withName`); empty: as its file has it
+void renamePiece(Document& document, int piece, const QString& name);
 /// @param quantity  how many of each are cut, 1 to kMaxCopies; others are brought there
 void setQuantity(Document& document, const std::vector<int>& pieces, int quantity);
 /// @param isPair  each of them is also cut mirrored

@@ -16,6 +16,7 @@
 #include "core/base/file.h"
 #include "core/export/export_file.h"
 #include "core/pipeline/garment_flattener.h"
+#include "core/project/piece_names.h"
 #include "core/project/project_file.h"
 
 namespace toile::app {
@@ -140,11 +141,10 @@ public:
         for (const auto& piece : derived_.garment->pieces) {
             ofPieces.push_back(settings[piece->id]);
         }
-        const Garment& garment = *derived_.garment;
-        const PieceResults& results = made.derived.results;
+        const Garment garment = named(*derived_.garment, labels_);
+        const PieceResults results = resultsFor(garment, made.derived.results);
         const LineSettings lines = made.derived.lines.value_or(LineSettings{});
-        LaidOutPattern laid =
-            layOut(garment, results, ofPieces, labels_, lines, made.derived.symmetry);
+        LaidOutPattern laid = layOut(garment, results, ofPieces, {}, lines, made.derived.symmetry);
         laid.pattern.materials = materials_;
         return use(ExportSource(garment, results, laid, options, words_, lines, fabric_), progress);
     }

@@ -14,6 +14,7 @@
 #include "app/document/dart_edits.h"
 #include "app/document/document.h"
 #include "app/document/mirrored_edits.h"
+#include "app/document/names.h"
 #include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
 #include "core/base/units.h"
@@ -161,9 +162,7 @@ void DartForm::refresh() {
     dart_ = *seam;
     place_ = *place;
     drawn_ = asDrawn();
-    const Garment& garment = *document_.garment();
-    title_->setText(
-        QString::fromStdString(garment.seams.seams[static_cast<std::size_t>(dart_)].name));
+    title_->setText(seamName(document_, dart_));
     title_->setToolTip(title_->text());
     legs_->setText(tr("Legs %1 long").arg(lengthWithUnit(drawn_.firstLeg())));
     showSaid();

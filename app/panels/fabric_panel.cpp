@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
@@ -449,8 +450,7 @@ void FabricPanel::showFit() {
         worst_->setText(tr("The fabric can do all that is asked of it."));
         return;
     }
-    const auto piece = static_cast<std::size_t>(fit_->worst->piece);
-    const QString name = QString::fromStdString(document_.garment()->pieces[piece]->name);
+    const QString name = pieceName(document_, fit_->worst->piece);
     worst_->setText(
         tr("Worst: %1, %2 of it").arg(linked(name, kPieceLink), shareText(fit_->worst->share)));
 }

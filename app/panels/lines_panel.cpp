@@ -195,7 +195,7 @@ void LinesPanel::refresh() {
                  ? lineFacts(*document_.garment(), document_.results(), document_.state().lines)
                  : LineFacts{};
     if (document_.garment()) {
-        ends_->show(*document_.garment(), facts_);
+        ends_->show(document_, facts_);
     } else {
         ends_->clear();
     }

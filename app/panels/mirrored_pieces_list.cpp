@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/text/figures.h"
 #include "app/widgets/cell_delegate.h"
 #include "core/project/piece_settings.h"
@@ -80,10 +81,9 @@ void MirroredPiecesList::show(const Document& document, const SymmetryFacts& fac
 
 void MirroredPiecesList::fill(QTreeWidgetItem& item, const Document& document,
                               const MirroredPieces& row) {
-    const Garment& garment = *document.garment();
     QStringList names;
     for (const int piece : row.pieces()) {
-        names << QString::fromStdString(garment.pieces[static_cast<std::size_t>(piece)]->name);
+        names << pieceName(document, piece);
     }
     item.setText(Name, names.join(" / "));
     item.setToolTip(

@@ -9,8 +9,10 @@
 #include <QPainter>
 #include <QPalette>
 #include <algorithm>
+#include <utility>
 
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/render/colour_map.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
@@ -38,6 +40,12 @@ constexpr double kUnknownSort = -1;
 
 }  // namespace
 
+QString whyNotFlat(const Document& document, const PieceResult& result) {
+    Error said = *result.error;
+    said.subject = labelled(document.state().labels, std::move(said.subject));
+    return errorText(said);
+}
+
 PiecesModel::PiecesModel(const Document& document, QObject* parent)
     : ColumnsModel(ColumnCount, parent), document_(document) {
     setRows(document.pieceCount());
@@ -57,7 +65,7 @@ void PiecesModel::onChanged(DocumentChanges what) {
         return;
     }
     if (what.testFlag(DocumentChange::Settings)) {
-        showColumns(Quantity, MaterialName);
+        showColumns(Name, MaterialName);
     }
     if (what.testFlag(DocumentChange::Reference)) {
         showColumns(ReferenceRms, ReferenceMax);
@@ -75,7 +83,9 @@ QVariant PiecesModel::data(const QModelIndex& index, int role) const {
     const int row = index.row(), column = index.column();
     switch (role) {
         case Qt::EditRole:
-            return column == Quantity ? QVariant(settings(row).quantity) : QVariant();
+            return column == Name       ? QVariant(pieceName(document_, row))
+                   : column == Quantity ? QVariant(settings(row).quantity)
+                                        : QVariant();
         case Qt::CheckStateRole:
             return column == Pair
                        ? QVariant(settings(row).mirroredPair ? Qt::Checked : Qt::Unchecked)
@@ -101,6 +111,7 @@ Qt::ItemFlags PiecesModel::flags(const QModelIndex& index) const {
         return usual;
     }
     switch (index.column()) {
+        case Name:
         case Quantity:
             return usual | Qt::ItemIsEditable;
         case Pair:
@@ -113,6 +124,10 @@ Qt::ItemFlags PiecesModel::flags(const QModelIndex& index) const {
 bool PiecesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (!index.isValid()) {
         return false;
+    }
+    if (index.column() == Name && role == Qt::EditRole) {
+        emit nameWanted(index.row(), value.toString());
+        return true;
     }
     if (index.column() == Quantity && role == Qt::EditRole) {
         emit quantityWanted(index.row(), value.toInt());
@@ -154,7 +169,7 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
     };
     switch (column) {
         case Name:
-            return {QString::fromStdString(piece.name)};
+            return {pieceName(document_, row)};
         case Triangles:
             return {QLocale().toString(triangles), triangles};
         case Quantity:
@@ -188,10 +203,12 @@ QString PiecesModel::toolTip(int row, int column) const {
     const PieceResult* known = document_.result(row);
     switch (column) {
         case Status:
-            return known && known->error ? errorText(*known->error) : cell(row, column).text;
+            return known && known->error ? whyNotFlat(document_, *known) : cell(row, column).text;
+        case Name:
+            return tr("%1. Double-click or F2 to call it otherwise").arg(cell(row, column).text);
         case Quantity:
             return tr(
-                "How many are cut. Double-click or F2 to change it, of all selected pieces "
+                "How many are cut. Double-click to change it, of all selected pieces "
                 "at once");
         case Pair:
             return settings(row).mirroredPair

@@ -6,12 +6,16 @@
 
 namespace toile {
 struct PieceQuality;
+struct PieceResult;
 struct PieceSettings;
 }  // namespace toile
 
 namespace toile::app {
 
 class Document;
+
+/// Why a piece is not flat, by what a person calls it. Precondition: there is an error.
+QString whyNotFlat(const Document& document, const PieceResult& result);
 
 /// The document's pieces as a table: row i is piece i.
 class PiecesModel : public ColumnsModel {
@@ -54,6 +58,8 @@ public:
     bool hasMaterials() const;
 
 signals:
+    /// A person has typed another name for a piece.
+    void nameWanted(int piece, const QString& name);
     /// A person has typed another quantity into a row, or checked it as a mirrored pair or not.
     void quantityWanted(int piece, int quantity);
     void pairWanted(int piece, bool isPair);

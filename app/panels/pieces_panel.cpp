@@ -14,6 +14,7 @@
 #include <numeric>
 
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "app/panels/pieces_model.h"
 #include "app/panels/pieces_view.h"
@@ -100,6 +101,8 @@ void PiecesPanel::makeTable() {
             emit activated();
         }
     });
+    connect(model_, &PiecesModel::nameWanted, this,
+            [this](int piece, const QString& name) { renamePiece(document_, piece, name); });
     connect(model_, &PiecesModel::quantityWanted, this, [this](int piece, int quantity) {
         setQuantity(document_, meantWith(piece), quantity);
     });
@@ -128,6 +131,15 @@ std::vector<int> PiecesPanel::meantWith(int piece) const {
     const auto& selection = document_.selection();
     return document_.isSelected(piece) ? std::vector<int>(selection.begin(), selection.end())
                                        : std::vector<int>{piece};
+}
+
+void PiecesPanel::editName() {
+    if (document_.selection().size() == 1) {
+        const QModelIndex name = sorted_->mapFromSource(
+            model_->index(*document_.selection().begin(), PiecesModel::Name));
+        table_->setCurrentIndex(name);
+        table_->edit(name);
+    }
 }
 
 QStringList PiecesPanel::hiddenAtFirst() {
@@ -222,14 +234,13 @@ void PiecesPanel::updateDetails() {
 QString PiecesPanel::details(int piece) const {
     const auto at = static_cast<std::size_t>(piece);
     const Piece& source = *document_.garment()->pieces[at];
-    QString text =
-        QString("<p><b>%1</b></p>").arg(QString::fromStdString(source.name).toHtmlEscaped());
+    QString text = QString("<p><b>%1</b></p>").arg(pieceName(document_, piece).toHtmlEscaped());
     if (!document_.result(piece)) {
         return text + "<p>" + tr("Not flattened yet.").toHtmlEscaped() + "</p>";
     }
     const PieceResult& result = *document_.result(piece);
     if (result.error) {
-        return text + "<p>" + errorText(*result.error).toHtmlEscaped() + "</p>";
+        return text + "<p>" + whyNotFlat(document_, result).toHtmlEscaped() + "</p>";
     }
     const PieceQuality& quality = *result.quality;
     const QLocale locale;

@@ -27,6 +27,8 @@ public:
     QTreeView& table() { return *table_; }
     /// Which columns there are to be.
     ColumnChooser& columns() { return *columns_; }
+    /// Lets the selected piece's name be typed; nothing where none is selected, or several are.
+    void editName();
     /// Columns that a person has to ask for.
     static QStringList hiddenAtFirst();
 

@@ -66,7 +66,7 @@ PiecesView::PiecesView(QWidget* parent) : QTreeView(parent) {
 bool PiecesView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
     const bool isKey = event && event->type() == QEvent::KeyPress;
     if (trigger == EditKeyPressed) {
-        return QTreeView::edit(index.siblingAtColumn(PiecesModel::Quantity), trigger, event);
+        return QTreeView::edit(index.siblingAtColumn(PiecesModel::Name), trigger, event);
     }
     if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
         return QTreeView::edit(index.siblingAtColumn(PiecesModel::Pair), trigger, event);
@@ -76,7 +76,8 @@ bool PiecesView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* eve
 
 QItemSelectionModel::SelectionFlags PiecesView::selectionCommand(const QModelIndex& index,
                                                                  const QEvent* event) const {
-    const bool changes = index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
+    const bool changes = index.column() != PiecesModel::Name &&  // two pieces have no name together
+                         index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
     if (changes && event && selectionModel()->isSelected(index) &&
         (event->type() == QEvent::MouseButtonPress ||
          event->type() == QEvent::MouseButtonRelease) &&

@@ -7,7 +7,7 @@ namespace toile::app {
 
 /// The table of pieces. What is changed in one of several selected rows is meant for all of them:
 /// a click into a cell that can be changed leaves the selection as it is. The edit key (F2) edits
-/// the quantity and the space bar turns the mirrored pair on and off, whichever cell has the
+/// the name and the space bar turns the mirrored pair on and off, whichever cell has the
 /// keyboard.
 class PiecesView : public QTreeView {
     Q_OBJECT

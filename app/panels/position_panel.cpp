@@ -20,6 +20,7 @@
 #include "app/actions/action_registry.h"
 #include "app/document/document.h"
 #include "app/document/layout.h"
+#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "app/widgets/number_edits.h"
 #include "core/base/units.h"
@@ -186,10 +187,7 @@ void PositionPanel::refresh() {
         mirrored_->setChecked(false);
         return;
     }
-    title_->setText(pieces_.size() == 1
-                        ? QString::fromStdString(
-                              document_.garment()->pieces[std::size_t(pieces_.front())]->name)
-                        : tr("%n pieces", nullptr, static_cast<int>(pieces_.size())));
+    title_->setText(nameOfPieces(document_, pieces_));
     const Eigen::AlignedBox2d box = boxOnSheet(document_, pieces_);
     showValue(*x_, box.min().x());
     showValue(*y_, box.min().y());

@@ -5,6 +5,8 @@
 #include <QScopedValueRollback>
 #include <QScrollBar>
 
+#include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/text/figures.h"
 #include "app/widgets/cell_delegate.h"
 
@@ -50,7 +52,7 @@ SeamEndsList::SeamEndsList(QWidget* parent) : QTreeWidget(parent) {
     connect(this, &QTreeWidget::itemClicked, this, choose);  // the current one once more
 }
 
-void SeamEndsList::show(const Garment& garment, const LineFacts& facts) {
+void SeamEndsList::show(const Document& document, const LineFacts& facts) {
     const QScopedValueRollback fills(fills_, true);
     const int place = verticalScrollBar()->value();
     // Rows stay, so that a click that changes one does not take it from under the pointer.
@@ -61,8 +63,7 @@ void SeamEndsList::show(const Garment& garment, const LineFacts& facts) {
         const SeamEnd& end = facts.ends[k];
         auto* row = topLevelItem(static_cast<int>(k));
         row = row ? row : new QTreeWidgetItem(this);
-        const Seam& seam = garment.seams.seams[static_cast<std::size_t>(end.seam)];
-        row->setText(Name, QString::fromStdString(seam.name));
+        row->setText(Name, seamName(document, end.seam));
         row->setCheckState(Name, end.isTrued ? Qt::Checked : Qt::Unchecked);
         row->setData(Name, kSeamOfRow, end.seam);
         row->setText(End, end.atEnd ? tr("end") : tr("start"));

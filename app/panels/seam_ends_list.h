@@ -7,6 +7,8 @@
 
 namespace toile::app {
 
+class Document;
+
 /// The ends of seams where lines are to run on into each other, the largest kink first: a check
 /// box each for whether the kink is taken out.
 class SeamEndsList : public QTreeWidget {
@@ -17,7 +19,7 @@ public:
 
     explicit SeamEndsList(QWidget* parent = nullptr);
 
-    void show(const Garment& garment, const LineFacts& facts);
+    void show(const Document& document, const LineFacts& facts);
     /// Selects the rows of a seam, or none.
     void select(std::optional<int> seam);
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
@@ -167,7 +168,7 @@ SeamsModel::Cell SeamsModel::cell(int row, int column) const {
         case Number:
             return {QString::number(row + 1), row};
         case Name:
-            return {QString::fromStdString(asked.name)};
+            return {seamName(document_, row)};
         case Kind:
             return {kindWord(asked.kind)};
         case Length3d: {

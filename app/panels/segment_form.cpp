@@ -14,6 +14,7 @@
 
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
+#include "app/document/names.h"
 #include "app/panels/allowance_rows.h"
 #include "app/panels/sewn_rows.h"
 #include "app/panels/strip_rows.h"
@@ -39,14 +40,13 @@ QToolButton* makeButton(const char* name, const QString& text, const QString& ti
     return button;
 }
 
-QString nameOf(const Garment& garment, const Segment& segment) {
-    const QString piece =
-        QString::fromStdString(garment.pieces[static_cast<std::size_t>(segment.at.piece)]->name);
+QString nameOf(const Document& document, const Segment& segment) {
+    const QString piece = pieceName(document, segment.at.piece);
     if (segment.seam < 0) {
         return SegmentForm::tr("%1: free edge").arg(piece);
     }
-    const Seam& seam = garment.seams.seams[static_cast<std::size_t>(segment.seam)];
-    const QString name = QString::fromStdString(seam.name);
+    const Seam& seam = document.garment()->seams.seams[static_cast<std::size_t>(segment.seam)];
+    const QString name = seamName(document, segment.seam);
     return seam.kind == SeamKind::Free ? name : SegmentForm::tr("%1: %2").arg(piece, name);
 }
 
@@ -228,7 +228,7 @@ void SegmentForm::show(const LineFacts& facts) {
     }
     const SegmentSettings& said = shown_.settings;
     const Fairing usual = document_.state().lines.fairing.value_or(Fairing{});
-    title_->setText(nameOf(*document_.garment(), shown_));
+    title_->setText(nameOf(document_, shown_));
     title_->setToolTip(title_->text());
     setFieldsEnabled(static_cast<bool>(shown_.place.line));
     showLengths(facts, shown_);
@@ -236,9 +236,8 @@ void SegmentForm::show(const LineFacts& facts) {
     straight_->setChecked(said.straight);
     const auto& around = facts.segments[static_cast<std::size_t>(at->piece)].segments;
     const auto index = static_cast<std::size_t>(at->segment);
-    allowance_->show(
-        facts, *at,
-        nameOf(*document_.garment(), around[(index + around.size() - 1) % around.size()]));
+    allowance_->show(facts, *at,
+                     nameOf(document_, around[(index + around.size() - 1) % around.size()]));
     strips_->show(facts, *at);
     sewn_->show(shown_);
     asWorn_->setEnabled(said.length.has_value());

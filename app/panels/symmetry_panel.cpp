@@ -12,6 +12,7 @@
 #include <QTreeWidget>
 
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "app/panels/mirrored_pieces_list.h"
 #include "app/settings/length_display.h"
@@ -205,9 +206,7 @@ void SymmetryPanel::showSeams() {
     seams_->setHeaderLabels({tr("Without a counterpart (%1)").arg(facts_.seams.size())});
     for (const int seam : facts_.seams) {
         auto* item = new QTreeWidgetItem(seams_);
-        item->setText(0,
-                      QString::fromStdString(
-                          document_.garment()->seams.seams[static_cast<std::size_t>(seam)].name));
+        item->setText(0, seamName(document_, seam));
         item->setToolTip(0, item->text(0));
         item->setData(0, kSeamOfItem, seam);
     }

@@ -5,6 +5,7 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/render/scene.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
@@ -18,7 +19,7 @@ namespace {
 QString seamText(const Document& document, int index) {
     const Garment& garment = *document.garment();
     const Seam& seam = garment.seams.seams[static_cast<std::size_t>(index)];
-    const QString name = QString::fromStdString(seam.name);
+    const QString name = seamName(document, index);
     const auto measure = measured(garment, document.results(), index);
     if (seam.kind == SeamKind::Free) {
         return tr("%1 · %2").arg(
@@ -42,22 +43,20 @@ double wornArea(const MeshArrays& mesh) {
 }
 
 /// "front", and where it is sewn to something "front / sleeve_left, back".
-QString nameOfRun(const Garment& garment, const Feature& run) {
-    const auto nameOf = [&garment](int piece) -> QString {
-        return QString::fromStdString(garment.pieces[static_cast<std::size_t>(piece)]->name);
-    };
+QString nameOfRun(const Document& document, const Feature& run) {
     QStringList partners;
-    for (const SewnPart& part : sewnParts(garment, run)) {
-        partners << nameOf(part.there.piece);
+    for (const SewnPart& part : sewnParts(*document.garment(), run)) {
+        partners << pieceName(document, part.there.piece);
     }
     partners.removeDuplicates();
-    return partners.isEmpty() ? nameOf(run.piece) : nameOf(run.piece) + " / " + partners.join(", ");
+    const QString name = pieceName(document, run.piece);
+    return partners.isEmpty() ? name : name + " / " + partners.join(", ");
 }
 
 QString runText(const Document& document, const Feature& run) {
     const Garment& garment = *document.garment();
     const RunLengths lengths = runLengths(garment, document.results(), run);
-    const QString name = nameOfRun(garment, run);
+    const QString name = nameOfRun(document, run);
     if (lengths.sewn == 0) {
         return tr("%1 · %2 of its outline").arg(name, lengthWithUnit(lengths.free));
     }
@@ -151,7 +150,7 @@ QString featureText(const Document& document, const Feature& feature,
         return {};
     }
     const Piece& piece = *document.garment()->pieces[static_cast<std::size_t>(feature.piece)];
-    const QString name = QString::fromStdString(piece.name);
+    const QString name = pieceName(document, feature.piece);
     if (feature.kind == Feature::Kind::Run) {
         return runText(document, feature);
     }

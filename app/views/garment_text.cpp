@@ -8,6 +8,7 @@
 #include <array>
 
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/render/picking.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
@@ -63,10 +64,7 @@ QString noteOf(const Document& document) {
         return marked;
     }
     const auto seam = document.seam();
-    return seam ? GarmentWords::tr("seam %1: %2")
-                      .arg(*seam + 1)
-                      .arg(QString::fromStdString(
-                          document.garment()->seams.seams[static_cast<std::size_t>(*seam)].name))
+    return seam ? GarmentWords::tr("seam %1: %2").arg(*seam + 1).arg(seamName(document, *seam))
                 : QString();
 }
 

@@ -13,6 +13,7 @@
 
 #include "app/document/document.h"
 #include "app/document/layout.h"
+#include "app/document/names.h"
 #include "app/render/picking.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
@@ -45,10 +46,6 @@ QString emptyText(const Document& document) {
     return PatternWords::tr("None of the pieces could be flattened. The list of pieces says why.");
 }
 
-QString nameOf(const Document& document, std::size_t piece) {
-    return QString::fromStdString(document.garment()->pieces[piece]->name);
-}
-
 void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& text,
                 std::vector<QRectF> taken) {
     const Scene& scene = *text.document.scene();
@@ -61,13 +58,13 @@ void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& 
             continue;
         }
         const Placement& placement = placeOf(text.places, static_cast<int>(i)).placement;
-        const QString name = nameOf(text.document, i);
+        const QString name = pieceName(text.document, static_cast<int>(i));
         QString whole =
             placement.mirrored ? PatternWords::tr("%1 · wrong side up").arg(name) : name;
         if (cutAsOf(text.document, static_cast<int>(i)) == CutAs::Image) {
             const int other = text.document.patternPiece(static_cast<int>(i))->mirror.counterpart;
-            whole = PatternWords::tr("%1 · cut with %2")
-                        .arg(whole, nameOf(text.document, static_cast<std::size_t>(other)));
+            whole =
+                PatternWords::tr("%1 · cut with %2").arg(whole, pieceName(text.document, other));
         }
         // Where files have its name, as it lies.
         const PieceMarks& marks =

@@ -14,6 +14,7 @@
 #include "core/layout/sheet_overlaps.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/trueing.h"
+#include "core/project/piece_names.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {
@@ -162,7 +163,7 @@ private:
             Finding finding;
             finding.kind = FindingKind::SeamLengths;
             finding.severity = fit == SeamFit::Differs ? Severity::Fault : Severity::Doubt;
-            finding.subject = Subject::seam(seam.name, seam.id);
+            finding.subject = Subject::seam(nameOf(plan_.labels, garment_, seam), seam.id);
             finding.pieces = {seam.left.piece};
             if (seam.right.piece != seam.left.piece) {
                 finding.pieces.push_back(seam.right.piece);
@@ -187,7 +188,7 @@ private:
             const Seam& seam = garment_.seams.seams[static_cast<std::size_t>(end.seam)];
             Finding finding;
             finding.kind = FindingKind::SeamKink;
-            finding.subject = Subject::seam(seam.name, seam.id);
+            finding.subject = Subject::seam(nameOf(plan_.labels, garment_, seam), seam.id);
             finding.pieces = {end.left.piece};
             if (end.right.piece != end.left.piece) {
                 finding.pieces.push_back(end.right.piece);

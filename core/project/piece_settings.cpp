@@ -13,6 +13,14 @@ int colourOf(const PieceLabels& labels, PieceId id) {
     return known == labels.end() ? -1 : known->second.colour;
 }
 
+/// "skirt 2" for the part "front 2" of a piece that a person calls "skirt"; else empty.
+std::string inheritedName(const PieceLabels& labels, const Piece& whole, const Piece& part) {
+    const std::string& said = nameOf(labels, whole);
+    return said != whole.name && part.name.starts_with(whole.name)
+               ? said + part.name.substr(whole.name.size())
+               : std::string();
+}
+
 }  // namespace
 
 PieceLabels withColours(PieceLabels labels, const Garment* before, const Garment& after) {
@@ -37,7 +45,13 @@ PieceLabels withColours(PieceLabels labels, const Garment* before, const Garment
             colours[i] = ever.insert(next).second ? next : -1;
             ++next;
         }
-        labels[after.pieces[i]->id].colour = colours[i];
+        const bool isNew = !labels.contains(after.pieces[i]->id);
+        PieceLabel& label = labels[after.pieces[i]->id];
+        label.colour = colours[i];
+        if (isNew && before && was[i] >= 0) {
+            label.name = inheritedName(labels, *before->pieces[static_cast<std::size_t>(was[i])],
+                                       *after.pieces[i]);
+        }
     }
     return labels;
 }

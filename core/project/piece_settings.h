@@ -62,7 +62,8 @@ struct PieceLabel {
 using PieceLabels = std::map<PieceId, PieceLabel>;
 
 /// Gives every piece a colour that no other has: its own; else that of the piece that it was, where
-/// that is not there any more; else one that none ever had.
+/// that is not there any more; else one that none ever had. What was cut from a piece that a person
+/// named is called by that name.
 /// @param before  null: the garment is new  Cost: that of `predecessors`. Pure.
 PieceLabels withColours(PieceLabels labels, const Garment* before, const Garment& after);
 

@@ -75,16 +75,15 @@ private slots:
 
     void cleanup() { fixture_.close(); }
 
-    void quantityIsTypedWithTheKeyboard() {
-        click(cell(0, PiecesModel::Name));
-        QTest::keyClick(&table(), Qt::Key_F2);
+    void quantityIsTyped() {
+        doubleClick(cell(0, PiecesModel::Quantity));
         typeQuantity("2");
         QCOMPARE(settings(0).quantity, 2);
         QCOMPARE(settings(1).quantity, 1);
         QCOMPARE(steps(), 1);
         QCOMPARE(lastStep(), QString("Quantity of front: 2"));
         QCOMPARE(cell(0, PiecesModel::Quantity).data().toString(), QString("2"));
-        QTest::keyClick(&table(), Qt::Key_F2);
+        doubleClick(cell(0, PiecesModel::Quantity));
         typeQuantity("2");
         QCOMPARE(steps(), 1);  // as it was
         undo();
@@ -92,8 +91,7 @@ private slots:
     }
 
     void quantityStaysWithinReason() {
-        click(cell(1, PiecesModel::Name));
-        QTest::keyClick(&table(), Qt::Key_F2);
+        doubleClick(cell(1, PiecesModel::Quantity));
         typeQuantity("99999999");  // the last digits are not taken
         QCOMPARE(settings(1).quantity, 999999);
         setQuantity(document(), {1}, kMaxCopies + 1);
@@ -110,8 +108,7 @@ private slots:
     void manyCopiesOfAProjectStayAsManyInTheEditor() {
         setQuantity(document(), {0}, 5000);
         QCOMPARE(settings(0).quantity, 5000);
-        click(cell(0, PiecesModel::Name));
-        QTest::keyClick(&table(), Qt::Key_F2);
+        doubleClick(cell(0, PiecesModel::Quantity));
         typeQuantity("5001");
         QCOMPARE(settings(0).quantity, 5001);
     }

@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include "app/actions/workspace.h"
+#include "app/document/names.h"
 #include "app/render/render_style.h"
 #include "app/text/figures.h"
 #include "app/views/tools/tool_paint.h"
@@ -63,9 +64,9 @@ void JoinTool::click(ToolView& view, const Pointer& pointer) {
 }
 
 QStringList JoinTool::note() const {
-    const auto& garment = workspace_.document().garment();
-    const Seam& seam = garment->seams.seams[static_cast<std::size_t>(*seam_)];
-    return {QString::fromStdString(seam.name), lengthWithUnit(seam.length3d[0])};
+    const Document& document = workspace_.document();
+    const Seam& seam = document.garment()->seams.seams[static_cast<std::size_t>(*seam_)];
+    return {seamName(document, *seam_), lengthWithUnit(seam.length3d[0])};
 }
 
 void JoinTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {

@@ -11,6 +11,7 @@
 
 #include "app/document/document.h"
 #include "app/document/layout.h"
+#include "app/document/names.h"
 #include "app/render/render_style.h"
 #include "app/text/figures.h"
 #include "app/views/tools/tool_paint.h"
@@ -58,11 +59,10 @@ bool isSameNotch(const NotchAt& one, const NotchAt& other) {
 }
 
 /// How far a place is from both ends of its seam, along the left side.
-QStringList noteOf(const Seam& seam, double share) {
+QStringList noteOf(const QString& name, const Seam& seam, double share) {
     const double from = std::abs(placeAtShare(seam, share).left - seam.left.start);
-    return {
-        QString::fromStdString(seam.name),
-        QString("%1 | %2").arg(lengthWithUnit(from), lengthWithUnit(seam.left.length() - from))};
+    return {name, QString("%1 | %2").arg(lengthWithUnit(from),
+                                         lengthWithUnit(seam.left.length() - from))};
 }
 
 }  // namespace
@@ -335,7 +335,8 @@ void NotchTool::paint(const ToolView& view, QPainter& painter, const RenderStyle
     }
     painter.restore();
     if (seam && view.kind() == pointerView_) {
-        paintNote(painter, style, pointer_, noteOf(*seam, shown->share));
+        paintNote(painter, style, pointer_,
+                  noteOf(seamName(document_, shown->seam), *seam, shown->share));
     }
 }
 
