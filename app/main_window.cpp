@@ -25,6 +25,7 @@
 #include "app/views/view_area.h"
 #include "app/widgets/banner.h"
 #include "app/widgets/garment_card.h"
+#include "app/window_context_menus.h"
 #include "app/window_dialogs.h"
 #include "app/window_menus.h"
 #include "app/window_status.h"
@@ -67,13 +68,17 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
       docks_(std::make_unique<WindowDocks>(*this, workspace_, actions_, views(), preferences)),
       status_(std::make_unique<WindowStatus>(*statusBar(), workspace_, actions_,
                                              garmentActions_->project().session(), checker())),
-      dialogs_(std::make_unique<WindowDialogs>(*this, workspace_, actions_, views(), preferences)) {
+      dialogs_(std::make_unique<WindowDialogs>(*this, workspace_, actions_, views(), preferences)),
+      contextMenus_(
+          std::make_unique<WindowContextMenus>(*this, workspace_.document(), actions_, views())) {
     setObjectName("mainWindow");
     setAcceptDrops(true);
     setUnifiedTitleAndToolBarOnMac(true);
     setCentralWidget(centre_.get());
     fillMenuBar(*this, actions_, docks_->all(), garmentActions_->project().recent());
     app::addToolBar(*this, actions_, workspace_);
+    contextMenus_->serve(docks_->list(Panel::Pieces), "pieceContext");
+    contextMenus_->serve(docks_->list(Panel::Seams), "seamContext");
     connectParts();
     connect(&preferences_, &Preferences::choicesChanged, this, &MainWindow::followChoices);
     followChoices(preferences_.choices());
@@ -88,6 +93,7 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
 MainWindow::~MainWindow() {
     // Each of the parts looks at those that go after it, and at the document, to its end.
     workspace_.shutdown();
+    contextMenus_.reset();
     dialogs_.reset();
     recovery_.reset();  // a clean exit: nothing is left to recover
     garmentActions_.reset();

@@ -14,6 +14,7 @@
 namespace toile::app {
 
 class GarmentActions;
+class WindowContextMenus;
 class WindowDialogs;
 class WindowStatus;
 struct Choices;
@@ -72,6 +73,7 @@ private:
     std::unique_ptr<WindowDocks> docks_;
     std::unique_ptr<WindowStatus> status_;
     std::unique_ptr<WindowDialogs> dialogs_;
+    std::unique_ptr<WindowContextMenus> contextMenus_;
     std::unique_ptr<Recovery> recovery_;
     bool closingAnyway_ = false;  ///< nothing is to be asked any more
 };

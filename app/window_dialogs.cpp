@@ -14,6 +14,7 @@
 #include "app/compare/compare_window.h"
 #include "app/panels/document_page.h"
 #include "app/panels/help_page.h"
+#include "app/panels/leave_out_dialog.h"
 #include "app/panels/preferences_dialog.h"
 #include "app/render/gl_support.h"
 #include "app/views/view_area.h"
@@ -36,6 +37,7 @@ WindowDialogs::WindowDialogs(QWidget& window, Workspace& workspace, const Action
     actions_.on(ActionId::Documentation, this, [this] { showPage("README.md"); });
     actions_.on(ActionId::ReportProblem, this, &WindowDialogs::reportProblem);
     actions_.on(ActionId::About, this, &WindowDialogs::showAbout);
+    actions_.on(ActionId::LeaveOutSmall, this, &WindowDialogs::askWhatIsSmall);
     actions_.on(ActionId::CompareMethods, this, &WindowDialogs::compareMethods);
 }
 
@@ -70,6 +72,12 @@ void WindowDialogs::compareMethods() {
 
 void WindowDialogs::editPreferences() {
     auto* dialog = new PreferencesDialog(preferences_, &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void WindowDialogs::askWhatIsSmall() {
+    auto* dialog = new LeaveOutDialog(workspace_.document(), &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }

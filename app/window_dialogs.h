@@ -27,6 +27,7 @@ private:
     void showCommands();
     /// One window, however often it is asked for.
     void compareMethods();
+    void askWhatIsSmall();
     void editPreferences();
     void showHelp();
     /// @param name  of a page of the documentation

@@ -4,8 +4,8 @@
 #include <QCursor>
 #include <QDockWidget>
 #include <QMainWindow>
-#include <QScrollArea>
 #include <QMenu>
+#include <QScrollArea>
 #include <QTreeView>
 #include <QUndoView>
 
@@ -114,6 +114,10 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
         goTo(Panel::Pieces);
         pieces_->editName();
     });
+    actions.on(ActionId::SetQuantity, this, [this] {
+        goTo(Panel::Pieces);
+        pieces_->editQuantity();
+    });
     actions.on(ActionId::StateEase, this, [this] {
         goTo(Panel::Seams);
         seams_->editEase();
@@ -144,6 +148,10 @@ void WindowDocks::goTo(qsizetype at) {
 
 void WindowDocks::goTo(Panel panel) {
     goTo(static_cast<qsizetype>(panel));
+}
+
+QAbstractItemView& WindowDocks::list(Panel panel) const {
+    return panel == Panel::Seams ? seams_->table() : pieces_->table();
 }
 
 void WindowDocks::arrange() {

@@ -7,9 +7,10 @@
 
 #include "app/document/view_state.h"
 #include "app/jobs/ready_checker.h"
-#include "app/widgets/field_keys.h"
 #include "app/panels/remedies.h"
+#include "app/widgets/field_keys.h"
 
+class QAbstractItemView;
 class QAction;
 class QDockWidget;
 class QMainWindow;
@@ -45,6 +46,8 @@ public:
     const QList<QDockWidget*>& all() const { return docks_; }
     /// Brings a list to the front and moves the keyboard there.
     void goTo(Panel panel);
+    /// Of the pieces or the seams.
+    QAbstractItemView& list(Panel panel) const;
     /// Whether there is anything to show. Only the first garment brings the docks in; one that the
     /// person has closed stays closed.
     /// @return whether they came in

@@ -46,7 +46,7 @@ void followActions(QMenu& menu) {
 struct MenuMaker {
     const ActionRegistry& actions;
     QList<QDockWidget*> lists;
-    RecentFiles& recent;
+    RecentFiles* recent;  ///< of menus that have no such place null
     std::map<std::string_view, const MenuSpec*> table{};
 
     void fill(QMenu& menu, const MenuSpec& spec) {
@@ -70,7 +70,7 @@ struct MenuMaker {
             followActions(below);  // what was opened last is another whenever the menu opens
         }
     }
-    void add(QMenu& menu, RecentPlace) { recent.fill(menu); }
+    void add(QMenu& menu, RecentPlace) { recent->fill(menu); }
     void add(QMenu& menu, ListsPlace) {
         for (QDockWidget* list : lists) {
             menu.addAction(list->toggleViewAction());
@@ -96,14 +96,27 @@ void glowWhenWanted(QWidget& button, Workspace& workspace) {
     }
 }
 
-}  // namespace
-
-void fillMenuBar(QMainWindow& window, const ActionRegistry& actions,
-                 const QList<QDockWidget*>& lists, RecentFiles& recent) {
+MenuMaker makerOf(const ActionRegistry& actions, const QList<QDockWidget*>& lists,
+                  RecentFiles* recent) {
     MenuMaker maker{actions, lists, recent};
     for (const MenuSpec& spec : menuTable()) {
         maker.table.emplace(spec.name, &spec);
     }
+    return maker;
+}
+
+}  // namespace
+
+QMenu* makeContextMenu(const char* name, const ActionRegistry& actions, QWidget* parent) {
+    MenuMaker maker = makerOf(actions, {}, nullptr);
+    auto* menu = new QMenu(parent);
+    maker.fill(*menu, *maker.table.at(name));
+    return menu;
+}
+
+void fillMenuBar(QMainWindow& window, const ActionRegistry& actions,
+                 const QList<QDockWidget*>& lists, RecentFiles& recent) {
+    MenuMaker maker = makerOf(actions, lists, &recent);
     for (const MenuSpec& spec : menuTable()) {
         if (spec.inMenuBar) {
             maker.fill(*window.menuBar()->addMenu(menuText(spec.title)), spec);

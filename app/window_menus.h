@@ -5,6 +5,8 @@
 
 class QDockWidget;
 class QMainWindow;
+class QMenu;
+class QWidget;
 
 namespace toile::app {
 
@@ -18,5 +20,7 @@ void fillMenuBar(QMainWindow& window, const ActionRegistry& actions,
                  const QList<QDockWidget*>& lists, RecentFiles& recent);
 /// The toolbar; after the menus, of which it opens one.
 void addToolBar(QMainWindow& window, const ActionRegistry& actions, Workspace& workspace);
+/// One of the table's menus, to be shown where something is pointed at; the caller's.
+QMenu* makeContextMenu(const char* name, const ActionRegistry& actions, QWidget* parent);
 
 }  // namespace toile::app

@@ -13,6 +13,7 @@
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
 #include "app/document/layout.h"
+#include "app/document/piece_edits.h"
 #include "app/render/scene.h"
 #include "app/text/figures.h"
 
@@ -91,6 +92,20 @@ bool isSewnSeam(Workspace& on) {
 
 bool isOnePiece(Workspace& on) {
     return on.document().selection().size() == 1;
+}
+
+bool isAnyPiece(Workspace& on) {
+    return !on.document().selection().empty();
+}
+
+bool isAnyPieceOut(Workspace& on, bool leftOut) {
+    return std::ranges::any_of(on.document().selection(), [&on, leftOut](int piece) {
+        return isLeftOut(on.document(), piece) == leftOut;
+    });
+}
+
+bool canExportThese(Workspace& on) {
+    return on.canExport() && !selectedFlat(on.document()).empty();
 }
 
 /// The key that renames the selected piece states the ease of the selected seam.
@@ -209,6 +224,16 @@ ActionWork onSelected(std::size_t least, std::function<void(Document&, const Pie
                 }
             },
             [least](Workspace& on) { return selectedFlat(on.document()).size() >= least; }};
+}
+
+/// Does something to the selected pieces, flat or not.
+ActionWork onPieces(std::function<void(Document&, const Pieces&)> change, When when) {
+    return {[change = std::move(change)](GarmentActions& on, bool) {
+                Document& document = on.workspace().document();
+                const Document::Selection pieces = document.selection();
+                change(document, {pieces.begin(), pieces.end()});
+            },
+            std::move(when)};
 }
 
 ActionWork turns(double angle) {
@@ -534,12 +559,50 @@ std::vector<ActionSpec> makeActions() {
          "F2",
          TR("Type what the selected piece is called, on the screen and in files"),
          {.enabledWhen = isOnePiece}},
+        {ActionId::SetQuantity,
+         "setQuantity",
+         TR("&Quantity…"),
+         "",
+         TR("Type how many of the selected pieces are cut"),
+         {.enabledWhen = isAnyPiece}},
+        {ActionId::HidePieces, "hidePieces", TR("&Hide"), "Ctrl+H",
+         TR("Draw the selected pieces in neither view; files and checks have them nevertheless"),
+         onPieces(hidePieces, isAnyPiece)},
+        {ActionId::ShowOnlyThese, "showOnlyThese", TR("Show &only these"), "Ctrl+Shift+H",
+         TR("Hide all pieces but the selected ones; files and checks have them nevertheless"),
+         onPieces(showOnlyPieces, isAnyPiece)},
+        {ActionId::ShowAllPieces,
+         "showAllPieces",
+         TR("Show &all"),
+         "Ctrl+Alt+H",
+         TR("Draw the hidden pieces again"),
+         {[](GarmentActions& on, bool) { showAllPieces(on.workspace().document()); },
+          [](Workspace& on) { return isAnyHidden(on.document()); }}},
+        {ActionId::ExportOnlyThese, "exportOnlyThese", TR("&Export only these…"), "",
+         TR("Write the selected pieces alone to a file"),
+         asks(&GarmentActions::askAndExportThese, canExportThese)},
+        {ActionId::LeaveOut, "leaveOut", TR("&Leave out"), "",
+         TR("Take the selected pieces out of the pattern, as buttons and zips are: they are not "
+            "flattened, and in no file, check or figure"),
+         onPieces(
+             [](Document& document, const Pieces& pieces) { setLeftOut(document, pieces, true); },
+             [](Workspace& on) { return isAnyPieceOut(on, false); })},
+        {ActionId::TakeIn, "takeIn", TR("&Take in"), "",
+         TR("Put the selected pieces that are left out back into the pattern"),
+         onPieces(
+             [](Document& document, const Pieces& pieces) { setLeftOut(document, pieces, false); },
+             [](Workspace& on) { return isAnyPieceOut(on, true); })},
+        {ActionId::LeaveOutSmall, "leaveOutSmall", TR("Leave out &small pieces…"), "",
+         TR("Leave out all pieces below an area that you type"), whenOpen()},
         {ActionId::StateEase,
          "stateEase",
          TR("State the &ease…"),
          "F2",
          TR("Say how much longer the left edge of the selected seam is meant to be"),
          {.enabledWhen = isSeamMeant}},
+        {ActionId::JoinSeam, "joinSeam", TR("&Join at this seam"), "",
+         TR("Join the cloth on both sides of the selected seam; a cut of yours is taken back"),
+         asksOfSeam(&Workspace::joinSeam, isSewnSeam)},
         {ActionId::ResetEase, "resetEase", TR("Ease fro&m the garment"), "Del",
          TR("Take the ease of the selected seam from its 3D lengths again"),
          asks(&GarmentActions::resetEase, isEasedSeam)},

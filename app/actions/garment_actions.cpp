@@ -15,6 +15,7 @@
 #include "app/base/text.h"
 #include "app/document/layout.h"
 #include "app/document/mirrored_edits.h"
+#include "app/document/piece_edits.h"
 #include "app/export/export_dialog.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/settings/preferences.h"
@@ -165,7 +166,11 @@ void GarmentActions::askAndExport() {
     askAndExportAs(preferences_.exportFormat());
 }
 
-void GarmentActions::askAndExportAs(const QString& format) {
+void GarmentActions::askAndExportThese() {
+    askAndExportAs(preferences_.exportFormat(), true);
+}
+
+void GarmentActions::askAndExportAs(const QString& format, bool onlySelected) {
     if (!workspace_.canExport()) {
         return;
     }
@@ -184,37 +189,51 @@ void GarmentActions::askAndExportAs(const QString& format) {
     auto* dialog = new ExportDialog(folder + '/' + name, format, preferences_.exportOptions(),
                                     questions, &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    const auto drawing = workspace_.drawPattern([asked = QPointer(dialog)](const auto& drawn) {
-        if (asked) {
-            asked->setDrawing({drawn, &drawn->drawing});
-        }
-    });
+    const std::vector<int> flat = selectedFlat(workspace_.document());
+    const Document::Selection selected(flat.begin(), flat.end());
+    dialog->offerSelected(static_cast<int>(selected.size()), onlySelected);
+    const auto drawing = std::make_shared<JobRunner::Ticket>();
+    const auto draw = [this, dialog, drawing, selected] {
+        workspace_.writing().drop(*drawing);
+        *drawing = workspace_.drawPattern(
+            [asked = QPointer(dialog)](const auto& drawn) {
+                if (asked) {
+                    asked->setDrawing({drawn, &drawn->drawing});
+                }
+            },
+            dialog->choice().onlySelected ? selected : Document::Selection{});
+    };
+    draw();
+    connect(dialog, &ExportDialog::piecesChanged, this, draw);
     const auto beginning = std::make_shared<JobRunner::Ticket>();
     connect(dialog, &ExportDialog::textWanted, this,
-            [this, dialog, beginning](FormatId of, const ExportOptions& options) {
+            [this, dialog, beginning, selected](FormatId of, const ExportOptions& options) {
                 workspace_.writing().drop(*beginning);
                 *beginning = workspace_.beginFile(
-                    of, options, [of, asked = QPointer(dialog)](const std::string& text) {
+                    of, options, dialog->choice().onlySelected ? selected : Document::Selection{},
+                    [of, asked = QPointer(dialog)](const std::string& text) {
                         if (asked) {
                             asked->setText(of, QString::fromStdString(text));
                         }
                     });
             });
-    connect(dialog, &QDialog::finished, this, [this, dialog, drawing, beginning](int answer) {
-        workspace_.writing().drop(drawing);
-        workspace_.writing().drop(*beginning);
-        if (answer != QDialog::Accepted) {
-            return;
-        }
-        const ExportChoice choice = dialog->choice();
-        preferences_.setExportFolder(QFileInfo(choice.path).absolutePath());
-        preferences_.setExportFormat(choice.format);
-        preferences_.setExportOptions(choice.options);
-        if (choice.showsFolder) {
-            showOnceWritten(choice.path);
-        }
-        workspace_.exportTo(pathOf(choice.path), choice.options);
-    });
+    connect(dialog, &QDialog::finished, this,
+            [this, dialog, drawing, beginning, selected](int answer) {
+                workspace_.writing().drop(*drawing);
+                workspace_.writing().drop(*beginning);
+                if (answer != QDialog::Accepted) {
+                    return;
+                }
+                const ExportChoice choice = dialog->choice();
+                preferences_.setExportFolder(QFileInfo(choice.path).absolutePath());
+                preferences_.setExportFormat(choice.format);
+                preferences_.setExportOptions(choice.options);
+                if (choice.showsFolder) {
+                    showOnceWritten(choice.path);
+                }
+                workspace_.exportTo(pathOf(choice.path), choice.options,
+                                    choice.onlySelected ? selected : Document::Selection{});
+            });
     dialog->open();
 }
 
@@ -229,7 +248,10 @@ void GarmentActions::showOnceWritten(const QString& path) {
 }
 
 void GarmentActions::selectAll() {
-    workspace_.document().setSelection(workspace_.document().everyPiece());
+    Document& document = workspace_.document();
+    Document::Selection seen = document.everyPiece();
+    std::erase_if(seen, [&document](int piece) { return isHidden(document, piece); });
+    document.setSelection(std::move(seen));
 }
 
 void GarmentActions::selectNone() {

@@ -37,6 +37,8 @@ public:
     void openFiles(const QStringList& files);
     void askAndOpen();
     void askAndExport();
+    /// The selected pieces alone.
+    void askAndExportThese();
     void askAndOpenReference();
     /// Opens a pattern to compare with, that the person has chosen or dropped.
     void openReference(const QString& file);
@@ -64,8 +66,8 @@ private:
     void updateHistory();
     void onChanged(DocumentChanges what);
     void openNow(const QStringList& files);
-    /// @param format  suggested, by its ending
-    void askAndExportAs(const QString& format);
+    /// @param format  suggested, by its ending  @param onlySelected  suggested, too
+    void askAndExportAs(const QString& format, bool onlySelected = false);
     /// The folder of a file that is being written, on the desktop.
     void showOnceWritten(const QString& path);
     QString folderToWriteTo() const;

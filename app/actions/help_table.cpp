@@ -51,6 +51,8 @@ const std::vector<Gesture>& gestures() {
         {kHabits, TR("Rhino"), TR("Right drag: turn; with Shift: move; with Ctrl: zoom")},
         {kPattern, TR("Space+drag, middle drag"), TR("Move the sheet")},
         {kBoth, TR("Wheel"), TR("Zoom towards the pointer")},
+        {kBoth, TR("Right click, menu key, Shift+F10"),
+         TR("Show what can be done with the piece, the seam or the selection")},
         {kSelect, TR("Click"),
          TR("Select the piece, the seam or, from near by, the vertex; beside all: select nothing")},
         {kSelect, TR("Ctrl+click, Shift+click"),
@@ -112,6 +114,9 @@ const std::vector<Gesture>& gestures() {
          TR("Throw the line away, take the drag back; without either: back to selecting")},
         {kLists, TR("Click"), TR("Select the piece or the seam in both views")},
         {kLists, TR("Double click"), TR("Frame the piece or the seam in both views")},
+        {kLists, TR("Right click, menu key, Shift+F10"),
+         TR("Show what can be done with the piece or the seam")},
+        {kLists, TR("Double click on a name, F2"), TR("Call the piece otherwise")},
         {kLists, TR("Right click on the headings"), TR("Choose the columns of the list of pieces")},
         {kLists, TR("Click on a heading"), TR("Sort by that column")},
     };

@@ -315,24 +315,27 @@ bool Workspace::canExport() const {
     return !results.empty() && std::ranges::find(results, nullptr) == results.end();
 }
 
-void Workspace::exportTo(const std::filesystem::path& path, const ExportOptions& options) {
+void Workspace::exportTo(const std::filesystem::path& path, const ExportOptions& options,
+                         const Document::Selection& only) {
     Q_ASSERT(canExport());
-    writing_.start(exportJob(document_, path, options, [this](const Exported& written) {
+    writing_.start(exportJob(document_, path, options, only, [this](const Exported& written) {
         emit exported(textOf(written.files.front()),
                       written.readBack ? readBackText(*written.readBack) : QString());
     }));
 }
 
 JobRunner::Ticket Workspace::beginFile(FormatId format, const ExportOptions& options,
+                                       const Document::Selection& only,
                                        std::function<void(const std::string&)> done) {
     Q_ASSERT(canExport());
-    return writing_.start(beginningJob(document_, format, options, std::move(done)));
+    return writing_.start(beginningJob(document_, format, options, only, std::move(done)));
 }
 
 JobRunner::Ticket Workspace::drawPattern(
-    std::function<void(std::shared_ptr<const DrawnPattern>)> done) {
+    std::function<void(std::shared_ptr<const DrawnPattern>)> done,
+    const Document::Selection& only) {
     Q_ASSERT(canExport());
-    return writing_.start(drawingJob(document_, std::move(done)));
+    return writing_.start(drawingJob(document_, only, std::move(done)));
 }
 
 void Workspace::whenWritten(std::function<void()> then) {

@@ -148,12 +148,16 @@ public:
     bool canExport() const;
     /// Writes the pattern as it is now, whatever is edited meanwhile; several one after the other.
     /// Requires canExport. The ending chooses the format.
-    void exportTo(const std::filesystem::path& path, const ExportOptions& options = {});
+    /// @param only  the pieces that are written; none: all, here and in the two below
+    void exportTo(const std::filesystem::path& path, const ExportOptions& options = {},
+                  const Document::Selection& only = {});
     /// The beginning of the file as it would be written now. Requires canExport.
     JobRunner::Ticket beginFile(FormatId format, const ExportOptions& options,
+                                const Document::Selection& only,
                                 std::function<void(const std::string&)> done);
     /// Draws it as files and paper would have it. Requires canExport.
-    JobRunner::Ticket drawPattern(std::function<void(std::shared_ptr<const DrawnPattern>)> done);
+    JobRunner::Ticket drawPattern(std::function<void(std::shared_ptr<const DrawnPattern>)> done,
+                                  const Document::Selection& only = {});
 
 signals:
     /// `loading` is another now.

@@ -60,7 +60,7 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     plan.garment = std::make_shared<const Garment>(std::move(*read));
     plan.options = arguments.options;
     plan.lines = arguments.lines;
-    plan.results = flattenGarment(*plan.garment, plan.options, progress, 0, arguments.lines);
+    plan.results = flattened(arguments, *plan.garment, progress);
     plan.pattern = std::make_shared<const Pattern>(makePattern(
         *plan.garment, plan.results, plan.lines, symmetryOf(*plan.garment, plan.lines)));
     plan.fabric = arguments.fabric.value_or(plan.fabric);

@@ -36,7 +36,8 @@ std::vector<std::string> rowOf(const PieceResult& result) {
     const Piece& piece = *result.piece;
     std::vector<std::string> row{piece.name, std::to_string(piece.mesh.F.rows())};
     if (!result.quality) {
-        row.insert(row.end(), {"-", "-", "-", "-", "-", "-", "-", "failed"});
+        row.insert(row.end(),
+                   {"-", "-", "-", "-", "-", "-", "-", isLeftOut(result) ? "left out" : "failed"});
         return row;
     }
     const PieceQuality& q = *result.quality;
@@ -77,8 +78,7 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     if (!garment) {
         return kExitUnreadable;
     }
-    const PieceResults results =
-        flattenGarment(*garment, arguments.options, progress, 0, arguments.lines);
+    const PieceResults results = flattened(arguments, *garment, progress);
     printCuts(*garment, out);
     printResults(results, out);
     printSeamSummary(*garment, results, out);

@@ -9,6 +9,7 @@
 #include "app/cli/command_line.h"
 #include "core/base/characters.h"
 #include "core/base/text.h"
+#include "core/project/left_out.h"
 #include "core/project/piece_names.h"
 
 namespace toile::app {
@@ -42,6 +43,13 @@ std::optional<Garment> readInput(const Arguments& arguments, Progress& progress,
     printDifferences(arguments, *garment, err);
     return arguments.project ? named(std::move(*garment), arguments.project->labels)
                              : std::move(*garment);
+}
+
+PieceResults flattened(const Arguments& arguments, const Garment& garment, Progress& progress) {
+    PieceResults results = flattenGarment(garment, arguments.options, progress, 0, arguments.lines);
+    return arguments.project ? withoutLeftOut(std::move(results), garment,
+                                              settingsFor(*arguments.project, garment))
+                             : results;
 }
 
 void printCuts(const Garment& garment, std::ostream& out) {
@@ -82,7 +90,7 @@ void printTable(const ReportTable& table, std::ostream& out) {
 bool printFailures(const PieceResults& results, std::ostream& err) {
     bool failed = false;
     for (const auto& result : results) {
-        if (result->error) {
+        if (result->error && !isLeftOut(*result)) {
             err << "toile: " << sentence(*result->error) << '\n';
             failed = true;
         }

@@ -19,6 +19,9 @@ struct Arguments;
 /// have the names that the project gives them.
 std::optional<Garment> readInput(const Arguments& arguments, Progress& progress, std::ostream& err);
 
+/// Flattens the garment as the arguments ask; what a project leaves out is not flat.
+PieceResults flattened(const Arguments& arguments, const Garment& garment, Progress& progress);
+
 /// Every cut that was made: its name, author, length and the piece it opened; nothing where there
 /// is none.
 void printCuts(const Garment& garment, std::ostream& out);

@@ -43,7 +43,7 @@ int runWalk(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         return kExitUnreadable;
     }
     const LineSettings& lines = arguments.lines;
-    const PieceResults results = flattenGarment(*garment, arguments.options, progress, 0, lines);
+    const PieceResults results = flattened(arguments, *garment, progress);
     const auto [notches, walks] =
         walkGarment(*garment, results, lines, symmetryOf(*garment, lines).get());
     if (arguments.json) {

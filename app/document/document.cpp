@@ -193,8 +193,10 @@ void Document::exchange(DocumentState& other, bool& wasFlat) {
     Derived derived = knownOf(state_);
     const bool otherPieces = !haveTheSamePieces(derived.garment.get(), garment().get());
     const bool samePieces = wasCurrent && derived.inputs == state_.inputs && !otherPieces;
+    const bool othersLeftOut = what.testFlag(DocumentChange::Settings) &&
+                               app::leftOut(state_.settings) != app::leftOut(other.settings);
     const bool otherTargets = what.testFlag(DocumentChange::Loading) && !derived.lines;
-    if (otherPieces || otherTargets || what.testFlag(DocumentChange::Options) ||
+    if (otherPieces || otherTargets || othersLeftOut || what.testFlag(DocumentChange::Options) ||
         (what.testFlag(DocumentChange::Loading) && !samePieces)) {
         ++revision_;
     }

@@ -5,6 +5,16 @@
 
 namespace toile::app {
 
+std::set<PieceId> leftOut(const SettingsById& settings) {
+    std::set<PieceId> found;
+    for (const auto& [id, said] : settings) {
+        if (said.leftOut) {
+            found.insert(id);
+        }
+    }
+    return found;
+}
+
 bool isFlattened(const Derived& derived, const DocumentState& state) {
     if (!derived.garment || derived.results.size() != derived.garment->pieces.size() ||
         derived.lines != state.lines) {
@@ -14,6 +24,10 @@ bool isFlattened(const Derived& derived, const DocumentState& state) {
         const PieceResult* result = derived.results[i].get();
         if (!result || result->piece != derived.garment->pieces[i] ||
             !(result->options == state.options)) {
+            return false;
+        }
+        const auto said = state.settings.find(result->piece->id);
+        if (isLeftOut(*result) != (said != state.settings.end() && said->second.leftOut)) {
             return false;
         }
     }

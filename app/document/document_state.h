@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "app/document/reference.h"
@@ -53,6 +54,8 @@ struct Derived {
     bool operator==(const Derived&) const = default;
 };
 
+/// Pieces that are left out.
+std::set<PieceId> leftOut(const SettingsById& settings);
 /// True where every piece has the result that the state asks for.
 bool isFlattened(const Derived& derived, const DocumentState& state);
 /// True where some result is warm: another is to take its place.

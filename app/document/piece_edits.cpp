@@ -8,6 +8,7 @@
 #include "app/document/document.h"
 #include "app/document/names.h"
 #include "core/pattern/piece_marks.h"
+#include "core/project/left_out.h"
 #include "core/project/piece_names.h"
 
 namespace toile::app {
@@ -107,6 +108,70 @@ void setByHalf(Document& document, const std::vector<int>& pieces, bool byHalf) 
     }
     const QString text = byHalf ? tr("Half only: %1") : tr("As a whole: %1");
     document.edit(text.arg(nameOfPieces(document, there)), std::move(next));
+}
+
+void hidePieces(Document& document, const std::vector<int>& pieces) {
+    const std::vector<int> there = inGarment(document, pieces);
+    if (there.empty()) {
+        return;
+    }
+    Document::Selection rest = document.selection();
+    for (const int piece : there) {
+        rest.erase(piece);
+    }
+    editSettings(document, tr("Hide %1").arg(nameOfPieces(document, there)), there,
+                 [](int, PieceSettings& settings) { settings.hidden = true; });
+    document.setSelection(std::move(rest));
+}
+
+void showOnlyPieces(Document& document, const std::vector<int>& pieces) {
+    const std::vector<int> there = inGarment(document, pieces);
+    if (there.empty()) {
+        return;
+    }
+    const Document::Selection all = document.everyPiece(), shown(there.begin(), there.end());
+    editSettings(
+        document, tr("Show only %1").arg(nameOfPieces(document, there)), {all.begin(), all.end()},
+        [&shown](int piece, PieceSettings& settings) { settings.hidden = !shown.contains(piece); });
+}
+
+void showAllPieces(Document& document) {
+    const Document::Selection all = document.everyPiece();
+    editSettings(document, tr("Show all pieces"), {all.begin(), all.end()},
+                 [](int, PieceSettings& settings) { settings.hidden = false; });
+}
+
+bool isHidden(const Document& document, int piece) {
+    return document.settings()[static_cast<std::size_t>(piece)].hidden;
+}
+
+bool isAnyHidden(const Document& document) {
+    return std::ranges::any_of(document.settings(), &PieceSettings::hidden);
+}
+
+void setLeftOut(Document& document, const std::vector<int>& pieces, bool leftOut) {
+    std::vector<int> meant = inGarment(document, pieces);
+    std::erase_if(meant, [&](int piece) { return isLeftOut(document, piece) == leftOut; });
+    if (!meant.empty()) {
+        const QString text = leftOut ? tr("Leave out %1") : tr("Take in %1");
+        editSettings(document, text.arg(nameOfPieces(document, meant)), meant,
+                     [leftOut](int, PieceSettings& settings) { settings.leftOut = leftOut; });
+    }
+}
+
+bool isLeftOut(const Document& document, int piece) {
+    return document.settings()[static_cast<std::size_t>(piece)].leftOut;
+}
+
+std::vector<int> piecesBelow(const Document& document, double area) {
+    std::vector<int> found;
+    for (int i = 0; i < document.pieceCount(); ++i) {
+        if (!isLeftOut(document, i) &&
+            wornArea(*document.garment()->pieces[static_cast<std::size_t>(i)]) < area) {
+            found.push_back(i);
+        }
+    }
+    return found;
 }
 
 int copiesOf(const Document& document, int piece) {

@@ -40,6 +40,21 @@ void setMaterial(Document& document, const std::vector<int>& pieces, const QStri
 ///                for it where they are not yet
 void setByHalf(Document& document, const std::vector<int>& pieces, bool byHalf);
 
+/// What is drawn in the views: hidden pieces are not, and are not selected any more. Files and
+/// figures have them.
+void hidePieces(Document& document, const std::vector<int>& pieces);
+void showOnlyPieces(Document& document, const std::vector<int>& pieces);
+void showAllPieces(Document& document);
+bool isHidden(const Document& document, int piece);
+bool isAnyHidden(const Document& document);
+
+/// @param leftOut  they are no part of the pattern (PieceSettings::leftOut)
+void setLeftOut(Document& document, const std::vector<int>& pieces, bool leftOut);
+bool isLeftOut(const Document& document, int piece);
+/// The pieces that are not left out and smaller than that as they are worn, mm2.
+/// Cost: linear in the triangles.
+std::vector<int> piecesBelow(const Document& document, double area);
+
 /// How many pieces of cloth are cut from it: two for one mirrored pair.
 int copiesOf(const Document& document, int piece);
 

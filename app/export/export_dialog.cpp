@@ -2,6 +2,7 @@
 #include "app/export/export_dialog.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -11,6 +12,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -83,7 +85,8 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
       preview_(new DrawingPreview(this)),
       text_(new QPlainTextEdit(this)),
       use_(new QLabel(this)),
-      page_(new QLabel(this)) {
+      page_(new QLabel(this)),
+      pieces_(new QComboBox(this)) {
     setObjectName("exportDialog");
     setWindowTitle(tr("Export pattern"));
     list_->setObjectName("exportFormats");
@@ -102,7 +105,16 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
     shown_->addWidget(preview_);
     shown_->addWidget(text_);
 
+    pieces_->setObjectName("exportPieces");
+    pieces_->setAccessibleName(tr("Pieces"));
+    pieces_->setToolTip(tr("Which pieces are written"));
+    pieces_->hide();
+    connect(pieces_, &QComboBox::currentIndexChanged, this, [this] {
+        emit piecesChanged();
+        showFile();
+    });
     auto* choices = new QVBoxLayout;
+    choices->addWidget(pieces_);
     choices->addWidget(use_);
     choices->addSpacing(6);
     choices->addWidget(form_);
@@ -254,6 +266,14 @@ void ExportDialog::describe() {
     page_->setText(said);
 }
 
+void ExportDialog::offerSelected(int count, bool chosen) {
+    const QSignalBlocker quiet(pieces_);
+    pieces_->clear();
+    pieces_->addItems({tr("All pieces"), tr("Selected pieces (%1)").arg(count)});
+    pieces_->setCurrentIndex(chosen && count > 0 ? 1 : 0);
+    pieces_->setVisible(count > 0);
+}
+
 void ExportDialog::setDrawing(std::shared_ptr<const Drawing> drawing) {
     drawing_ = std::move(drawing);
     preview_->setDrawing(drawing_);
@@ -261,7 +281,8 @@ void ExportDialog::setDrawing(std::shared_ptr<const Drawing> drawing) {
 }
 
 ExportChoice ExportDialog::choice() const {
-    return {path_->text(), usualEnding(format()), form_->options(), folder_->isChecked()};
+    return {path_->text(), usualEnding(format()), form_->options(), folder_->isChecked(),
+            pieces_->currentIndex() == 1};
 }
 
 void ExportDialog::accept() {

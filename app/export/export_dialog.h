@@ -8,6 +8,7 @@
 #include "core/export/formats.h"
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -33,6 +34,7 @@ struct ExportChoice {
     QString format;  ///< the usual ending of its format, ".svg"
     ExportOptions options;
     bool showsFolder = false;
+    bool onlySelected = false;  ///< the selected pieces alone
 };
 
 /// In which format the pattern is written, how, and where to; with a picture of the page, or of a
@@ -46,6 +48,9 @@ public:
     ExportDialog(const QString& path, const QString& format, const ExportOptions& options,
                  ExportQuestions questions, QWidget* parent);
 
+    /// Lets the person choose between all pieces and so many that are selected; with none there is
+    /// no choice. @param chosen  these, at first
+    void offerSelected(int count, bool chosen);
     /// The page, once it is drawn.
     void setDrawing(std::shared_ptr<const Drawing> drawing);
     /// The beginning of a file; nothing where another format is chosen by now.
@@ -55,6 +60,8 @@ public:
     void accept() override;
 
 signals:
+    /// Others are to be written: they are to be drawn (`setDrawing`).
+    void piecesChanged();
     /// The beginning of such a file is to be shown (`setText`).
     void textWanted(toile::FormatId format, const toile::ExportOptions& options);
 
@@ -78,6 +85,7 @@ private:
     DrawingPreview* preview_;
     QPlainTextEdit* text_;
     QLabel *use_, *page_;
+    QComboBox* pieces_;
     QLineEdit* path_ = nullptr;
     QCheckBox* folder_ = nullptr;
     QPushButton* export_ = nullptr;

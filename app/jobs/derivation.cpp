@@ -9,6 +9,7 @@
 #include "core/pattern/piece_grain.h"
 #include "core/pattern/target_lengths.h"
 #include "core/pipeline/garment_flattener.h"
+#include "core/project/left_out.h"
 
 namespace toile::app {
 namespace {
@@ -35,6 +36,16 @@ PieceResults carriedResults(const PieceResults& results, const Garment& after) {
 std::size_t bytesOf(const FlatPiece& flat) {
     const std::size_t line = flat.line ? 3 * static_cast<std::size_t>(flat.line->points.rows()) : 0;
     return (static_cast<std::size_t>(flat.Q.size()) + line) * sizeof(double);
+}
+
+/// One per piece.
+std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById& settings) {
+    std::vector<PieceSettings> found;
+    for (const auto& piece : garment.pieces) {
+        const auto said = settings.find(piece->id);
+        found.push_back(said == settings.end() ? PieceSettings{} : said->second);
+    }
+    return found;
 }
 
 /// Takes other results in.
@@ -99,20 +110,22 @@ Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
 
 void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& flattener,
              Progress& progress) {
-    become(made, flattener.flatten(*made.derived.garment, state.options, progress, 0,
-                                   made.derived.results, state.lines));
+    const Garment& garment = *made.derived.garment;
+    become(made, withoutLeftOut(flattener.flatten(garment, state.options, progress, 0,
+                                                  made.derived.results, state.lines),
+                                garment, settingsOf(garment, state.settings)));
     made.derived.lines = state.lines;
-    made.derived.symmetry = flattener.symmetryOf(*made.derived.garment, state.lines);
+    made.derived.symmetry = flattener.symmetryOf(garment, state.lines);
     if (state.lines.grain) {
         std::vector<Fabric> fabrics;
-        for (const auto& piece : made.derived.garment->pieces) {
+        for (const auto& piece : garment.pieces) {
             const auto said = state.settings.find(piece->id);
             fabrics.push_back(
                 fabricOf(said == state.settings.end() ? std::string() : said->second.material,
                          state.materials, state.fabric));
         }
-        made.grains = findGrains(*made.derived.garment, made.derived.results,
-                                 made.derived.symmetry.get(), *state.lines.grain, fabrics);
+        made.grains = findGrains(garment, made.derived.results, made.derived.symmetry.get(),
+                                 *state.lines.grain, fabrics);
     }
 }
 

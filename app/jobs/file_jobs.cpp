@@ -16,6 +16,7 @@
 #include "core/base/file.h"
 #include "core/export/export_file.h"
 #include "core/pipeline/garment_flattener.h"
+#include "core/project/left_out.h"
 #include "core/project/piece_names.h"
 #include "core/project/project_file.h"
 
@@ -110,8 +111,9 @@ Result<ReadMeshes> readMeshes(const std::filesystem::path& path, const FoundMesh
 /// What files are made of: a snapshot, whatever is edited meanwhile.
 class PatternNow {
 public:
-    explicit PatternNow(const Document& document)
-        : derived_(document.derived()),
+    PatternNow(const Document& document, std::set<int> only)
+        : only_(std::move(only)),
+          derived_(document.derived()),
           labels_(document.state().labels),
           materials_(document.state().materials),
           fabric_(document.fabric()),
@@ -142,7 +144,11 @@ public:
             ofPieces.push_back(settings[piece->id]);
         }
         const Garment garment = named(*derived_.garment, labels_);
-        const PieceResults results = resultsFor(garment, made.derived.results);
+        for (std::size_t i = 0; i < ofPieces.size() && !only_.empty(); ++i) {
+            ofPieces[i].leftOut = ofPieces[i].leftOut || !only_.contains(static_cast<int>(i));
+        }
+        const PieceResults results =
+            withoutLeftOut(resultsFor(garment, made.derived.results), garment, ofPieces);
         const LineSettings lines = made.derived.lines.value_or(LineSettings{});
         LaidOutPattern laid = layOut(garment, results, ofPieces, {}, lines, made.derived.symmetry);
         laid.pattern.materials = materials_;
@@ -150,6 +156,7 @@ public:
     }
 
 private:
+    std::set<int> only_;
     Derived derived_;
     decltype(DocumentState::labels) labels_;
     decltype(DocumentState::materials) materials_;
@@ -161,10 +168,10 @@ private:
 }  // namespace
 
 std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path path,
-                               const ExportOptions& options,
+                               const ExportOptions& options, std::set<int> only,
                                std::function<void(const Exported&)> done) {
     const QString name = textOf(path.filename());
-    auto work = [now = PatternNow(document), path = std::move(path),
+    auto work = [now = PatternNow(document, std::move(only)), path = std::move(path),
                  options](Progress& progress) -> Result<Exported> {
         return now.with(options, progress,
                         [&path](const ExportSource& source, const Progress& exporting) {
@@ -176,9 +183,9 @@ std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path p
 }
 
 std::unique_ptr<Job> beginningJob(const Document& document, FormatId format,
-                                  const ExportOptions& options,
+                                  const ExportOptions& options, std::set<int> only,
                                   std::function<void(const std::string&)> done) {
-    auto work = [now = PatternNow(document), format,
+    auto work = [now = PatternNow(document, std::move(only)), format,
                  options](Progress& progress) -> Result<std::string> {
         return now.with(
             options, progress,
@@ -196,10 +203,10 @@ std::unique_ptr<Job> beginningJob(const Document& document, FormatId format,
                    std::move(done));
 }
 
-std::unique_ptr<Job> drawingJob(const Document& document,
+std::unique_ptr<Job> drawingJob(const Document& document, std::set<int> only,
                                 std::function<void(std::shared_ptr<const DrawnPattern>)> done) {
     using Made = std::shared_ptr<const DrawnPattern>;
-    auto work = [now = PatternNow(document)](Progress& progress) -> Result<Made> {
+    auto work = [now = PatternNow(document, std::move(only))](Progress& progress) -> Result<Made> {
         return now.with({}, progress, [](const ExportSource& source, const Progress&) {
             return Result<Made>(std::make_shared<const DrawnPattern>(
                 DrawnPattern{source.laid().pattern, source.drawing()}));

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "app/document/document_state.h"
@@ -25,18 +26,19 @@ class Document;
 
 /// Writes the flat pieces to one file; its ending chooses the format. Cancelled, it leaves the file
 /// as it was.
+/// @param only  the pieces that are written; none: all, for the two jobs below too
 /// @param done  called once the file is written
 std::unique_ptr<Job> exportJob(const Document& document, std::filesystem::path path,
-                               const ExportOptions& options,
+                               const ExportOptions& options, std::set<int> only,
                                std::function<void(const Exported&)> done);
 
 /// The beginning of the file that an export would write. Errors: of the format's writer.
 std::unique_ptr<Job> beginningJob(const Document& document, FormatId format,
-                                  const ExportOptions& options,
+                                  const ExportOptions& options, std::set<int> only,
                                   std::function<void(const std::string&)> done);
 
 /// The pattern and the drawing of it that files and paper would have.
-std::unique_ptr<Job> drawingJob(const Document& document,
+std::unique_ptr<Job> drawingJob(const Document& document, std::set<int> only,
                                 std::function<void(std::shared_ptr<const DrawnPattern>)> done);
 
 /// What a project file held when it was last read or written here: what else it holds now, another

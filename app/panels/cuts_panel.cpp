@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/cuts_panel.h"
 
+#include <QAction>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -46,6 +47,11 @@ CutsPanel::CutsPanel(const Document& document, QWidget* parent)
     layout->addWidget(count_);
     layout->addWidget(table_, 1);
     table_->installEventFilter(this);
+    auto* takeBack = new QAction(tr("&Take back"), table_);
+    takeBack->setObjectName("takeCutBack");
+    table_->addAction(takeBack);
+    table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connect(takeBack, &QAction::triggered, this, &CutsPanel::removeCurrent);
     connect(&document_, &Document::changed, this, &CutsPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &CutsPanel::rebuild);
     hide();

@@ -13,6 +13,7 @@
 
 #include "app/document/document.h"
 #include "app/document/names.h"
+#include "app/document/piece_edits.h"
 #include "app/render/colour_map.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
@@ -60,12 +61,9 @@ void PiecesModel::onChanged(DocumentChanges what) {
         endResetModel();
         return;
     }
-    if (what.testFlag(DocumentChange::Results)) {
+    if (what & (DocumentChange::Results | DocumentChange::Settings)) {
         showColumns(0, ColumnCount - 1);
         return;
-    }
-    if (what.testFlag(DocumentChange::Settings)) {
-        showColumns(Name, MaterialName);
     }
     if (what.testFlag(DocumentChange::Reference)) {
         showColumns(ReferenceRms, ReferenceMax);
@@ -181,6 +179,12 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
         case Method:
             return {known ? methodName(known->options.method) : QString(kUnknown)};
         case Status:
+            if (isLeftOut(document_, row)) {
+                return {tr("Left out")};
+            }
+            if (isHidden(document_, row) && known && known->flat) {
+                return {tr("Flat, hidden")};
+            }
             if (known && known->error) {
                 // Short enough for a table; the whole sentence is in the tool tip and the details.
                 const std::string_view reason = name(known->error->code);
@@ -254,6 +258,9 @@ QString PiecesModel::partnerText(int row) const {
 }
 
 QVariant PiecesModel::foreground(int row, int column) const {
+    if (isLeftOut(document_, row) || isHidden(document_, row)) {
+        return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
+    }
     if (isTrouble(row, column)) {
         return QBrush(kTrouble);
     }

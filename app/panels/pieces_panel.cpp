@@ -135,11 +135,21 @@ std::vector<int> PiecesPanel::meantWith(int piece) const {
 
 void PiecesPanel::editName() {
     if (document_.selection().size() == 1) {
-        const QModelIndex name = sorted_->mapFromSource(
-            model_->index(*document_.selection().begin(), PiecesModel::Name));
-        table_->setCurrentIndex(name);
-        table_->edit(name);
+        editCell(*document_.selection().begin(), PiecesModel::Name);
     }
+}
+
+void PiecesPanel::editQuantity() {
+    if (!document_.selection().empty()) {
+        editCell(*document_.selection().begin(), PiecesModel::Quantity);
+    }
+}
+
+void PiecesPanel::editCell(int piece, int column) {
+    const QModelIndex cell = sorted_->mapFromSource(model_->index(piece, column));
+    table_->scrollTo(cell);
+    table_->selectionModel()->setCurrentIndex(cell, QItemSelectionModel::NoUpdate);
+    table_->edit(cell);
 }
 
 QStringList PiecesPanel::hiddenAtFirst() {
@@ -278,7 +288,7 @@ QString PiecesPanel::detailsOfMany() const {
     double area = 0;
     int flat = 0, counted = 0, cut = 0;
     for (int i = 0; i < count; ++i) {
-        if (!selection.empty() && selection.count(i) == 0) {
+        if ((!selection.empty() && selection.count(i) == 0) || isLeftOut(document_, i)) {
             continue;
         }
         ++counted;

@@ -29,6 +29,8 @@ public:
     ColumnChooser& columns() { return *columns_; }
     /// Lets the selected piece's name be typed; nothing where none is selected, or several are.
     void editName();
+    /// Of all selected pieces.
+    void editQuantity();
     /// Columns that a person has to ask for.
     static QStringList hiddenAtFirst();
 
@@ -41,6 +43,7 @@ protected:
 
 private:
     void makeTable();
+    void editCell(int piece, int column);
     /// Every column as wide as its contents; what is left goes to the status, and what is wanting
     /// is taken from the widest.
     void fitColumns();

@@ -29,7 +29,8 @@ bool needNewTable(const Morph& now, const Morph& before) {
 SceneRenderer::ProgramFiles GarmentRenderer::programFiles() const {
     return {{"piece_table.glsl", "morph.glsl", "garment.vert", "surface.glsl", "garment.frag"},
             {"piece_table.glsl", "morph.glsl", "garment_line.vert", "line.geom", "line.frag"},
-            {"glyph.glsl", "garment_glyph.vert", "glyph.geom", "glyph.glsl", "glyph.frag"}};
+            {"piece_table.glsl", "glyph.glsl", "garment_glyph.vert", "glyph.geom", "glyph.glsl",
+             "glyph.frag"}};
 }
 
 void GarmentRenderer::upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) {

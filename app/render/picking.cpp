@@ -133,7 +133,8 @@ Point pointOnFace(const Scene& scene, int piece, int face, const Eigen::Vector3d
 
 }  // namespace
 
-std::optional<SurfaceHit> pickGarment(const Scene& scene, const Ray& ray) {
+std::optional<SurfaceHit> pickGarment(const Scene& scene, const Ray& ray,
+                                      const SheetPlaces& places) {
     std::optional<SurfaceHit> nearest;
     const auto farthest = [&nearest] {
         return nearest ? nearest->distance : std::numeric_limits<double>::max();
@@ -141,7 +142,7 @@ std::optional<SurfaceHit> pickGarment(const Scene& scene, const Ray& ray) {
     const auto& triangles = scene.garment.triangles;
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         const PieceScene& piece = scene.pieces[i];
-        if (piece.box.isEmpty()) {
+        if (piece.box.isEmpty() || placeOf(places, static_cast<int>(i)).hidden) {
             continue;
         }
         const auto tryFace = [&](std::uint32_t face) {
@@ -192,7 +193,11 @@ std::optional<SurfaceHit> pickPiece(const Scene& scene, int index, const Eigen::
 std::optional<SurfaceHit> pickPattern(const Scene& scene, const SheetPlaces& places,
                                       const Eigen::Vector2d& point) {
     for (int i = static_cast<int>(scene.pieces.size()); i-- > 0;) {
-        if (auto hit = pickPiece(scene, i, placeOf(places, i).placement.undone(point))) {
+        const SheetPlace& place = placeOf(places, i);
+        if (place.hidden) {
+            continue;
+        }
+        if (auto hit = pickPiece(scene, i, place.placement.undone(point))) {
             return hit;
         }
     }
@@ -222,7 +227,7 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
         for (int side = 0; side < 2; ++side) {
             const VertexRun run = lines.seams[s][static_cast<std::size_t>(side)];
             const SeamScene::Side& part = scene.seams[s].sides[static_cast<std::size_t>(side)];
-            if (run.count < 2) {
+            if (run.count < 2 || placeOf(places, part.piece).hidden) {
                 continue;
             }
             const Eigen::Vector2d local = placeOf(places, part.piece).placement.undone(at);
@@ -249,7 +254,8 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
 }
 
 std::optional<SeamHit> pickGarmentSeam(const Scene& scene, const Ray& ray, double slope,
-                                       double farthest, const SeamFilter& counts) {
+                                       double farthest, const SeamFilter& counts,
+                                       const SheetPlaces& places) {
     std::optional<SeamHit> nearest;
     double share = 0;
     const auto& lines = scene.garmentLines;
@@ -260,6 +266,10 @@ std::optional<SeamHit> pickGarmentSeam(const Scene& scene, const Ray& ray, doubl
         }
         for (int side = 0; side < 2; ++side) {
             const VertexRun run = lines.seams[s][static_cast<std::size_t>(side)];
+            if (placeOf(places, scene.seams[s].sides[static_cast<std::size_t>(side)].piece)
+                    .hidden) {
+                continue;
+            }
             for (std::uint32_t i = run.first + 1; i < run.first + run.count; ++i) {
                 const Beside there = besides(ray, wornPoint(scene.lineVertices[i - 1]),
                                              wornPoint(scene.lineVertices[i]), farthest);

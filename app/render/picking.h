@@ -20,7 +20,9 @@ struct SurfaceHit {
 
 /// Nearest triangle along the ray, from either side; of equals the first. Looked up in the trees of
 /// the pieces: microseconds, with a million triangles too.
-std::optional<SurfaceHit> pickGarment(const Scene& scene, const Ray& ray);
+/// @param places  hidden pieces are not there, for the picks below too; none: all are seen
+std::optional<SurfaceHit> pickGarment(const Scene& scene, const Ray& ray,
+                                      const SheetPlaces& places = {});
 
 /// The place of a flat piece that covers a point of the sheet (mm); of several the last drawn.
 std::optional<SurfaceHit> pickPattern(const Scene& scene, const SheetPlaces& places,
@@ -58,7 +60,8 @@ std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& pl
 /// @param slope     how far beside the ray a seam may lie, per mm of depth
 /// @param farthest  seams deeper than this along the ray are hidden, mm
 std::optional<SeamHit> pickGarmentSeam(const Scene& scene, const Ray& ray, double slope,
-                                       double farthest, const SeamFilter& counts = {});
+                                       double farthest, const SeamFilter& counts = {},
+                                       const SheetPlaces& places = {});
 
 /// The point of a line at a part of its length on the garment, from 0 to 1.
 /// Precondition: it has points.  Cost: linear in them. Pure.

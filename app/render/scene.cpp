@@ -42,6 +42,7 @@ SheetPlaces placesOf(const std::vector<PieceSettings>& settings, const std::vect
         const std::size_t at = places.size();
         places.push_back({piece.placement.value_or(Placement{}), grainOf(piece),
                           at < colours.size() ? colours[at] : 0});
+        places.back().hidden = piece.hidden;
         if (const Material* material = findMaterial(piece.material, materials)) {
             places.back().fabric = material->fabric;
         }
@@ -74,10 +75,16 @@ Eigen::AlignedBox2d placedBox(const SeamScene& seam, const SheetPlaces& places) 
     return box;
 }
 
+std::set<int> seenOf(const std::set<int>& pieces, const SheetPlaces& places) {
+    std::set<int> seen = pieces;
+    std::erase_if(seen, [&places](int piece) { return placeOf(places, piece).hidden; });
+    return seen.empty() ? pieces : seen;
+}
+
 Eigen::AlignedBox2d sheetBox(const Scene& scene, const SheetPlaces& places) {
     Eigen::AlignedBox2d box;
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
-        if (scene.pieces[i].flat) {
+        if (scene.pieces[i].flat && !placeOf(places, static_cast<int>(i)).hidden) {
             box.extend(
                 placedBox(scene.pieces[i].edgeBox, placeOf(places, static_cast<int>(i)).placement));
         }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <Eigen/Core>
@@ -166,6 +167,7 @@ struct SheetPlace {
     double grain = kGrainUpwards;    ///< direction of the warp in the piece's own coordinates
     int colour = 0;                  ///< its number (`pieceColour`)
     std::optional<Fabric> fabric{};  ///< of its material; none: the garment's own
+    bool hidden = false;             ///< drawn in neither view, and not there for the pointer
 
     bool operator==(const SheetPlace&) const = default;
 };
@@ -186,7 +188,10 @@ Eigen::AlignedBox2d placedBox(const Eigen::AlignedBox2d& box, const Placement& p
 /// Around both sides of a seam at their places; empty where neither is flat.
 Eigen::AlignedBox2d placedBox(const SeamScene& seam, const SheetPlaces& places);
 
-/// Around all flat pieces of the scene at their places.
+/// The pieces that are not hidden; all of them where each is.
+std::set<int> seenOf(const std::set<int>& pieces, const SheetPlaces& places);
+
+/// Around all flat pieces of the scene that are seen, at their places.
 Eigen::AlignedBox2d sheetBox(const Scene& scene, const SheetPlaces& places);
 
 }  // namespace toile::app

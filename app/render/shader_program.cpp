@@ -129,8 +129,8 @@ std::vector<float> makePieceTable(const Scene& scene, const std::set<int>& selec
         const SheetPlace& place = placeOf(places, i);
         const Rgb own = coloured ? pieceColour(place.colour) : kPlainCloth;
         const Rgb colour = piece.flat ? own : neutralColour();
-        const int flags =
-            (selection.count(i) != 0 ? kPieceSelected : 0) | (piece.flat ? kPieceFlat : 0);
+        const int flags = (selection.count(i) != 0 ? kPieceSelected : 0) |
+                          (piece.flat ? kPieceFlat : 0) | (place.hidden ? kPieceHidden : 0);
         float* texel = table.data() + static_cast<std::size_t>(i) * 4 * kTexelsPerPiece;
         texel[0] = static_cast<float>(colour.r) / 255.0F;
         texel[1] = static_cast<float>(colour.g) / 255.0F;

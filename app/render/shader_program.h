@@ -90,7 +90,7 @@ private:
 /// that the fabric of its material allows of the overlay, or zeros.
 inline constexpr int kTexelsPerPiece = 4;
 
-enum PieceFlag { kPieceSelected = 1, kPieceFlat = 2 };
+enum PieceFlag { kPieceSelected = 1, kPieceFlat = 2, kPieceHidden = 4 };
 
 /// @param coloured  pieces have colours of their own; else all that are flat have a plain one
 /// @param overlay   for what fabrics allow

@@ -10,7 +10,7 @@
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
 #include "app/views/sewn_run.h"
-#include "core/mesh/mesh_arrays.h"
+#include "core/project/left_out.h"
 
 namespace toile::app {
 
@@ -32,14 +32,6 @@ QString seamText(const Document& document, int index) {
     return tr("%1 · %2 / %3, Δ %4")
         .arg(name, lengthNumber(measure->length2dLeft), lengthWithUnit(measure->length2dRight),
              signedFineLength(measure->deltaMm));
-}
-
-double wornArea(const MeshArrays& mesh) {
-    double doubled = 0;
-    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
-        doubled += doubleAreaNormal(mesh, f).norm();
-    }
-    return doubled / 2;
 }
 
 /// "front", and where it is sewn to something "front / sleeve_left, back".
@@ -162,7 +154,7 @@ QString featureText(const Document& document, const Feature& feature,
         return tr("%1 · %2").arg(name, value);
     }
     const PieceResult* result = document.result(feature.piece);
-    const double area = result && result->quality ? result->quality->area2d : wornArea(piece.mesh);
+    const double area = result && result->quality ? result->quality->area2d : wornArea(piece);
     return tr("%1 · %2").arg(name, areaWithUnit(area));
 }
 

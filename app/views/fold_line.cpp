@@ -8,6 +8,7 @@
 
 #include "app/document/document.h"
 #include "app/document/layout.h"
+#include "app/document/piece_edits.h"
 #include "app/render/render_style.h"
 #include "app/views/tool.h"
 #include "app/views/view_text.h"
@@ -29,7 +30,7 @@ std::vector<QRectF> paintFolds(QPainter& painter, const RenderStyle& style,
     std::vector<QRectF> words;
     painter.save();
     for (int piece = 0; piece < document.pieceCount(); ++piece) {
-        if (cutAsOf(document, piece) != CutAs::OnFold) {
+        if (cutAsOf(document, piece) != CutAs::OnFold || isHidden(document, piece)) {
             continue;
         }
         const Placement placement = placementOf(document, piece);

@@ -41,7 +41,7 @@ void GarmentView::setCameraViewport(double width, double height) {
 }
 
 void GarmentView::framePieces(const std::set<int>& pieces) {
-    frameGarment(camera_, *scene(), places(), pieces, morph_);
+    frameGarment(camera_, *scene(), places(), seenOf(pieces, places()), morph_);
 }
 
 bool GarmentView::frameLines(const SeamScene& seam) {
@@ -69,7 +69,7 @@ bool GarmentView::isHidden(const WorstSpot& spot) const {
     constexpr double kBefore = 1;  // mm
     const Eigen::Vector2d at = camera_.project(spot.position);
     const Ray ray = camera_.ray(at.x(), at.y());
-    const auto hit = pickGarment(*scene(), ray);
+    const auto hit = pickGarment(*scene(), ray, places());
     return hit && hit->distance < (spot.position - ray.origin).norm() - kBefore;
 }
 
@@ -113,7 +113,7 @@ void GarmentView::resetHome() {
 void GarmentView::zoom(const QPointF& at, double factor) {
     resetHome();
     const Ray ray = camera_.ray(at.x(), at.y());
-    const auto hit = scene() && morph_ == 0 ? pickGarment(*scene(), ray) : std::nullopt;
+    const auto hit = scene() && morph_ == 0 ? pickGarment(*scene(), ray, places()) : std::nullopt;
     if (hit && factor > 1 && !camera_.isOrthographic()) {
         // Nearer, the cloth would be cut away before the eye: see Camera3D::projection.
         const double nearest = kNearestCloth * scene()->box.diagonal().norm();
@@ -142,7 +142,7 @@ std::optional<SurfaceHit> GarmentView::hitAt(const QPointF& at) const {
         return std::nullopt;
     }
     return morph_ == 1 ? pickPattern(*scene(), places(), onStandingSheet(at))
-                       : pickGarment(*scene(), camera_.ray(at.x(), at.y()));
+                       : pickGarment(*scene(), camera_.ray(at.x(), at.y()), places());
 }
 
 std::optional<SeamHit> GarmentView::seamHitAt(const QPointF& at, double pixels,
@@ -161,11 +161,11 @@ std::optional<SeamHit> GarmentView::seamHitAt(const QPointF& at, double pixels,
         (camera_.pointAtTargetDepth(at.x(), at.y()) - ray.origin).dot(ray.direction);
     const double slope = radius / toTarget;
     // What the cloth under the pointer hides does not count; what lies on it does.
-    const auto hit = pickGarment(*scene(), ray);
+    const auto hit = pickGarment(*scene(), ray, places());
     const double farthest = !hit || document_.view().xray
                                 ? std::numeric_limits<double>::infinity()
                                 : hit->distance + kHiddenBehind * slope * hit->distance;
-    return pickGarmentSeam(*scene(), ray, slope, farthest, counts);
+    return pickGarmentSeam(*scene(), ray, slope, farthest, counts, places());
 }
 
 const GarmentView::Motions& GarmentView::motions() const {

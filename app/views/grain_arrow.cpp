@@ -10,6 +10,7 @@
 
 #include "app/document/document.h"
 #include "app/document/layout.h"
+#include "app/document/piece_edits.h"
 #include "app/render/picking.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
@@ -80,6 +81,9 @@ void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMa
                       const Document& document, bool strong) {
     painter.save();
     for (int piece = 0; piece < document.pieceCount(); ++piece) {
+        if (isHidden(document, piece)) {
+            continue;
+        }
         const double scale = onScreen.pixelsPerMillimetre();
         const auto arrow = grainArrow(document, piece, scale);
         if (!arrow) {

@@ -30,7 +30,7 @@ void OldOutlines::follow(const Document& document, const SheetPlaces& sheet) {
     outlines_.clear();
     for (int i = 0; i < document.pieceCount(); ++i) {
         const PieceResult* result = document.result(i);
-        if (!result || !result->flat) {
+        if (!result || !result->flat || placeOf(sheet, i).hidden) {
             continue;
         }
         const Placement& placement = placeOf(sheet, i).placement;
@@ -75,7 +75,8 @@ void OldOutlines::paint(QPainter& painter, const RenderStyle& style, const Sheet
         painter.setPen(style.faintText);
         painter.drawText(
             line.boundingRect(), Qt::AlignCenter,
-            OutlineWords::tr("%1\nout of date").arg(QString::fromStdString(outline->piece->name)));
+            OutlineWords::tr("%1\nout of date")
+                .arg(QString::fromStdString(nameOf(document.state().labels, *outline->piece))));
     }
 }
 

@@ -54,7 +54,7 @@ void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& 
     std::vector<NamedPiece> pieces;
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         const PieceScene& piece = scene.pieces[i];
-        if (!piece.flat) {
+        if (!piece.flat || placeOf(text.places, static_cast<int>(i)).hidden) {
             continue;
         }
         const Placement& placement = placeOf(text.places, static_cast<int>(i)).placement;

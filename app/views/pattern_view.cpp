@@ -52,11 +52,12 @@ void PatternView::setCameraViewport(double width, double height) {
 }
 
 void PatternView::framePieces(const std::set<int>& pieces) {
+    const std::set<int> seen = seenOf(pieces, places());
     Eigen::AlignedBox2d others;
-    for (const int piece : pieces) {
+    for (const int piece : seen) {
         others.extend(others_.boxOf(piece));
     }
-    framePattern(camera_, *scene(), places(), pieces, document_.view().rulers, others);
+    framePattern(camera_, *scene(), places(), seen, document_.view().rulers, others);
 }
 
 bool PatternView::frameLines(const SeamScene& seam) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/document/document.h"
+#include "app/document/names.h"
 #include "app/render/render_style.h"
 #include "app/text/error_text.h"
 #include "app/views/tool.h"
@@ -31,7 +32,9 @@ const Error* troubleOf(const Document& document, int piece) {
         return nullptr;
     }
     if (result && result->error) {
-        return result->error->code == ErrorCode::Cancelled ? nullptr : &*result->error;
+        const ErrorCode code = result->error->code;
+        return code == ErrorCode::Cancelled || code == ErrorCode::LeftOut ? nullptr
+                                                                          : &*result->error;
     }
     const auto& defect = document.garment()->pieces[static_cast<std::size_t>(piece)]->defect;
     return defect ? &*defect : nullptr;
@@ -63,13 +66,20 @@ void PiecePlaces::follow(const Document& document, const SheetPlaces& sheet) {
     if (!isSame) {
         garment_ = document.garment();
         results_ = document.results();
-        places_.clear();
+        all_.clear();
         for (int piece = 0; piece < document.pieceCount() && !results_.empty(); ++piece) {
             if (const Error* trouble = troubleOf(document, piece)) {
                 const Piece& of = *garment_->pieces[static_cast<std::size_t>(piece)];
-                places_.push_back({piece, std::max(1.0, std::sqrt(areaOf(of.mesh))),
-                                   QString::fromStdString(of.name), wordsOf(*trouble, of)});
+                all_.push_back(
+                    {piece, std::max(1.0, std::sqrt(areaOf(of.mesh))), {}, wordsOf(*trouble, of)});
             }
+        }
+    }
+    places_.clear();
+    for (const Place& place : all_) {
+        if (!placeOf(sheet, place.piece).hidden) {
+            places_.push_back(place);
+            places_.back().name = pieceName(document, place.piece);
         }
     }
     if (places_.empty() || !document.scene()) {

@@ -56,7 +56,8 @@ private:
 
     std::shared_ptr<const Garment> garment_;
     PieceResults results_;
-    std::vector<Place> places_;
+    std::vector<Place> all_;     ///< without names and boxes
+    std::vector<Place> places_;  ///< that are seen
     std::map<int, QString> buttons_;
 };
 

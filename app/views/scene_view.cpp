@@ -2,6 +2,7 @@
 #include "app/views/scene_view.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QPainter>
@@ -368,6 +369,16 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
         } else {
             tool.click(*this, pointer);
         }
+    } else if (press == Press::Camera && !dragged && event->button() == Qt::RightButton &&
+               scene()) {
+        emit menuWanted(event->position(), true);
+    }
+}
+
+void SceneView::contextMenuEvent(QContextMenuEvent* event) {
+    event->accept();
+    if (event->reason() != QContextMenuEvent::Mouse) {  // that button may begin a drag: see above
+        emit menuWanted(rect().center(), false);
     }
 }
 

@@ -62,6 +62,9 @@ public:
     void setNavigation(Navigation navigation) { navigation_ = navigation; }
 
 signals:
+    /// What can be done is to be shown: the right button was clicked there and has moved nothing,
+    /// or a key asks for it and what is selected is meant.
+    void menuWanted(const QPointF& at, bool pointed);
     /// The pointer has come into the view.
     void entered();
     /// What of the cloth the pointer is on; none: nothing, or it has left.
@@ -100,6 +103,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;

@@ -98,7 +98,8 @@ void PicturePainter::drawGarment(QPainter& picture, const QRect& part) {
         camera.setDirection(options_.direction->yaw, options_.direction->pitch);
     }
     if (document_.pieceCount() > 0) {
-        frameGarment(camera, *document_.scene(), places_, document_.everyPiece(), options_.morph);
+        frameGarment(camera, *document_.scene(), places_, seenOf(document_.everyPiece(), places_),
+                     options_.morph);
     }
     const Morph morph = morphBefore(camera, document_.scene().get(), options_.morph);
     drawScene<GarmentRenderer>(picture, part, [&](GarmentRenderer& renderer) {
@@ -114,7 +115,7 @@ void PicturePainter::drawPattern(QPainter& picture, const QRect& part) {
     Camera2D camera;
     camera.setViewport(part.width(), part.height());
     if (document_.pieceCount() > 0) {
-        framePattern(camera, *document_.scene(), places_, document_.everyPiece(),
+        framePattern(camera, *document_.scene(), places_, seenOf(document_.everyPiece(), places_),
                      document_.view().rulers);
     }
     drawScene<PatternRenderer>(picture, part, [&](PatternRenderer& renderer) {

@@ -119,6 +119,7 @@ constexpr Words kWords[] = {
      TR("Allow it to stray less, take straight lines and typed intakes back, or refine the mesh "
         "along it"),
      true},
+    {LeftOut, "left-out", TR("the piece is left out of the pattern"), "", true},
     {ClosedSurface, "closed-surface", TR("the piece is closed and has no outline"),
      TR("Cut it open along a seam, or let Toile do it"), false, "--auto-cut"},
     {SeveralLoops, "several-loops", TR("the piece has several boundary loops"),

@@ -59,6 +59,7 @@ enum class ErrorCode {
     EndedEarly,
     RimsNotKept,
     LineNotDrawn,
+    LeftOut,
     // Pieces
     ClosedSurface,
     SeveralLoops,

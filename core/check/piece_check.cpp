@@ -103,7 +103,7 @@ void checkStrain(const PieceToCut& checked, FindingList& found) {
 
 void checkPiece(const PieceToCut& piece, FindingList& found) {
     const PieceResult& result = piece.result;
-    if (result.error && result.error->code != ErrorCode::Cancelled) {
+    if (result.error && result.error->code != ErrorCode::Cancelled && !isLeftOut(result)) {
         Finding finding = findingOf(piece, FindingKind::NotFlat, Severity::Fault);
         finding.error = result.error;
         if (result.error->code == ErrorCode::SeveralLoops) {

@@ -14,10 +14,10 @@
 namespace toile {
 namespace {
 
-/// False for errors that the same piece need not have another time.
+/// False for errors that the same piece need not have another time, and where nothing was tried.
 bool isLasting(const PieceResult& result) {
     return !result.error || (result.error->code != ErrorCode::Cancelled &&
-                             result.error->code != ErrorCode::OutOfMemory);
+                             result.error->code != ErrorCode::OutOfMemory && !isLeftOut(result));
 }
 
 /// True where a result is of these options and lengths.

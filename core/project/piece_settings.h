@@ -41,6 +41,8 @@ struct PieceSettings : Cutting {
     /// The piece that this one and others were cut from, as long as none of them has been laid out:
     /// all have its placement. None where no piece was divided.
     PieceId partOf{};
+    bool hidden = false;   ///< on the screen alone: in files and figures it is as all others
+    bool leftOut = false;  ///< not part of the pattern: neither flat nor in files and figures
 
     bool operator==(const PieceSettings&) const = default;
 };

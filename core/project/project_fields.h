@@ -241,6 +241,13 @@ inline constexpr auto kPiece = [](auto& at, auto& piece) {
     }
     at.text("material", settings.material);
     at.id("partOf", settings.partOf);
+    for (const auto& [name, said] :
+         {std::pair<const char*, decltype(&settings.hidden)>{"hidden", &settings.hidden},
+          {"leftOut", &settings.leftOut}}) {
+        if (at.kReads || *said) {
+            at.field(name, *said);
+        }
+    }
     if (at.kReads || !settings.anchors.empty()) {
         at.list("anchors", settings.anchors, kAnchor);
     }

@@ -32,4 +32,5 @@ void main() {
     pieceFlags = int(entry.a + 0.5);
     gl_Position =
         viewProjection * vec4(morphedPoint(piece, pieceFlags, position, flatPoint), 1.0);
+    gl_Position = unlessHidden(piece, gl_Position);
 }

@@ -4,6 +4,7 @@ layout(location = 0) in vec3 position;
 layout(location = 3) in vec3 along;   // direction of the larger stretch, unit
 layout(location = 4) in vec3 across;  // of the smaller
 layout(location = 5) in vec2 strain;  // of either, percent
+layout(location = 6) in float piece;
 
 uniform mat4 viewProjection;
 uniform float halfLength;  // mm, of a stroke at the end of the colour bar
@@ -15,7 +16,7 @@ flat out vec2 crossStrain;
 vec4 onScreen(vec3 point) {
     vec4 at = viewProjection * vec4(point, 1.0);
     at.z -= depthShift;
-    return at;
+    return unlessHidden(piece, at);
 }
 
 void main() {

@@ -18,4 +18,5 @@ void main() {
     gl_Position =
         viewProjection * vec4(morphedPoint(piece, lineFlags, position, flatPoint), 1.0);
     gl_Position.z -= depthShift;
+    gl_Position = unlessHidden(piece, gl_Position);
 }

@@ -27,4 +27,5 @@ void main() {
     pieceColour = entry.rgb;
     pieceFlags = int(entry.a + 0.5);
     gl_Position = viewProjection * vec4(placed(piece, flatPoint), 0.0, 1.0);
+    gl_Position = unlessHidden(piece, gl_Position);
 }

@@ -12,7 +12,7 @@ out vec4 alongFrom, alongTo, acrossFrom, acrossTo;
 flat out vec2 crossStrain;
 
 vec4 onScreen(vec2 point) {
-    return viewProjection * vec4(placed(piece, point), 0.0, 1.0);
+    return unlessHidden(piece, viewProjection * vec4(placed(piece, point), 0.0, 1.0));
 }
 
 void main() {

@@ -15,4 +15,5 @@ void main() {
     lineTint = int(floor(tint + 0.5));
     lineAlong = along;
     gl_Position = viewProjection * vec4(placed(piece, flatPoint), 0.0, 1.0);
+    gl_Position = unlessHidden(piece, gl_Position);
 }

@@ -16,6 +16,14 @@ vec4 pieceColourAndFlags(float piece) {
     return pieceTexel(piece, 0);
 }
 
+const int kPieceHidden = 4;
+
+// Where a point of a piece is drawn: before the eye where the piece is hidden, so that it is not.
+vec4 unlessHidden(float piece, vec4 clipped) {
+    int flags = int(pieceColourAndFlags(piece).a + 0.5);
+    return (flags & kPieceHidden) != 0 ? vec4(0.0, 0.0, -2.0, 1.0) : clipped;
+}
+
 // A point of the flat piece at the piece's place on the sheet.
 vec2 placed(float piece, vec2 flatPoint) {
     vec4 columns = pieceTexel(piece, 1);

@@ -2259,6 +2259,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>the piece is a tube with %1 openings, and lies flat only when it is cut open</source>
         <translation>das Schnittteil ist ein Schlauch mit %1 Öffnungen und liegt erst flach, wenn es aufgeschnitten ist</translation>
     </message>
+    <message>
+        <source>the piece is left out of the pattern</source>
+        <translation>das Schnittteil ist aus dem Schnitt ausgenommen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -4413,6 +4417,138 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Divided %1, %2 of %3 pieces can lie flat; %4 it would be %5 of %6.</source>
         <translation>%1 geteilt, können %2 von %3 Teilen flach liegen; %4 wären es %5 von %6.</translation>
     </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Type what the selected piece is called, on the screen and in files</source>
+        <translation>Eingeben, wie das ausgewählte Schnittteil heißt, am Bildschirm und in Dateien</translation>
+    </message>
+    <message>
+        <source>&amp;Quantity…</source>
+        <translation>An&amp;zahl…</translation>
+    </message>
+    <message>
+        <source>Type how many of the selected pieces are cut</source>
+        <translation>Eingeben, wie oft die ausgewählten Schnittteile zugeschnitten werden</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>Aus&amp;blenden</translation>
+    </message>
+    <message>
+        <source>Draw the selected pieces in neither view; files and checks have them nevertheless</source>
+        <translation>Die ausgewählten Schnittteile in keiner Ansicht zeichnen; Dateien und Prüfungen enthalten sie trotzdem</translation>
+    </message>
+    <message>
+        <source>Show &amp;only these</source>
+        <translation>&amp;Nur diese zeigen</translation>
+    </message>
+    <message>
+        <source>Hide all pieces but the selected ones; files and checks have them nevertheless</source>
+        <translation>Alle Schnittteile außer den ausgewählten ausblenden; Dateien und Prüfungen enthalten sie trotzdem</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>&amp;Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Draw the hidden pieces again</source>
+        <translation>Die ausgeblendeten Schnittteile wieder zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Export only these…</source>
+        <translation>Nur diese &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the selected pieces alone to a file</source>
+        <translation>Nur die ausgewählten Schnittteile in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Leave out</source>
+        <translation>Aus&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Take the selected pieces out of the pattern, as buttons and zips are: they are not flattened, and in no file, check or figure</source>
+        <translation>Die ausgewählten Schnittteile aus dem Schnitt nehmen, wie Knöpfe und Reißverschlüsse: Sie werden nicht abgewickelt und stehen in keiner Datei, Prüfung oder Zahl</translation>
+    </message>
+    <message>
+        <source>&amp;Take in</source>
+        <translation>&amp;Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Put the selected pieces that are left out back into the pattern</source>
+        <translation>Die ausgewählten Schnittteile, die ausgenommen sind, wieder in den Schnitt aufnehmen</translation>
+    </message>
+    <message>
+        <source>Leave out &amp;small pieces…</source>
+        <translation>&amp;Kleine Schnittteile ausnehmen…</translation>
+    </message>
+    <message>
+        <source>Leave out all pieces below an area that you type</source>
+        <translation>Alle Schnittteile unter einer Fläche ausnehmen, die Sie eingeben</translation>
+    </message>
+    <message>
+        <source>&amp;Join at this seam</source>
+        <translation>An dieser Naht &amp;verbinden</translation>
+    </message>
+    <message>
+        <source>Join the cloth on both sides of the selected seam; a cut of yours is taken back</source>
+        <translation>Den Stoff auf beiden Seiten der ausgewählten Naht verbinden; ein Schnitt von Ihnen wird zurückgenommen</translation>
+    </message>
+    <message>
+        <source>Right click, menu key, Shift+F10</source>
+        <translation>Rechtsklick, Menütaste, Umschalt+F10</translation>
+    </message>
+    <message>
+        <source>Show what can be done with the piece, the seam or the selection</source>
+        <translation>Zeigen, was mit dem Schnittteil, der Naht oder der Auswahl getan werden kann</translation>
+    </message>
+    <message>
+        <source>Show what can be done with the piece or the seam</source>
+        <translation>Zeigen, was mit dem Schnittteil oder der Naht getan werden kann</translation>
+    </message>
+    <message>
+        <source>Double click on a name, F2</source>
+        <translation>Doppelklick auf einen Namen, F2</translation>
+    </message>
+    <message>
+        <source>Call the piece otherwise</source>
+        <translation>Das Schnittteil anders nennen</translation>
+    </message>
+    <message>
+        <source>&amp;Piece</source>
+        <translation>&amp;Schnittteil</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>S&amp;piegeln</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Show only %1</source>
+        <translation>Nur %1 zeigen</translation>
+    </message>
+    <message>
+        <source>Show all pieces</source>
+        <translation>Alle Schnittteile zeigen</translation>
+    </message>
+    <message>
+        <source>Leave out %1</source>
+        <translation>%1 ausnehmen</translation>
+    </message>
+    <message>
+        <source>Take in %1</source>
+        <translation>%1 aufnehmen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -4809,6 +4945,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>%1 was joined: Delete brings the seam back</source>
         <translation>%1 wurde verbunden: Entf bringt die Naht zurück</translation>
     </message>
+    <message>
+        <source>&amp;Take back</source>
+        <translation>&amp;Zurücknehmen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::DartForm</name>
@@ -5011,6 +5151,22 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Beginning of the file</source>
         <translation>Anfang der Datei</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>Which pieces are written</source>
+        <translation>Welche Schnittteile geschrieben werden</translation>
+    </message>
+    <message>
+        <source>All pieces</source>
+        <translation>Alle Schnittteile</translation>
+    </message>
+    <message>
+        <source>Selected pieces (%1)</source>
+        <translation>Ausgewählte Schnittteile (%1)</translation>
     </message>
 </context>
 <context>
@@ -5418,6 +5574,37 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Date on labels</source>
         <translation>Datum auf den Schnittteilen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::LeaveOutDialog</name>
+    <message>
+        <source>Leave out small pieces</source>
+        <translation>Kleine Schnittteile ausnehmen</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source> cm²</source>
+        <translation> cm²</translation>
+    </message>
+    <message>
+        <source>Pieces &amp;below</source>
+        <translation>Schnittteile &amp;unter</translation>
+    </message>
+    <message>
+        <source>&amp;Leave out</source>
+        <translation>Aus&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>No piece is smaller.</source>
+        <translation>Kein Schnittteil ist kleiner.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pieces: %3</source>
+        <translation>%1 von %2 Schnittteilen: %3</translation>
     </message>
 </context>
 <context>
@@ -5903,10 +6090,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Zur Referenz, größter %1</translation>
     </message>
     <message>
-        <source>How many are cut. Double-click or F2 to change it, of all selected pieces at once</source>
-        <translation>Wie viele geschnitten werden. Doppelklick oder F2 ändert es, für alle ausgewählten Schnittteile zugleich</translation>
-    </message>
-    <message>
         <source>Each is also cut mirrored: left and right. Click or press Space to change it</source>
         <translation>Jedes wird auch gespiegelt geschnitten: links und rechts. Klick oder Leertaste ändert es</translation>
     </message>
@@ -5977,6 +6160,22 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Distance from the reference panel in the file, or from the reference pattern: the largest</source>
         <translation>Abstand vom Referenzteil der Datei oder vom Referenzschnitt: der größte</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Ausgenommen</translation>
+    </message>
+    <message>
+        <source>Flat, hidden</source>
+        <translation>Flach, ausgeblendet</translation>
+    </message>
+    <message>
+        <source>%1. Double-click or F2 to call it otherwise</source>
+        <translation>%1. Doppelklick oder F2, um es anders zu nennen</translation>
+    </message>
+    <message>
+        <source>How many are cut. Double-click to change it, of all selected pieces at once</source>
+        <translation>Wie oft es zugeschnitten wird. Doppelklick ändert es, bei allen ausgewählten Schnittteilen zugleich</translation>
     </message>
 </context>
 <context>
@@ -6138,13 +6337,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>No flat piece selected</source>
         <translation>Kein flaches Schnittteil ausgewählt</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces</source>
-        <translation>
-            <numerusform>%n Schnittteil</numerusform>
-            <numerusform>%n Schnittteile</numerusform>
-        </translation>
     </message>
     <message>
         <source>grain not set</source>

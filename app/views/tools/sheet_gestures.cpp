@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/document/piece_edits.h"
 #include "app/render/pattern_renderer.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
@@ -86,6 +87,9 @@ void BoxGesture::drag(ToolView& view, const Pointer& pointer) {
     box.extend(to_);
     Document::Selection selection = adds_ ? before_ : Document::Selection{};
     for (const int piece : allFlat(document_)) {
+        if (isHidden(document_, piece)) {
+            continue;
+        }
         if (box.intersects(boxOnSheet(document_, piece)) &&
             touches(box, onSheet(document_, piece, cutOutline(document_, piece)))) {
             selection.insert(piece);

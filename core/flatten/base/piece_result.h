@@ -38,8 +38,16 @@ inline const PieceResult& exactOf(const PieceResult& result) {
     return result.exact ? *result.exact : result;
 }
 
-/// "flat", "flipped" (flat, but triangles are flipped) or "failed": the report's words.
+/// Whether a person does not want the piece in the pattern: not flat, and no failure.
+inline bool isLeftOut(const PieceResult& result) {
+    return result.error && result.error->code == ErrorCode::LeftOut;
+}
+
+/// "flat", "flipped" (flat, but triangles are flipped), "left-out" or "failed": the report's words.
 inline std::string_view statusOf(const PieceResult& result) {
+    if (isLeftOut(result)) {
+        return "left-out";
+    }
     const bool flipped = result.quality && result.quality->flippedTriangles > 0;
     return !result.flat ? "failed" : flipped ? "flipped" : "flat";
 }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window_context_menus.h"
+
+#include <QAbstractItemView>
+#include <QContextMenuEvent>
+#include <QCoreApplication>
+#include <QKeyEvent>
+
+#include "app/document/document.h"
+#include "app/views/feature_at.h"
+#include "app/views/garment_view.h"
+#include "app/views/pattern_view.h"
+#include "app/views/view_area.h"
+#include "app/window_menus.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr auto kPieceMenu = "pieceContext", kSeamMenu = "seamContext",
+               kGroundMenu = "groundContext";
+
+/// Selects what is under the pointer, a line before the piece that it bounds. @return its menu
+const char* selectAt(const SceneView& view, Document& document, const QPointF& at) {
+    const auto feature = document.scene() ? featureAt(view, document, at) : std::nullopt;
+    if (!feature) {
+        return kGroundMenu;
+    }
+    if (feature->kind == Feature::Kind::Seam) {
+        document.setSelection({});
+        document.setMark({});
+        document.setSeam(feature->seam);
+        return kSeamMenu;
+    }
+    if (!document.isSelected(feature->piece)) {
+        document.setSelection({feature->piece});
+    }
+    document.setSeam({});
+    document.setMark({});
+    return kPieceMenu;
+}
+
+const char* menuOfSelection(const Document& document) {
+    return !document.selection().empty() ? kPieceMenu : document.seam() ? kSeamMenu : kGroundMenu;
+}
+
+}  // namespace
+
+WindowContextMenus::WindowContextMenus(QWidget& window, Document& document,
+                                       const ActionRegistry& actions, ViewArea& views)
+    : window_(window), document_(document), actions_(actions) {
+    for (SceneView* view :
+         std::initializer_list<SceneView*>{views.garmentView(), views.patternView()}) {
+        if (view) {
+            view->installEventFilter(this);
+            connect(
+                view, &SceneView::menuWanted, this,
+                [this, view](const QPointF& at, bool pointed) { showInView(*view, at, pointed); });
+        }
+    }
+}
+
+void WindowContextMenus::serve(QAbstractItemView& list, const char* menu) {
+    list.installEventFilter(this);
+    list.setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(&list, &QWidget::customContextMenuRequested, this,
+            [this, &list, menu](const QPoint& at) { showOnRow(list, menu, at); });
+}
+
+bool WindowContextMenus::eventFilter(QObject* watched, QEvent* event) {
+    // The other key for it; not every platform makes a request of it.
+    if (event->type() == QEvent::KeyPress) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        if (key.key() == Qt::Key_F10 && key.modifiers() == Qt::ShiftModifier) {
+            auto* widget = static_cast<QWidget*>(watched);
+            const QPoint middle = widget->rect().center();
+            QContextMenuEvent asked(QContextMenuEvent::Keyboard, middle,
+                                    widget->mapToGlobal(middle));
+            QCoreApplication::sendEvent(widget, &asked);
+            return true;
+        }
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+void WindowContextMenus::showInView(SceneView& view, const QPointF& at, bool pointed) {
+    if (!document_.garment()) {
+        return;
+    }
+    const char* menu = pointed ? selectAt(view, document_, at) : menuOfSelection(document_);
+    show(menu, view.mapToGlobal(at.toPoint()));
+}
+
+void WindowContextMenus::showOnRow(QAbstractItemView& list, const char* menu, const QPoint& at) {
+    const QModelIndex under = list.indexAt(at);
+    const QModelIndex meant = under.isValid() ? under : list.currentIndex();
+    if (!meant.isValid() || !list.selectionModel()->hasSelection()) {
+        return;
+    }
+    const QPoint place = under.isValid() ? at : list.visualRect(meant).bottomLeft();
+    show(menu, list.viewport()->mapToGlobal(place));
+}
+
+void WindowContextMenus::show(const char* menu, const QPoint& onScreen) {
+    if (shown_ && shown_->isVisible()) {
+        return;  // the same key, heard of twice
+    }
+    shown_ = makeContextMenu(menu, actions_, &window_);
+    shown_->setAttribute(Qt::WA_DeleteOnClose);
+    shown_->popup(onScreen);
+}
+
+}  // namespace toile::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMenu>
+#include <QObject>
+#include <QPointer>
+
+class QAbstractItemView;
+
+namespace toile::app {
+
+class ActionRegistry;
+class Document;
+class SceneView;
+class ViewArea;
+
+/// What the right button and the menu key show: what can be done with the piece or the seam that is
+/// meant, or with the ground beside all. What is under the pointer is selected first, unless it
+/// belongs to the selection; a drag with the right button moves the camera and shows none.
+class WindowContextMenus : public QObject {
+    Q_OBJECT
+
+public:
+    /// All must outlive this.
+    WindowContextMenus(QWidget& window, Document& document, const ActionRegistry& actions,
+                       ViewArea& views);
+
+    /// Shows one of the table's menus (menu_table.h) on the rows of a list.
+    void serve(QAbstractItemView& list, const char* menu);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    /// @param pointed  at what lies under the pointer; else what is selected is meant
+    void showInView(SceneView& view, const QPointF& at, bool pointed);
+    void showOnRow(QAbstractItemView& list, const char* menu, const QPoint& at);
+    void show(const char* menu, const QPoint& onScreen);
+
+    QWidget& window_;
+    Document& document_;
+    const ActionRegistry& actions_;
+    QPointer<QMenu> shown_;
+};
+
+}  // namespace toile::app

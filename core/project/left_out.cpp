@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/left_out.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/mesh/mesh_arrays.h"
+
+namespace toile {
+
+PieceResults withoutLeftOut(PieceResults results, const Garment& garment,
+                            const std::vector<PieceSettings>& settings) {
+    for (std::size_t i = 0; i < std::min(results.size(), settings.size()); ++i) {
+        const bool isOut = results[i] && isLeftOut(*results[i]);
+        if (!settings[i].leftOut && isOut) {
+            results[i] = nullptr;
+        } else if (settings[i].leftOut && results[i] && !isOut) {
+            auto out = std::make_shared<PieceResult>();
+            out->piece = garment.pieces[i];
+            out->options = results[i]->options;
+            out->targets = results[i]->targets;
+            out->error = Error{ErrorCode::LeftOut, subjectOf(*garment.pieces[i])};
+            results[i] = std::move(out);
+        }
+    }
+    return results;
+}
+
+double wornArea(const Piece& piece) {
+    double doubled = 0;
+    for (Eigen::Index f = 0; f < piece.mesh.F.rows(); ++f) {
+        doubled += doubleAreaNormal(piece.mesh, f).norm();
+    }
+    return doubled / 2;
+}
+
+}  // namespace toile
