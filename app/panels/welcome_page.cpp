@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kColumnWidth = 620;
 constexpr int kRecentShown = 6;
-constexpr int kPad = 10, kGap = 12;
+constexpr int kPad = 10, kRowGap = 12;
 constexpr QSize kSamplePicture(96, 96);
 constexpr const char* kFaint = "faintText";
 
@@ -96,11 +96,11 @@ void RecentFileButton::paintEvent(QPaintEvent*) {
     const QColor faint = palette().color(QPalette::PlaceholderText);
     painter.setPen(faint);
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, date_);
-    row.setRight(row.right() - fontMetrics().horizontalAdvance(date_) - kGap);
+    row.setRight(row.right() - fontMetrics().horizontalAdvance(date_) - kRowGap);
     const QString name = fontMetrics().elidedText(text(), Qt::ElideMiddle, row.width());
     painter.setPen(ink);
     painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, name);
-    row.setLeft(row.left() + fontMetrics().horizontalAdvance(name) + kGap);
+    row.setLeft(row.left() + fontMetrics().horizontalAdvance(name) + kRowGap);
     painter.setPen(faint);
     painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(folder_, Qt::ElideMiddle, row.width()));
