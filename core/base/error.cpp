@@ -201,6 +201,10 @@ std::string_view advice(ErrorCode code) {
     return wordsOf(code).advice;
 }
 
+std::string_view commandLineOption(ErrorCode code) {
+    return wordsOf(code).option;
+}
+
 bool isNote(ErrorCode code) {
     return wordsOf(code).note;
 }

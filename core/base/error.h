@@ -137,6 +137,8 @@ std::string_view describe(ErrorCode code);
 /// What the user can do about it, as a sentence without a full stop; empty where nothing is needed.
 /// In words for the window and the command line alike.
 std::string_view advice(ErrorCode code);
+/// What is typed on the command line for it: "--auto-cut"; empty where there is nothing.
+std::string_view commandLineOption(ErrorCode code);
 /// True where the code only informs: the data was taken in and work goes on.
 bool isNote(ErrorCode code);
 /// Characters of name and `detail` that a sentence shows: a path, and a list of particulars.

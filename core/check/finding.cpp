@@ -145,6 +145,10 @@ std::string sentence(const Finding& finding) {
         help.front() = lowered(help.front());
         text += "; " + help;
     }
+    const auto option = finding.error ? commandLineOption(finding.error->code) : std::string_view();
+    if (!option.empty()) {
+        text += " (" + std::string(option) + ")";
+    }
     return text + ".";
 }
 

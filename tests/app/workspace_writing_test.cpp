@@ -86,7 +86,7 @@ private slots:
         QFETCH(QString, name);
         const std::filesystem::path target = file(qPrintable(name));
         QVERIFY(writeFile(target, "as it was"));
-        const auto job = exportJob(document(), target, {}, [](const auto&) {});
+        const auto job = exportJob(document(), target, {}, {}, [](const auto&) {});
         Progress progress;
         progress.cancel();
         const auto outcome = job->process(progress);

@@ -11,6 +11,7 @@ namespace {
 TEST(CheckWriter, EveryFindingIsThereWithPieceFiguresAndPlace) {
     CutPlan plan = test::readyPlan();
     plan.settings[1].grain.reset();
+    plan.fabric.id = "custom";  // limits that a person has typed
     auto stretched = test::copyOfResult(plan, 0);
     stretched->flat->Q.col(1) /= 1.2;
     plan.results[0] = stretched;

@@ -53,6 +53,8 @@ TEST(LeftOut, TakenInAgainItIsAsItWas) {
 TEST(LeftOut, ProjectsKeepWhatIsLeftOutAndWhatIsHidden) {
     const test::TemporaryFolder folder;
     Project project;
+    project.files.resize(1);
+    project.files[0].path = folder.write("dress.obj", "mesh");
     test::said(project, "front").hidden = true;
     test::said(project, "button").leftOut = true;
     const auto file = folder.path() / "garment.toile";
