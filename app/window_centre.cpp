@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window_centre.h"
 
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -21,6 +22,7 @@
 #include "app/widgets/banner.h"
 #include "app/widgets/busy_sheet.h"
 #include "app/widgets/garment_card.h"
+#include "app/widgets/scrolled.h"
 #include "app/window_busy.h"
 
 namespace toile::app {
@@ -88,7 +90,7 @@ WindowCentre::WindowCentre(Workspace& workspace, const ActionRegistry& actions, 
     auto* welcome = new WelcomePage(preferences, pages_);
     connect(welcome, &WelcomePage::openWanted, &actions[ActionId::Open], &QAction::trigger);
     connect(welcome, &WelcomePage::filesWanted, this, &WindowCentre::filesWanted);
-    pages_->addWidget(welcome);
+    pages_->addWidget(scrolledColumn(*welcome, pages_));
     pages_->addWidget(makeWork(actions));
     pages_->addWidget(&busy_->page());
     connect(busy_, &WindowBusy::changed, this, &WindowCentre::showPage);

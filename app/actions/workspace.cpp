@@ -181,7 +181,8 @@ void Workspace::onChanged(DocumentChanges what) {
     }
     constexpr DocumentChanges kWork = DocumentChange::Opened | DocumentChange::Garment |
                                       DocumentChange::Seams | DocumentChange::Options |
-                                      DocumentChange::Loading | DocumentChange::Results;
+                                      DocumentChange::Loading | DocumentChange::Results |
+                                      DocumentChange::Settings;  // what is left out
     if (what & kWork) {
         follow();
     }

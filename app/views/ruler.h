@@ -49,8 +49,8 @@ void paintRulers(QPainter& painter, const RenderStyle& style, const QRect& view,
                  const SheetMap& onScreen, const Eigen::AlignedBox2d& visible,
                  double pixelsPerMillimetre, const Eigen::AlignedBox2d& marked);
 
-/// Room for what is written around the pattern: rulers, caption, scale bar and the overlay's legend,
-/// whether that is there or not: nothing moves when it comes.
+/// Room for what is written around the pattern: rulers, caption, scale bar and the overlay's
+/// legend, whether that is there or not: nothing moves when it comes.
 Camera2D::Margins patternMargins(bool rulers);
 
 /// Brings pieces into sight, in the view and in pictures of it. The camera's viewport is set

@@ -52,7 +52,7 @@ SceneView::SceneView(Document& document, ToolChoice& tools, std::unique_ptr<Scen
       hover_(document, *this),
       renderer_(std::move(renderer)) {
     setFormat(sceneSurfaceFormat());
-    setMinimumSize(220, 180);
+    setMinimumSize(220, 150);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     connect(&document_, &Document::changed, this, &SceneView::onChanged);

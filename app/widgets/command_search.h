@@ -30,7 +30,8 @@ struct FoundCommand {
 /// The commands that fit what was typed, best first, those that cannot be run now last. Every word
 /// has to fit the text (letters in order), or begin a word of its place or its tip. Words and
 /// beginnings of words of the text come first, then those of the place, letters together, words of
-/// the tip, scattered letters. While nothing is typed: those that are listed unasked, in their order.
+/// the tip, scattered letters. While nothing is typed: those that are listed unasked, in their
+/// order.
 std::vector<FoundCommand> searchCommands(const std::vector<Command>& commands,
                                          const QString& typed);
 

@@ -71,6 +71,14 @@
         <source>all of the cloth is within the tightest limit</source>
         <translation>aller Stoff bleibt in der engsten Grenze</translation>
     </message>
+    <message>
+        <source>%1 beyond the fabric (hatched)</source>
+        <translation>%1 mehr, als der Stoff hergibt (schraffiert)</translation>
+    </message>
+    <message>
+        <source>all within the fabric</source>
+        <translation>alles innerhalb des Stoffs</translation>
+    </message>
 </context>
 <context>
     <name>ExportJob</name>
@@ -322,6 +330,14 @@ veraltet</translation>
     <message>
         <source>worn against flat: orange must stretch, blue has surplus</source>
         <translation>getragen gegen flach: Orange muss sich dehnen, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>Surface normals</source>
+        <translation>Flächennormalen</translation>
+    </message>
+    <message>
+        <source>where the worn cloth faces: one colour for each direction</source>
+        <translation>wohin der getragene Stoff weist: eine Farbe für jede Richtung</translation>
     </message>
 </context>
 <context>
@@ -587,14 +603,6 @@ veraltet</translation>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>More</source>
-        <translation>Mehr</translation>
-    </message>
-    <message>
-        <source>More overlays</source>
-        <translation>Weitere Überlagerungen</translation>
     </message>
 </context>
 <context>
@@ -4549,6 +4557,26 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Take in %1</source>
         <translation>%1 aufnehmen</translation>
     </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Surface &amp;normals</source>
+        <translation>Flächen&amp;normalen</translation>
+    </message>
+    <message>
+        <source>Where the worn cloth faces, one colour for each direction</source>
+        <translation>Wohin der getragene Stoff weist, eine Farbe für jede Richtung</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Material</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -4738,6 +4766,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::BusySheet</name>
@@ -4781,6 +4813,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Not possible now: %1</source>
         <translation>Jetzt nicht möglich: %1</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Gefundene Befehle</translation>
     </message>
 </context>
 <context>
@@ -5454,6 +5490,13 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
+    <name>toile::app::GarmentView</name>
+    <message>
+        <source>Garment</source>
+        <translation>Kleidungsstück</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::GrainTool</name>
     <message>
         <source>Grain</source>
@@ -5947,6 +5990,17 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
+    <name>toile::app::OverlayButtons</name>
+    <message>
+        <source>What is painted on the cloth, in both views</source>
+        <translation>Was auf den Stoff gemalt wird, in beiden Ansichten</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Überlagerung</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::PathTool</name>
     <message>
         <source>another piece: a cut stays on one</source>
@@ -5974,6 +6028,13 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1 takes nothing to print. See whether it is switched on, or print a PDF file from another program.</source>
         <translation>%1 nimmt nichts zum Drucken an. Nachsehen, ob er eingeschaltet ist, oder eine PDF-Datei aus einem anderen Programm drucken.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::PatternView</name>
+    <message>
+        <source>Pattern</source>
+        <translation>Schnittmuster</translation>
     </message>
 </context>
 <context>
@@ -6263,6 +6324,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Pieces to cut</source>
         <translation>Zu schneiden</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Schnittteile</translation>
     </message>
 </context>
 <context>
@@ -7581,6 +7646,18 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
     <message>
         <source>No reference pattern</source>
         <translation>Kein Referenzschnitt</translation>
+    </message>
+    <message>
+        <source>dart</source>
+        <translation>Abnäher</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Schnitt</translation>
     </message>
 </context>
 </TS>

@@ -14,6 +14,7 @@
 #include "app/compare/compared_column.h"
 #include "app/compare/figure_table.h"
 #include "app/render/scene.h"
+#include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/views/colour_bar.h"
 #include "core/pipeline/pipeline.h"
@@ -366,7 +367,7 @@ private slots:
         for (int i = 0; i < 4; ++i) {
             QVERIFY(entry(i).made.result->error);
             QCOMPARE(label(qPrintable(QString("compareMessage%1").arg(i))).text(),
-                     QString::fromStdString(sentence(*entry(i).made.result->error)));
+                     errorText(*entry(i).made.result->error));
             QVERIFY(!picture(i).isVisible());
             QCOMPARE(cell("Mean strain, %", i), QString(QChar(0x2013)));
         }

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QTreeView>
 
@@ -73,7 +74,10 @@ private:
         QVERIFY(editor);
         editor->selectAll();
         QTest::keyClicks(editor, name);
+        // The list takes what was typed a moment later.
+        const QPointer<QLineEdit> open(editor);
         QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(!open, test::kPatience);
     }
 
 private slots:
@@ -163,14 +167,13 @@ private slots:
         area.setValue(2);
         QVERIFY(fixture_.find<QLabel>("leaveOutCount").text().contains("button"));
         QTest::mouseClick(&fixture_.find<QPushButton>("leaveOutNow"), Qt::LeftButton);
-        QVERIFY(fixture_.waitForResults());
         QVERIFY(isLeftOut(document(), 2) && !isLeftOut(document(), 1));
-        QVERIFY(document().patternPiece(1) && !document().patternPiece(2));
+        QTRY_VERIFY_WITH_TIMEOUT(document().patternPiece(1) && !document().patternPiece(2),
+                                 test::kPatience);
         QCOMPARE(cell(2, PiecesModel::Status).data().toString(), QString("Left out"));
         document().setSelection({2});
         fixture_.action(ActionId::TakeIn).trigger();
-        QVERIFY(fixture_.waitForResults());
-        QVERIFY(document().patternPiece(2));
+        QTRY_VERIFY_WITH_TIMEOUT(document().patternPiece(2), test::kPatience);
     }
 
     void onlyTheFrontIsExported() {

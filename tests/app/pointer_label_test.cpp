@@ -116,6 +116,9 @@ private slots:
         QVERIFY2(texts.size() > 1, "it is another value at another place");
         moveTo(patternView(), middle);
         QVERIFY(!label(patternView()).text().contains("limit"));  // no fabric limits areas
+        DocumentState next = document().state();
+        next.fabric = *fabricPreset("woven");
+        document().edit("Fabric", std::move(next));
         fixture_.action(ActionId::OverlayWarp).trigger();
         QVERIFY(tellsTheSame(patternView()));
         QVERIFY(label(patternView()).text().contains("Strain along warp"));

@@ -145,8 +145,10 @@ private slots:
         type("segmentFacing", "0");
         QVERIFY(isDone());
         QVERIFY(lines() == withPattern({}));
-        fixture_.action(ActionId::Undo).trigger();
-        fixture_.action(ActionId::Undo).trigger();  // one field, one step
+        QCOMPARE(steps(), 3);  // each that was taken by Enter
+        for (int k = 0; k < 3; ++k) {
+            fixture_.action(ActionId::Undo).trigger();
+        }
         QVERIFY(lines() == withPattern({}));
     }
 

@@ -148,6 +148,7 @@ public:
     void expectAllIsKept() {
         const Garment& garment = state_.garment;
         std::set<PieceId> ids;
+        std::set<std::string> names;
         std::set<int> colours;
         const std::vector<int> colourOf = coloursOf(state_.labels, garment);
         for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
@@ -165,6 +166,8 @@ public:
             if (piece.lineage.sides.empty()) {
                 EXPECT_EQ(colourOf[i], colours_.at(piece.id)) << piece.name;
             }
+            EXPECT_TRUE(names.insert(nameOf(state_.labels, piece)).second)
+                << "two are called " << nameOf(state_.labels, piece);
             const auto name = state_.names.find(piece.id);
             EXPECT_TRUE(name == state_.names.end() ? isInherited(piece)
                                                    : nameOf(state_.labels, piece) == name->second)
@@ -183,12 +186,13 @@ public:
     }
 
 private:
-    /// Its own name; or the one that the piece it was cut from was given, and what its own adds.
+    /// Its own name; or the one that the piece it was cut from was given, and a number of each cut.
     bool isInherited(const Piece& piece) const {
         const std::string& shown = nameOf(state_.labels, piece);
         for (int k = 1; k <= count_; ++k) {
             const std::string given = "name " + std::to_string(k);
-            if (shown.starts_with(given) && piece.name.ends_with(shown.substr(given.size()))) {
+            if (shown.starts_with(given) &&
+                shown.find_first_not_of(" 0123456789", given.size()) == std::string::npos) {
                 return true;
             }
         }
