@@ -116,8 +116,8 @@ std::vector<ActionId> actionsOf(Remedy remedy) {
         case Remedy::CutOpen:
             return {ActionId::AutoCut};
         case Remedy::SetUnit:
-            return {ActionId::UnitMillimetre, ActionId::UnitCentimetre, ActionId::UnitMetre,
-                    ActionId::UnitInch};
+            return {ActionId::UnitMillimetre, ActionId::UnitCentimetre, ActionId::UnitDecimetre,
+                    ActionId::UnitMetre, ActionId::UnitInch};
         case Remedy::SetUpAxis:
             return {ActionId::UpY, ActionId::UpZ};
         case Remedy::StateEase:
