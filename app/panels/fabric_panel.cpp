@@ -17,6 +17,7 @@
 #include "app/document/names.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
+#include "app/text/fabric_name.h"
 #include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
 #include "app/widgets/scrolled.h"
@@ -97,30 +98,6 @@ QLabel* makeHeading(const QString& text, QWidget* parent) {
 }
 
 }  // namespace
-
-QString fabricName(const Fabric& fabric) {
-    const std::pair<const char*, QString> names[] = {
-        {"unstated", FabricPanel::tr("not stated")},
-        {"woven", FabricPanel::tr("woven")},
-        {"denim", FabricPanel::tr("denim")},
-        {"canvas", FabricPanel::tr("canvas")},
-        {"jersey", FabricPanel::tr("jersey")},
-        {"spandex", FabricPanel::tr("spandex")},
-        {"neoprene", FabricPanel::tr("neoprene")},
-        {"leather", FabricPanel::tr("leather")},
-        {"faux-leather", FabricPanel::tr("faux leather")},
-        {"eva-foam", FabricPanel::tr("EVA foam")},
-    };
-    if (fabricPreset(fabric.id)) {
-        for (const auto& [id, name] : names) {
-            if (fabric.id == id) {
-                return name;
-            }
-        }
-        return QString::fromStdString(fabric.id);
-    }
-    return FabricPanel::tr("custom");
-}
 
 FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& work)
     : QWidget(parent),

@@ -94,7 +94,4 @@ private:
     Answerer<FabricQuestion, std::optional<FabricFit>> answerer_;
 };
 
-/// What a fabric is called within a sentence: "jersey"; "custom" for one that is no preset.
-QString fabricName(const Fabric& fabric);
-
 }  // namespace toile::app

@@ -92,6 +92,53 @@
     </message>
 </context>
 <context>
+    <name>FabricName</name>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>woven</source>
+        <translation>Webstoff</translation>
+    </message>
+    <message>
+        <source>denim</source>
+        <translation>Denim</translation>
+    </message>
+    <message>
+        <source>canvas</source>
+        <translation>Canvas</translation>
+    </message>
+    <message>
+        <source>jersey</source>
+        <translation>Jersey</translation>
+    </message>
+    <message>
+        <source>spandex</source>
+        <translation>Elastan</translation>
+    </message>
+    <message>
+        <source>neoprene</source>
+        <translation>Neopren</translation>
+    </message>
+    <message>
+        <source>leather</source>
+        <translation>Leder</translation>
+    </message>
+    <message>
+        <source>faux leather</source>
+        <translation>Kunstleder</translation>
+    </message>
+    <message>
+        <source>EVA foam</source>
+        <translation>EVA-Schaum</translation>
+    </message>
+    <message>
+        <source>custom</source>
+        <translation>eigenes</translation>
+    </message>
+</context>
+<context>
     <name>FileDialogs</name>
     <message>
         <source>Open a garment</source>
@@ -5216,30 +5263,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>woven</source>
-        <translation>Webstoff</translation>
-    </message>
-    <message>
-        <source>denim</source>
-        <translation>Denim</translation>
-    </message>
-    <message>
-        <source>jersey</source>
-        <translation>Jersey</translation>
-    </message>
-    <message>
-        <source>neoprene</source>
-        <translation>Neopren</translation>
-    </message>
-    <message>
-        <source>leather</source>
-        <translation>Leder</translation>
-    </message>
-    <message>
-        <source>custom</source>
-        <translation>eigenes</translation>
-    </message>
-    <message>
         <source>Open a garment to say what it is cut from.</source>
         <translation>Öffnen Sie ein Kleidungsstück, um zu sagen, woraus es geschnitten wird.</translation>
     </message>
@@ -5366,26 +5389,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Fabric of %1: %2</source>
         <translation>Material von %1: %2</translation>
-    </message>
-    <message>
-        <source>not stated</source>
-        <translation>nicht angegeben</translation>
-    </message>
-    <message>
-        <source>canvas</source>
-        <translation>Canvas</translation>
-    </message>
-    <message>
-        <source>spandex</source>
-        <translation>Elastan</translation>
-    </message>
-    <message>
-        <source>faux leather</source>
-        <translation>Kunstleder</translation>
-    </message>
-    <message>
-        <source>EVA foam</source>
-        <translation>EVA-Schaum</translation>
     </message>
     <message>
         <source>Fabric not stated: choose one to see where it must give more than it can.</source>

@@ -15,6 +15,7 @@
 #include "app/panels/pieces_model.h"
 #include "app/render/overlay_figures.h"
 #include "app/render/overlay_values.h"
+#include "app/text/fabric_name.h"
 #include "app/views/colour_bar.h"
 #include "app/views/overlay_watcher.h"
 #include "app/widgets/banner.h"
