@@ -10,7 +10,6 @@
 
 #include "app/base/text.h"
 #include "app/jobs/ready_checker.h"
-#include "app/main_window.h"
 #include "app/platform_choice.h"
 #include "app/render/gl_support.h"
 #include "app/settings/language.h"
@@ -18,6 +17,7 @@
 #include "app/settings/theme.h"
 #include "app/views/view_area.h"
 #include "app/widgets/banner.h"
+#include "app/window/main_window.h"
 #include "core/base/version.h"
 
 namespace toile::app {

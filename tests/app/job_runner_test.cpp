@@ -16,7 +16,7 @@
 
 #include "app/document/document.h"
 #include "app/jobs/garment_jobs.h"
-#include "app/window_status.h"
+#include "app/window/window_status.h"
 #include "core/pipeline/garment_flattener.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"

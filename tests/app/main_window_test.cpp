@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window as a person meets it: files come in and go out, jobs run, docks are kept.
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 
 #include <QDockWidget>
 #include <QDropEvent>

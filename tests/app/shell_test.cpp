@@ -33,7 +33,7 @@
 #include "app/widgets/command_palette.h"
 #include "app/widgets/command_search.h"
 #include "app/widgets/hint_label.h"
-#include "app/window_menus.h"
+#include "app/window/window_menus.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"

@@ -9,11 +9,11 @@
 
 #include "app/actions/garment_actions.h"
 #include "app/document/layout.h"
-#include "app/main_window.h"
 #include "app/views/garment_view.h"
 #include "app/views/pattern_view.h"
 #include "app/views/tools/tool_box.h"
 #include "app/views/view_area.h"
+#include "app/window/main_window.h"
 
 namespace toile::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/base/text.h"
-#include "app/main_window.h"
 #include "app/text/error_text.h"
+#include "app/window/main_window.h"
 #include "core/export/formats.h"
 #include "tests/app/support/monkey.h"
 

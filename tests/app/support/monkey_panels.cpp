@@ -15,9 +15,9 @@
 #include <QUndoView>
 #include <algorithm>
 
-#include "app/main_window.h"
 #include "app/panels/mirrored_pieces_list.h"
 #include "app/panels/preferences_dialog.h"
+#include "app/window/main_window.h"
 #include "tests/app/support/monkey.h"
 
 namespace toile::test {

@@ -8,11 +8,11 @@
 #include <memory>
 
 #include "app/actions/garment_actions.h"
-#include "app/main_window.h"
 #include "app/settings/preferences.h"
 #include "app/views/garment_view.h"
 #include "app/views/pattern_view.h"
 #include "app/views/view_area.h"
+#include "app/window/main_window.h"
 #include "tests/app/support/own_input.h"
 #include "tests/app/support/run_test.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window_menus.h"
+#include "app/window/window_menus.h"
 
 #include <QCoreApplication>
 #include <QDockWidget>
@@ -13,8 +13,8 @@
 #include "app/actions/menu_table.h"
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
-#include "app/overlay_buttons.h"
 #include "app/widgets/icon.h"
+#include "app/window/overlay_buttons.h"
 
 namespace toile::app {
 

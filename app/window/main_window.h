@@ -8,8 +8,8 @@
 #include "app/actions/action_registry.h"
 #include "app/actions/autosave.h"
 #include "app/actions/workspace.h"
-#include "app/window_centre.h"
-#include "app/window_docks.h"
+#include "app/window/window_centre.h"
+#include "app/window/window_docks.h"
 
 namespace toile::app {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -14,7 +14,6 @@
 #include "app/actions/garment_actions.h"
 #include "app/actions/project_actions.h"
 #include "app/base/text.h"
-#include "app/outdated_bar.h"
 #include "app/render/render_style.h"
 #include "app/settings/length_display.h"
 #include "app/settings/preferences.h"
@@ -25,10 +24,11 @@
 #include "app/views/view_area.h"
 #include "app/widgets/banner.h"
 #include "app/widgets/garment_card.h"
-#include "app/window_context_menus.h"
-#include "app/window_dialogs.h"
-#include "app/window_menus.h"
-#include "app/window_status.h"
+#include "app/window/outdated_bar.h"
+#include "app/window/window_context_menus.h"
+#include "app/window/window_dialogs.h"
+#include "app/window/window_menus.h"
+#include "app/window/window_status.h"
 #include "core/reading/read_pattern.h"
 
 namespace toile::app {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/outdated_bar.h"
+#include "app/window/outdated_bar.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

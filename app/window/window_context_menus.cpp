@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window_context_menus.h"
+#include "app/window/window_context_menus.h"
 
 #include <QAbstractItemView>
 #include <QContextMenuEvent>
@@ -11,7 +11,7 @@
 #include "app/views/garment_view.h"
 #include "app/views/pattern_view.h"
 #include "app/views/view_area.h"
-#include "app/window_menus.h"
+#include "app/window/window_menus.h"
 
 namespace toile::app {
 

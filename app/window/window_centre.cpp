@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window_centre.h"
+#include "app/window/window_centre.h"
 
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -23,7 +23,7 @@
 #include "app/widgets/busy_sheet.h"
 #include "app/widgets/garment_card.h"
 #include "app/widgets/scrolled.h"
-#include "app/window_busy.h"
+#include "app/window/window_busy.h"
 
 namespace toile::app {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window_docks.h"
+#include "app/window/window_docks.h"
 
 #include <QCursor>
 #include <QDockWidget>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/overlay_buttons.h"
+#include "app/window/overlay_buttons.h"
 
 #include <QMenu>
 #include <QToolBar>
