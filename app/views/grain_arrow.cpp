@@ -77,8 +77,10 @@ void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail
     painter.restore();
 }
 
-void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
-                      const Document& document, bool strong) {
+std::vector<QLineF> paintGrainArrows(QPainter& painter, const RenderStyle& style,
+                                     const SheetMap& onScreen, const Document& document,
+                                     bool strong) {
+    std::vector<QLineF> arrows;
     painter.save();
     for (int piece = 0; piece < document.pieceCount(); ++piece) {
         if (isHidden(document, piece)) {
@@ -94,10 +96,13 @@ void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMa
         if (!strong && extent < kShortest) {
             continue;  // larger than the piece itself
         }
-        paintArrow(painter, onScreen(arrow->end(-0.5)), onScreen(arrow->end(0.5)), style.text,
-                   style.labelFill, strong ? 2.2 : 1.8, document.settings()[at].grain.has_value());
+        const QLineF line(onScreen(arrow->end(-0.5)), onScreen(arrow->end(0.5)));
+        paintArrow(painter, line.p1(), line.p2(), style.text, style.labelFill, strong ? 2.2 : 1.8,
+                   document.settings()[at].grain.has_value());
+        arrows.push_back(line);
     }
     painter.restore();
+    return arrows;
 }
 
 void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolView& view,

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLineF>
 #include <QPointF>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
-
-class QPainter;
 
 class QPainter;
 
@@ -41,8 +40,10 @@ void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail
 /// Paints the arrows of all flat pieces, dashed where the grain is unset.
 /// @param strong  while the grain is what is being worked on: also of pieces too small to be worth
 /// it
-void paintGrainArrows(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
-                      const Document& document, bool strong);
+/// @return where they lie, logical pixels
+std::vector<QLineF> paintGrainArrows(QPainter& painter, const RenderStyle& style,
+                                     const SheetMap& onScreen, const Document& document,
+                                     bool strong);
 /// Paints one arrow as held or pointed at.
 void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolView& view,
                       const GrainArrow& arrow);

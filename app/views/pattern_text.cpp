@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QStringList>
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -24,6 +25,7 @@
 #include "app/views/ruler.h"
 #include "app/views/tool.h"
 #include "app/views/view_text.h"
+#include "core/geometry/segment.h"
 
 namespace toile::app {
 namespace {
@@ -47,7 +49,7 @@ QString emptyText(const Document& document) {
 }
 
 void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& text,
-                std::vector<QRectF> taken) {
+                std::vector<QRectF> taken, const std::vector<QLineF>& arrows) {
     const Scene& scene = *text.document.scene();
     const SheetMap onScreen(text.camera);
     const DrawingWords words = drawingWords();
@@ -74,7 +76,7 @@ void paintNames(QPainter& painter, const RenderStyle& style, const PatternText& 
                           onScreen(placedBox(piece.flatBox, placement)),
                           text.document.isSelected(static_cast<int>(i))});
     }
-    for (const NameLabel& name : nameLabels(painter.font(), pieces, std::move(taken))) {
+    for (const NameLabel& name : nameLabels(painter.font(), pieces, std::move(taken), arrows)) {
         paintLabel(painter, style, name.box, name.text,
                    pieces[static_cast<std::size_t>(name.piece)].selected);
     }
@@ -115,16 +117,19 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     const std::vector<QRectF> taken{caption, scaleBarBox(painter.font(), text.view, scale, ruler)};
     std::vector<QRectF> words = paintFolds(painter, style, onScreen, document);
     words.insert(words.end(), taken.begin(), taken.end());
+    const QRectF free(text.view.adjusted(ruler, ruler, 0, 0));
+    std::ranges::copy(text.gaps.paint(painter, style, onScreen, text.places, free, words),
+                      std::back_inserter(words));
+    std::vector<QLineF> arrows;
     if (document.view().grain || text.strongGrain) {
-        paintGrainArrows(painter, style, onScreen, document, text.strongGrain);
+        arrows = paintGrainArrows(painter, style, onScreen, document, text.strongGrain);
     }
     if (document.view().labels) {
-        paintNames(painter, style, text, std::move(words));
+        paintNames(painter, style, text, std::move(words), arrows);
     }
-    paintSpotCallouts(painter, style, {QRectF(text.view.adjusted(ruler, ruler, 0, 0)), taken},
-                      document, text.spots, [&text](const WorstSpot& spot) {
-                          return placeOfSpot(spot, text.camera, text.places);
-                      });
+    paintSpotCallouts(
+        painter, style, {free, taken}, document, text.spots,
+        [&text](const WorstSpot& spot) { return placeOfSpot(spot, text.camera, text.places); });
     paintCaption(painter, style, corner, title, note, isOnCloth(text, caption));
     paintScaleBar(painter, style, text.view, scale, ruler);
     if (document.view().rulers) {
@@ -168,10 +173,12 @@ int commonBeginning(const std::vector<NamedPiece>& pieces) {
 
 class Layout {
 public:
-    Layout(const QFont& font, const std::vector<NamedPiece>& pieces, std::vector<QRectF> taken)
+    Layout(const QFont& font, const std::vector<NamedPiece>& pieces, std::vector<QRectF> taken,
+           const std::vector<QLineF>& arrows)
         : font_(font),
           pieces_(pieces),
           taken_(std::move(taken)),
+          arrows_(arrows),
           common_(commonBeginning(pieces)) {}
 
     std::optional<NameLabel> place(int index) {
@@ -221,32 +228,54 @@ private:
         return true;
     }
 
+    bool meetsArrow(const QRectF& box) const {
+        return std::ranges::any_of(arrows_, [&box](const QLineF& arrow) -> bool {
+            const Eigen::Vector2d from(arrow.x1(), arrow.y1()), way(arrow.dx(), arrow.dy());
+            const auto share = geometry::shareInBox<Eigen::Vector2d>(
+                from, way, {box.left(), box.top()}, {box.right(), box.bottom()});
+            return share.first <= share.last;
+        });
+    }
+
+    /// Near where it belongs, best on no arrow.
     std::optional<QRectF> boxFor(int index, const QString& text) const {
         const NamedPiece& piece = pieces_[static_cast<std::size_t>(index)];
         const QSizeF size = labelSize(font_, text, piece.selected);
-        for (const int step : {0, 1, -1, 2, -2}) {
-            QRectF box(QPointF(), size);
-            box.moveCenter(piece.at + QPointF(0, step * (size.height() + kAir)));
-            const bool onPiece =
-                step == 0 || (box.top() >= piece.box.top() && box.bottom() <= piece.box.bottom());
-            const bool fits = size.width() <= kRoom * piece.box.width() || isFree(index, box);
-            if (onPiece && fits && !meetsAny(box, taken_)) {
-                return box;
+        std::optional<QRectF> onArrow;
+        for (const double sideways : {0.0, 0.6, -0.6}) {
+            for (const int step : {0, 1, -1, 2, -2}) {
+                QRectF box(QPointF(), size);
+                box.moveCenter(piece.at +
+                               QPointF(sideways * size.width(), step * (size.height() + kAir)));
+                const bool onPiece =
+                    (step == 0 ||
+                     (box.top() >= piece.box.top() && box.bottom() <= piece.box.bottom())) &&
+                    (sideways == 0 ||
+                     (box.left() >= piece.box.left() && box.right() <= piece.box.right()));
+                const bool fits = size.width() <= kRoom * piece.box.width() || isFree(index, box);
+                if (!onPiece || !fits || meetsAny(box, taken_)) {
+                    continue;
+                }
+                if (!meetsArrow(box)) {
+                    return box;
+                }
+                onArrow = onArrow ? onArrow : box;
             }
         }
-        return std::nullopt;
+        return onArrow;
     }
 
     const QFont& font_;
     const std::vector<NamedPiece>& pieces_;
     std::vector<QRectF> taken_;
+    const std::vector<QLineF>& arrows_;
     int common_;
 };
 
 }  // namespace
 
 std::vector<NameLabel> nameLabels(const QFont& font, const std::vector<NamedPiece>& pieces,
-                                  std::vector<QRectF> taken) {
+                                  std::vector<QRectF> taken, const std::vector<QLineF>& arrows) {
     std::vector<int> order(pieces.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, [&pieces](int a, int b) -> bool {
@@ -257,7 +286,7 @@ std::vector<NameLabel> nameLabels(const QFont& font, const std::vector<NamedPiec
         }
         return one.box.width() * one.box.height() > other.box.width() * other.box.height();
     });
-    Layout layout(font, pieces, std::move(taken));
+    Layout layout(font, pieces, std::move(taken), arrows);
     std::vector<NameLabel> boxes;
     for (const int index : order) {
         if (const auto box = layout.place(index)) {

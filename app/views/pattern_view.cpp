@@ -144,9 +144,10 @@ void PatternView::paintText(QPainter& painter, const RenderStyle& style) {
     const SheetMap onScreen(camera_);
     old_.paint(painter, style, onScreen, document_);
     others_.paint(painter, style, onScreen, document_);
+    gaps_.follow(document_);
     const bool isElse = !others_.isEmpty() || old_.isAny(document_);
     paintPatternText(painter, style,
-                     {document_, places(), camera_, rect(), spots(), grain, isElse});
+                     {document_, places(), camera_, rect(), spots(), gaps_, grain, isElse});
     if (rolled_) {
         rolled_->paint(painter, style, camera_, places());
     }

@@ -7,6 +7,7 @@
 #include "app/render/camera.h"
 #include "app/views/old_outlines.h"
 #include "app/views/piece_places.h"
+#include "app/views/reference_gaps.h"
 #include "app/views/scene_view.h"
 
 namespace toile::app {
@@ -67,6 +68,7 @@ private:
     Camera2D camera_;
     PiecePlaces others_;
     OldOutlines old_;
+    ReferenceGaps gaps_;
     std::shared_ptr<const RolledPiece> rolled_;
 };
 

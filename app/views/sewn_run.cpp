@@ -7,6 +7,7 @@
 
 #include "app/document/document.h"
 #include "app/render/scene_builder.h"
+#include "app/views/reference_gaps.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::app {
@@ -64,15 +65,6 @@ SeamSide partOf(const SeamSide& side, const std::vector<double>& arcs, Span span
 
 double wornLength(const SeamSide& side) {
     return std::abs(side.end - side.start);
-}
-
-/// Of the reference pattern that is open, as far as it is known how it lies; null: none is open.
-std::shared_ptr<const ReferenceLines> referenceLinesOf(const Document& document) {
-    static const auto kNone = std::make_shared<const ReferenceLines>();
-    if (!document.state().reference.file) {
-        return nullptr;
-    }
-    return document.reference() ? document.reference()->lines : kNone;
 }
 
 }  // namespace

@@ -122,8 +122,10 @@ void PicturePainter::drawPattern(QPainter& picture, const QRect& part) {
         renderer.paint(camera, document_.view(), style_, part.width(), part.height(), 1);
     });
     beginText(picture, part);
+    ReferenceGaps gaps;
+    gaps.follow(document_);
     paintPatternText(picture, style_,
-                     {document_, places_, camera, QRect(QPoint(), part.size()), spots_});
+                     {document_, places_, camera, QRect(QPoint(), part.size()), spots_, gaps});
     picture.restore();
 }
 

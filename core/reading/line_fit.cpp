@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/geometry/nearest_on_line.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
-#include "core/geometry/triangle_tree.h"
 #include "core/reading/pattern_file.h"
 
 namespace toile {
 namespace {
 
 using Complex = std::complex<double>;
+using geometry::NearestOnLine;
 
 constexpr int kRoughPoints = 128;
 constexpr int kFinePoints = 400;
@@ -96,48 +96,6 @@ Points2 turned(const Points2& points, double angle, const Eigen::RowVector2d& fr
     const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(angle).toRotationMatrix();
     return ((points.rowwise() - from) * rotation.transpose()).rowwise() + to;
 }
-
-/// Finds the point of a closed line that is nearest to another.
-class NearestOnLine {
-    using Tree = geometry::TriangleTree<2, double>;
-
-public:
-    explicit NearestOnLine(const Points2& closed) : points_(closed) {
-        std::vector<std::uint32_t> edges;  // triangles without area
-        const auto count = static_cast<std::uint32_t>(closed.rows());
-        for (std::uint32_t k = 0; k < count; ++k) {
-            edges.insert(edges.end(), {k, (k + 1) % count, k});
-        }
-        tree_ = Tree(points_.data(), 2, edges);
-    }
-
-    Eigen::RowVector2d operator()(const Eigen::RowVector2d& point) const {
-        Eigen::RowVector2d best = points_.row(0);
-        std::pair least(std::numeric_limits<double>::infinity(), Eigen::Index{0});
-        tree_.search(
-            [&](const Tree::Box& box) {
-                const Eigen::Map<const Eigen::RowVector2d> low(box.low.data()),
-                    high(box.high.data());
-                const double square = (point.cwiseMax(low).cwiseMin(high) - point).squaredNorm();
-                return square <= least.first ? square : Tree::kMissed;
-            },
-            [&](Eigen::Index k) {
-                const Eigen::RowVector2d a = points_.row(k),
-                                         b = points_.row((k + 1) % points_.rows());
-                const Eigen::RowVector2d place = a + geometry::nearestShare(point, a, b) * (b - a);
-                // Of places equally near the first along the line, in whatever order they come.
-                if (const std::pair found((place - point).squaredNorm(), k); found < least) {
-                    least = found;
-                    best = place;
-                }
-            });
-        return best;
-    }
-
-private:
-    Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> points_;
-    Tree tree_;
-};
 
 /// Pairs of points of two lines that lie nearest to each other, from either side.
 struct NearPairs {

@@ -117,6 +117,23 @@ private slots:
         QVERIFY(!anyMeet(boxes));
     }
 
+    /// The grain line lies where names belong: beside it, above or below; over it only where there
+    /// is no other way.
+    void namesKeepOffGrainArrows() {
+        const QRectF wide(100, 60, 200, 300), narrow(400, 60, 40, 300);
+        for (const QRectF& piece : {wide, narrow}) {
+            const QLineF arrow(piece.center() - QPointF(0, 15), piece.center() + QPointF(0, 15));
+            const auto names = nameLabels(kFont, {pieceAt("sleeve", piece)}, {}, {arrow});
+            QCOMPARE(names.size(), std::size_t{1});
+            QVERIFY(!names[0].box.intersects(QRectF(arrow.p1(), arrow.p2()).adjusted(-1, 0, 1, 0)));
+            const QLineF through(piece.center() - QPointF(0, 150),
+                                 piece.center() + QPointF(0, 150));
+            const auto over = nameLabels(kFont, {pieceAt("sleeve", piece)}, {}, {through});
+            QCOMPARE(over.size(), std::size_t{1});
+            QCOMPARE(over[0].box.center() == piece.center(), piece == narrow);
+        }
+    }
+
     void theSelectedPieceChoosesFirst() {
         auto pieces = strips({"one_name", "two_name"}, 30);
         for (NamedPiece& piece : pieces) {

@@ -11,6 +11,7 @@
 
 #include "app/document/reference.h"
 #include "app/panels/pieces_model.h"
+#include "app/views/reference_gaps.h"
 #include "app/widgets/banner.h"
 #include "core/base/file.h"
 #include "core/project/project_file.h"
@@ -129,6 +130,32 @@ private slots:
         QVERIFY(document().reference()->pattern == document().derived().pattern);
         QVERIFY(document().referenceFit(2)->max > 0.05);  // the cap lies otherwise
         QVERIFY(document().referenceFit(0)->max < 0.05);
+    }
+
+    /// Drawn where the distance in the list of pieces comes from.
+    void gapsAreAsWideAsTheListSays() {
+        exportAs("dress.dxf");
+        openByMenu("dress.dxf");
+        QVERIFY(waitForReference());
+        workspace().setMethod(Method::Lscm);
+        QVERIFY(waitUntilFlat());
+        QVERIFY(waitForReference());
+        ReferenceGaps gaps;
+        gaps.follow(document());
+        std::vector<double> widest(static_cast<std::size_t>(document().pieceCount()), 0);
+        for (const ReferenceGaps::Gap& gap : gaps.gaps()) {
+            double& most = widest[static_cast<std::size_t>(gap.piece)];
+            most = std::max(most, gap.distance);
+            QVERIFY(std::abs((gap.theirs - gap.ours).norm() - gap.distance) < 1e-9);
+        }
+        for (int piece = 0; piece < document().pieceCount(); ++piece) {
+            const double most = document().referenceFit(piece)->max;
+            const double drawn = widest[static_cast<std::size_t>(piece)];
+            QVERIFY2(drawn > 0.5 * most - 0.05 && drawn < most + 0.05, qPrintable(QString::number(drawn)));
+        }
+        fixture_->action(ActionId::ReferencePanels).trigger();
+        gaps.follow(document());
+        QVERIFY(gaps.gaps().empty());
     }
 
     void isSavedWithTheProject() {
