@@ -198,7 +198,7 @@ void GarmentActions::askAndExportAs(const QString& format, bool onlySelected) {
         *drawing = workspace_.drawPattern(
             [asked = QPointer(dialog)](const auto& drawn) {
                 if (asked) {
-                    asked->setDrawing({drawn, &drawn->drawing});
+                    asked->setPattern(drawn);
                 }
             },
             dialog->choice().onlySelected ? selected : Document::Selection{});

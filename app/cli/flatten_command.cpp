@@ -9,6 +9,7 @@
 #include "app/cli/input.h"
 #include "core/base/characters.h"
 #include "core/base/text.h"
+#include "core/export/drawing_notes.h"
 #include "core/export/export_file.h"
 #include "core/export/report_tables.h"
 #include "core/pipeline/pipeline.h"
@@ -96,6 +97,11 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     const LaidOutPattern laid = laidOut(arguments, *garment, results);
     const ExportSource source(*garment, results, laid, arguments.exporting, {}, arguments.lines,
                               arguments.fabric.value_or(fabricPresets().front()));
+    if (!arguments.outputs.empty()) {
+        for (const Wording& note : overlapNotes(laid.pattern, source.drawing())) {
+            err << "toile: " << note << '\n';
+        }
+    }
     for (const auto& output : arguments.outputs) {
         const auto written = exportFile(output, source);
         if (written) {

@@ -22,6 +22,7 @@
 #include "app/export/drawing_preview.h"
 #include "app/export/option_form.h"
 #include "app/text/error_text.h"
+#include "core/export/drawing_notes.h"
 #include "core/export/pdf_writer.h"
 
 namespace toile::app {
@@ -86,6 +87,7 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
       text_(new QPlainTextEdit(this)),
       use_(new QLabel(this)),
       page_(new QLabel(this)),
+      notes_(new QLabel(this)),
       pieces_(new QComboBox(this)) {
     setObjectName("exportDialog");
     setWindowTitle(tr("Export pattern"));
@@ -96,6 +98,9 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
     use_->setObjectName("exportUse");
     page_->setObjectName("exportPage");
     page_->setWordWrap(true);
+    notes_->setObjectName("exportNotes");
+    notes_->setWordWrap(true);
+    notes_->hide();
     preview_->setObjectName("exportPreview");
     text_->setObjectName("exportText");
     text_->setAccessibleName(tr("Beginning of the file"));
@@ -126,6 +131,7 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
     auto* page = new QVBoxLayout;
     page->addWidget(shown_, 1);
     page->addWidget(page_);
+    page->addWidget(notes_);
     auto* row = new QHBoxLayout;
     row->setSpacing(14);
     row->addWidget(list_);
@@ -274,9 +280,18 @@ void ExportDialog::offerSelected(int count, bool chosen) {
     pieces_->setVisible(count > 0);
 }
 
-void ExportDialog::setDrawing(std::shared_ptr<const Drawing> drawing) {
-    drawing_ = std::move(drawing);
+void ExportDialog::setPattern(const std::shared_ptr<const DrawnPattern>& pattern) {
+    drawing_ = {pattern, &pattern->drawing};
     preview_->setDrawing(drawing_);
+    QStringList said;
+    for (const auto& notes :
+         {overlapNotes(pattern->pattern, *drawing_), grainNotes(pattern->pattern, *drawing_)}) {
+        for (const Wording& note : notes) {
+            said << wordingText(note);
+        }
+    }
+    notes_->setText(said.join('\n'));
+    notes_->setVisible(!said.isEmpty());
     describe();
 }
 

@@ -52,7 +52,7 @@ public:
     /// no choice. @param chosen  these, at first
     void offerSelected(int count, bool chosen);
     /// The page, once it is drawn.
-    void setDrawing(std::shared_ptr<const Drawing> drawing);
+    void setPattern(const std::shared_ptr<const DrawnPattern>& pattern);
     /// The beginning of a file; nothing where another format is chosen by now.
     void setText(FormatId format, const QString& text);
     ExportChoice choice() const;
@@ -60,7 +60,7 @@ public:
     void accept() override;
 
 signals:
-    /// Others are to be written: they are to be drawn (`setDrawing`).
+    /// Others are to be written: they are to be drawn (`setPattern`).
     void piecesChanged();
     /// The beginning of such a file is to be shown (`setText`).
     void textWanted(toile::FormatId format, const toile::ExportOptions& options);
@@ -84,7 +84,7 @@ private:
     QStackedWidget* shown_;
     DrawingPreview* preview_;
     QPlainTextEdit* text_;
-    QLabel *use_, *page_;
+    QLabel *use_, *page_, *notes_;
     QComboBox* pieces_;
     QLineEdit* path_ = nullptr;
     QCheckBox* folder_ = nullptr;

@@ -17,6 +17,7 @@
 #include <future>
 #include <set>
 
+#include "app/document/layout.h"
 #include "app/export/drawing_preview.h"
 #include "app/render/offscreen.h"
 #include "app/text/error_text.h"
@@ -164,6 +165,28 @@ private slots:
         QTest::mouseClick(dialog()->findChild<QCheckBox*>("exportShowFolder"), Qt::LeftButton);
         QCOMPARE(exportNow(), fixture_.path("shown.svg"));
         QCOMPARE(shown, QFileInfo(fixture_.path("shown.svg")).absolutePath());
+    }
+
+    /// Of the dashed arrows, which no file has, and of pieces laid on each other.
+    void saysWhatTheFileWillLack() {
+        auto& notes = *dialog()->findChild<QLabel*>("exportNotes");
+        QTRY_VERIFY(notes.isVisible());
+        QVERIFY(!notes.text().contains("On each other on the sheet"));
+        dialog()->reject();
+        Document& document = fixture_.document();
+        const Placement under = placementOf(document, 0);
+        place(document, "Move", {{1, under}});
+        PieceGrains grains;
+        for (int piece = 0; piece < document.pieceCount(); ++piece) {
+            grains[piece] = kGrainUpwards;
+        }
+        setGrain(document, "Grain", grains);
+        QTest::keyClick(&fixture_.window(), Qt::Key_E, Qt::ControlModifier);
+        QTRY_VERIFY(dialog());
+        QTRY_VERIFY(dialog()->findChild<QLabel*>("exportNotes")->isVisible());
+        const QString said = dialog()->findChild<QLabel*>("exportNotes")->text();
+        QVERIFY2(said.contains("On each other on the sheet"), qPrintable(said));
+        QVERIFY(!said.contains('\n'));  // the grain is stated now
     }
 
     void saysHowManyPagesThereAre() {

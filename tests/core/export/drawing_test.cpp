@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/export/drawing_notes.h"
 #include "core/export/writers.h"
 #include "core/pattern/label.h"
 #include "tests/core/export/export_fixtures.h"
@@ -46,6 +47,35 @@ TEST(Draw, KeepsOutlinesApartAndWithinTheMargin) {
             EXPECT_FALSE(boxOf(drawing.paths[i]).overlaps(boxOf(drawing.paths[j]))) << i << j;
         }
     }
+}
+
+TEST(DrawingNotes, NameWhatLiesOnEachOther) {
+    const Pattern pattern = test::sewingPattern();
+    Marker marker = layOut(pattern);
+    EXPECT_TRUE(overlapNotes(pattern, draw(pattern, marker)).empty());
+    const auto middleOf = [drawing = draw(pattern, marker)](std::size_t block) {
+        const Box box = boxOf(drawing.paths[drawing.blocks[block].path]);
+        return Eigen::Vector2d((box.low + box.high) / 2);
+    };
+    marker.copies[3].placement.offset += middleOf(0) - middleOf(3);
+    const auto notes = overlapNotes(pattern, draw(pattern, marker));
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(notes[0].find(pattern.pieces[0].name + " / " + pattern.pieces[3].name),
+              std::string::npos);
+}
+
+TEST(DrawingNotes, NamePiecesWithoutAGrainLineOnce) {
+    Pattern pattern = test::sewingPattern();
+    Marker marker = layOut(pattern);
+    marker.copies.push_back(marker.copies[0]);
+    for (PatternPiece& piece : pattern.pieces) {
+        piece.grain = kGrainUpwards;
+    }
+    EXPECT_TRUE(grainNotes(pattern, draw(pattern, marker)).empty());
+    pattern.pieces[0].grain.reset();
+    const auto notes = grainNotes(pattern, draw(pattern, marker));
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(notes[0].find(": \"" + pattern.pieces[0].name + "\"."), std::string::npos);
 }
 
 TEST(Draw, KeepsEveryEdgeLength) {
