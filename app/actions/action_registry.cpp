@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/actions/garment_actions.h"
+#include "app/actions/menu_table.h"
 #include "app/base/text.h"
 #include "app/widgets/icon.h"
 
@@ -81,6 +82,20 @@ void ActionRegistry::followChecked(Workspace& workspace) const {
         if (spec.work.checkedWhen) {
             (*this)[spec.id].setChecked(spec.work.checkedWhen(workspace));
         }
+    }
+    showWanted();
+}
+
+void ActionRegistry::setPlain(bool plain) {
+    plain_ = plain;
+    showWanted();
+}
+
+void ActionRegistry::showWanted() const {
+    for (const auto& [id, action] : actions_) {
+        // The usual way to the outline is always chosen, and none of a person's choices.
+        const bool isInUse = action->isChecked() && id != ActionId::SolverNewton;
+        action->setVisible(!plain_ || !isForSpecialists(id) || isInUse);
     }
 }
 

@@ -34,12 +34,17 @@ public:
     void followEnabled(Workspace& workspace) const;
     /// And which are chosen, or switched on.
     void followChecked(Workspace& workspace) const;
+    /// Whether actions for specialists are left out of menus and lists, but for those in use.
+    void setPlain(bool plain);
     /// What the table calls it, for help and lists: without mnemonic, and without what the present
     /// state adds to the menu's text.
     QString title(ActionId id) const;
 
 private:
+    void showWanted() const;
+
     std::map<ActionId, QAction*> actions_;
+    bool plain_ = false;
 };
 
 }  // namespace toile::app

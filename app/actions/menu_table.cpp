@@ -162,6 +162,18 @@ QString menuText(const char* text) {
     return tr(text);
 }
 
+bool isForSpecialists(ActionId id) {
+    using enum ActionId;
+    static constexpr ActionId kSome[] = {OverlayArea,      OverlayAngle,   OverlayPrincipal,
+                                         OverlayDirichlet, OverlayNormal,  ValuesPerTriangle,
+                                         Wireframe,        ExactOutline,   MethodWang2005,
+                                         MethodStretch,    MethodConvex,   MethodNatural,
+                                         MethodLscm,       MethodAbf,      SolverNewton,
+                                         SolverSlcp,       CompareMethods, Weld,
+                                         Orthographic};
+    return std::ranges::find(kSome, id) != std::end(kSome);
+}
+
 std::vector<PlacedAction> placedActions() {
     std::vector<PlacedAction> found;
     for (const MenuSpec& menu : menuTable()) {

@@ -48,6 +48,10 @@ struct PlacedAction {
     QStringList menus;  ///< from the menu bar down, without mnemonics: "File", "Export pattern"
 };
 
+/// What a pattern maker can do without: ways to flatten that change seam lines or are there to be
+/// compared with, overlays of the mathematics, and what is about the mesh.
+bool isForSpecialists(ActionId id);
+
 /// Every action of the menus in their order.
 std::vector<PlacedAction> placedActions();
 

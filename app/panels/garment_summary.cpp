@@ -47,7 +47,7 @@ QString divisionWord(SplitMode mode) {
     switch (mode) {
         case SplitMode::Auto:
         case SplitMode::Components:
-            return tr("by parts");
+            return tr("by connected parts");
         case SplitMode::Objects:
             return tr("by objects");
         case SplitMode::Groups:
@@ -137,7 +137,7 @@ QString divideBy(SplitMode mode) {
         case SplitMode::Uv:
             return tr("Divide by UV islands");
         default:
-            return tr("Divide by parts");
+            return tr("Divide by connected parts");
     }
 }
 

@@ -154,6 +154,11 @@ void PreferencesDialog::makeWork(QFormLayout& form) {
         tr("A pattern to cut and sew has fair lines, true seam ends, mirrored pieces drawn equal, "
            "seam allowances and notches. Garments that are open stay as they are"));
     form.addRow(tr("&New garments start with:"), newGarment_);
+    menus_ = makeCombo("menusChoice", {tr("Everything"), tr("What pattern makers need")});
+    menus_->setToolTip(
+        tr("Leave out other methods, overlays of their mathematics and what is about meshes. What "
+           "is in use stays"));
+    form.addRow(tr("M&enus show:"), menus_);
     autosave_ = makeNumber("autosaveMinutes", Choices::kMaxAutosaveMinutes, 1);
     autosave_->setSpecialValueText(tr("Never"));
     autosave_->setSuffix(tr(" min"));
@@ -174,6 +179,7 @@ void PreferencesDialog::showChoices() {
     language_->setCurrentIndex(static_cast<int>(choices.language));
     navigation_->setCurrentIndex(static_cast<int>(choices.navigation));
     newGarment_->setCurrentIndex(static_cast<int>(choices.newGarment));
+    menus_->setCurrentIndex(static_cast<int>(choices.menus));
     selection_->setColour(choices.selectionColour);
     seam_->setColour(choices.seamColour);
     autosave_->setValue(choices.autosaveMinutes);
@@ -203,6 +209,7 @@ void PreferencesDialog::takeChoices() {
     choices.language = static_cast<Language>(language_->currentIndex());
     choices.navigation = static_cast<Navigation>(navigation_->currentIndex());
     choices.newGarment = static_cast<NewGarment>(newGarment_->currentIndex());
+    choices.menus = static_cast<Menus>(menus_->currentIndex());
     choices.selectionColour = selection_->colour();
     choices.seamColour = seam_->colour();
     choices.autosaveMinutes = autosave_->value();

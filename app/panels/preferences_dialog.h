@@ -41,7 +41,7 @@ private:
     Preferences& preferences_;
     Choices before_;
     QComboBox *unit_ = nullptr, *theme_ = nullptr, *language_ = nullptr, *navigation_ = nullptr,
-              *newGarment_ = nullptr;
+              *newGarment_ = nullptr, *menus_ = nullptr;
     ColourButton *selection_ = nullptr, *seam_ = nullptr;
     QSpinBox *autosave_ = nullptr, *heavy_ = nullptr;
     QLabel* restart_ = nullptr;

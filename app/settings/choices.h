@@ -21,6 +21,12 @@ enum class NewGarment {
     Pattern,  ///< a pattern to cut and sew (`withPattern`)
 };
 
+/// How much menus offer.
+enum class Menus {
+    All,
+    Plain,  ///< without what is there for comparing methods and for meshes (`isForSpecialists`)
+};
+
 /// What a person chooses in the preferences dialog. A value, so that a dialog can put back what was
 /// chosen before.
 struct Choices {
@@ -30,6 +36,7 @@ struct Choices {
     Language language = Language::System;  ///< holds from the next start
     Navigation navigation = Navigation::Toile;
     NewGarment newGarment = NewGarment::Pattern;
+    Menus menus = Menus::All;
     QColor selectionColour{};  ///< in the views; invalid: what goes with the theme
     QColor seamColour{};       ///< as above
     int autosaveMinutes = 1;   ///< between copies kept for after a crash; 0: none are kept

@@ -38,6 +38,7 @@ constexpr Word<Navigation> kNavigations[] = {{Navigation::Toile, "toile"},
                                              {Navigation::Rhino, "rhino"}};
 constexpr Word<NewGarment> kNewGarments[] = {{NewGarment::Exact, "exact"},
                                              {NewGarment::Pattern, "pattern"}};
+constexpr Word<Menus> kMenus[] = {{Menus::All, "all"}, {Menus::Plain, "plain"}};
 
 /// Numbers from 0 on.
 struct UpTo {
@@ -54,6 +55,7 @@ void forEachChoice(Some& choices, const Visit& visit) {
     visit("language", choices.language, kLanguages);
     visit("navigation", choices.navigation, kNavigations);
     visit("newGarment", choices.newGarment, kNewGarments);
+    visit("menus", choices.menus, kMenus);
     visit("selectionColour", choices.selectionColour, AnyColour{});
     visit("seamColour", choices.seamColour, AnyColour{});
     visit("autosaveMinutes", choices.autosaveMinutes, UpTo{Choices::kMaxAutosaveMinutes});

@@ -68,17 +68,17 @@ constexpr const char* methodText(Method method) {
         case Method::Curvature:
             return TR("Angles follow the c&urvature");
         case Method::Wang2005:
-            return TR("Angles spread &evenly (Wang 2005)");
+            return TR("Angles spread &evenly");
         case Method::Stretch:
-            return TR("Least &stretch on a circle (Yoshizawa 2004)");
+            return TR("Least &stretch on a circle");
         case Method::Natural:
-            return TR("&Free outline (Desbrun 2002)");
+            return TR("&Free outline");
         case Method::Lscm:
-            return TR("Free outline, least squares (Lé&vy 2002)");
+            return TR("Free outline, leas&t squares");
         case Method::Abf:
-            return TR("Free outline, by an&gles (Sheffer 2005)");
+            return TR("Free outline, by an&gles");
         case Method::Convex:
-            return TR("On a ci&rcle (Floater 2003)");
+            return TR("On a ci&rcle");
     }
     return "";
 }

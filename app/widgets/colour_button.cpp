@@ -18,7 +18,7 @@ ColourButton::ColourButton(QWidget* parent) : QToolButton(parent) {
     setPopupMode(QToolButton::InstantPopup);
     setIconSize(kSwatch);
     auto* menu = new QMenu(this);
-    menu->addAction(tr("As usual"), this, [this] { choose({}); })->setObjectName("usualColour");
+    menu->addAction(tr("The theme's"), this, [this] { choose({}); })->setObjectName("usualColour");
     menu->addAction(tr("Another colour…"), this, [this] {
         const QColor chosen = QColorDialog::getColor(colour_, this);
         if (chosen.isValid()) {
@@ -31,7 +31,7 @@ ColourButton::ColourButton(QWidget* parent) : QToolButton(parent) {
 
 void ColourButton::setColour(const QColor& colour) {
     colour_ = colour;
-    setText(colour.isValid() ? colour.name() : tr("As usual"));
+    setText(colour.isValid() ? colour.name() : tr("The theme's"));
     if (!colour.isValid()) {
         setIcon({});
         return;

@@ -135,6 +135,7 @@ void MainWindow::followChoices(const Choices& before) {
     updateHint();
     workspace_.setNewLines(now.newGarment == NewGarment::Pattern ? withPattern({})
                                                                  : LineSettings{});
+    actions_.setPlain(now.menus == Menus::Plain);
     setMarkColours(now.selectionColour, now.seamColour);
     views().repaintViews();
     if (now.autoFlattenTriangles != before.autoFlattenTriangles) {

@@ -28,16 +28,21 @@ class WindowMenus {
 /// A heading at the very top would touch the menu's frame.
 constexpr int kAirOverHeading = 4;
 
-/// A menu of which nothing can be done now cannot be opened either.
+/// A menu of which nothing can be done now cannot be opened either, and one in which nothing is
+/// seen is not seen.
 void followActions(QMenu& menu) {
     const auto update = [&menu] {
-        const QList<QAction*> actions = menu.actions();
-        menu.menuAction()->setEnabled(std::any_of(actions.begin(), actions.end(), [](auto* action) {
-            return !action->isSeparator() && action->isEnabled();
-        }));
+        const auto isAny = [&menu](bool (QAction::*holds)() const) {
+            return std::ranges::any_of(menu.actions(), [holds](const QAction* action) {
+                return !action->isSeparator() && (action->*holds)();
+            });
+        };
+        menu.menuAction()->setVisible(isAny(&QAction::isVisible));
+        menu.menuAction()->setEnabled(isAny(&QAction::isEnabled));
     };
     for (QAction* action : menu.actions()) {
         QObject::connect(action, &QAction::enabledChanged, &menu, update);
+        QObject::connect(action, &QAction::visibleChanged, &menu, update);
     }
     update();
 }

@@ -71,6 +71,36 @@ private slots:
         menu.close();
     }
 
+    /// What is in use stays, and menus that are empty go.
+    void plainMenusLeaveOutWhatIsForSpecialists() {
+        QVERIFY(openPair());
+        QMenu& menu = openMenu("flattenMenu");
+        QTRY_VERIFY_WITH_TIMEOUT(menu.isVisible(), test::kPatience);
+        menu.close();
+        const auto shown = [&menu] {
+            QList<const QAction*> found;
+            for (const QAction* entry : menu.actions()) {
+                if (entry->isVisible() && !entry->isSeparator()) {
+                    found << entry;
+                }
+            }
+            return found;
+        };
+        const auto all = shown().size();
+        action(ActionId::MethodLscm).trigger();
+        fixture_.preferences().setChoices({.menus = Menus::Plain});
+        QVERIFY(action(ActionId::MethodIsometric).isVisible());
+        QVERIFY(action(ActionId::MethodLscm).isVisible());
+        QVERIFY(!action(ActionId::MethodStretch).isVisible());
+        QVERIFY(!action(ActionId::CompareMethods).isVisible());
+        QCOMPARE(shown().size(), 7);  // three methods, quality, automatic, again, cancel
+        action(ActionId::MethodIsometric).trigger();
+        QTRY_VERIFY(!action(ActionId::MethodLscm).isVisible());
+        fixture_.preferences().setChoices({});
+        QCOMPARE(shown().size(), all);
+        QVERIFY(action(ActionId::CompareMethods).isEnabled());
+    }
+
     void choosingAMethodInTheMenuFlattensAgain() {
         QVERIFY(openPair());
         QMenu& menu = openMenu("flattenMenu");

@@ -192,7 +192,7 @@ private slots:
         QCOMPARE(document().pieceCount(), 1);
         QVERIFY(fixture_.action(ActionId::SplitComponents).isChecked());
         QVERIFY(!fixture_.action(ActionId::SplitAuto).isChecked());
-        QVERIFY(summary().endsWith("1 piece by parts"));
+        QVERIFY(summary().endsWith("1 piece by connected parts"));
         fixture_.action(ActionId::SplitGroups).trigger();
         QVERIFY(fixture_.waitForResults());
         QCOMPARE(document().pieceCount(), 2);

@@ -79,6 +79,7 @@ private slots:
                               .language = Language::German,
                               .navigation = Navigation::Clo,
                               .newGarment = NewGarment::Exact,
+                              .menus = Menus::Plain,
                               .selectionColour = QColor(1, 2, 3),
                               .seamColour = QColor(4, 5, 6),
                               .autosaveMinutes = 0,
@@ -92,9 +93,9 @@ private slots:
         const QString file = folder.filePath("settings.ini");
         {
             QSettings settings(file, QSettings::IniFormat);
-            for (const char* name :
-                 {"lengthUnit", "inchDenominator", "theme", "language", "navigation", "newGarment",
-                  "selectionColour", "seamColour", "autosaveMinutes", "autoFlattenTriangles"}) {
+            for (const char* name : {"lengthUnit", "inchDenominator", "theme", "language",
+                                     "navigation", "newGarment", "menus", "selectionColour",
+                                     "seamColour", "autosaveMinutes", "autoFlattenTriangles"}) {
                 settings.setValue(QString("choices/%1").arg(name), "-7 furlongs");
             }
         }

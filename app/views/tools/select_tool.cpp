@@ -9,17 +9,25 @@
 #include "app/actions/workspace.h"
 #include "app/document/document.h"
 #include "app/document/layout.h"
+#include "app/settings/length_display.h"
+#include "app/text/figures.h"
 #include "app/views/feature_at.h"
 #include "app/views/feature_text.h"
 #include "app/views/navigation.h"
 #include "app/views/tools/sheet_gestures.h"
 #include "app/views/tools/tool_paint.h"
+#include "core/base/units.h"
 
 namespace toile::app {
 
 namespace {
 
-constexpr double kNudge = 1, kLargeNudge = 10;  // mm
+/// How far arrow keys move, mm: round in the person's unit.
+double nudgeLength(bool large) {
+    return LengthDisplay::instance().format().unit == LengthUnit::Inch
+               ? millimetresPer(LengthUnit::Inch) / (large ? 2 : 16)
+               : (large ? 10 : 1);
+}
 
 std::optional<Eigen::Vector2d> arrowOf(const QKeyEvent& event) {
     Qt::KeyboardModifiers others = event.modifiers() & ~Qt::KeyboardModifiers(Qt::ShiftModifier);
@@ -64,8 +72,9 @@ QString SelectTool::hint(ViewKind view) const {
             ? tr("Click: select a piece or a seam · Double click: frame a piece, or take an edge "
                  "from corner to corner · Esc: select nothing")
             : tr("Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select "
-                 "by a box · Alt: snap the other way · Arrow keys: 1 mm, with Shift 10 mm · Esc: "
-                 "select nothing");
+                 "by a box · Alt: snap the other way · Arrow keys: %1, with Shift %2 · Esc: "
+                 "select nothing")
+                  .arg(lengthWithUnit(nudgeLength(false)), lengthWithUnit(nudgeLength(true)));
     const QString marked = markedText(document_);
     return marked.isEmpty() ? keys : marked + QStringLiteral(" · ") + keys;
 }
@@ -217,8 +226,7 @@ void SelectTool::nudge(const QKeyEvent& event) {
     const bool large = event.modifiers().testFlag(Qt::ShiftModifier);
     PiecePlacements moved;
     for (const int piece : selectedFlat(document_)) {
-        moved[piece] =
-            movedBy(placementOf(document_, piece), (large ? kLargeNudge : kNudge) * *arrow);
+        moved[piece] = movedBy(placementOf(document_, piece), nudgeLength(large) * *arrow);
     }
     place(document_, tr("Nudge"), moved, nudging_);
 }
