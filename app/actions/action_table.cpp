@@ -238,13 +238,13 @@ ActionWork onPieces(std::function<void(Document&, const Pieces&)> change, When w
 
 ActionWork turns(double angle) {
     return onSelected(1, [angle](Document& document, const Pieces& pieces) {
-        turnTogether(document, GarmentActions::tr("Turn"), pieces, angle);
+        turnTogether(document, GarmentActions::tr("Turn %1"), pieces, angle);
     });
 }
 
 ActionWork mirrors(Mirroring mirroring) {
     return onSelected(1, [mirroring](Document& document, const Pieces& pieces) {
-        mirrorTogether(document, GarmentActions::tr("Mirroring"), pieces, mirroring);
+        mirrorTogether(document, GarmentActions::tr("Mirror %1"), pieces, mirroring);
     });
 }
 

@@ -284,7 +284,7 @@ void GarmentActions::findGrain(GrainRule rule) {
                        "grain runs."));
             }
             if (!found.empty()) {
-                setGrain(workspace_.document(), tr("Grain"), found);
+                setGrain(workspace_.document(), tr("Grain of %1"), found);
             }
             if (rule == GrainRule::LeastStrain && !outdated && !found.empty()) {
                 sayWhatIsWon(shares);
@@ -318,7 +318,7 @@ void GarmentActions::resetGrain() {
     for (const int piece : selectedOrAllFlat(workspace_.document())) {
         grains[piece] = std::nullopt;
     }
-    setGrain(workspace_.document(), tr("Grain"), grains);
+    setGrain(workspace_.document(), tr("Grain of %1"), grains);
 }
 
 }  // namespace toile::app

@@ -109,9 +109,10 @@ public:
     /// What has no mirror image, or none that is known, is made alone, and that is `noted`.
     /// On a large garment the image is found on another thread, and the cut made when it is there:
     /// in the order in which cuts were asked for, whatever is edited meanwhile.
-    /// @param cut   its points in mm, as the pieces are
-    /// @param text  what is done, for the undo menu; empty: the usual words
-    void addCut(UserCut cut, const QString& text = {});
+    /// @param cut    its points in mm, as the pieces are
+    /// @param piece  that it is drawn on, for the words of the history
+    /// @param text   what is done, with %1 for the piece; empty: the usual words
+    void addCut(UserCut cut, std::optional<int> piece = {}, const QString& text = {});
     /// Lets a dart go on as a seam, by a cut from its tip to the outline (`cutBeyondDart`), made as
     /// by `addCut`. What points at no edge is `refused`.
     /// @param seam an index into Garment::seams
@@ -184,7 +185,7 @@ private:
         PieceResults results{};
         std::shared_ptr<const Symmetry> symmetry{};  ///< null: none is known
         bool isMirrored = false;
-        QString text{};  ///< what is done; empty: the usual words
+        QString text{};  ///< what is done
 
         std::optional<UserCut> image(const Progress& progress = Progress()) const;
     };

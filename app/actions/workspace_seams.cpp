@@ -5,6 +5,7 @@
 
 #include "app/actions/workspace.h"
 #include "app/document/mirrored_edits.h"
+#include "app/document/names.h"
 #include "app/jobs/job.h"
 #include "app/text/error_text.h"
 #include "core/base/file.h"
@@ -31,19 +32,22 @@ std::string freeName(const std::vector<Entry>& entries, const std::string& stem,
 
 struct CutWords {
     QString text;      ///< for the history
+    QString ofPiece;   ///< with %1 for the piece
     std::string stem;  ///< of its name, which is the person's
 };
 
 CutWords wordsOf(UserCut::Kind kind) {
     switch (kind) {
         case UserCut::Kind::Dart:
-            return {Workspace::tr("Dart"), Workspace::tr("dart").toStdString()};
+            return {Workspace::tr("Dart"), Workspace::tr("Dart in %1"),
+                    Workspace::tr("dart").toStdString()};
         case UserCut::Kind::Loop:
-            return {Workspace::tr("Closed loop"), Workspace::tr("loop").toStdString()};
+            return {Workspace::tr("Closed loop"), Workspace::tr("Closed loop in %1"),
+                    Workspace::tr("loop").toStdString()};
         case UserCut::Kind::Path:
             break;
     }
-    return {Workspace::tr("Cut"), Workspace::tr("cut").toStdString()};
+    return {Workspace::tr("Cut"), Workspace::tr("Cut %1"), Workspace::tr("cut").toStdString()};
 }
 
 /// Whether a mirror image is found at once: within some milliseconds.
@@ -135,13 +139,15 @@ std::optional<UserCut> Workspace::DrawnCut::image(const Progress& progress) cons
     return symmetry ? mirroredCut(*garment, results, *symmetry, cut, progress) : std::nullopt;
 }
 
-void Workspace::addCut(UserCut cut, const QString& text) {
+void Workspace::addCut(UserCut cut, std::optional<int> piece, const QString& text) {
     if (!document_.garment() || opening_.isActive()) {
         return;  // it was drawn on what is about to go
     }
     DrawnCut drawn{std::move(cut), document_.garment(), loading().seams};
     drawn.isMirrored = mirrorsEdits(document_);
-    drawn.text = text;
+    const CutWords words = wordsOf(drawn.cut.kind);
+    drawn.text =
+        piece ? stepOf(document_, text.isEmpty() ? words.ofPiece : text, {*piece}) : words.text;
     if (editSymmetry(document_)) {
         drawn.results = document_.results();
         drawn.symmetry = document_.derived().symmetry;
@@ -162,15 +168,14 @@ void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
     if (opening_.isActive()) {
         return;
     }
-    CutWords words = wordsOf(drawn.cut.kind);
-    words.text = drawn.text.isEmpty() ? words.text : drawn.text;
     if (drawn.isMirrored && !image) {
         emit noted(drawn.symmetry ? tr("Cut once: it has no mirror image of its own.")
                                   : tr("Cut on one side alone: no mirror plane is known."));
     }
+    const std::string stem = wordsOf(drawn.cut.kind).stem;
     std::vector<UserCut> named = loading().seams.cuts;
     const auto finish = [&](UserCut& made) {
-        made.name = freeName(named, words.stem, true);
+        made.name = freeName(named, stem, true);
         for (Eigen::Vector3d& point : made.points) {
             point = inFileSpace(point, drawn.seams, *drawn.garment);
         }
@@ -180,13 +185,13 @@ void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
     finish(cut);
     if (!image) {
         onTrial_.push_back({cut.name});
-        changeSeams(words.text,
+        changeSeams(drawn.text,
                     [cut = std::move(cut)](SeamsFile& seams) { seams.cuts.push_back(cut); });
         return;
     }
     finish(*image);
     onTrial_.push_back({cut.name, image->name});
-    changeSeams(tr("%1 on both sides").arg(words.text),
+    changeSeams(tr("%1 on both sides").arg(drawn.text),
                 [cut = std::move(cut), image = std::move(*image)](SeamsFile& seams) {
                     addMirroredCuts(seams.cuts, cut, image);
                 });
@@ -198,7 +203,8 @@ void Workspace::dartToSeam(int seam) {
         return;
     }
     if (auto cut = cutBeyondDart(*garment, document_.results(), seam)) {
-        addCut(std::move(*cut), tr("Dart to seam"));
+        const int piece = garment->seams.seams[static_cast<std::size_t>(seam)].left.piece;
+        addCut(std::move(*cut), piece, tr("Dart in %1 to seam"));
     } else {
         const Seam& dart = garment->seams.seams[static_cast<std::size_t>(seam)];
         emit refused(tr("%1 points at no edge of its piece that a seam could lead to.")

@@ -9,6 +9,7 @@
 #include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/document/mirrored_edits.h"
+#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "core/layout/marker.h"
 #include "core/pattern/half_pattern.h"
@@ -49,7 +50,8 @@ void placeEach(Document& document, const QString& text, const PiecePlacements& p
             settings.placedByHand = byHand;
         }
     };
-    editSettings(document, text, piecesOf(placements), place, gesture);
+    const std::vector<int> pieces = piecesOf(placements);
+    editSettings(document, stepOf(document, text, pieces), pieces, place, gesture);
 }
 
 void moveEach(Document& document, const QString& text, const std::vector<int>& pieces,
@@ -141,7 +143,7 @@ void placeBack(Document& document, const QString& text, const PiecePlacements& p
         settings.placement = was.placement;
         settings.placedByHand = was.placedByHand;
     };
-    editSettings(document, text, there, back, gesture);
+    editSettings(document, stepOf(document, text, there), there, back, gesture);
 }
 
 void setGrain(Document& document, const QString& text, const PieceGrains& grains, int gesture) {
@@ -149,7 +151,8 @@ void setGrain(Document& document, const QString& text, const PieceGrains& grains
     const auto turn = [&all](int piece, PieceSettings& settings) {
         settings.grain = all.at(piece);
     };
-    editSettings(document, text, piecesOf(all), turn, gesture);
+    const std::vector<int> pieces = piecesOf(all);
+    editSettings(document, stepOf(document, text, pieces), pieces, turn, gesture);
 }
 
 void turnTogether(Document& document, const QString& text, const std::vector<int>& pieces,
@@ -186,16 +189,16 @@ void turnGrainUpwards(Document& document, const std::vector<int>& pieces) {
         placements[piece] = turnedAbout(before, boxOnSheet(document, piece).center(),
                                         std::numbers::pi / 2 - directionOnSheet(before, grain));
     }
-    place(document, tr("Grain upwards"), placements);
+    place(document, tr("Grain of %1 upwards"), placements);
 }
 
 void align(Document& document, const std::vector<int>& pieces, Alignment alignment) {
-    moveEach(document, tr("Alignment"), pieces,
+    moveEach(document, tr("Align %1"), pieces,
              alignmentMoves(boxesOf(document, pieces), alignment));
 }
 
 void distribute(Document& document, const std::vector<int>& pieces, Direction direction) {
-    moveEach(document, tr("Distribution"), pieces,
+    moveEach(document, tr("Distribute %1"), pieces,
              distributionMoves(boxesOf(document, pieces), direction));
 }
 
@@ -220,7 +223,7 @@ void layOutAgain(Document& document, const std::vector<int>& pieces) {
     for (Eigen::Vector2d& move : moves) {
         move += corner;
     }
-    moveEach(document, tr("Layout"), pieces, moves, false);
+    moveEach(document, tr("Lay out %1"), pieces, moves, false);
 }
 
 }  // namespace toile::app

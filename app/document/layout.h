@@ -39,6 +39,7 @@ CutAs cutAsOf(const Document& document, int piece);
 Eigen::AlignedBox2d boxOnSheet(const Document& document, int piece);
 Eigen::AlignedBox2d boxOnSheet(const Document& document, const std::vector<int>& pieces);
 
+/// @param text  what is done, with %1 for whose places: see `stepOf`; so of all edits here
 /// @param gesture  as for Document::edit
 void place(Document& document, const QString& text, const PiecePlacements& placements,
            int gesture = -1);

@@ -23,4 +23,8 @@ QString nameOfPieces(const Document& document, const std::vector<int>& pieces) {
                               : tr("%n pieces", nullptr, static_cast<int>(pieces.size()));
 }
 
+QString stepOf(const Document& document, const QString& text, const std::vector<int>& pieces) {
+    return QString(text).replace("%1", nameOfPieces(document, pieces));
+}
+
 }  // namespace toile::app

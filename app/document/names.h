@@ -15,5 +15,8 @@ QString pieceName(const Document& document, int piece);
 QString seamName(const Document& document, int seam);
 /// "front", or "3 pieces".
 QString nameOfPieces(const Document& document, const std::vector<int>& pieces);
+/// What was done to pieces, as the history says it: "Move front".
+/// @param text  with %1 for their name: "Move %1"
+QString stepOf(const Document& document, const QString& text, const std::vector<int>& pieces);
 
 }  // namespace toile::app

@@ -270,7 +270,7 @@ void PositionPanel::movePieces() {
     for (const int piece : pieces_) {
         placements[piece] = movedBy(placementOf(document_, piece), move);
     }
-    place(document_, tr("Move"), placements);
+    place(document_, tr("Move %1"), placements);
     refresh();
 }
 
@@ -281,7 +281,7 @@ void PositionPanel::turnPieces(double degrees) {
         placements[piece] = turnedAbout(before, boxOnSheet(document_, piece).center(),
                                         degrees * kDegree - before.turn);
     }
-    place(document_, tr("Turn"), placements);
+    place(document_, tr("Turn %1"), placements);
     refresh();
 }
 
@@ -290,7 +290,7 @@ void PositionPanel::turnGrain(double degrees) {
     for (const int piece : pieces_) {
         grains[piece] = directionOnPiece(placementOf(document_, piece), degrees * kDegree);
     }
-    setGrain(document_, tr("Grain"), grains);
+    setGrain(document_, tr("Grain of %1"), grains);
     refresh();
 }
 
@@ -304,7 +304,7 @@ void PositionPanel::mirrorPieces(bool) {
                 ? before
                 : mirroredAt(before, boxOnSheet(document_, piece).center(), Mirroring::LeftRight);
     }
-    place(document_, tr("Mirroring"), placements);
+    place(document_, tr("Mirror %1"), placements);
     refresh();
 }
 

@@ -53,7 +53,7 @@ private slots:
         QCOMPARE(garment.pieces[0]->name, std::string("sheet 1"));
         QCOMPARE(garment.pieces[1]->name, std::string("sheet 2"));
         QCOMPARE(garment.pieces[2], start.derived.garment->pieces[1]);  // untouched
-        QCOMPARE(document().history().undoText(), QString("Cut"));
+        QCOMPARE(document().history().undoText(), QString("Cut sheet"));
         QVERIFY(said().isEmpty());
         document().history().undo();
         QVERIFY(test::momentOf(document()) == start);

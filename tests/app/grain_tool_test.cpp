@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/document/names.h"
 #include "app/views/grain_arrow.h"
 #include "app/widgets/banner.h"
 #include "core/export/drawing.h"
@@ -58,8 +59,11 @@ private slots:
         action(ActionId::GrainUpwards).trigger();
         QVERIFY(std::abs(directionOnSheet(placement(0), *document().settings()[0].grain) -
                          kRightAngle) < 1e-9);
+        const QString step = "Grain of " + pieceName(document(), 0);
+        QCOMPARE(document().history().undoText(), step + " upwards");
         action(ActionId::ResetGrain).trigger();
         QVERIFY(!document().settings()[0].grain);
+        QCOMPARE(document().history().undoText(), step);
     }
 
     void escapeTakesTheGrainBack() {

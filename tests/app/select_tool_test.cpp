@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/document/names.h"
 #include "app/render/pattern_renderer.h"
 #include "app/views/tools/tool_paint.h"
 #include "core/layout/snapping.h"
@@ -35,6 +36,7 @@ private slots:
         QVERIFY(placement(1) == other);
         QCOMPARE(document().selection(), Document::Selection{0});
         QCOMPARE(view().renderer().meshUploads(), uploads);
+        QCOMPARE(document().history().undoText(), "Move " + pieceName(document(), 0));
         action(ActionId::Undo).trigger();
         QVERIFY(placement(0) == was);
         QCOMPARE(steps(), 0);
@@ -52,6 +54,7 @@ private slots:
         QCOMPARE((placement(1).offset - b).norm(), 0.0);
         QCOMPARE(document().selection(), (Document::Selection{0, 2}));
         QCOMPARE(steps(), 1);
+        QCOMPARE(document().history().undoText(), QString("Move 2 pieces"));
     }
 
     void escapeTakesADragBackWithoutAStep() {

@@ -22,6 +22,7 @@
 #include "app/actions/action_registry.h"
 #include "app/actions/help_table.h"
 #include "app/actions/menu_table.h"
+#include "app/document/names.h"
 #include "app/panels/pieces_model.h"
 #include "app/panels/preferences_dialog.h"
 #include "app/settings/length_display.h"
@@ -544,7 +545,7 @@ private slots:
         angle.selectAll();
         QTest::keyClicks(&angle, "33");
         QTest::keyClick(&angle, Qt::Key_Return);
-        QCOMPARE(document.history().undoText(), QString("Turn"));
+        QCOMPARE(document.history().undoText(), "Turn " + pieceName(document, 0));
         QTest::keyClick(&angle, Qt::Key_Z, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(!document.history().canUndo(), test::kPatience);
         QCOMPARE(angle.value(), 0.0);

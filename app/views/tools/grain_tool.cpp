@@ -118,7 +118,7 @@ void GrainTool::drag(ToolView& view, const Pointer& pointer) {
             snappedAngle(wrappedAngle(angle), std::numbers::pi / 4, turning.edges, kSnappingAngle);
     }
     turning.now = wrappedAngle(angle);
-    setGrain(document_, tr("Grain"),
+    setGrain(document_, tr("Grain of %1"),
              {{turning.piece, directionOnPiece(placementOf(document_, turning.piece), angle)}},
              turning.gesture);
 }
@@ -173,7 +173,7 @@ void GrainTool::cancel() {
     // Of another garment there is nothing to take back; and this may be called while the document
     // is in the middle of a step of its history.
     if (turning.moved && !isStale(turning)) {
-        setGrain(document_, tr("Grain"), turning.before, turning.gesture);
+        setGrain(document_, tr("Grain of %1"), turning.before, turning.gesture);
     }
     emit changed();
 }

@@ -187,8 +187,9 @@ void PathTool::finish() {
         return;
     }
     UserCut cut{{}, kindFor(draft_.points()), cutPoints(), draft_.alongEdges()};
+    const int piece = draft_.points().front().piece;
     cancel();
-    workspace_.addCut(std::move(cut));
+    workspace_.addCut(std::move(cut), piece);
 }
 
 void PathTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {

@@ -228,7 +228,7 @@ void SelectTool::nudge(const QKeyEvent& event) {
     for (const int piece : selectedFlat(document_)) {
         moved[piece] = movedBy(placementOf(document_, piece), nudgeLength(large) * *arrow);
     }
-    place(document_, tr("Nudge"), moved, nudging_);
+    place(document_, tr("Nudge %1"), moved, nudging_);
 }
 
 void SelectTool::cancel() {

@@ -138,7 +138,7 @@ void PlacingGesture::takeBack() {
 }
 
 MoveGesture::MoveGesture(Document& document, const Eigen::Vector2d& pressed)
-    : PlacingGesture(document, QCoreApplication::translate("MoveGesture", "Move")),
+    : PlacingGesture(document, QCoreApplication::translate("MoveGesture", "Move %1")),
       pressed_(pressed),
       box_(boxOnSheet(document, pieces_)),
       corners_(cornersOnSheet(document, pieces_)) {
@@ -181,7 +181,7 @@ void MoveGesture::paint(const ToolView& view, QPainter& painter, const RenderSty
 }
 
 RotateGesture::RotateGesture(Document& document, const Eigen::Vector2d& pressed)
-    : PlacingGesture(document, QCoreApplication::translate("RotateGesture", "Turn")),
+    : PlacingGesture(document, QCoreApplication::translate("RotateGesture", "Turn %1")),
       centre_(boxOnSheet(document, pieces_).center()),
       from_(directionTo(centre_, pressed)) {
     if (pieces_.size() != 1) {
