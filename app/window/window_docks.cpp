@@ -13,8 +13,8 @@
 #include "app/actions/workspace.h"
 #include "app/panels/fabric_panel.h"
 #include "app/panels/lines_panel.h"
+#include "app/panels/piece_panel.h"
 #include "app/panels/pieces_panel.h"
-#include "app/panels/position_panel.h"
 #include "app/panels/problems_panel.h"
 #include "app/panels/seams_panel.h"
 #include "app/panels/symmetry_panel.h"
@@ -30,8 +30,7 @@ namespace toile::app {
 namespace {
 
 /// Logical pixels.
-constexpr int kListsHeight = 215, kPropertiesWidth = 280, kPositionHeight = 240,
-              kFabricHeight = 440;
+constexpr int kListsHeight = 215, kPropertiesWidth = 280, kPieceHeight = 340, kFabricHeight = 340;
 
 /// The overlay that shows what was found; none where no overlay does.
 std::optional<Overlay> overlayFor(FindingKind kind) {
@@ -65,7 +64,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
       history_(new QUndoView(&document_.history())),
       lines_(new LinesPanel(document_)),
       symmetry_(new SymmetryPanel(document_)),
-      position_(new PositionPanel(document_, actions)),
+      piece_(new PiecePanel(document_, actions)),
       fabric_(new FabricPanel(document_)) {
     history_->setObjectName("historyList");
     history_->setEmptyLabel(tr("As opened"));
@@ -78,8 +77,8 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
         actions[ActionId::GoToLines]);
     add(tr("Symmetry"), "symmetryDock", symmetry_, symmetry_->firstField(),
         actions[ActionId::GoToSymmetry]);
-    add(tr("Position"), "positionDock", scrolledColumn(*position_, &window_),
-        position_->firstField(), actions[ActionId::GoToPosition]);
+    add(tr("Piece"), "pieceDock", scrolledColumn(*piece_, &window_), piece_->placeField(),
+        actions[ActionId::GoToPosition]);
     add(tr("Fabric"), "fabricDock", fabric_, fabric_->firstField(), actions[ActionId::GoToFabric]);
     arrange();
     constexpr auto kPieces = "pieces";
@@ -143,7 +142,7 @@ void WindowDocks::add(const QString& title, const char* name, QWidget* panel, QW
 void WindowDocks::goTo(qsizetype at) {
     docks_[at]->show();
     docks_[at]->raise();
-    fields_[at]->setFocus(at < Position ? Qt::OtherFocusReason : Qt::ShortcutFocusReason);
+    fields_[at]->setFocus(at < PieceDock ? Qt::OtherFocusReason : Qt::ShortcutFocusReason);
 }
 
 void WindowDocks::goTo(Panel panel) {
@@ -155,17 +154,17 @@ QAbstractItemView& WindowDocks::list(Panel panel) const {
 }
 
 void WindowDocks::arrange() {
-    for (qsizetype k = 0; k < Position; ++k) {
+    for (qsizetype k = 0; k < PieceDock; ++k) {
         window_.addDockWidget(Qt::BottomDockWidgetArea, docks_[k]);
     }
-    for (qsizetype k = 1; k < Position; ++k) {
+    for (qsizetype k = 1; k < PieceDock; ++k) {
         window_.tabifyDockWidget(docks_[k - 1], docks_[k]);
     }
     docks_[Pieces]->raise();
     // Beside the views, so that the lists have the window's whole width.
-    window_.addDockWidget(Qt::RightDockWidgetArea, docks_[Position]);
+    window_.addDockWidget(Qt::RightDockWidgetArea, docks_[PieceDock]);
     window_.addDockWidget(Qt::RightDockWidgetArea, docks_[FabricDock]);
-    window_.splitDockWidget(docks_[Position], docks_[FabricDock], Qt::Vertical);
+    window_.splitDockWidget(docks_[PieceDock], docks_[FabricDock], Qt::Vertical);
 }
 
 void WindowDocks::show() {
@@ -173,8 +172,8 @@ void WindowDocks::show() {
         dock->show();
     }
     window_.resizeDocks({docks_[Pieces]}, {kListsHeight}, Qt::Vertical);
-    window_.resizeDocks({docks_[Position]}, {kPropertiesWidth}, Qt::Horizontal);
-    window_.resizeDocks({docks_[Position], docks_[FabricDock]}, {kPositionHeight, kFabricHeight},
+    window_.resizeDocks({docks_[PieceDock]}, {kPropertiesWidth}, Qt::Horizontal);
+    window_.resizeDocks({docks_[PieceDock], docks_[FabricDock]}, {kPieceHeight, kFabricHeight},
                         Qt::Vertical);
 }
 

@@ -22,7 +22,7 @@ class ActionRegistry;
 class FabricPanel;
 class LinesPanel;
 class PiecesPanel;
-class PositionPanel;
+class PiecePanel;
 class Preferences;
 class ProblemsPanel;
 class SeamsPanel;
@@ -66,7 +66,7 @@ private:
         History,
         Lines,
         Symmetry,
-        Position,
+        PieceDock,
         FabricDock
     };
 
@@ -99,7 +99,7 @@ private:
     QUndoView* history_;
     LinesPanel* lines_;
     SymmetryPanel* symmetry_;
-    PositionPanel* position_;
+    PiecePanel* piece_;
     FabricPanel* fabric_;
     QList<QDockWidget*> docks_;
     QList<QWidget*> fields_;  ///< where the keyboard goes, one per dock

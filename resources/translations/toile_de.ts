@@ -268,8 +268,8 @@
 <context>
     <name>MoveGesture</name>
     <message>
-        <source>Move</source>
-        <translation>Verschieben</translation>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
     </message>
 </context>
 <context>
@@ -548,8 +548,8 @@ veraltet</translation>
 <context>
     <name>RotateGesture</name>
     <message>
-        <source>Turn</source>
-        <translation>Drehen</translation>
+        <source>Turn %1</source>
+        <translation>%1 drehen</translation>
     </message>
 </context>
 <context>
@@ -3753,22 +3753,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
-    <message>
-        <source>Grain upwards</source>
-        <translation>Fadenlauf nach oben</translation>
-    </message>
-    <message>
-        <source>Alignment</source>
-        <translation>Ausrichten</translation>
-    </message>
-    <message>
-        <source>Distribution</source>
-        <translation>Verteilen</translation>
-    </message>
-    <message>
-        <source>Layout</source>
-        <translation>Auslegen</translation>
-    </message>
     <message numerus="yes">
         <source>%n pieces</source>
         <translation>
@@ -4624,6 +4608,26 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Fabric</source>
         <translation>Material</translation>
     </message>
+    <message>
+        <source>Grain of %1 upwards</source>
+        <translation>Fadenlauf von %1 nach oben</translation>
+    </message>
+    <message>
+        <source>Align %1</source>
+        <translation>%1 ausrichten</translation>
+    </message>
+    <message>
+        <source>Distribute %1</source>
+        <translation>%1 verteilen</translation>
+    </message>
+    <message>
+        <source>Lay out %1</source>
+        <translation>%1 auslegen</translation>
+    </message>
+    <message>
+        <source>various</source>
+        <translation>verschieden</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -5449,18 +5453,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Ein Projekt wird für sich geöffnet: wählen Sie ein Projekt oder die Netze eines Kleidungsstücks.</translation>
     </message>
     <message>
-        <source>Turn</source>
-        <translation>Drehen</translation>
-    </message>
-    <message>
-        <source>Mirroring</source>
-        <translation>Spiegeln</translation>
-    </message>
-    <message>
-        <source>Grain</source>
-        <translation>Fadenlauf</translation>
-    </message>
-    <message>
         <source>These pieces lie level, so that no way on them is up. Say yourself how the grain runs.</source>
         <translation>Diese Schnittteile liegen waagerecht, so dass nichts an ihnen aufwärts zeigt. Legen Sie den Fadenlauf selbst fest.</translation>
     </message>
@@ -5479,6 +5471,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Best grain: %1 % of the cloth beyond the fabric, %2 % before</source>
         <translation>Bester Fadenlauf: %1 % der Fläche übersteigen, was der Stoff kann, vorher %2 %</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>%1 drehen</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>%1 spiegeln</translation>
+    </message>
+    <message>
+        <source>Grain of %1</source>
+        <translation>Fadenlauf von %1</translation>
     </message>
 </context>
 <context>
@@ -5502,10 +5506,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::GrainTool</name>
     <message>
-        <source>Grain</source>
-        <translation>Fadenlauf</translation>
-    </message>
-    <message>
         <source>Turn the grain in the pattern view · Esc: back to selecting</source>
         <translation>Der Fadenlauf wird in der Schnittansicht gedreht · Esc: zurück zum Auswählen</translation>
     </message>
@@ -5516,6 +5516,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Drag on a piece: turn its grain · Alt: snap the other way · Click: select · Esc: back to selecting</source>
         <translation>Auf einem Schnittteil ziehen: seinen Fadenlauf drehen · Alt: anders einrasten · Klick: auswählen · Esc: zurück zum Auswählen</translation>
+    </message>
+    <message>
+        <source>Grain of %1</source>
+        <translation>Fadenlauf von %1</translation>
     </message>
 </context>
 <context>
@@ -6048,6 +6052,96 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
+    <name>toile::app::PieceForm</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>Paar</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Stoffart</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Fadenlauf</translation>
+    </message>
+    <message>
+        <source>What the piece is called; empty: as its file has it</source>
+        <translation>Wie das Schnittteil heißt; leer: wie in seiner Datei</translation>
+    </message>
+    <message>
+        <source>The flat piece as it is cut: across the grain × along it</source>
+        <translation>Das flache Teil, wie es geschnitten wird: quer zum Fadenlauf × längs</translation>
+    </message>
+    <message>
+        <source>How many of the piece are cut</source>
+        <translation>Wie viele von dem Schnittteil geschnitten werden</translation>
+    </message>
+    <message>
+        <source>Each is also cut mirrored: left and right</source>
+        <translation>Jedes wird auch gespiegelt geschnitten: links und rechts</translation>
+    </message>
+    <message>
+        <source>What is selected is cut from this; empty: from the garment&apos;s own fabric</source>
+        <translation>Woraus die ausgewählten Teile zugeschnitten werden; leer: aus dem Material des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Direction of the warp on the sheet: 90° runs upwards</source>
+        <translation>Richtung der Kette auf dem Bogen: 90° zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Quantity</source>
+        <translation>A&amp;nzahl</translation>
+    </message>
+    <message>
+        <source>&amp;Material</source>
+        <translation>&amp;Stoffart</translation>
+    </message>
+    <message>
+        <source>&amp;Grain</source>
+        <translation>&amp;Fadenlauf</translation>
+    </message>
+    <message>
+        <source>No piece selected</source>
+        <translation>Kein Schnittteil ausgewählt</translation>
+    </message>
+    <message>
+        <source>as the garment</source>
+        <translation>wie das Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>grain not set</source>
+        <translation>Fadenlauf nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Grain of %1</source>
+        <translation>Fadenlauf von %1</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::PiecePanel</name>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::PiecesModel</name>
     <message>
         <source>Not flat: %1</source>
@@ -6341,7 +6435,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
-    <name>toile::app::PositionPanel</name>
+    <name>toile::app::PositionForm</name>
     <message>
         <source>Left edge</source>
         <translation>Linke Kante</translation>
@@ -6353,10 +6447,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Angle</source>
         <translation>Winkel</translation>
-    </message>
-    <message>
-        <source>Grain</source>
-        <translation>Fadenlauf</translation>
     </message>
     <message>
         <source>Wrong side up</source>
@@ -6375,16 +6465,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Wie weit das Schnittteil gegen den Uhrzeigersinn um seine Mitte gedreht ist</translation>
     </message>
     <message>
-        <source>Direction of the warp on the sheet: 90° runs upwards</source>
-        <translation>Richtung der Kette auf dem Bogen: 90° zeigt nach oben</translation>
-    </message>
-    <message>
         <source>Mirrored: the wrong side of the fabric faces you</source>
         <translation>Gespiegelt: Die linke Stoffseite liegt oben</translation>
-    </message>
-    <message>
-        <source>various</source>
-        <translation>verschieden</translation>
     </message>
     <message>
         <source>&amp;Left edge</source>
@@ -6399,44 +6481,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Winkel</translation>
     </message>
     <message>
-        <source>&amp;Grain</source>
-        <translation>&amp;Fadenlauf</translation>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
     </message>
     <message>
-        <source>No flat piece selected</source>
-        <translation>Kein flaches Schnittteil ausgewählt</translation>
+        <source>Turn %1</source>
+        <translation>%1 drehen</translation>
     </message>
     <message>
-        <source>grain not set</source>
-        <translation>Fadenlauf nicht angegeben</translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation>Verschieben</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Drehen</translation>
-    </message>
-    <message>
-        <source>Mirroring</source>
-        <translation>Spiegeln</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>Stoffart</translation>
-    </message>
-    <message>
-        <source>What is selected is cut from this; empty: from the garment&apos;s own fabric</source>
-        <translation>Woraus die ausgewählten Teile zugeschnitten werden; leer: aus dem Material des Kleidungsstücks</translation>
-    </message>
-    <message>
-        <source>&amp;Material</source>
-        <translation>&amp;Stoffart</translation>
-    </message>
-    <message>
-        <source>as the garment</source>
-        <translation>wie das Kleidungsstück</translation>
+        <source>Mirror %1</source>
+        <translation>%1 spiegeln</translation>
     </message>
 </context>
 <context>
@@ -7130,16 +7184,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::SelectTool</name>
     <message>
-        <source>Nudge</source>
-        <translation>Anstoßen</translation>
-    </message>
-    <message>
         <source>Click: select a piece or a seam · Double click: frame a piece, or take an edge from corner to corner · Esc: select nothing</source>
         <translation>Klick: Schnittteil oder Naht auswählen · Doppelklick: Schnittteil einpassen oder eine Kante von Ecke zu Ecke nehmen · Esc: nichts auswählen</translation>
     </message>
     <message>
         <source>Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select by a box · Alt: snap the other way · Arrow keys: 1 mm, with Shift 10 mm · Esc: select nothing</source>
         <translation>Klick: Schnittteil oder Naht auswählen · Schnittteil ziehen: verschieben · Bogen ziehen: mit Rahmen auswählen · Alt: anders einrasten · Pfeiltasten: 1 mm, mit Umschalt 10 mm · Esc: nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Nudge %1</source>
+        <translation>%1 rücken</translation>
     </message>
 </context>
 <context>
@@ -7485,10 +7539,6 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>Position</source>
-        <translation>Lage</translation>
-    </message>
-    <message>
         <source>Fabric</source>
         <translation>Material</translation>
     </message>
@@ -7503,6 +7553,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Symmetry</source>
         <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Piece</source>
+        <translation>Schnittteil</translation>
     </message>
 </context>
 <context>
@@ -7631,10 +7685,6 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
         <translation>Spiegelbild eines Einschnitts</translation>
     </message>
     <message>
-        <source>Dart to seam</source>
-        <translation>Abnäher zur Naht</translation>
-    </message>
-    <message>
         <source>%1 points at no edge of its piece that a seam could lead to.</source>
         <translation>%1 zeigt auf keine Kante des Schnittteils, zu der eine Naht führen könnte.</translation>
     </message>
@@ -7661,6 +7711,22 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
     <message>
         <source>cut</source>
         <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Dart in %1</source>
+        <translation>Abnäher in %1</translation>
+    </message>
+    <message>
+        <source>Closed loop in %1</source>
+        <translation>Geschlossener Schnitt in %1</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Einschnitt in %1</translation>
+    </message>
+    <message>
+        <source>Dart in %1 to seam</source>
+        <translation>Abnäher in %1 zur Naht</translation>
     </message>
 </context>
 </TS>

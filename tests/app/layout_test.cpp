@@ -6,7 +6,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFile>
-#include <QLabel>
+#include <QLineEdit>
 #include <QRegularExpression>
 #include <cmath>
 #include <numbers>
@@ -88,7 +88,7 @@ private slots:
         QCOMPARE(steps(), 5);
         document().setSelection({0, 1});
         QCOMPARE(mirrored.checkState(), Qt::PartiallyChecked);
-        QCOMPARE(fixture_.find<QLabel>("positionTitle").text(), QString("2 pieces"));
+        QCOMPARE(fixture_.find<QLineEdit>("pieceName").placeholderText(), QString("2 pieces"));
         type("positionAngle", "45");
         QVERIFY(std::abs(placement(0).turn - std::numbers::pi / 4) < 1e-12);
         QVERIFY(std::abs(placement(1).turn - std::numbers::pi / 4) < 1e-12);

@@ -52,12 +52,12 @@ private slots:
         fixture_.open();
         QVERIFY(fixture_.openAndWait(TOILE_SOURCE_DIR "/resources/samples/tshirt.obj"));
         const int before = fixture_.patternView().width();
-        const int column = dockWidth("positionDock");
+        const int column = dockWidth("pieceDock");
         for (const Document::Selection& pieces :
              {Document::Selection{0}, Document::Selection{1, 2}, Document::Selection{}}) {
             fixture_.document().setSelection(pieces);
             QCoreApplication::processEvents();
-            QCOMPARE(dockWidth("positionDock"), column);
+            QCOMPARE(dockWidth("pieceDock"), column);
             QCOMPARE(fixture_.patternView().width(), before);
         }
     }

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/piece_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <numbers>
+#include <utility>
+
+#include "app/actions/action_registry.h"
+#include "app/document/document.h"
+#include "app/document/layout.h"
+#include "app/document/names.h"
+#include "app/document/piece_edits.h"
+#include "app/panels/shared_values.h"
+#include "app/text/figures.h"
+#include "app/widgets/number_edits.h"
+#include "core/base/units.h"
+
+namespace toile::app {
+
+namespace {
+
+/// Whether a person is typing there, so that it must not be written over.
+bool isTypedIn(const QLineEdit& field) {
+    return field.hasFocus() && field.isModified();
+}
+
+}  // namespace
+
+PieceForm::PieceForm(Document& document, const ActionRegistry& actions, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      fieldGuard_(new FieldGuard(this)),
+      name_(makeField<QLineEdit>(*fieldGuard_, "pieceName", tr("Name"), this)),
+      size_(new QLabel(this)),
+      quantity_(makeField<QSpinBox>(*fieldGuard_, "pieceQuantity", tr("Quantity"), this)),
+      pair_(new QCheckBox(tr("Pair"), this)),
+      material_(makeField<QComboBox>(*fieldGuard_, "pieceMaterial", tr("Material"), this)),
+      grain_(makeField<AngleEdit>(*fieldGuard_, "positionGrain", tr("Grain"), this)),
+      grainNote_(new QLabel(this)) {
+    name_->setToolTip(tr("What the piece is called; empty: as its file has it"));
+    size_->setObjectName("pieceSize");
+    size_->setToolTip(tr("The flat piece as it is cut: across the grain × along it"));
+    quantity_->setToolTip(tr("How many of the piece are cut"));
+    quantity_->setRange(0, kMaxCopies);  // 0: they differ
+    quantity_->setSpecialValueText(variousText());
+    quantity_->setKeyboardTracking(false);
+    pair_->setObjectName("piecePair");
+    pair_->setToolTip(tr("Each is also cut mirrored: left and right"));
+    material_->setEditable(true);
+    material_->setInsertPolicy(QComboBox::NoInsert);
+    material_->setToolTip(
+        tr("What is selected is cut from this; empty: from the garment's own fabric"));
+    grain_->setToolTip(tr("Direction of the warp on the sheet: 90° runs upwards"));
+    dressAngle(*grain_);
+    makeLayout(actions);
+    connectFields();
+    refresh();
+}
+
+void PieceForm::connectFields() {
+    connect(name_, &QLineEdit::editingFinished, this, &PieceForm::takeName);
+    connect(quantity_, &QSpinBox::valueChanged, this, [this](int quantity) {
+        if (quantity > 0) {
+            setQuantity(document_, pieces_, quantity);
+        }
+        refresh();
+    });
+    connect(pair_, &QCheckBox::clicked, this,
+            [this] { setMirroredPair(document_, pieces_, pair_->checkState() != Qt::Unchecked); });
+    connect(material_, &QComboBox::activated, this,
+            [this] { setMaterial(document_, pieces_, material_->currentText()); });
+    connect(material_->lineEdit(), &QLineEdit::editingFinished, this, &PieceForm::takeMaterial);
+    connect(grain_, &QDoubleSpinBox::valueChanged, this, &PieceForm::turnGrain);
+}
+
+void PieceForm::makeLayout(const ActionRegistry& actions) {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(5);
+    auto* copies = new QHBoxLayout;
+    copies->setSpacing(8);
+    copies->addWidget(quantity_, 1);
+    copies->addWidget(pair_);
+    int row = 0;
+    const auto add = [&](const QString& text, QWidget* field) {
+        auto* label = new QLabel(text, this);
+        label->setBuddy(field);
+        grid->addWidget(label, row, 0);
+        return row++;
+    };
+    grid->addWidget(name_, add(tr("&Name"), name_), 1);
+    grid->addWidget(size_, add(tr("Size"), nullptr), 1);
+    grid->addLayout(copies, add(tr("&Quantity"), quantity_), 1);
+    grid->addWidget(material_, add(tr("&Material"), material_), 1);
+    grid->addWidget(grain_, add(tr("&Grain"), grain_), 1);
+    grid->addWidget(makeGrainRow(actions), row, 1);
+    grid->setColumnStretch(1, 1);
+}
+
+QWidget* PieceForm::makeGrainRow(const ActionRegistry& actions) {
+    grainNote_->setObjectName("positionGrainNote");
+    grainNote_->setEnabled(false);  // in the colour of what is faint
+    grainButtons_ = new QWidget(this);
+    QSizePolicy keepsItsPlace = grainButtons_->sizePolicy();
+    keepsItsPlace.setRetainSizeWhenHidden(true);
+    grainButtons_->setSizePolicy(keepsItsPlace);
+    auto* buttons = new QHBoxLayout(grainButtons_);
+    buttons->setContentsMargins(0, 0, 0, 0);
+    buttons->setSpacing(4);
+    for (const ActionId id : {ActionId::VerticalGrain, ActionId::BestGrain, ActionId::ResetGrain}) {
+        auto* button = new QToolButton(this);
+        button->setDefaultAction(&actions[id]);
+        button->setText(actions[id].iconText());
+        buttons->addWidget(button);
+    }
+    buttons->addWidget(grainNote_, 1);
+    return grainButtons_;
+}
+
+void PieceForm::refresh() {
+    const auto& selection = document_.selection();
+    const std::vector<int> before =
+        std::exchange(pieces_, std::vector<int>(selection.begin(), selection.end()));
+    flat_ = selectedFlat(document_);
+    const bool any = !pieces_.empty(), isOther = pieces_ != before;
+    for (QWidget* field : std::initializer_list<QWidget*>{quantity_, pair_, material_}) {
+        field->setEnabled(any);
+    }
+    showName(isOther);
+    showMaterial(isOther);
+    showGrain();
+    const auto said = [this](int piece) -> const PieceSettings& {
+        return document_.settings()[std::size_t(piece)];
+    };
+    const auto quantity =
+        sharedValue(pieces_, [&said](int piece) -> int { return said(piece).quantity; });
+    const auto pair =
+        sharedValue(pieces_, [&said](int piece) -> bool { return said(piece).mirroredPair; });
+    {
+        const QSignalBlocker quiet(quantity_);
+        quantity_->setSpecialValueText(any ? variousText() : QStringLiteral(" "));
+        quantity_->setValue(quantity.value_or(0));
+    }
+    showChecked(*pair_, pair, any);
+    const auto size = sharedValue(flat_, [this](int piece) { return sizeText(piece); });
+    size_->setText(size ? *size : flat_.size() > 1 ? variousText() : QString(QChar(0x2013)));
+    size_->setEnabled(!flat_.empty());
+}
+
+QString PieceForm::sizeText(int piece) const {
+    const double grain = grainOf(document_.settings()[std::size_t(piece)]);
+    const Placement upright{{}, std::numbers::pi / 2 - grain};
+    const Eigen::Vector2d size = outlineBox(cutOutline(document_, piece), upright).sizes();
+    return QString("%1 × %2").arg(lengthNumber(size.x()), lengthWithUnit(size.y()));
+}
+
+void PieceForm::showName(bool isOther) {
+    if (!isOther && isTypedIn(*name_)) {
+        return;
+    }
+    const bool isOne = pieces_.size() == 1;
+    const auto at = isOne ? std::size_t(pieces_.front()) : 0;
+    name_->setEnabled(isOne);
+    name_->setText(isOne ? pieceName(document_, pieces_.front()) : QString());
+    name_->setCursorPosition(0);
+    name_->setPlaceholderText(isOne ? QString::fromStdString(document_.garment()->pieces[at]->name)
+                              : pieces_.empty() ? tr("No piece selected")
+                                                : nameOfPieces(document_, pieces_));
+}
+
+void PieceForm::takeName() {
+    const QString typed = name_->text().simplified();
+    name_->setModified(false);
+    if (pieces_.size() == 1 && typed != pieceName(document_, pieces_.front())) {
+        renamePiece(document_, pieces_.front(), typed);
+    }
+    showName(true);
+}
+
+void PieceForm::showMaterial(bool isOther) {
+    if (!isOther && isTypedIn(*material_->lineEdit())) {
+        return;
+    }
+    const QSignalBlocker quiet(material_);
+    QStringList names = QStringList(QString()) + proposedMaterials();
+    for (const Material& material : document_.state().materials) {
+        names << QString::fromStdString(material.name);
+    }
+    names.removeDuplicates();
+    QStringList listed;
+    for (int i = 0; i < material_->count(); ++i) {
+        listed << material_->itemText(i);
+    }
+    if (names != listed) {
+        material_->clear();
+        material_->addItems(names);
+    }
+    const auto shared = sharedValue(pieces_, [this](int piece) -> std::string {
+        return document_.settings()[std::size_t(piece)].material;
+    });
+    shownMaterial_ = QString::fromStdString(shared.value_or(std::string()));
+    material_->setCurrentIndex(material_->findText(shownMaterial_, Qt::MatchExactly));
+    material_->setEditText(shownMaterial_);
+    material_->lineEdit()->setPlaceholderText(pieces_.empty() ? QString()
+                                              : shared        ? tr("as the garment")
+                                                              : variousText());
+}
+
+void PieceForm::takeMaterial() {
+    const QString typed = material_->currentText().simplified();
+    // A field that was only left says nothing, of pieces that differ either.
+    material_->lineEdit()->setModified(false);
+    if (typed != shownMaterial_) {
+        setMaterial(document_, pieces_, typed);
+    } else {
+        showMaterial(true);
+    }
+}
+
+void PieceForm::showGrain() {
+    std::vector<double> directions;
+    bool stated = true;
+    for (const int piece : flat_) {
+        const PieceSettings& said = document_.settings()[std::size_t(piece)];
+        directions.push_back(directionOnSheet(placementOf(document_, piece), grainOf(said)));
+        stated = stated && said.grain.has_value();
+    }
+    grain_->setEnabled(!flat_.empty());
+    showAngle(*grain_, sharedAngle(directions), !flat_.empty());
+    // Without a selection the actions behind them are about the whole garment.
+    grainButtons_->setVisible(!flat_.empty());
+    grainNote_->setText(stated ? QString() : tr("grain not set"));
+}
+
+void PieceForm::turnGrain(double degrees) {
+    PieceGrains grains;
+    for (const int piece : flat_) {
+        grains[piece] = directionOnPiece(placementOf(document_, piece), degrees * kDegree);
+    }
+    setGrain(document_, tr("Grain of %1"), grains);
+    refresh();
+}
+
+}  // namespace toile::app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+
+namespace toile::app {
+
+class ActionRegistry;
+class AngleEdit;
+class Document;
+class FieldGuard;
+
+/// What is said about the selected pieces: name, how many are cut, from what, and how the grain
+/// runs. Where several are selected a field shows what they share, and that they differ else.
+class PieceForm : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Both must outlive the form.
+    PieceForm(Document& document, const ActionRegistry& actions, QWidget* parent = nullptr);
+
+    /// Shows what is selected now.
+    void refresh();
+
+private:
+    void connectFields();
+    void makeLayout(const ActionRegistry& actions);
+    QWidget* makeGrainRow(const ActionRegistry& actions);
+    /// @param isOther  other pieces are selected: what is being typed was about those before
+    void showName(bool isOther);
+    void showMaterial(bool isOther);
+    void showGrain();
+    /// Of the flat piece as it is cut, across and along its grain.
+    QString sizeText(int piece) const;
+    void takeName();
+    void takeMaterial();
+    void turnGrain(double degrees);
+
+    Document& document_;
+    FieldGuard* fieldGuard_;
+    QLineEdit* name_;
+    QLabel* size_;
+    QSpinBox* quantity_;
+    QCheckBox* pair_;
+    QComboBox* material_;
+    AngleEdit* grain_;
+    QLabel* grainNote_;
+    QWidget* grainButtons_ = nullptr;
+    std::vector<int> pieces_, flat_;  ///< shown, and those of them that are flat
+    QString shownMaterial_;           ///< that all of them have; empty where they differ
+};
+
+}  // namespace toile::app
