@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QSpinBox>
 #include <QTimer>
 #include <algorithm>
 #include <utility>
@@ -51,6 +52,11 @@ void forgetTyping(QWidget& field) {
         if (auto* line = number->findChild<QLineEdit*>()) {
             line->setText(number->textFromValue(number->value()));
         }
+    } else if (auto* count = qobject_cast<QSpinBox*>(&field)) {
+        const bool isSpecial =
+            count->value() == count->minimum() && !count->specialValueText().isEmpty();
+        count->findChild<QLineEdit*>()->setText(
+            isSpecial ? count->specialValueText() : count->locale().toString(count->value()));
     } else if (auto* line = qobject_cast<QLineEdit*>(&field)) {
         while (line->isUndoAvailable()) {
             line->undo();

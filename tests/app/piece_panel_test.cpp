@@ -93,6 +93,20 @@ private slots:
         QVERIFY(said(0).mirroredPair && said(1).mirroredPair && !said(2).mirroredPair);
     }
 
+    void escapeForgetsWhatWasTyped() {
+        document().setSelection({0});
+        for (QWidget* field : std::initializer_list<QWidget*>{&name(), &quantity()}) {
+            field->setFocus();
+            QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClicks(field, "7");
+            QTest::keyClick(field, Qt::Key_Escape);
+            QVERIFY(!field->hasFocus());
+        }
+        QCOMPARE(name().text(), QString("front"));
+        QCOMPARE(quantity().text(), QString("1"));
+        QVERIFY(!document().history().canUndo());
+    }
+
     void valuesThatDifferAreSaidToAndStay() {
         setQuantity(document(), {0}, 4);
         setMirroredPair(document(), {0}, true);
