@@ -15,6 +15,7 @@ namespace {
 #define TR(text) text
 
 constexpr MenuSeparator kLine{};
+constexpr MenuPlace kBelow = MenuPlace::Submenu, kContext = MenuPlace::Context;
 
 /// Methods come from their own table, under what they promise.
 std::vector<MenuItem> flattenItems() {
@@ -53,7 +54,7 @@ std::vector<MenuSpec> makeTable() {
           OpenReference, CloseReference, kLine,
           ReadyToCut, ExportPattern, PrintPattern, kLine,
           Quit}},
-        {"recentMenu", TR("Open &recent"), {RecentPlace{}}, false},
+        {"recentMenu", TR("Open &recent"), {RecentPlace{}}, kBelow},
         {"editMenu", TR("&Edit"),
          {Undo, Redo, kLine,
           SelectAll, SelectNone, kLine,
@@ -70,14 +71,14 @@ std::vector<MenuSpec> makeTable() {
          {OverlayNone, OverlayChecker, kLine,
           OverlayArea, OverlayAngle, OverlayStrain, OverlayWarp, OverlayWeft, OverlayBias,
           OverlayPrincipal, OverlayDirichlet, kLine,
-          OverlayNormal}, false},
+          OverlayNormal}, kBelow},
         {"layersMenu", TR("La&yers"),
          {CuttingLine, ShowSeams, ExactOutline, ReferencePanels, kLine,
-          Notches, InternalLines, GrainArrows, Labels}, false},
+          Notches, InternalLines, GrainArrows, Labels}, kBelow},
         {"lookMenu", TR("Loo&k"),
          {LookFront, LookBack, LookRight, LookLeft, LookTop, LookBottom, kLine,
-          Orthographic}, false},
-        {"listsMenu", TR("Sh&ow"), {ListsPlace{}}, false},
+          Orthographic}, kBelow},
+        {"listsMenu", TR("Sh&ow"), {ListsPlace{}}, kBelow},
         {"pieceMenu", TR("&Piece"),
          {RenamePiece, SetQuantity, kLine,
           HidePieces, ShowOnlyThese, ShowAllPieces, kLine,
@@ -89,15 +90,15 @@ std::vector<MenuSpec> makeTable() {
           Submenu{"mirrorMenu"}, Submenu{"grainMenu"}, kLine,
           FlattenAgain, CompareMethods, kLine,
           ExportOnlyThese, kLine,
-          LeaveOut, TakeIn}, false},
-        {"mirrorMenu", TR("&Mirror"), {MirrorLeftRight, MirrorUpsideDown}, false},
+          LeaveOut, TakeIn}, kContext},
+        {"mirrorMenu", TR("&Mirror"), {MirrorLeftRight, MirrorUpsideDown}, kBelow},
         {"grainMenu", TR("&Grain"),
-         {GrainUpwards, kLine, VerticalGrain, ReferenceGrain, BestGrain, ResetGrain}, false},
+         {GrainUpwards, kLine, VerticalGrain, ReferenceGrain, BestGrain, ResetGrain}, kBelow},
         {"seamContext", "",
          {Frame, WalkSeam, kLine, StateEase, ResetEase, kLine,
-          JoinSeam, DartToSeam, SeamToDart}, false},
+          JoinSeam, DartToSeam, SeamToDart}, kContext},
         {"groundContext", "",
-         {Frame, ShowAllPieces, kLine, LayOutAgain, kLine, Submenu{"overlayMenu"}}, false},
+         {Frame, ShowAllPieces, kLine, LayOutAgain, kLine, Submenu{"overlayMenu"}}, kContext},
         {"toolsMenu", TR("&Tools"),
          {ToolSelect, kLine,
           ToolCut, ToolLoop, ToolDart, ToolJoin, kLine,
@@ -112,7 +113,7 @@ std::vector<MenuSpec> makeTable() {
           Snapping}},
         {"lineUpMenu", TR("&Line up"),
          {AlignLeft, AlignCentre, AlignRight, AlignTop, AlignMiddle, AlignBottom, kLine,
-          DistributeAcross, DistributeUpwards}, false},
+          DistributeAcross, DistributeUpwards}, kBelow},
         {"garmentMenu", TR("&Garment"),
          {Reload, kLine,
           GoToFabric, kLine,
@@ -120,13 +121,13 @@ std::vector<MenuSpec> makeTable() {
           AutoCut, Weld, kLine,
           SeamsFromFile, SeamsToFile}},
         {"unitMenu", TR("&Unit"),
-         {UnitAuto, UnitMillimetre, UnitCentimetre, UnitDecimetre, UnitMetre, UnitInch}, false},
-        {"upMenu", TR("Up &axis"), {UpAuto, UpY, UpZ}, false},
+         {UnitAuto, UnitMillimetre, UnitCentimetre, UnitDecimetre, UnitMetre, UnitInch}, kBelow},
+        {"upMenu", TR("Up &axis"), {UpAuto, UpY, UpZ}, kBelow},
         {"divideMenu", TR("&Divide by"),
          {SplitAuto, SplitComponents, SplitObjects, SplitGroups, SplitMaterials, SplitUv,
-          SplitSeams}, false},
+          SplitSeams}, kBelow},
         {"flattenMenu", TR("F&latten"), flattenItems()},
-        {"qualityMenu", TR("&Quality"), {QualityDraft, QualityStandard, QualityFine}, false},
+        {"qualityMenu", TR("&Quality"), {QualityDraft, QualityStandard, QualityFine}, kBelow},
         {"helpMenu", TR("&Help"), {FirstSteps, Documentation, Shortcuts, kLine, ReportProblem, About}},
     };
 }
@@ -177,7 +178,7 @@ bool isForSpecialists(ActionId id) {
 std::vector<PlacedAction> placedActions() {
     std::vector<PlacedAction> found;
     for (const MenuSpec& menu : menuTable()) {
-        if (menu.inMenuBar) {
+        if (menu.place == MenuPlace::Bar) {
             collect(menu, {}, found);
         }
     }

@@ -30,11 +30,13 @@ struct RecentPlace {};
 using MenuItem =
     std::variant<ActionId, MenuSeparator, MenuHeading, Submenu, ListsPlace, RecentPlace>;
 
+enum class MenuPlace { Bar, Submenu, Context };
+
 struct MenuSpec {
     const char* name;   ///< object name
-    const char* title;  ///< to be translated
+    const char* title;  ///< to be translated; of a context menu none is seen
     std::vector<MenuItem> items;
-    bool inMenuBar = true;  ///< else a submenu
+    MenuPlace place = MenuPlace::Bar;
 };
 
 /// In the order of the menu bar.

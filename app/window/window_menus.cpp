@@ -123,7 +123,7 @@ void fillMenuBar(QMainWindow& window, const ActionRegistry& actions,
                  const QList<QDockWidget*>& lists, RecentFiles& recent) {
     MenuMaker maker = makerOf(actions, lists, &recent);
     for (const MenuSpec& spec : menuTable()) {
-        if (spec.inMenuBar) {
+        if (spec.place == MenuPlace::Bar) {
             maker.fill(*window.menuBar()->addMenu(menuText(spec.title)), spec);
         }
     }
