@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <span>
 
+#include "core/project/piece_settings.h"
+
 namespace toile::app {
 
 namespace {
@@ -82,7 +84,7 @@ const ColourMap& colourMap(Overlay overlay) {
 }
 
 Rgb pieceColour(int piece) {
-    static constexpr std::array<Rgb, 12> kHues = {{
+    static constexpr std::array<Rgb, kHueCount> kHues = {{
         {104, 151, 205},
         {222, 140, 108},
         {130, 178, 143},
@@ -96,13 +98,20 @@ Rgb pieceColour(int piece) {
         {128, 186, 222},
         {199, 163, 133},
     }};
-    const int count = static_cast<int>(kHues.size());
-    const Rgb hue = kHues[static_cast<std::size_t>(((piece % count) + count) % count)];
-    const int round = (piece / count) % 3;
-    if (round == 1) {
-        return blend(hue, {255, 255, 255}, 0.35);
+    const Rgb hue = kHues[static_cast<std::size_t>(((piece % kHueCount) + kHueCount) % kHueCount)];
+    constexpr Rgb kLight{255, 255, 255}, kDark{30, 34, 44};
+    switch ((piece / kHueCount) % 5) {
+        case 1:
+            return blend(hue, kLight, 0.35);
+        case 2:
+            return blend(hue, kDark, 0.25);
+        case 3:
+            return blend(hue, kLight, 0.6);
+        case 4:
+            return blend(hue, kDark, 0.45);
+        default:
+            return hue;
     }
-    return round == 2 ? blend(hue, {30, 34, 44}, 0.25) : hue;
 }
 
 Rgb neutralColour() {

@@ -26,7 +26,8 @@ const ColourMap& sequentialMap();
 /// The map of a measured overlay.
 const ColourMap& colourMap(Overlay overlay);
 
-/// Cloth colour of a piece: calm hues of like lightness that repeat, lighter and darker, after 12.
+/// Cloth colour of a piece: calm hues of like lightness that repeat, lighter and darker, after
+/// kHueCount.
 Rgb pieceColour(int piece);
 /// Pieces that are not flat.
 Rgb neutralColour();

@@ -13,6 +13,14 @@ int colourOf(const PieceLabels& labels, PieceId id) {
     return known == labels.end() ? -1 : known->second.colour;
 }
 
+/// Another shade of a colour, that is not among these yet.
+int takeShade(int colour, std::set<int>& taken) {
+    do {
+        colour += kHueCount;
+    } while (!taken.insert(colour).second);
+    return colour;
+}
+
 /// "skirt 2" for the part "front 2" of a piece that a person calls "skirt"; else empty.
 std::string inheritedName(const PieceLabels& labels, const Piece& whole, const Piece& part) {
     const std::string& said = nameOf(labels, whole);
@@ -39,7 +47,9 @@ PieceLabels withColours(PieceLabels labels, const Garment* before, const Garment
     for (std::size_t i = 0; i < colours.size(); ++i) {
         if (colours[i] < 0 && before && was[i] >= 0) {
             const int old = colourOf(labels, before->pieces[static_cast<std::size_t>(was[i])]->id);
-            colours[i] = old >= 0 && present.insert(old).second ? old : -1;
+            if (old >= 0) {
+                colours[i] = present.insert(old).second ? old : takeShade(old, ever);
+            }
         }
         while (colours[i] < 0) {
             colours[i] = ever.insert(next).second ? next : -1;

@@ -63,9 +63,12 @@ struct PieceLabel {
 /// back.
 using PieceLabels = std::map<PieceId, PieceLabel>;
 
+/// Colours of a number beyond these are the same hues again, in other shades.
+inline constexpr int kHueCount = 12;
+
 /// Gives every piece a colour that no other has: its own; else that of the piece that it was, where
-/// that is not there any more; else one that none ever had. What was cut from a piece that a person
-/// named is called by that name.
+/// that is not there any more; else another shade of that hue, or one that none ever had. What was
+/// cut from a piece that a person named is called by that name.
 /// @param before  null: the garment is new  Cost: that of `predecessors`. Pure.
 PieceLabels withColours(PieceLabels labels, const Garment* before, const Garment& after);
 

@@ -8,6 +8,7 @@
 #include "app/render/colour_map.h"
 #include "app/text/figures.h"
 #include "app/views/colour_bar.h"
+#include "core/project/piece_settings.h"
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
@@ -148,7 +149,9 @@ private slots:
         for (int i = 0; i < 40; ++i) {
             QVERIFY(!(pieceColour(i) == pieceColour(i + 1)));
         }
-        QVERIFY(!(pieceColour(0) == pieceColour(12)));
+        for (int shade = 1; shade < 5; ++shade) {
+            QVERIFY(!(pieceColour(0) == pieceColour(shade * kHueCount)));
+        }
     }
 
     void roundsUpToWhatReadsEasily_data() {
