@@ -350,7 +350,7 @@ void FabricPanel::showNeed() {
     need_->setVisible(!box.isEmpty());
     if (!box.isEmpty()) {
         need_->setText(tr("Needs %1 of cloth %2 wide, as the pieces lie now")
-                           .arg(lengthWithUnit(box.sizes().y()), lengthWithUnit(box.sizes().x())));
+                           .arg(saidLength(box.sizes().y()), saidLength(box.sizes().x())));
     }
 }
 

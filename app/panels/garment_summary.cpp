@@ -62,18 +62,11 @@ QString divisionWord(SplitMode mode) {
     return {};
 }
 
-/// As a height is told: "5.0 mm", "14.8 cm", "1.48 m", "48 1/4 in"; "14.8 m" whatever the unit.
+/// As a height is told: "1.48 m", "58.3 in"; "14.8 m" whatever the unit.
 QString heightText(double millimetres) {
-    const QLocale locale;
-    if (millimetres >= kMetresFrom) {
-        return tr("%1 m").arg(locale.toString(millimetres / 1000, 'f', 1));
-    }
-    if (lengthUnit() == QString::fromUtf8(symbol(LengthUnit::Inch))) {
-        return lengthWithUnit(millimetres);
-    }
-    return millimetres < 10     ? tr("%1 mm").arg(locale.toString(millimetres, 'f', 1))
-           : millimetres < 1000 ? tr("%1 cm").arg(locale.toString(millimetres / 10, 'f', 1))
-                                : tr("%1 m").arg(locale.toString(millimetres / 1000, 'f', 2));
+    return millimetres >= kMetresFrom
+               ? tr("%1 m").arg(QLocale().toString(millimetres / 1000, 'f', 1))
+               : saidLength(millimetres);
 }
 
 /// Box of the pieces of one file, mm.

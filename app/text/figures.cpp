@@ -35,6 +35,23 @@ QString lengthWithUnit(double millimetres) {
     return QString("%1 %2").arg(lengthNumber(millimetres), lengthUnit());
 }
 
+QString saidLength(double millimetres) {
+    constexpr double kYard = 914.4;
+    const QLocale locale;
+    const LengthFormat format = LengthDisplay::instance().format();
+    if (format.unit == LengthUnit::Inch) {
+        return millimetres >= 2 * kYard
+                   ? tr("%1 yd").arg(locale.toString(millimetres / kYard, 'f', 2))
+               : format.denominator > 0
+                   ? lengthWithUnit(millimetres)
+                   : tr("%1 in").arg(
+                         locale.toString(millimetres / millimetresPer(LengthUnit::Inch), 'f', 1));
+    }
+    return millimetres < 10     ? tr("%1 mm").arg(locale.toString(millimetres, 'f', 1))
+           : millimetres < 1000 ? tr("%1 cm").arg(locale.toString(millimetres / 10, 'f', 1))
+                                : tr("%1 m").arg(locale.toString(millimetres / 1000, 'f', 2));
+}
+
 QString lengthUnit() {
     return QString::fromUtf8(symbol(LengthDisplay::instance().format().unit));
 }

@@ -21,6 +21,8 @@ inline constexpr QChar kMinus(0x2212);
 QString lengthNumber(double millimetres);
 /// "412.3 mm", "16 1/4 in".
 QString lengthWithUnit(double millimetres);
+/// As a person says it: "5.0 mm", "14.8 cm", "1.48 m"; where inches are shown "48.3 in", "2.25 yd".
+QString saidLength(double millimetres);
 /// "mm", "cm", "in".
 QString lengthUnit();
 /// Differences too small for fractions of an inch, in decimals: "0.24" mm, "0.024" cm, "0.009" in.

@@ -3678,14 +3678,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nach dieser Spalte ordnen</translation>
     </message>
     <message>
-        <source>Seam lines keep their length</source>
-        <translation>Nahtlinien behalten ihre Länge</translation>
-    </message>
-    <message>
-        <source>Seam lines may change</source>
-        <translation>Nahtlinien dürfen sich ändern</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -4627,6 +4619,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>various</source>
         <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>%1 yd</source>
+        <translation>%1 yd</translation>
+    </message>
+    <message>
+        <source>%1 in</source>
+        <translation>%1 in</translation>
     </message>
 </context>
 <context>
@@ -5815,6 +5815,17 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Click: measure from here · Esc: back to selecting · two places on an edge are measured along it too</source>
         <translation>Klick: von hier messen · Esc: zurück zum Auswählen · Zwei Stellen auf einer Kante werden auch an ihr entlang gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::MenuPlace</name>
+    <message>
+        <source>Seam lines keep their length</source>
+        <translation>Nahtlinien behalten ihre Länge</translation>
+    </message>
+    <message>
+        <source>Seam lines may change</source>
+        <translation>Nahtlinien dürfen sich ändern</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QTest>
 
+#include "app/settings/length_display.h"
 #include "app/views/view_text.h"
 #include "core/base/units.h"
 #include "tests/app/support/run_test.h"
@@ -26,6 +27,18 @@ private slots:
     void lengthsAndAreasHaveOneDecimal() {
         QCOMPARE(lengthNumber(1234.56), QString("1234.6"));
         QCOMPARE(areaNumber(123456), QString("1234.6"));
+    }
+
+    void longLengthsAreSaidAsAPersonSaysThem() {
+        QCOMPARE(saidLength(5), QString("5.0 mm"));
+        QCOMPARE(saidLength(148), QString("14.8 cm"));
+        QCOMPARE(saidLength(1072), QString("1.07 m"));
+        LengthDisplay::instance().choose(LengthUnit::Inch);
+        QCOMPARE(saidLength(1225.8), QString("48.3 in"));
+        QCOMPARE(saidLength(2057.4), QString("2.25 yd"));
+        LengthDisplay::instance().choose(LengthUnit::Inch, 8);
+        QCOMPARE(saidLength(1225.55), QString("48 1/4 in"));
+        LengthDisplay::instance().choose(LengthUnit::Millimetre);
     }
 
     void percentsCarryTheirSign() {
