@@ -255,9 +255,7 @@ void GarmentActions::selectAll() {
 }
 
 void GarmentActions::selectNone() {
-    workspace_.document().setSelection({});
-    workspace_.document().setSeam({});
-    workspace_.document().setMark({});
+    workspace_.document().selectNothing();
 }
 
 void GarmentActions::resetEase() {

@@ -361,7 +361,24 @@ void Document::set(Value& field, std::type_identity_t<Value> value, DocumentChan
 
 void Document::setSelection(Selection selection) {
     std::erase_if(selection, [this](int piece) { return piece < 0 || piece >= pieceCount(); });
-    set(selection_, std::move(selection), DocumentChange::Selection);
+    if (selection.empty()) {
+        select({}, seam_, mark_);
+    } else {
+        select(std::move(selection), {}, {});
+    }
+}
+
+void Document::select(Selection pieces, std::optional<int> seam, std::optional<Feature> mark) {
+    DocumentChanges what;
+    what.setFlag(DocumentChange::Selection, pieces != selection_);
+    what.setFlag(DocumentChange::SeamSelection, seam != seam_);
+    what.setFlag(DocumentChange::Mark, mark != mark_);
+    if (what) {
+        selection_ = std::move(pieces);
+        seam_ = seam;
+        mark_ = mark;
+        emit changed(what);
+    }
 }
 
 void Document::toggleSelected(int piece) {
@@ -373,10 +390,15 @@ void Document::toggleSelected(int piece) {
 }
 
 void Document::setSeam(std::optional<int> seam) {
-    if (seam && (*seam < 0 || *seam >= seamCount())) {
-        seam.reset();
+    if (isInGarment(seam)) {
+        select({}, seam, {});
+    } else {
+        select(selection_, {}, mark_);
     }
-    set(seam_, seam, DocumentChange::SeamSelection);
+}
+
+bool Document::isInGarment(std::optional<int> seam) const {
+    return seam && *seam >= 0 && *seam < seamCount();
 }
 
 bool Document::isInGarment(const Feature& feature) const {
@@ -399,10 +421,14 @@ bool Document::isInGarment(const Feature& feature) const {
     }
 }
 
-void Document::setMark(const std::optional<Feature>& mark) {
+void Document::setMark(const std::optional<Feature>& mark, std::optional<int> seam) {
     const bool fits = mark && isInGarment(*mark) &&
                       (mark->kind == Feature::Kind::Run || mark->kind == Feature::Kind::Vertex);
-    set(mark_, fits ? mark : std::nullopt, DocumentChange::Mark);
+    if (fits) {
+        select({}, isInGarment(seam) ? seam : std::nullopt, mark);
+    } else {
+        select(selection_, seam_, {});
+    }
 }
 
 void Document::setHover(const std::optional<Feature>& hover) {

@@ -130,6 +130,9 @@ public:
     void setLines(LineSettings lines, const QString& text, int gesture = -1);
     /// Says how the next files are read; where a garment is open that is a matter of `edit`.
     void setLoading(LoadOptions loading);
+    /// One thing is selected at a time: pieces, a seam, or a mark. Whatever is selected drops the
+    /// others; nothing in its place leaves them.
+
     /// Indices outside the garment are left out.
     void setSelection(Selection selection);
     void toggleSelected(int piece);
@@ -137,7 +140,9 @@ public:
     void setSeam(std::optional<int> seam);
     /// Selects a stretch of outline or a vertex; one outside the garment, or of another kind,
     /// selects none.
-    void setMark(const std::optional<Feature>& mark);
+    /// @param seam  that it is a stretch of: selected with it, since lists know seams alone
+    void setMark(const std::optional<Feature>& mark, std::optional<int> seam = {});
+    void selectNothing() { select({}, {}, {}); }
     /// Says what the pointer is on; what is outside the garment is nothing.
     void setHover(const std::optional<Feature>& hover);
     /// Says how much longer a seam's left side is meant to be, as a part of the right; none: as
@@ -170,6 +175,8 @@ private:
     void refreshSettings(bool otherPieces);
     void tell(DocumentChanges what);
     bool isInGarment(const Feature& feature) const;
+    bool isInGarment(std::optional<int> seam) const;
+    void select(Selection pieces, std::optional<int> seam, std::optional<Feature> mark);
     /// Says so where that is another value.
     template <class Value>
     void set(Value& field, std::type_identity_t<Value> value, DocumentChange what);

@@ -88,10 +88,7 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
         document_.setLines(trued ? withFairing(lines) : lines,
                            trued ? tr("Trueing of a seam end") : tr("Kink at a seam end"));
     });
-    connect(ends_, &SeamEndsList::seamChosen, this, [this](int seam) {
-        document_.setMark({});
-        document_.setSeam(seam);
-    });
+    connect(ends_, &SeamEndsList::seamChosen, &document_, &Document::setSeam);
     connect(allowance_, &AllowanceForm::wanted, &document_, &Document::setLines);
     connect(label_, &LabelForm::wanted, &document_, &Document::setLines);
     connect(dart_, &DartForm::wanted, &document_, &Document::setLines);

@@ -60,6 +60,7 @@ public:
 struct ProblemsPanel::Outlook {
     std::set<int> open, closed;  ///< kinds
     QString key;                 ///< of the current row
+    bool isSelected = false;     ///< it
     int scroll = 0;
 };
 
@@ -194,6 +195,10 @@ void ProblemsPanel::showMenu(const QPoint& at) {
     menu->popup(table_->viewport()->mapToGlobal(at));
 }
 
+void ProblemsPanel::selectNothing() {
+    table_->clearSelection();
+}
+
 int ProblemsPanel::count() const {
     const Readiness& readiness = checker_.readiness();
     return readiness.count(Severity::Fault) + readiness.count(Severity::Doubt);
@@ -258,6 +263,7 @@ ProblemsPanel::Outlook ProblemsPanel::outlook() const {
     const QModelIndex current = table_->currentIndex().siblingAtColumn(ProblemsModel::Where);
     if (current.isValid()) {
         seen.key = current.data(ProblemsModel::KeyRole).toString();
+        seen.isSelected = table_->selectionModel()->isSelected(current);
     }
     seen.scroll = table_->verticalScrollBar()->value();
     return seen;
@@ -266,7 +272,10 @@ ProblemsPanel::Outlook ProblemsPanel::outlook() const {
 void ProblemsPanel::restore(const Outlook& before) {
     const auto select = [this, &before](const QModelIndex& index) {
         if (!before.key.isEmpty() && index.data(ProblemsModel::KeyRole) == before.key) {
-            table_->setCurrentIndex(index);
+            table_->selectionModel()->setCurrentIndex(
+                index, before.isSelected
+                           ? QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows
+                           : QItemSelectionModel::NoUpdate);
         }
     };
     for (int row = 0; row < model_->rowCount(); ++row) {

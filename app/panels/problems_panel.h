@@ -28,6 +28,8 @@ public:
     explicit ProblemsPanel(ReadyChecker& checker, QWidget* parent = nullptr);
 
     QTreeView& table() { return *table_; }
+    /// What is selected is no finding any more. The keyboard stays where it is.
+    void selectNothing();
     /// Faults and doubts, for the dock's title.
     int count() const;
 

@@ -119,7 +119,6 @@ void SymmetryPanel::makeSeamList() {
         0, tr("Seams and free edges that are no mirror image of another: they keep their length"));
     const auto choose = [this](const QTreeWidgetItem* item) {
         if (!fills_ && item) {
-            document_.setMark({});
             document_.setSeam(item->data(0, kSeamOfItem).toInt());
         }
     };

@@ -129,15 +129,11 @@ std::optional<Feature> runAt(const ToolView& view, const Document& document, con
 bool selectLineAt(const ToolView& view, Document& document, const QPointF& at) {
     const auto feature = featureAt(view, document, at);
     if (!feature || feature->kind == Feature::Kind::Piece) {
-        document.setMark({});
         return false;
     }
-    document.setSelection({});
     if (feature->kind == Feature::Kind::Seam) {
-        document.setMark({});
         document.setSeam(feature->seam);
     } else {
-        document.setSeam({});
         document.setMark(feature);
     }
     return true;
@@ -151,8 +147,11 @@ void selectPieceAt(const ToolView& view, Document& document, const Pointer& poin
         }
         return;
     }
-    document.setSeam({});
-    document.setSelection(hit ? Document::Selection{hit->piece} : Document::Selection{});
+    if (hit) {
+        document.setSelection({hit->piece});
+    } else {
+        document.selectNothing();
+    }
 }
 
 bool selectRunAt(const ToolView& view, Document& document, const QPointF& at) {
@@ -162,9 +161,7 @@ bool selectRunAt(const ToolView& view, Document& document, const QPointF& at) {
     if (!run) {
         return false;
     }
-    document.setSelection({});
-    document.setSeam(seamOfRun(*document.garment(), *run));  // lists know that one too
-    document.setMark(run);
+    document.setMark(run, seamOfRun(*document.garment(), *run));
     return true;
 }
 

@@ -27,16 +27,12 @@ const char* selectAt(const SceneView& view, Document& document, const QPointF& a
         return kGroundMenu;
     }
     if (feature->kind == Feature::Kind::Seam) {
-        document.setSelection({});
-        document.setMark({});
         document.setSeam(feature->seam);
         return kSeamMenu;
     }
     if (!document.isSelected(feature->piece)) {
         document.setSelection({feature->piece});
     }
-    document.setSeam({});
-    document.setMark({});
     return kPieceMenu;
 }
 

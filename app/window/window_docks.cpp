@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QScopedValueRollback>
 #include <QScrollArea>
 #include <QTreeView>
 #include <QUndoView>
@@ -97,7 +98,16 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
         docks_[Problems]->setWindowTitle(count == 0 ? tr("Problems")
                                                     : tr("Problems (%1)").arg(count));
     });
-    connect(problems_, &ProblemsPanel::wanted, this, &WindowDocks::showFindings);
+    connect(problems_, &ProblemsPanel::wanted, this, [this](const QList<int>& findings) {
+        const QScopedValueRollback guard(goesToFinding_, true);
+        showFindings(findings);
+    });
+    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
+        if (!goesToFinding_ && (what & (DocumentChange::Selection | DocumentChange::SeamSelection |
+                                        DocumentChange::Mark))) {
+            problems_->selectNothing();  // one thing is selected at a time
+        }
+    });
     connect(problems_, &ProblemsPanel::remedyWanted, this, &WindowDocks::help);
     if (PatternView* pattern = views_.patternView()) {
         connect(&checker_, &ReadyChecker::changed, this, &WindowDocks::showHelp);
@@ -264,7 +274,6 @@ void WindowDocks::showFindings(const QList<int>& indices) {
             document_.view().valuesPerTriangle || first.kind == FindingKind::FlippedTriangles);
     }
     if (indices.size() == 1 && first.seam >= 0) {
-        document_.setSelection({});
         document_.setSeam(first.seam);
         views_.frameSeam();
         return;
@@ -274,7 +283,7 @@ void WindowDocks::showFindings(const QList<int>& indices) {
         const auto& of = findings[static_cast<std::size_t>(index)].pieces;
         pieces.insert(of.begin(), of.end());
     }
-    document_.setSeam({});
+    document_.selectNothing();
     document_.setSelection(std::move(pieces));
     if (indices.size() == 1 && first.place && document_.scene()) {
         const FindingPlace& place = *first.place;

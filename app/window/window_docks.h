@@ -103,6 +103,7 @@ private:
     FabricPanel* fabric_;
     QList<QDockWidget*> docks_;
     QList<QWidget*> fields_;  ///< where the keyboard goes, one per dock
+    bool goesToFinding_ = false;
 };
 
 }  // namespace toile::app

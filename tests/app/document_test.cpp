@@ -139,12 +139,36 @@ private slots:
         QVERIFY(!document.seam());
     }
 
+    void oneThingIsSelectedAtATime() {
+        Document document;
+        test::setGarment(document, test::makeSewnCap(), nullptr);
+        const Feature run{.kind = Feature::Kind::Run, .piece = 0, .first = 0, .count = 1};
+        QSignalSpy spy(&document, &Document::changed);
+        document.setSelection({1});
+        document.setSeam(0);
+        QVERIFY(document.selection().empty());
+        QCOMPARE(lastChange(spy), DocumentChange::Selection | DocumentChange::SeamSelection);
+        document.setMark(run);
+        QVERIFY(document.mark() && !document.seam());
+        document.setMark(run, 0);  // of this seam
+        QVERIFY(document.mark() && document.seam());
+        document.setSelection({0});
+        QVERIFY(!document.mark() && !document.seam());
+        document.setSeam({});
+        document.setMark({});
+        QCOMPARE(document.selection(), Document::Selection{0});
+        document.selectNothing();
+        QVERIFY(document.selection().empty());
+        const auto count = spy.count();
+        document.selectNothing();
+        QCOMPARE(spy.count(), count);
+    }
+
     void easeIsSwappedInAndEverythingElseStays() {
         Document document;
         test::setGarment(document, test::makeSewnCap(), std::make_shared<Scene>());
         test::setResults(document, PieceResults(2, std::make_shared<PieceResult>()),
                          std::make_shared<Scene>());
-        document.setSelection({1});
         document.setSeam(0);
         const auto before = document.garment();
         const auto scene = document.scene();
@@ -157,7 +181,6 @@ private slots:
         QCOMPARE(document.garment()->pieces[0], before->pieces[0]);
         QCOMPARE(document.scene(), scene);
         QCOMPARE(document.results().size(), std::size_t(2));
-        QCOMPARE(document.selection(), Document::Selection{1});
         QCOMPARE(document.seam(), std::optional(0));
         QCOMPARE(document.revision(), revision);
         document.setSeamEase(0, 0.04);

@@ -210,9 +210,7 @@ void SelectTool::key(ToolView&, const QKeyEvent& event) {
 }
 
 void SelectTool::selectNothing() {
-    document_.setSelection({});
-    document_.setSeam({});
-    document_.setMark({});
+    document_.selectNothing();
 }
 
 void SelectTool::nudge(const QKeyEvent& event) {
