@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QPalette>
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "app/document/document.h"
@@ -150,6 +151,19 @@ bool PiecesModel::hasMaterials() const {
     return std::ranges::any_of(document_.settings(), [](const PieceSettings& settings) {
         return !settings.material.empty();
     });
+}
+
+bool PiecesModel::isTelling(int column) const {
+    std::set<toile::Method> methods;
+    for (int row = 0; row < document_.pieceCount(); ++row) {
+        if (const PieceResult* known = document_.result(row)) {
+            methods.insert(known->options.method);
+        }
+        if (column != Method && isTrouble(row, column)) {
+            return true;
+        }
+    }
+    return column == Method && methods.size() > 1;
 }
 
 QVariant PiecesModel::decoration(int row) const {

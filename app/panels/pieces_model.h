@@ -56,6 +56,9 @@ public:
     bool hasReference() const;
     /// True where a piece is cut from another fabric than the garment's own.
     bool hasMaterials() const;
+    /// Whether some piece has a flip, or a crossing; or pieces were flattened by different methods.
+    /// @param column  Flips, Crossings or Method
+    bool isTelling(int column) const;
 
 signals:
     /// A person has typed another name for a piece.

@@ -12,6 +12,7 @@
 #include <QTreeView>
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "app/document/document.h"
 #include "app/document/names.h"
@@ -76,7 +77,7 @@ PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
         fitColumns();
         updateDetails();
     });
-    columns_->setHidden(hiddenAtFirst());
+    fitColumns();
     updateDetails();
 }
 
@@ -152,13 +153,22 @@ void PiecesPanel::editCell(int piece, int column) {
     table_->edit(cell);
 }
 
-QStringList PiecesPanel::hiddenAtFirst() {
-    return {"triangles", "outlineError"};
+QStringList PiecesPanel::quietColumns() const {
+    QStringList quiet{"triangles", "outlineError"};
+    for (const auto& [column, name] :
+         {std::pair(PiecesModel::Method, "method"), std::pair(PiecesModel::Flips, "flips"),
+          std::pair(PiecesModel::Crossings, "crossings")}) {
+        if (!model_->isTelling(column)) {
+            quiet << name;
+        }
+    }
+    return quiet;
 }
 
 void PiecesPanel::fitColumns() {
     constexpr int kCellAir = 6;
     const bool hasReference = model_->hasReference(), hasMaterials = model_->hasMaterials();
+    columns_->propose(quietColumns());
     wanted_.assign(PiecesModel::ColumnCount, 0);
     for (int column = 0; column < PiecesModel::ColumnCount; ++column) {
         table_->setColumnHidden(column,
@@ -189,9 +199,6 @@ void PiecesPanel::fillWidth() {
         const int cut = std::min({-spare, *widest - least, 8});
         *widest -= cut;
         spare += cut;
-    }
-    if (spare > 0 && widths[PiecesModel::Status] > 0) {
-        widths[PiecesModel::Status] += spare;
     }
     for (int column = 0; column < PiecesModel::ColumnCount; ++column) {
         if (widths[static_cast<std::size_t>(column)] > 0) {

@@ -31,8 +31,6 @@ public:
     void editName();
     /// Of all selected pieces.
     void editQuantity();
-    /// Columns that a person has to ask for.
-    static QStringList hiddenAtFirst();
 
 signals:
     /// A piece was double-clicked or Enter pressed on it: it is to be shown.
@@ -44,8 +42,9 @@ protected:
 private:
     void makeTable();
     void editCell(int piece, int column);
-    /// Every column as wide as its contents; what is left goes to the status, and what is wanting
-    /// is taken from the widest.
+    /// Columns that a person has to ask for: of figures that few want, and where nothing is wrong.
+    QStringList quietColumns() const;
+    /// Every column as wide as its contents; what is wanting is taken from the widest.
     void fitColumns();
     void fillWidth();
     void onChanged(DocumentChanges what);

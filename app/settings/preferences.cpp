@@ -208,8 +208,9 @@ void Preferences::setWindowState(const QByteArray& state) {
     write(kState, state);
 }
 
-QStringList Preferences::hiddenColumns(const QString& table, const QStringList& atFirst) const {
-    return read(QString(kHiddenColumns).arg(table), atFirst).toStringList();
+std::optional<QStringList> Preferences::hiddenColumns(const QString& table) const {
+    const QVariant kept = read(QString(kHiddenColumns).arg(table));
+    return kept.isValid() ? std::optional(kept.toStringList()) : std::nullopt;
 }
 
 void Preferences::setHiddenColumns(const QString& table, const QStringList& columns) {

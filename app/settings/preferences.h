@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <QVariant>
 #include <memory>
+#include <optional>
 
 #include "app/settings/choices.h"
 #include "core/export/export_options.h"
@@ -53,7 +54,7 @@ public:
     QByteArray windowState() const;
     void setWindowState(const QByteArray& state);
     /// Columns of a table by the name they are kept under; none: never chosen.
-    QStringList hiddenColumns(const QString& table, const QStringList& atFirst) const;
+    std::optional<QStringList> hiddenColumns(const QString& table) const;
     void setHiddenColumns(const QString& table, const QStringList& columns);
 
 signals:

@@ -5,6 +5,7 @@
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QInputMethod>
 #include <QKeyEvent>
 #include <QPointer>
@@ -47,6 +48,8 @@ inline void dressList(QTreeView& list) {
     list.setAlternatingRowColors(true);
     list.setAllColumnsShowFocus(true);
     list.setFrameShape(QFrame::NoFrame);
+    list.header()->setTextElideMode(
+        Qt::ElideRight);  // else right-aligned heads lose their beginning
 }
 
 /// Calls it when Enter is pressed on the list.

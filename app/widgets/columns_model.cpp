@@ -15,6 +15,7 @@ ColumnChooser::ColumnChooser(QHeaderView& header, QStringList names, QObject* pa
 
 void ColumnChooser::setHidden(const QStringList& names) {
     hidden_ = names;
+    isChosen_ = true;
     emit changed();
 }
 

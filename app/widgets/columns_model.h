@@ -31,8 +31,10 @@ public:
         switch (role) {
             case Qt::DisplayRole:
                 return headings()[static_cast<std::size_t>(section)].title;
-            case Qt::ToolTipRole:
-                return headings()[static_cast<std::size_t>(section)].tip;
+            case Qt::ToolTipRole: {  // the title too: there may be too little room for it
+                const Heading heading = headings()[static_cast<std::size_t>(section)];
+                return QString("%1\n%2").arg(heading.title, heading.tip);
+            }
             case Qt::TextAlignmentRole:
                 return alignment(section);
             default:
@@ -105,6 +107,8 @@ public:
     /// Those the person does not want; unknown names are kept and mean nothing.
     const QStringList& hidden() const { return hidden_; }
     void setHidden(const QStringList& names);
+    /// Those that are not worth their room, as long as nobody has chosen.
+    void propose(const QStringList& hidden) { hidden_ = isChosen_ ? hidden_ : hidden; }
     bool isHidden(int column) const { return hidden_.contains(names_.value(column)); }
 
 signals:
@@ -117,6 +121,7 @@ private:
 
     QHeaderView& header_;
     QStringList names_, hidden_;
+    bool isChosen_ = false;
 };
 
 }  // namespace toile::app

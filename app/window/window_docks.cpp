@@ -83,7 +83,9 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
     add(tr("Fabric"), "fabricDock", fabric_, fabric_->firstField(), actions[ActionId::GoToFabric]);
     arrange();
     constexpr auto kPieces = "pieces";
-    pieces_->columns().setHidden(preferences.hiddenColumns(kPieces, PiecesPanel::hiddenAtFirst()));
+    if (const auto hidden = preferences.hiddenColumns(kPieces)) {
+        pieces_->columns().setHidden(*hidden);
+    }
     connect(&pieces_->columns(), &ColumnChooser::chosen, this,
             [&preferences](const QStringList& hidden) {
                 preferences.setHiddenColumns(kPieces, hidden);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Quantity, mirrored pair and method in the list of pieces: real key and mouse events, what they
 // leave in the document and in the files.
+#include <QAction>
 #include <QFile>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QSpinBox>
 #include <QStyle>
 #include <QStyleOptionViewItem>
@@ -12,6 +14,7 @@
 #include "app/document/piece_edits.h"
 #include "app/panels/pieces_model.h"
 #include "tests/app/support/garments.h"
+#include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
 
@@ -207,6 +210,42 @@ private slots:
                         test::kPatience);
                 }
             }
+        }
+    }
+
+    void whatIsAsItShouldBeTakesNoColumn() {
+        const auto isHidden = [this](int column) { return table().isColumnHidden(column); };
+        for (const int column : {PiecesModel::Method, PiecesModel::Flips, PiecesModel::Crossings}) {
+            QVERIFY(isHidden(column));
+        }
+        QVERIFY(table().header()->sectionSize(PiecesModel::Status) < 200);
+        // Results with a flip, and of another method.
+        PieceResults results = document().results();
+        auto other = std::make_shared<PieceResult>(*results[0]);
+        other->quality->flippedTriangles = 1;
+        other->options.method = Method::Curvature;
+        results[0] = other;
+        test::setResults(document(), results, document().scene());
+        QVERIFY(!isHidden(PiecesModel::Flips) && !isHidden(PiecesModel::Method));
+        QVERIFY(isHidden(PiecesModel::Crossings));
+        // What a person chooses stays, whatever comes.
+        emit table().header()->customContextMenuRequested({10, 5});
+        auto* menu = table().findChild<QMenu*>("columnMenu");
+        QVERIFY(menu && menu->findChild<QAction*>("flips")->isChecked());
+        menu->findChild<QAction*>("flips")->trigger();
+        menu->close();
+        test::setResults(document(), results, document().scene());
+        QVERIFY(isHidden(PiecesModel::Flips) && !isHidden(PiecesModel::Method));
+    }
+
+    void headsTooLongLoseTheirEndAndTheTipHasThem() {
+        QCOMPARE(table().header()->textElideMode(), Qt::ElideRight);
+        const QAbstractItemModel& model = *table().model();
+        for (int column = 0; column < PiecesModel::ColumnCount; ++column) {
+            const QString title = model.headerData(column, Qt::Horizontal).toString();
+            QVERIFY(model.headerData(column, Qt::Horizontal, Qt::ToolTipRole)
+                        .toString()
+                        .startsWith(title));
         }
     }
 
