@@ -139,7 +139,7 @@ private slots:
         for (const MenuSpec& spec : menuTable()) {
             std::unique_ptr<QMenu> context;  // those that are made where something is pointed at
             auto* menu = window().findChild<QMenu*>(spec.name);
-            QCOMPARE(menu == nullptr, spec.place == MenuPlace::Context);
+            QVERIFY(!menu || spec.place != MenuPlace::Context);
             if (!menu) {
                 context.reset(makeContextMenu(spec.name, window().actions(), nullptr));
                 menu = context.get();
