@@ -50,6 +50,16 @@ CutWords wordsOf(UserCut::Kind kind) {
     return {Workspace::tr("Cut"), Workspace::tr("Cut %1"), Workspace::tr("cut").toStdString()};
 }
 
+/// By the name of the first of these cuts: the others are its mirror images, or stood in one line.
+QString textOfRemoval(const SeamsFile& seams, const std::vector<CutId>& ids) {
+    const auto cut = std::ranges::find_if(seams.cuts, [&ids](const UserCut& known) {
+        return std::ranges::find(ids, known.id) != ids.end();
+    });
+    return cut == seams.cuts.end()
+               ? Workspace::tr("Removal of a cut")
+               : Workspace::tr("Removal of %1").arg(QString::fromStdString(cut->name));
+}
+
 /// Whether a mirror image is found at once: within some milliseconds.
 bool isSmall(const Garment& garment) {
     constexpr Eigen::Index kTriangles = 20'000;
@@ -224,7 +234,7 @@ bool Workspace::isSeamOfDart(int seam) const {
 void Workspace::seamToDart(int seam) {
     const auto cut = cutBeyond(seam);
     if (cut && !opening_.isActive()) {
-        changeSeams(tr("Seam to dart"), removalOf({*cut}));
+        changeSeams(tr("%1 to dart").arg(seamName(document_, seam)), removalOf({*cut}));
     }
 }
 
@@ -262,7 +272,7 @@ void Workspace::joinSeam(int seam) {
         }
     }
     if (!chosen.cuts.empty()) {
-        changeSeams(tr("Removal of a cut"), removalOf(chosen.cuts));
+        changeSeams(textOfRemoval(loading().seams, chosen.cuts), removalOf(chosen.cuts));
         return;
     }
     UserJoin join = joinAlong(chosen, garment->pieces);
@@ -271,7 +281,7 @@ void Workspace::joinSeam(int seam) {
         point = inFileSpace(point, loading().seams, *garment);
     }
     onTrial_.push_back({join.name});
-    changeSeams(tr("Join"),
+    changeSeams(tr("Join %1").arg(seamName(document_, seam)),
                 [join = std::move(join)](SeamsFile& seams) { seams.joins.push_back(join); });
 }
 
@@ -279,19 +289,20 @@ void Workspace::removeCut(CutId id) {
     if (opening_.isActive()) {
         return;  // what comes may be the same garment, cut in another way
     }
-    changeSeams(tr("Removal of a cut"), removalOf({id}));
+    changeSeams(textOfRemoval(loading().seams, {id}), removalOf({id}));
 }
 
 void Workspace::removeJoin(const std::string& name) {
     if (opening_.isActive()) {
         return;
     }
-    changeSeams(tr("Removal of a join"), [name](SeamsFile& seams) {
-        const auto join = std::ranges::find(seams.joins, name, &UserJoin::name);
-        if (join != seams.joins.end()) {
-            seams.joins.erase(join);
-        }
-    });
+    changeSeams(tr("Removal of join %1").arg(QString::fromStdString(name)),
+                [name](SeamsFile& seams) {
+                    const auto join = std::ranges::find(seams.joins, name, &UserJoin::name);
+                    if (join != seams.joins.end()) {
+                        seams.joins.erase(join);
+                    }
+                });
 }
 
 void Workspace::setEase(int seam, std::optional<double> ease) {

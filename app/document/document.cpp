@@ -7,6 +7,7 @@
 
 #include "app/base/text.h"
 #include "app/document/history.h"
+#include "app/document/names.h"
 #include "core/garment/lineage.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/target_lengths.h"
@@ -445,7 +446,7 @@ void Document::setSeamEase(int seam, std::optional<double> ease, int gesture) {
     DocumentState next = state_;
     auto& settings = next.inputs.loading.seamSettings;
     settings = withEase(std::move(settings), before, ease);
-    edit(tr("Ease of a seam"), std::move(next), gesture);
+    edit(tr("Ease of %1").arg(seamName(*this, seam)), std::move(next), gesture);
 }
 
 void Document::setEaseDrawn(int seam, bool drawn) {
@@ -458,7 +459,8 @@ void Document::setEaseDrawn(int seam, bool drawn) {
     auto& settings = next.inputs.loading.seamSettings;
     settings = withEase(std::move(settings), before, before.ease,
                         drawn ? std::optional(SeamPart{}) : std::nullopt);
-    edit(drawn ? tr("Drawn ease") : tr("Ease no longer drawn"), std::move(next));
+    const QString text = drawn ? tr("Drawn ease of %1") : tr("Ease of %1 no longer drawn");
+    edit(text.arg(seamName(*this, seam)), std::move(next));
 }
 
 void Document::setView(const ViewState& view) {

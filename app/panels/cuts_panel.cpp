@@ -5,8 +5,12 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QScopedValueRollback>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "app/document/document.h"
 #include "app/settings/length_display.h"
@@ -21,6 +25,15 @@ enum CutColumn { CutName, Author, PieceName, Length, CutColumnCount };
 
 /// Data of a row.
 constexpr int kIsOwn = Qt::UserRole, kIsJoin = Qt::UserRole + 1, kCutId = Qt::UserRole + 2;
+
+/// None for a join.
+CutId cutOf(const QTreeWidgetItem& row) {
+    return {row.data(CutName, kCutId).toULongLong()};
+}
+
+bool isOf(const Seam& seam, CutId cut) {
+    return std::ranges::find(seam.cuts, cut) != seam.cuts.end();
+}
 
 }  // namespace
 
@@ -52,6 +65,7 @@ CutsPanel::CutsPanel(const Document& document, QWidget* parent)
     table_->addAction(takeBack);
     table_->setContextMenuPolicy(Qt::ActionsContextMenu);
     connect(takeBack, &QAction::triggered, this, &CutsPanel::removeCurrent);
+    connect(table_, &QTreeWidget::itemSelectionChanged, this, &CutsPanel::tellSeam);
     connect(&document_, &Document::changed, this, &CutsPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &CutsPanel::rebuild);
     hide();
@@ -60,6 +74,40 @@ CutsPanel::CutsPanel(const Document& document, QWidget* parent)
 void CutsPanel::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Garment)) {
         rebuild();
+    }
+    if (what & (DocumentChange::Garment | DocumentChange::Selection |
+                DocumentChange::SeamSelection | DocumentChange::Mark)) {
+        selectInTable();
+    }
+}
+
+void CutsPanel::selectInTable() {
+    if (synchronizing_) {
+        return;
+    }
+    const QScopedValueRollback guard(synchronizing_, true);
+    table_->clearSelection();
+    const std::optional<int> seam = document_.seam();
+    for (int k = 0; seam && k < table_->topLevelItemCount(); ++k) {
+        QTreeWidgetItem& row = *table_->topLevelItem(k);
+        if (isOf(document_.garment()->seams.seams[static_cast<std::size_t>(*seam)], cutOf(row))) {
+            table_->setCurrentItem(&row);
+            return;
+        }
+    }
+}
+
+void CutsPanel::tellSeam() {
+    const QList<QTreeWidgetItem*> rows = table_->selectedItems();
+    if (synchronizing_ || rows.isEmpty()) {
+        return;
+    }
+    const QScopedValueRollback guard(synchronizing_, true);
+    const std::vector<Seam>& seams = document_.garment()->seams.seams;
+    const auto seam = std::ranges::find_if(
+        seams, [cut = cutOf(*rows.front())](const Seam& one) { return isOf(one, cut); });
+    if (seam != seams.end()) {
+        emit seamChosen(static_cast<int>(seam - seams.begin()));
     }
 }
 
@@ -132,7 +180,7 @@ void CutsPanel::removeCurrent() {
     if (row->data(CutName, kIsJoin).toBool()) {
         emit joinRemovalWanted(row->text(CutName).toStdString());
     } else {
-        emit removeWanted({row->data(CutName, kCutId).toULongLong()});
+        emit removeWanted(cutOf(*row));
     }
 }
 

@@ -23,6 +23,8 @@ public:
     explicit CutsPanel(const Document& document, QWidget* parent = nullptr);
 
 signals:
+    /// A person has selected a cut: this seam is of it.
+    void seamChosen(int seam);
     /// A cut of the user's is to be taken back.
     void removeWanted(toile::CutId cut);
     /// A seam that was joined is to be there again.
@@ -35,10 +37,14 @@ private:
     void onChanged(DocumentChanges what);
     void rebuild();
     void removeCurrent();
+    /// Selects the cut whose seam is selected, and else none.
+    void selectInTable();
+    void tellSeam();
 
     const Document& document_;
     QLabel* count_;
     QTreeWidget* table_;
+    bool synchronizing_ = false;  ///< keeps the two selections from answering each other
 };
 
 }  // namespace toile::app

@@ -111,6 +111,7 @@ SeamsPanel::SeamsPanel(Document& document, const ActionRegistry& actions, QWidge
     layout->addLayout(ledger, 3);
     layout->addWidget(cuts, 1);
 
+    connect(cuts, &CutsPanel::seamChosen, &document_, &Document::setSeam);
     connect(cuts, &CutsPanel::removeWanted, this, &SeamsPanel::cutRemovalWanted);
     connect(cuts, &CutsPanel::joinRemovalWanted, this, &SeamsPanel::joinRemovalWanted);
     connect(model_, &SeamsModel::easeWanted, this, &SeamsPanel::easeWanted);

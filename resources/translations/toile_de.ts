@@ -5137,16 +5137,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Verfahren ändern</translation>
     </message>
     <message>
-        <source>Ease of a seam</source>
-        <translation>Einhalteweite einer Naht</translation>
+        <source>Ease of %1</source>
+        <translation>Einhalteweite von %1</translation>
     </message>
     <message>
-        <source>Drawn ease</source>
-        <translation>Einhalteweite zeichnen</translation>
+        <source>Drawn ease of %1</source>
+        <translation>Einhalteweite von %1 zeichnen</translation>
     </message>
     <message>
-        <source>Ease no longer drawn</source>
-        <translation>Einhalteweite nicht mehr zeichnen</translation>
+        <source>Ease of %1 no longer drawn</source>
+        <translation>Einhalteweite von %1 nicht mehr zeichnen</translation>
     </message>
 </context>
 <context>
@@ -7668,14 +7668,6 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
         <translation>%1 lässt sich nicht allein verbinden: Toile hat %2 dort aufgeschnitten, weil es nicht flach liegen konnte. Schalten Sie Kleidungsstück ▸ Von selbst aufschneiden aus oder zeichnen Sie stattdessen einen eigenen Einschnitt.</translation>
     </message>
     <message>
-        <source>Join</source>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>Removal of a join</source>
-        <translation>Entfernen einer Verbindung</translation>
-    </message>
-    <message>
         <source>It was to be the mirror image of the one that you drew. Switch off Tools ▸ Mirror edits to cut one side alone.</source>
         <translation>Es sollte das Spiegelbild des gezeichneten Schnitts sein. Schalten Sie Werkzeuge ▸ Änderungen spiegeln aus, um nur eine Seite zu schneiden.</translation>
     </message>
@@ -7698,10 +7690,6 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
     <message>
         <source>%1 points at no edge of its piece that a seam could lead to.</source>
         <translation>%1 zeigt auf keine Kante des Schnittteils, zu der eine Naht führen könnte.</translation>
-    </message>
-    <message>
-        <source>Seam to dart</source>
-        <translation>Naht zum Abnäher</translation>
     </message>
     <message>
         <source>Reference pattern</source>
@@ -7738,6 +7726,22 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
     <message>
         <source>Dart in %1 to seam</source>
         <translation>Abnäher in %1 zur Naht</translation>
+    </message>
+    <message>
+        <source>Removal of %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>%1 to dart</source>
+        <translation>%1 zum Abnäher</translation>
+    </message>
+    <message>
+        <source>Join %1</source>
+        <translation>%1 verbinden</translation>
+    </message>
+    <message>
+        <source>Removal of join %1</source>
+        <translation>Verbindung %1 entfernen</translation>
     </message>
 </context>
 </TS>

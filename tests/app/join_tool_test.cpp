@@ -21,6 +21,23 @@ class JoinToolTest : public test::ToolBench {
     Q_OBJECT
 
 private slots:
+    void aCutAndItsSeamAreSelectedTogether() {
+        openSheets();
+        tools().choose(ToolId::Cut);
+        click(garmentView(), at(garmentView(), 0, {0, 77, 0}));
+        doubleClick(garmentView(), at(garmentView(), 0, {kWidth, 77, 0}));
+        QVERIFY(waitForPieces(3));
+        auto& cuts = fixture_.find<QTreeWidget>("cutTable");
+        document().setSelection({0});
+        cuts.setCurrentItem(cuts.topLevelItem(0));
+        QCOMPARE(document().seam(), sewn());
+        QVERIFY(document().selection().empty());
+        document().setSelection({1});
+        QVERIFY(cuts.selectedItems().isEmpty());
+        document().setSeam(sewn());
+        QVERIFY(cuts.topLevelItem(0)->isSelected());
+    }
+
     void aClickTakesACutOutAgain() {
         openSheets();
         const auto start = document().garment();
@@ -41,7 +58,7 @@ private slots:
         QVERIFY(waitForPieces(2));
         QCOMPARE(document().garment()->pieces, start->pieces);
         QVERIFY(document().loading().seams.cuts.empty());
-        QCOMPARE(document().history().undoText(), QString("Removal of a cut"));
+        QCOMPARE(document().history().undoText(), QString("Removal of cut 1"));
         while (document().history().canUndo()) {
             document().history().undo();
         }
