@@ -101,7 +101,8 @@ void PieceForm::makeLayout(const ActionRegistry& actions) {
     grid->addLayout(copies, add(tr("&Quantity"), quantity_), 1);
     grid->addWidget(material_, add(tr("&Material"), material_), 1);
     grid->addWidget(grain_, add(tr("&Grain"), grain_), 1);
-    grid->addWidget(makeGrainRow(actions), row, 1);
+    grid->addWidget(makeGrainRow(actions), row++, 1);
+    grid->addWidget(grainNote_, row, 1);
     grid->setColumnStretch(1, 1);
 }
 
@@ -121,7 +122,7 @@ QWidget* PieceForm::makeGrainRow(const ActionRegistry& actions) {
         button->setText(actions[id].iconText());
         buttons->addWidget(button);
     }
-    buttons->addWidget(grainNote_, 1);
+    buttons->addStretch(1);
     return grainButtons_;
 }
 
@@ -237,7 +238,7 @@ void PieceForm::showGrain() {
     showAngle(*grain_, sharedAngle(directions), !flat_.empty());
     // Without a selection the actions behind them are about the whole garment.
     grainButtons_->setVisible(!flat_.empty());
-    grainNote_->setText(stated ? QString() : tr("grain not set"));
+    grainNote_->setText(stated ? QStringLiteral(" ") : tr("grain not set"));  // as high, too
 }
 
 void PieceForm::turnGrain(double degrees) {
