@@ -158,7 +158,8 @@ void PieceForm::refresh() {
 
 QString PieceForm::sizeText(int piece) const {
     const double grain = grainOf(document_.settings()[std::size_t(piece)]);
-    const Placement upright{{}, std::numbers::pi / 2 - grain};
+    Placement upright;
+    upright.turn = std::numbers::pi / 2 - grain;
     const Eigen::Vector2d size = outlineBox(cutOutline(document_, piece), upright).sizes();
     return QString("%1 × %2").arg(lengthNumber(size.x()), lengthWithUnit(size.y()));
 }

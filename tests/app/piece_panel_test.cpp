@@ -122,6 +122,8 @@ private slots:
             field->setFocus();  // and left again
         }
         QCOMPARE(document().history().count(), steps);
+        document().setSelection({0, 1});
+        QCOMPARE(size(), QString::fromUtf8("120.0 × 80.0 mm"));  // both alike
     }
 
     void theSizeGoesByTheGrainHoweverThePieceLies() {
