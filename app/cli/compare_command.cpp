@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <ostream>
+#include <utility>
 
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
@@ -40,9 +41,12 @@ void printText(const Garment& garment, const Comparison& comparison, bool perPie
 /// @return whether there was one
 bool printFailures(const Garment& garment, const Comparison& comparison, std::ostream& err) {
     bool failed = false;
-    for (const auto& piece : garment.pieces) {
-        if (piece->defect) {
-            err << "toile: " << sentence(*piece->defect) << '\n';
+    for (std::size_t k = 0; k < garment.pieces.size(); ++k) {
+        const bool isOut = std::ranges::any_of(
+            comparison.methods,
+            [k](const ComparedMethod& method) { return isLeftOut(*method.results[k]); });
+        if (garment.pieces[k]->defect && !isOut) {
+            err << "toile: " << sentence(*garment.pieces[k]->defect) << '\n';
             failed = true;
         }
     }
@@ -52,7 +56,7 @@ bool printFailures(const Garment& garment, const Comparison& comparison, std::os
                 err << "toile: " << name(method.method) << ": " << sentence(error) << '\n';
                 failed = true;
             };
-            if (result->error && !result->piece->defect) {
+            if (result->error && !result->piece->defect && !isLeftOut(*result)) {
                 say(*result->error);
             }
             if (breaksPromise(*result)) {
@@ -75,8 +79,12 @@ int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err)
     if (!garment) {
         return kExitUnreadable;
     }
-    const Comparison comparison =
+    Comparison comparison =
         compareMethods(*garment, arguments.methods, arguments.options, progress);
+    for (ComparedMethod& method : comparison.methods) {
+        method = compared(method.method, *garment,
+                          withoutLeftOut(arguments, *garment, std::move(method.results)));
+    }
     if (arguments.json) {
         out << writeComparison(*garment, comparison);
     } else if (arguments.markdown) {

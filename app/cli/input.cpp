@@ -46,10 +46,15 @@ std::optional<Garment> readInput(const Arguments& arguments, Progress& progress,
 }
 
 PieceResults flattened(const Arguments& arguments, const Garment& garment, Progress& progress) {
-    PieceResults results = flattenGarment(garment, arguments.options, progress, 0, arguments.lines);
-    return arguments.project ? withoutLeftOut(std::move(results), garment,
-                                              settingsFor(*arguments.project, garment))
-                             : results;
+    return withoutLeftOut(arguments, garment,
+                          flattenGarment(garment, arguments.options, progress, 0, arguments.lines));
+}
+
+PieceResults withoutLeftOut(const Arguments& arguments, const Garment& garment,
+                            PieceResults results) {
+    return arguments.project ? toile::withoutLeftOut(std::move(results), garment,
+                                                     settingsFor(*arguments.project, garment))
+                             : std::move(results);
 }
 
 void printCuts(const Garment& garment, std::ostream& out) {

@@ -21,6 +21,9 @@ std::optional<Garment> readInput(const Arguments& arguments, Progress& progress,
 
 /// Flattens the garment as the arguments ask; what a project leaves out is not flat.
 PieceResults flattened(const Arguments& arguments, const Garment& garment, Progress& progress);
+/// The results but those of pieces that a project leaves out.
+PieceResults withoutLeftOut(const Arguments& arguments, const Garment& garment,
+                            PieceResults results);
 
 /// Every cut that was made: its name, author, length and the piece it opened; nothing where there
 /// is none.

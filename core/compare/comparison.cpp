@@ -14,9 +14,9 @@ namespace {
 
 ComparedFigures figuresOf(const PieceResult& result) {
     ComparedFigures figures;
-    figures.pieces = 1;
+    figures.pieces = isLeftOut(result) ? 0 : 1;
     if (!result.flat || !result.quality) {
-        figures.failed = 1;
+        figures.failed = figures.pieces;
         return figures;
     }
     const PieceQuality& q = *result.quality;
@@ -78,7 +78,8 @@ std::optional<double> aggregated(const CriterionTraits& criterion, const Compare
     std::optional<double> largest;
     for (std::size_t k = 0; k < method.results.size(); ++k) {
         const std::optional<double>& value = method.pieceFigures[k][criterion.criterion];
-        if (method.pieceFigures[k].failed > 0 || (!value && !isSpoiled)) {
+        const bool isFlat = method.pieceFigures[k].pieces > method.pieceFigures[k].failed;
+        if (!isFlat || (!value && !isSpoiled)) {
             continue;
         }
         if (!value) {
@@ -124,7 +125,7 @@ ComparedMethod compared(Method method, const Garment& garment, PieceResults resu
     }
     measureSeams(garment, made);
     for (const ComparedFigures& piece : made.pieceFigures) {
-        ++made.figures.pieces;
+        made.figures.pieces += piece.pieces;
         made.figures.failed += piece.failed;
         made.figures.referencedPieces += piece.referencedPieces;
     }

@@ -71,7 +71,7 @@ std::optional<std::size_t> bestOf(Criterion criterion,
 /// What one method makes of one piece, or of all pieces of a garment. A value is empty where there
 /// is nothing to measure, or where it is infinite.
 struct ComparedFigures {
-    int pieces = 0;            ///< that were tried
+    int pieces = 0;            ///< that were tried: left out are not
     int failed = 0;            ///< that did not become flat; the figures are of those that did
     int referencedPieces = 0;  ///< flat pieces that carry their reference panel
     std::array<std::optional<double>, kCriterionCount> values{};

@@ -126,21 +126,30 @@ ComparisonTable makeTable(std::string title, const Comparison& comparison,
     return table;
 }
 
-std::string titleOf(const Garment& garment) {
+/// Whether a person has left the piece out, of which there is nothing to say then.
+bool isLeftOut(const Comparison& comparison, std::size_t piece) {
+    return std::ranges::any_of(comparison.methods, [piece](const ComparedMethod& method) {
+        return toile::isLeftOut(*method.results[piece]);
+    });
+}
+
+std::string titleOf(const Garment& garment, const Comparison& comparison) {
     std::string title;
     for (const auto& file : garment.files) {
         title += (title.empty() ? "" : ", ") + file->path.filename().string();
     }
-    long long triangles = 0;
-    for (const auto& piece : garment.pieces) {
-        triangles += piece->mesh.F.rows();
+    long long triangles = 0, pieces = 0;
+    for (std::size_t k = 0; k < garment.pieces.size(); ++k) {
+        if (!isLeftOut(comparison, k)) {
+            ++pieces;
+            triangles += garment.pieces[k]->mesh.F.rows();
+        }
     }
     long long seams = 0;
     for (const Seam& seam : garment.seams.seams) {
         seams += seam.kind == SeamKind::Free ? 0 : 1;
     }
-    title += ": " + counted(static_cast<long long>(garment.pieces.size()), "piece") + ", " +
-             counted(triangles, "triangle");
+    title += ": " + counted(pieces, "piece") + ", " + counted(triangles, "triangle");
     return seams > 0 ? title + ", " + counted(seams, "seam") : title;
 }
 
@@ -185,8 +194,11 @@ std::vector<ComparisonTable> comparisonTables(const Garment& garment, const Comp
     for (const ComparedMethod& method : comparison.methods) {
         rows.push_back(&method.figures);
     }
-    std::vector<ComparisonTable> tables{makeTable(titleOf(garment), comparison, rows)};
+    std::vector<ComparisonTable> tables{makeTable(titleOf(garment, comparison), comparison, rows)};
     for (std::size_t k = 0; perPiece && k < garment.pieces.size(); ++k) {
+        if (isLeftOut(comparison, k)) {
+            continue;
+        }
         const Piece& piece = *garment.pieces[k];
         for (std::size_t m = 0; m < rows.size(); ++m) {
             rows[m] = &comparison.methods[m].pieceFigures[k];

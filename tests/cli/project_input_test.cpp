@@ -127,5 +127,33 @@ TEST(ProjectInput, TheWindowRefusesTheSameOptions) {
     }
 }
 
+/// A flap, a collar and a ball that cannot be flat; the project leaves the last two out.
+std::string writeProjectThatLeavesOut(const test::TemporaryFolder& folder) {
+    Project project;
+    project.files = {
+        {folder.write("three.obj", std::string(test::kPanel) +
+                                       "v 500 0 0\nv 560 0 0\nv 560 30 0\no collar\nf -3 -2 -1\n" +
+                                       test::kBall)}};
+    project.loading.unit = LengthUnit::Millimetre;
+    test::said(project, "collar").leftOut = true;
+    test::said(project, "ball").leftOut = true;
+    EXPECT_TRUE(writeProject(folder / "three.toile", project));
+    return (folder / "three.toile").string();
+}
+
+TEST(ProjectInput, WhatItLeavesOutIsNotComparedEither) {
+    const test::TemporaryFolder folder;
+    const std::string project = writeProjectThatLeavesOut(folder);
+    const auto run = test::toileRun({"compare", project, "--methods", "lscm", "--per-piece"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    EXPECT_NE(run.out.find("three.obj: 1 piece, 2 triangles"), std::string::npos) << run.out;
+    EXPECT_EQ(run.out.find("collar"), std::string::npos) << run.out;
+    EXPECT_EQ(run.out.find("failed"), std::string::npos) << run.out;
+    const auto json = test::toileRun({"compare", project, "--methods", "lscm", "--json"});
+    EXPECT_NE(json.out.find("\"pieces_flat\": 1"), std::string::npos) << json.out;
+    EXPECT_NE(json.out.find("\"left-out\""), std::string::npos) << json.out;
+}
+
 }  // namespace
 }  // namespace toile

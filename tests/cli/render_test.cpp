@@ -152,6 +152,32 @@ TEST(Render, WhatIsTypedGoesBeforeWhatAProjectSays) {
     EXPECT_NE(typed, said);
 }
 
+TEST(Render, WhatAProjectLeavesOutIsNotInThePattern) {
+    const test::TemporaryFolder folder;
+    Project project;
+    project.files = {
+        {folder.write("two.obj", std::string(test::kPanel) + "v 500 0 0\nv 900 0 0\nv 900 300 0\n"
+                                                             "o collar\nf -3 -2 -1\n")}};
+    project.loading.unit = LengthUnit::Millimetre;
+    ProjectPiece& collar = project.pieces.emplace_back();
+    collar.name = "collar";
+    collar.settings.leftOut = true;
+    ASSERT_TRUE(writeProject(folder / "two.toile", project));
+    const auto picture = [&](std::vector<std::string> typed) -> std::string {
+        typed.insert(typed.end(), {"--view", "pattern", "--size", "400x300", "-o",
+                                   (folder / "out.png").string()});
+        const auto run = render(typed);
+        return run.status == 3 ? "" : run.err + folder.read("out.png");
+    };
+    const std::string both = picture({(folder / "two.obj").string(), "--unit", "mm"});
+    if (both.empty()) {
+        GTEST_SKIP() << "no driver here draws without a display";
+    }
+    const std::string one = picture({(folder / "two.toile").string()});
+    EXPECT_NE(one, both);
+    EXPECT_EQ(one, picture({folder.write("one.obj", test::kPanel).string(), "--unit", "mm"}));
+}
+
 TEST(Render, ThePatternThatAProjectComparesWithIsDrawnWhereItIsThere) {
     const test::TemporaryFolder folder;
     const fs::path pattern = folder / "cap.svg";
