@@ -35,7 +35,8 @@ GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
     connect(project_, &ProjectActions::failed, this, &GarmentActions::failed);
     connect(printing_, &PatternPrinting::failed, this, &GarmentActions::failed);
     connect(printing_, &PatternPrinting::printed, this, &GarmentActions::done);
-    connect(printing_, &PatternPrinting::fileWanted, this, [this] { askAndExportAs(".pdf"); });
+    connect(printing_, &PatternPrinting::fileWanted, this,
+            [this](bool onlySelected) { askAndExportAs(".pdf", onlySelected); });
     connect(&project_->recent(), &RecentFiles::wanted, this, &GarmentActions::openFiles);
     connect(&workspace_.jobs(), &JobRunner::cancelled, this, [this](const QString&, bool replaced) {
         if (grain_ != 0 && !workspace_.jobs().isUnderWay(grain_)) {

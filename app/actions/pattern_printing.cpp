@@ -10,6 +10,8 @@
 
 #include "app/actions/file_dialogs.h"
 #include "app/actions/workspace.h"
+#include "app/document/document.h"
+#include "app/document/layout.h"
 #include "app/export/print_dialog.h"
 #include "app/settings/preferences.h"
 
@@ -50,19 +52,26 @@ PatternPrinting::PatternPrinting(Workspace& workspace, Preferences& preferences,
 void PatternPrinting::ask() {
     auto* dialog = new PrintDialog(preferences_.exportOptions(), dialogs_.hasPrinter(), &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    showPattern(*dialog);
+    const std::vector<int> flat = selectedFlat(workspace_.document());
+    dialog->offerSelected(static_cast<int>(flat.size()));
+    showPattern(*dialog, {});
+    connect(dialog, &PrintDialog::piecesChanged, this,
+            [this, dialog, selected = Document::Selection(flat.begin(), flat.end())] {
+                showPattern(*dialog, dialog->isSelectedOnly() ? selected : Document::Selection{});
+            });
     connect(dialog, &QDialog::finished, this, [this] { workspace_.writing().drop(drawing_); });
     connect(dialog, &PrintDialog::printWanted, this, [this, dialog] { printFrom(*dialog); });
     connect(dialog, &PrintDialog::fileWanted, this, [this, dialog] {
         preferences_.setExportOptions(dialog->options());
+        const bool onlySelected = dialog->isSelectedOnly();
         dialog->accept();
-        emit fileWanted();
+        emit fileWanted(onlySelected);
     });
     dialog->open();
 }
 
 /// Once it is drawn, and painted, which takes its time too.
-void PatternPrinting::showPattern(PrintDialog& dialog) {
+void PatternPrinting::showPattern(PrintDialog& dialog, const std::set<int>& only) {
     using Made = std::shared_ptr<const InkedPattern>;
     const QPointer asked(&dialog);
     const auto show = [asked](Made made) {
@@ -70,6 +79,7 @@ void PatternPrinting::showPattern(PrintDialog& dialog) {
             asked->setPattern(std::move(made));
         }
     };
+    workspace_.writing().drop(drawing_);
     drawing_ = workspace_.drawPattern(
         [this, asked, show](const std::shared_ptr<const DrawnPattern>& drawn) {
             if (asked) {
@@ -77,7 +87,8 @@ void PatternPrinting::showPattern(PrintDialog& dialog) {
                     QCoreApplication::translate("ExportJob", "Drawing the pattern"),
                     [drawn](Progress&) { return Result<Made>(inked(drawn)); }, show));
             }
-        });
+        },
+        only);
 }
 
 void PatternPrinting::printFrom(PrintDialog& dialog) {

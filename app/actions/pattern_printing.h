@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <set>
 
 #include "app/jobs/job_runner.h"
 
@@ -31,10 +32,10 @@ signals:
     void printed(const QString& sentence);
     void failed(const QString& sentence);
     /// A PDF file is wanted instead, with the options that are remembered.
-    void fileWanted();
+    void fileWanted(bool onlySelected);
 
 private:
-    void showPattern(PrintDialog& dialog);
+    void showPattern(PrintDialog& dialog, const std::set<int>& only);
     void printFrom(PrintDialog& dialog);
 
     Workspace& workspace_;

@@ -2,7 +2,6 @@
 #include "app/export/export_dialog.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -12,7 +11,6 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -21,6 +19,7 @@
 #include "app/base/text.h"
 #include "app/export/drawing_preview.h"
 #include "app/export/option_form.h"
+#include "app/export/piece_choice.h"
 #include "app/text/error_text.h"
 #include "core/export/drawing_notes.h"
 #include "core/export/pdf_writer.h"
@@ -88,7 +87,7 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
       use_(new QLabel(this)),
       page_(new QLabel(this)),
       notes_(new QLabel(this)),
-      pieces_(new QComboBox(this)) {
+      pieces_(new PieceChoice(this)) {
     setObjectName("exportDialog");
     setWindowTitle(tr("Export pattern"));
     list_->setObjectName("exportFormats");
@@ -111,10 +110,7 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
     shown_->addWidget(text_);
 
     pieces_->setObjectName("exportPieces");
-    pieces_->setAccessibleName(tr("Pieces"));
-    pieces_->setToolTip(tr("Which pieces are written"));
-    pieces_->hide();
-    connect(pieces_, &QComboBox::currentIndexChanged, this, [this] {
+    connect(pieces_, &PieceChoice::chosen, this, [this] {
         emit piecesChanged();
         showFile();
     });
@@ -273,11 +269,7 @@ void ExportDialog::describe() {
 }
 
 void ExportDialog::offerSelected(int count, bool chosen) {
-    const QSignalBlocker quiet(pieces_);
-    pieces_->clear();
-    pieces_->addItems({tr("All pieces"), tr("Selected pieces (%1)").arg(count)});
-    pieces_->setCurrentIndex(chosen && count > 0 ? 1 : 0);
-    pieces_->setVisible(count > 0);
+    pieces_->offer(count, chosen);
 }
 
 void ExportDialog::setPattern(const std::shared_ptr<const DrawnPattern>& pattern) {
@@ -297,7 +289,7 @@ void ExportDialog::setPattern(const std::shared_ptr<const DrawnPattern>& pattern
 
 ExportChoice ExportDialog::choice() const {
     return {path_->text(), usualEnding(format()), form_->options(), folder_->isChecked(),
-            pieces_->currentIndex() == 1};
+            pieces_->isSelectedOnly()};
 }
 
 void ExportDialog::accept() {

@@ -8,7 +8,6 @@
 #include "core/export/formats.h"
 
 class QCheckBox;
-class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -20,6 +19,7 @@ namespace toile::app {
 
 class DrawingPreview;
 class OptionForm;
+class PieceChoice;
 
 /// What the dialog asks beside itself.
 struct ExportQuestions {
@@ -85,7 +85,7 @@ private:
     DrawingPreview* preview_;
     QPlainTextEdit* text_;
     QLabel *use_, *page_, *notes_;
-    QComboBox* pieces_;
+    PieceChoice* pieces_;
     QLineEdit* path_ = nullptr;
     QCheckBox* folder_ = nullptr;
     QPushButton* export_ = nullptr;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/export/option_form.h"
+#include "app/export/piece_choice.h"
 #include "app/export/sheet_preview.h"
 #include "app/text/error_text.h"
 
@@ -32,12 +33,18 @@ ExportOptions onPaper(ExportOptions options) {
 PrintDialog::PrintDialog(const ExportOptions& options, bool hasPrinter, QWidget* parent)
     : QDialog(parent),
       hasPrinter_(hasPrinter),
+      pieces_(new PieceChoice(this)),
       form_(new OptionForm(this)),
       preview_(new SheetPreview(this)),
       summary_(new QLabel(this)),
       note_(new QLabel(this)) {
     setObjectName("printDialog");
     setWindowTitle(tr("Print pattern"));
+    pieces_->setObjectName("printPieces");
+    connect(pieces_, &PieceChoice::chosen, this, [this] {
+        setPattern(nullptr);
+        emit piecesChanged();
+    });
     preview_->setObjectName("printPreview");
     summary_->setObjectName("printSummary");
     summary_->setWordWrap(true);
@@ -48,6 +55,7 @@ PrintDialog::PrintDialog(const ExportOptions& options, bool hasPrinter, QWidget*
     side->setFixedWidth(kChoicesWidth);
     auto* choices = new QVBoxLayout(side);
     choices->setContentsMargins(0, 0, 0, 0);
+    choices->addWidget(pieces_);
     choices->addWidget(form_);
     choices->addSpacing(6);
     choices->addWidget(summary_);
@@ -135,6 +143,14 @@ void PrintDialog::layOut() {
 void PrintDialog::setPattern(std::shared_ptr<const InkedPattern> pattern) {
     pattern_ = std::move(pattern);
     layOut();
+}
+
+void PrintDialog::offerSelected(int count) {
+    pieces_->offer(count, false);
+}
+
+bool PrintDialog::isSelectedOnly() const {
+    return pieces_->isSelectedOnly();
 }
 
 const ExportOptions& PrintDialog::options() const {

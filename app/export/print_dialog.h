@@ -14,6 +14,7 @@ class QSpinBox;
 namespace toile::app {
 
 class OptionForm;
+class PieceChoice;
 class SheetPreview;
 
 /// On which paper the pattern is printed, with a picture of every sheet. The choices are those of
@@ -25,7 +26,11 @@ public:
     /// @param hasPrinter  without one there is only a PDF file to be had
     PrintDialog(const ExportOptions& options, bool hasPrinter, QWidget* parent);
 
-    /// What is printed, once it is drawn.
+    /// Lets the person choose between all pieces and so many that are selected; with none there is
+    /// no choice.
+    void offerSelected(int count);
+    bool isSelectedOnly() const;
+    /// What is printed, once it is drawn; null until then.
     void setPattern(std::shared_ptr<const InkedPattern> pattern);
     const ExportOptions& options() const;
     /// The sheets as they are chosen now; null where there are none, or not yet.
@@ -34,6 +39,8 @@ public:
     void say(const QString& sentence);
 
 signals:
+    /// Others are to be printed: they are to be drawn (`setPattern`).
+    void piecesChanged();
     /// Only where `sheets` has some.
     void printWanted();
     void fileWanted();
@@ -45,6 +52,7 @@ private:
     std::shared_ptr<const InkedPattern> pattern_;
     std::shared_ptr<const PrintedPattern> sheets_;
     bool hasPrinter_;
+    PieceChoice* pieces_;
     OptionForm* form_;
     SheetPreview* preview_;
     QLabel *summary_, *note_;

@@ -168,6 +168,27 @@ private slots:
         exporting->reject();
     }
 
+    void theSelectedPiecesArePrintedAlone() {
+        QVERIFY(openDialog());
+        QVERIFY(!dialog()->findChild<QComboBox*>("printPieces")->isVisible());
+        const int whole = sheetsOfA4();
+        QTest::keyClick(dialog(), Qt::Key_Escape);
+        fixture_.document().setSelection({0});
+        QVERIFY(openDialog());
+        auto& pieces = *dialog()->findChild<QComboBox*>("printPieces");
+        QCOMPARE(sheetsOfA4(), whole);
+        pieces.setFocus();
+        QTest::keyClick(&pieces, Qt::Key_Down);
+        QCOMPARE(pieces.currentText(), QString("Selected pieces (1)"));
+        QVERIFY(!button("printNow").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(dialog()->sheets(), test::kPatience);
+        QVERIFY(sheetsOfA4() < whole);
+        click("printToFile");
+        auto* file = fixture_.window().findChild<ExportDialog*>();
+        QVERIFY(file && file->choice().onlySelected);
+        file->reject();
+    }
+
     void aProjectorIsNoPaper() {
         ExportOptions options;
         options.pdf.paper = Paper::Projector;
@@ -216,6 +237,11 @@ private:
                 }
             }
         }
+    }
+
+    int sheetsOfA4() {
+        choosePaper("a4");
+        return dialog()->sheets()->count();
     }
 
     int pagesOfFile() {
