@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From choosing a file to a pattern that lies as it should: what is seen on the way, what is asked,
 // and where what is made of it goes.
+#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTimer>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "app/actions/own_folders.h"
 #include "app/render/scene.h"
@@ -16,6 +20,7 @@
 #include "app/widgets/number_edits.h"
 #include "app/window/window_busy.h"
 #include "app/window/window_centre.h"
+#include "core/project/left_out.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/run_test.h"
@@ -27,7 +32,7 @@ using namespace toile::app;
 namespace {
 
 /// A sleeve of 14.4 units, as MakeHuman writes a garment of 1.44 m: one tube, and two islands in
-/// its UV map, of which Toile cannot know that they are panels.
+/// its UV map, of which Toile cannot know that they are panels; and two buttons of an island each.
 void writeTubeInDecimetres(const std::string& path) {
     constexpr int kAround = 12, kRings = 9;
     std::ofstream out(path);
@@ -52,6 +57,13 @@ void writeTubeInDecimetres(const std::string& path) {
             }
             out << '\n';
         }
+    }
+    for (int button = 0; button < 2; ++button) {
+        const double y = 4 + 3 * button, u = 5 + button;
+        out << "v 0 " << y << " 1.2\nv 0.15 " << y << " 1.2\nv 0.15 " << y + 0.15 << " 1.2\nv 0 "
+            << y + 0.15 << " 1.2\n";
+        out << "vt " << u << " 0\nvt " << u + 0.1 << " 0\nvt " << u + 0.1 << " 0.1\nvt " << u
+            << " 0.1\nf -4/-4 -3/-3 -2/-2 -1/-1\n";
     }
 }
 
@@ -99,6 +111,44 @@ private:
         QVERIFY(flatCount() > before);
         QVERIFY(std::abs(document().scene()->box.sizes().y() - 1800) < 1e-6);
         QVERIFY(!cardButton("Divide by UV islands"));
+    }
+
+    void chooseInMenuBar(const char* name, ActionId id) {
+        QMenuBar& bar = *fixture_.window().menuBar();
+        auto* menu = bar.findChild<QMenu*>(name);
+        QTest::mouseClick(&bar, Qt::LeftButton, {},
+                          bar.actionGeometry(menu->menuAction()).center());
+        QVERIFY(menu->isVisible());
+        QTest::mouseClick(menu, Qt::LeftButton, {},
+                          menu->actionGeometry(&fixture_.action(id)).center());
+    }
+
+    /// Leaves out all pieces below that many square centimetres, by the dialog. What can be flat of
+    /// the others, and nothing else, is the pattern then.
+    void leaveOutBelow(int area) {
+        std::set<int> wanted;
+        for (int k = 0; k < document().pieceCount(); ++k) {
+            const Piece& piece = *document().garment()->pieces[std::size_t(k)];
+            if (!piece.defect && wornArea(piece) >= 100.0 * area) {
+                wanted.insert(k);
+            }
+        }
+        QVERIFY(static_cast<int>(wanted.size()) < flatCount());
+        chooseInMenuBar("pieceMenu", ActionId::LeaveOutSmall);
+        auto& field = fixture_.find<QDoubleSpinBox>("leaveOutArea");
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, QString::number(area));
+        QTest::mouseClick(&fixture_.find<QPushButton>("leaveOutNow"), Qt::LeftButton);
+        QVERIFY(fixture_.waitForResults());
+        std::set<int> flat;
+        for (int k = 0; k < document().pieceCount(); ++k) {
+            if (document().patternPiece(k)) {
+                flat.insert(k);
+            }
+        }
+        QCOMPARE(flat, wanted);
+        QVERIFY(std::abs(document().scene()->box.sizes().y() - 1800) < 1e-6);
     }
 
 private slots:
@@ -185,7 +235,9 @@ private slots:
 
     void aTubeInDecimetresGetsItsHeightAndItsPanels() {
         typeHeightAndDivide(fixture_.path("tube.obj"));
-        QCOMPARE(flatCount(), 2);
+        QCOMPARE(flatCount(), 4);
+        leaveOutBelow(10);
+        QVERIFY(document().patternPiece(0) && document().patternPiece(1));
     }
 
     void aSuitOfMakeHumanGetsItsHeightAndItsPanels() {
@@ -195,6 +247,7 @@ private slots:
             QSKIP("needs the shared suit_mh.obj");
         }
         typeHeightAndDivide(QString::fromStdString(suit.string()));
+        leaveOutBelow(20);
     }
 
     void theQuestionBeforeLeavingNamesWhatIsSaved() {
