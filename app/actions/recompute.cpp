@@ -61,6 +61,8 @@ Recompute::Order Recompute::due() const {
                            (automatic_ || document_.results().empty() || document_.wasFlattened());
         order.extent.flatten =
             flattening_ == Flattening::Wanted || (flattening_ == Flattening::AsUsual && usual);
+        order.extent.leaveOut = !order.extent.flatten && document_.isCurrent() && !noScene_ &&
+                                isLeftOutOtherwise(document_.derived(), document_.state());
         order.extent.settle = !order.extent.flatten && document_.isCurrent() &&
                               isWarm(document_.derived()) && notSettled_ != order.revision;
         order.draw = !document_.scene() && !noScene_;
@@ -69,8 +71,8 @@ Recompute::Order Recompute::due() const {
 }
 
 bool Recompute::isDue(const Order& order) const {
-    return document_.garment() &&
-           (!document_.isCurrent() || order.extent.flatten || order.extent.settle || order.draw);
+    return document_.garment() && (!document_.isCurrent() || order.extent.flatten ||
+                                   order.extent.leaveOut || order.extent.settle || order.draw);
 }
 
 void Recompute::catchUp() {

@@ -26,8 +26,9 @@ class Document;
 ///     wanted     opened or asked for: flattened whatever is edited meanwhile, until it is flat
 ///     declined   cancelled or failed: not flattened until something else is asked for
 ///
-/// Warm results are shown at once, and cold ones take their place when nothing else is to be done.
-/// A garment that cannot be worked out takes the steps back that asked for it. GUI thread only.
+/// What is left out goes at once all the same. Warm results are shown at once, and cold ones take
+/// their place when nothing else is to be done. A garment that cannot be worked out takes the steps
+/// back that asked for it. GUI thread only.
 class Recompute : public QObject {
     Q_OBJECT
 

@@ -37,6 +37,10 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
             onStopped(false);
         }
     });
+    for (const JobRunner* makers : {&mirroring_, &jobs_}) {
+        connect(makers, &JobRunner::started, this, &Workspace::followAge);
+        connect(makers, &JobRunner::idle, this, &Workspace::followAge);
+    }
     connect(&writing_, &JobRunner::failed, this, [this] { afterWriting_ = {}; });
     connect(&writing_, &JobRunner::idle, this, [this] {
         if (const auto next = std::exchange(afterWriting_, {})) {
@@ -185,6 +189,19 @@ void Workspace::onChanged(DocumentChanges what) {
                                       DocumentChange::Settings;  // what is left out
     if (what & kWork) {
         follow();
+    }
+    followAge();
+}
+
+PatternAge Workspace::patternAge() const {
+    return !document_.garment() || document_.isFlattened() ? PatternAge::UpToDate
+           : mirroring_.isBusy() || jobs_.isBusy()         ? PatternAge::Renewed
+                                                           : PatternAge::OutOfDate;
+}
+
+void Workspace::followAge() {
+    if (const PatternAge age = patternAge(); age != std::exchange(age_, age)) {
+        emit patternAged(age);
     }
 }
 

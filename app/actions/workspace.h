@@ -19,6 +19,9 @@
 
 namespace toile::app {
 
+/// Whether the pattern is that of the garment: if not, whether somebody is about it.
+enum class PatternAge { UpToDate, Renewed, OutOfDate };
+
 /// What a person can ask of the open garment, without any widget: opening, cutting, flattening,
 /// writing. All that is asked for becomes a step of the document's history at once; what follows
 /// from it is worked out by one job (Recompute). Reading files comes before that: what is to be
@@ -145,6 +148,8 @@ public:
     /// always.
     void setAutoFlatten(bool on);
     bool autoFlatten() const { return recompute_.isAutomatic(); }
+    /// How the pattern stands to what was edited since.
+    PatternAge patternAge() const;
     /// True where there are results to write.
     bool canExport() const;
     /// Writes the pattern as it is now, whatever is edited meanwhile; several one after the other.
@@ -161,6 +166,8 @@ public:
                                   const Document::Selection& only = {});
 
 signals:
+    /// `patternAge` is another now.
+    void patternAged(toile::app::PatternAge age);
     /// `loading` is another now.
     void loadingChanged();
     /// @param checked  what reading it again has found, for a person; may be empty
@@ -203,6 +210,7 @@ private:
     bool isReading() const { return opening_.isActive() || jobs_.isUnderWay(reading_); }
     /// Works out what is not there, unless something is being read.
     void follow();
+    void followAge();
 
     /// Without cuts there is nothing to divide by.
     static void divideByWhatIsThere(LoadOptions& loading);
@@ -233,7 +241,8 @@ private:
     std::vector<Trial> onTrial_;  ///< until it has turned out that they can be
     bool isImageRefused_ = false;
     JobRunner::Ticket reading_ = 0;
-    int step_ = 0;  ///< of the history
+    int step_ = 0;                           ///< of the history
+    PatternAge age_ = PatternAge::UpToDate;  ///< as it was told last
 };
 
 }  // namespace toile::app

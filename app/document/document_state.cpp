@@ -15,6 +15,15 @@ std::set<PieceId> leftOut(const SettingsById& settings) {
     return found;
 }
 
+namespace {
+
+bool isLeftOutOtherwise(const PieceResult& result, const DocumentState& state) {
+    const auto said = state.settings.find(result.piece->id);
+    return isLeftOut(result) != (said != state.settings.end() && said->second.leftOut);
+}
+
+}  // namespace
+
 bool isFlattened(const Derived& derived, const DocumentState& state) {
     if (!derived.garment || derived.results.size() != derived.garment->pieces.size() ||
         derived.lines != state.lines) {
@@ -23,15 +32,17 @@ bool isFlattened(const Derived& derived, const DocumentState& state) {
     for (std::size_t i = 0; i < derived.results.size(); ++i) {
         const PieceResult* result = derived.results[i].get();
         if (!result || result->piece != derived.garment->pieces[i] ||
-            !(result->options == state.options)) {
-            return false;
-        }
-        const auto said = state.settings.find(result->piece->id);
-        if (isLeftOut(*result) != (said != state.settings.end() && said->second.leftOut)) {
+            !(result->options == state.options) || isLeftOutOtherwise(*result, state)) {
             return false;
         }
     }
     return true;
+}
+
+bool isLeftOutOtherwise(const Derived& derived, const DocumentState& state) {
+    return std::ranges::any_of(derived.results, [&state](const auto& result) {
+        return result && isLeftOutOtherwise(*result, state);
+    });
 }
 
 bool isWarm(const Derived& derived) {

@@ -58,6 +58,8 @@ struct Derived {
 std::set<PieceId> leftOut(const SettingsById& settings);
 /// True where every piece has the result that the state asks for.
 bool isFlattened(const Derived& derived, const DocumentState& state);
+/// True where some piece is flat that is left out, or the other way round, as far as that is known.
+bool isLeftOutOtherwise(const Derived& derived, const DocumentState& state);
 /// True where some result is warm: another is to take its place.
 bool isWarm(const Derived& derived);
 

@@ -109,10 +109,10 @@ Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
 }
 
 void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& flattener,
-             Progress& progress) {
+             Progress& progress, const OnPiece& onPiece) {
     const Garment& garment = *made.derived.garment;
     become(made, withoutLeftOut(flattener.flatten(garment, state.options, progress, 0,
-                                                  made.derived.results, state.lines),
+                                                  made.derived.results, state.lines, onPiece),
                                 garment, settingsOf(garment, state.settings)));
     made.derived.lines = state.lines;
     made.derived.symmetry = flattener.symmetryOf(garment, state.lines);
@@ -127,6 +127,10 @@ void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& fla
         made.grains = findGrains(garment, made.derived.results, made.derived.symmetry.get(),
                                  *state.lines.grain, fabrics);
     }
+}
+
+void leaveOut(Derivation& made, const std::vector<PieceSettings>& settings) {
+    become(made, withoutLeftOut(made.derived.results, *made.derived.garment, settings));
 }
 
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress) {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -38,9 +39,13 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
 Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
                             const LoadOptions& loading, Progress& progress,
                             std::atomic<int>* faces = nullptr);
-/// Makes all of it flat, as the state asks.
+/// Makes all of it flat, as the state asks. @param onPiece  is told of each piece (OnPiece)
 void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& flattener,
-             Progress& progress);
+             Progress& progress,
+             const std::function<void(int done, int count, const Piece& begun)>& onPiece = {});
+/// Takes out of the pattern what the settings leave out, and nothing else: nothing is flattened.
+/// @param settings  one per piece
+void leaveOut(Derivation& made, const std::vector<PieceSettings>& settings);
 /// Puts cold results in the place of warm ones.
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress);
 /// Makes its pattern and its scene.

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <atomic>
+#include <mutex>
 #include <utility>
 
 #include "app/base/text.h"
@@ -18,6 +19,38 @@ namespace {
 /// Of the jobs' times, about, on garments of 10 000 to 100 000 triangles; the rest is laying out
 /// and the scene.
 constexpr double kGarmentShare = 0.3, kGarmentAloneShare = 0.97, kFlatteningShare = 0.6;
+
+}  // namespace
+
+namespace {
+
+/// Which piece is being flattened: noted by the workers, read by the window.
+class Underway {
+public:
+    explicit Underway(PieceLabels labels) : labels_(std::move(labels)) {}
+
+    void note(int flat, int count, const Piece& begun) {
+        const std::lock_guard lock(mutex_);
+        number_ = flat + 1;
+        count_ = count;
+        name_ = nameOf(labels_, begun);
+    }
+    /// Empty where there is one piece only, or none yet.
+    QString text() const {
+        const std::lock_guard lock(mutex_);
+        return count_ < 2 ? QString()
+                          : QCoreApplication::translate("RecomputeJob", "%1 of %2: %3")
+                                .arg(number_)
+                                .arg(count_)
+                                .arg(QString::fromStdString(name_));
+    }
+
+private:
+    const PieceLabels labels_;
+    mutable std::mutex mutex_;
+    int number_ = 0, count_ = 0;
+    std::string name_;
+};
 
 }  // namespace
 
@@ -53,7 +86,8 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
                                   std::function<void(Derivation)> onGarment,
                                   std::function<void(Derivation)> done) {
     const bool isOther = !document.isCurrent();
-    auto work = [isOther, order, state = document.state(), before = document.derived(),
+    const auto underway = std::make_shared<Underway>(document.state().labels);
+    auto work = [isOther, underway, order, state = document.state(), before = document.derived(),
                  settings = document.settings(), flattener = std::move(flattener),
                  onGarment = std::move(onGarment)](Progress& progress) -> Result<Derivation> {
         Derivation made{before};
@@ -74,9 +108,15 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
             onGarment(made);
             made.hasOtherGarment = false;
         }
+        if (order.leaveOut) {
+            leaveOut(made, settings);
+        }
         if (order.flatten || order.settle) {
             progress.setShare(from, from + (1 - from) * kFlatteningShare);
-            order.flatten ? flatten(made, state, *flattener, progress)
+            order.flatten ? flatten(made, state, *flattener, progress,
+                                    [underway](int flat, int count, const Piece& begun) {
+                                        underway->note(flat, count, begun);
+                                    })
                           : settle(made, *flattener, progress);
             from += (1 - from) * kFlatteningShare;
         }
@@ -90,7 +130,8 @@ std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder
                           : order.flatten || order.settle
                               ? QCoreApplication::translate("RecomputeJob", "Flattening the pieces")
                               : QCoreApplication::translate("RecomputeJob", "Drawing the pieces");
-    return makeJob(title, std::move(work), std::move(done));
+    return makeJob(title, std::move(work), std::move(done), true,
+                   [underway] { return underway->text(); });
 }
 
 namespace {

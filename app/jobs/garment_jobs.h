@@ -33,7 +33,8 @@ std::unique_ptr<Job> importJob(std::vector<std::filesystem::path> paths, LoadOpt
 /// How far the present state is to be worked out; its garment and its scene always are.
 struct RecomputeOrder {
     bool flatten = false;
-    bool settle = false;  ///< where not flattened: with cold results in the place of warm ones
+    bool leaveOut = false;  ///< where not flattened: what is left out goes, and nothing else
+    bool settle = false;    ///< where not flattened: with cold results in the place of warm ones
 
     bool operator==(const RecomputeOrder&) const = default;
 };

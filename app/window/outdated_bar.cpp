@@ -37,17 +37,13 @@ OutdatedBar::OutdatedBar(Workspace& workspace, const ActionRegistry& actions, QW
     view.installEventFilter(this);
     connect(button, &QPushButton::clicked, this,
             [this] { actions_[ActionId::FlattenAgain].trigger(); });
-    // What has begun is told by the status bar; only what waits is told here.
-    connect(&workspace_.document(), &Document::changed, this, &OutdatedBar::follow);
-    connect(&workspace_.jobs(), &JobRunner::started, this, &OutdatedBar::follow);
-    connect(&workspace_.jobs(), &JobRunner::idle, this, &OutdatedBar::follow);
+    connect(&workspace_, &Workspace::patternAged, this, &OutdatedBar::follow);
 }
 
-void OutdatedBar::follow() {
-    const Document& document = workspace_.document();
-    const bool isOutdated =
-        document.garment() && !document.results().empty() && !document.isFlattened();
-    const bool isWaiting = isOutdated && !workspace_.jobs().isBusy();
+void OutdatedBar::follow(PatternAge age) {
+    const bool isOutdated = age != PatternAge::UpToDate && !workspace_.document().results().empty();
+    // What has begun is told by the status bar; only what waits is told here.
+    const bool isWaiting = isOutdated && age == PatternAge::OutOfDate;
     const QString why = tr("The pattern is out of date: flatten it first");
     actions_[ActionId::ExportPattern].setToolTip(isOutdated ? why : exportTip_);
     actions_[ActionId::PrintPattern].setToolTip(isOutdated ? why : printTip_);

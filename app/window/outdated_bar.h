@@ -7,6 +7,7 @@ namespace toile::app {
 
 class ActionRegistry;
 class Workspace;
+enum class PatternAge;
 
 /// Over the pattern view, while edits wait to be flattened: says that the pattern is out of date,
 /// with a button that flattens it. Export and printing say so too.
@@ -21,7 +22,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void follow();
+    void follow(PatternAge age);
     void placeIt();
 
     Workspace& workspace_;

@@ -86,19 +86,12 @@ struct MenuMaker {
 /// Flatten stands out while the pattern is older than what was done since and nobody is about it.
 void glowWhenWanted(QWidget& button, Workspace& workspace) {
     button.setObjectName("flattenButton");
-    const auto follow = [&button, &workspace] {
-        const Document& document = workspace.document();
-        const bool isWanted = document.garment() && !document.isFlattened() && !workspace.isBusy();
-        button.setStyleSheet(isWanted ? "QToolButton { border: 1px solid palette(highlight);"
-                                        " border-radius: 3px; font-weight: 600; padding: 3px; }"
-                                      : "");
-    };
-    // Later: what was changed is as a rule flattened at once.
-    QObject::connect(&workspace.document(), &Document::changed, &button, follow,
-                     Qt::QueuedConnection);
-    for (const JobRunner* jobs : workspace.runners()) {
-        QObject::connect(jobs, &JobRunner::idle, &button, follow, Qt::QueuedConnection);
-    }
+    QObject::connect(&workspace, &Workspace::patternAged, &button, [&button](PatternAge age) {
+        button.setStyleSheet(age == PatternAge::OutOfDate
+                                 ? "QToolButton { border: 1px solid palette(highlight);"
+                                   " border-radius: 3px; font-weight: 600; padding: 3px; }"
+                                 : "");
+    });
 }
 
 MenuMaker makerOf(const ActionRegistry& actions, const QList<QDockWidget*>& lists,

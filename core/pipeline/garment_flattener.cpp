@@ -91,12 +91,12 @@ std::size_t GarmentFlattener::keptBytes() const {
 
 PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOptions& options,
                                        Progress& progress, int threads, const PieceResults& known,
-                                       const LineSettings& lines) {
+                                       const LineSettings& lines, const OnPiece& onPiece) {
     progress.start(1);
     Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
     const auto symmetry = symmetryOf(garment, lines, progress);
     PieceResults results = flattenExactly(garment, options, solving, threads, known,
-                                          outlineTargets(garment, lines, symmetry.get()));
+                                          outlineTargets(garment, lines, symmetry.get()), onPiece);
     results =
         drawLines(garment, std::move(results), lines, symmetry.get(), known, drawing, threads);
     if (!progress.isCancelled()) {
@@ -108,7 +108,8 @@ PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOpti
 PieceResults GarmentFlattener::flattenExactly(const Garment& garment, const FlattenOptions& options,
                                               Progress& progress, int threads,
                                               const PieceResults& known,
-                                              const std::vector<OutlineTargets>& targets) {
+                                              const std::vector<OutlineTargets>& targets,
+                                              const OnPiece& onPiece) {
     const std::vector<KeptPointer> before = snapshot();
     std::map<const Piece*, KeptPointer> byPiece;
     std::vector<std::shared_ptr<const Piece>> piecesBefore;
@@ -158,7 +159,7 @@ PieceResults GarmentFlattener::flattenExactly(const Garment& garment, const Flat
         place.push_back(p);
     }
 
-    std::vector<DoneTask> done = workOn(std::move(tasks), options, progress, threads);
+    std::vector<DoneTask> done = workOn(std::move(tasks), options, progress, threads, onPiece);
     for (std::size_t t = 0; t < done.size(); ++t) {
         const std::size_t p = place[t];
         results[p] = done[t].result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -13,6 +14,11 @@
 #include "core/symmetry/symmetry.h"
 
 namespace toile {
+
+/// Says that a piece is begun. @param done, count  so many are flat by then, of so many
+/// Called on the workers, one call after the other, also by one that a cancel leaves behind: it
+/// owns what it uses.
+using OnPiece = std::function<void(int done, int count, const Piece& begun)>;
 
 /// `flattenGarment` for a garment that is being edited: what the last call found is kept, and only
 /// what has changed since is solved again, from what it was.
@@ -43,10 +49,11 @@ public:
 
     /// As `flattenGarment`, and the same bytes whatever the number of threads, given the same calls
     /// before.
-    /// @param known  of some of these pieces, by whomever: what is of these options is handed on
+    /// @param known    of some of these pieces, by whomever: what is of these options is handed on
+    /// @param onPiece  is told of each piece that is solved
     PieceResults flatten(const Garment& garment, const FlattenOptions& options, Progress& progress,
                          int threads = 0, const PieceResults& known = {},
-                         const LineSettings& lines = {});
+                         const LineSettings& lines = {}, const OnPiece& onPiece = {});
     /// The results with those that are warm solved anew, by the same options, and drawn by the same
     /// lines, to the same bytes as `flattenGarment`. Cancelled, it leaves the rest as it was.
     PieceResults settle(const Garment& garment, PieceResults results, Progress& progress,
@@ -83,7 +90,7 @@ private:
     std::vector<KeptPointer> snapshot() const;
     PieceResults flattenExactly(const Garment& garment, const FlattenOptions& options,
                                 Progress& progress, int threads, const PieceResults& known,
-                                const std::vector<OutlineTargets>& targets);
+                                const std::vector<OutlineTargets>& targets, const OnPiece& onPiece);
     PieceResults settleExactly(PieceResults results, Progress& progress, int threads);
 
     const std::size_t mostBytes_;

@@ -137,8 +137,12 @@ DoneTask doOne(const PieceTask& task, const FlattenOptions& options, const Progr
 /// clears it away.
 class Work {
 public:
-    Work(std::vector<PieceTask> tasks, const FlattenOptions& options)
-        : tasks_(std::move(tasks)), options_(options), order_(tasks_.size()), done_(tasks_.size()) {
+    Work(std::vector<PieceTask> tasks, const FlattenOptions& options, OnPiece onPiece)
+        : tasks_(std::move(tasks)),
+          options_(options),
+          onPiece_(std::move(onPiece)),
+          order_(tasks_.size()),
+          done_(tasks_.size()) {
         // Largest first, so that no thread is left alone with a big piece at the end. Each result
         // goes to its own place: the order of work leaves no trace.
         std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -156,6 +160,7 @@ public:
                  k = next_++) {
                 const std::size_t task = order_[k];
                 const Progress part(progress_, size(task) / total_);
+                tell(task);
                 auto done = doOne(tasks_[task], options_, part);
                 const std::lock_guard lock(mutex_);
                 done_[task] = std::move(done);
@@ -204,12 +209,21 @@ public:
     }
 
 private:
+    void tell(std::size_t task) {
+        if (onPiece_) {
+            const std::lock_guard lock(mutex_);
+            onPiece_(static_cast<int>(finished_), static_cast<int>(tasks_.size()),
+                     *tasks_[task].piece);
+        }
+    }
+
     double size(std::size_t task) const {
         return 1.0 + static_cast<double>(tasks_[task].piece->mesh.F.rows());
     }
 
     const std::vector<PieceTask> tasks_;
     const FlattenOptions options_;
+    const OnPiece onPiece_;
     std::vector<std::size_t> order_;
     double total_ = 0;
     Progress progress_;  ///< the workers' own: the caller's may be gone when they look
@@ -284,10 +298,10 @@ int workersLeftBehind() {
 }
 
 std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions& options,
-                             Progress& progress, int threads) {
+                             Progress& progress, int threads, OnPiece onPiece) {
     progress.start(1);
     const std::size_t count = tasks.size();
-    const auto work = std::make_shared<Work>(std::move(tasks), options);
+    const auto work = std::make_shared<Work>(std::move(tasks), options, std::move(onPiece));
     Workers workers;
     if (count > 0 && waitForACore(progress)) {
         const int cores = threads > 0 ? threads : coreCount() - LeftBehind::workers().count();

@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/flatten/flatten.h"
+#include "core/pipeline/garment_flattener.h"
 
 // For the sources of this folder only.
 namespace toile {
@@ -33,7 +34,7 @@ struct DoneTask {
 /// @return one per task, in order; after a cancel the unfinished ones carry ErrorCode::Cancelled
 ///         and no flattener
 std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions& options,
-                             Progress& progress, int threads);
+                             Progress& progress, int threads, OnPiece onPiece = {});
 
 /// How many workers are busy that a cancel has left behind: never more than the machine has cores.
 int workersLeftBehind();

@@ -15,6 +15,7 @@
 #include "app/document/piece_edits.h"
 #include "app/export/export_dialog.h"
 #include "app/panels/pieces_model.h"
+#include "core/flatten/base/piece_result.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/run_test.h"
@@ -68,6 +69,15 @@ private:
         QTest::mouseClick(menu, Qt::LeftButton, {},
                           menu->actionGeometry(&fixture_.action(id)).center());
         QVERIFY(!shown());
+    }
+    /// The pattern as a file has it now.
+    QByteArray svgOf() {
+        const QString path = fixture_.path("now.svg");
+        QFile::remove(path);
+        fixture_.workspace().exportTo(path.toStdString());
+        QFile file(path);
+        return fixture_.waitUntilIdle() && file.open(QIODevice::ReadOnly) ? file.readAll()
+                                                                          : QByteArray();
     }
     void typeName(const QString& name) {
         auto* editor = table().viewport()->findChild<QLineEdit*>();
@@ -174,6 +184,48 @@ private slots:
         document().setSelection({2});
         fixture_.action(ActionId::TakeIn).trigger();
         QTRY_VERIFY_WITH_TIMEOUT(document().patternPiece(2), test::kPatience);
+    }
+
+    void whatIsLeftOutGoesAtOnceWhereNothingIsFlattenedByItself() {
+        fixture_.workspace().setAutoFlatten(false);
+        auto& bar = fixture_.find<QWidget>("outdatedBar");
+        const PieceResult* front = document().result(0);
+        document().setSelection({2});
+        fixture_.action(ActionId::LeaveOut).trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(document().result(2) && isLeftOut(*document().result(2)),
+                                 test::kPatience);
+        QVERIFY(!document().patternPiece(2) && document().patternPiece(1));
+        QCOMPARE(document().result(0), front);
+        QVERIFY(fixture_.waitUntilIdle());
+        QVERIFY(!bar.isVisible() && fixture_.workspace().canExport());
+        QCOMPARE(fixture_.workspace().patternAge(), PatternAge::UpToDate);
+        fixture_.action(ActionId::Undo).trigger();
+        QVERIFY(document().patternPiece(2));
+        fixture_.action(ActionId::Redo).trigger();
+        QVERIFY(!document().patternPiece(2));
+
+        // Also beside what waits to be flattened.
+        fixture_.workspace().setMethod(Method::Natural);
+        QVERIFY(bar.isVisible());
+        QVERIFY(!fixture_.find<QWidget>("flattenButton").styleSheet().isEmpty());
+        document().setSelection({1});
+        fixture_.action(ActionId::LeaveOut).trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!document().patternPiece(1), test::kPatience);
+        QCOMPARE(document().result(0), front);
+        QVERIFY(fixture_.waitUntilIdle());
+        QVERIFY(bar.isVisible());
+        QVERIFY(!svgOf().contains("back"));
+
+        // What is taken in is not flat until it is flattened, and no file goes without it.
+        fixture_.action(ActionId::TakeIn).trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!fixture_.workspace().canExport(), test::kPatience);
+        QVERIFY(fixture_.waitUntilIdle());
+        QVERIFY(bar.isVisible() && !fixture_.action(ActionId::ExportPattern).isEnabled());
+        QTest::mouseClick(bar.findChild<QPushButton*>("flattenNow"), Qt::LeftButton);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(document().patternPiece(1) && !document().patternPiece(2));
+        QVERIFY(!bar.isVisible());
+        QVERIFY(fixture_.find<QWidget>("flattenButton").styleSheet().isEmpty());
     }
 
     void onlyTheFrontIsExported() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/garment_flattener.h"
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <thread>
@@ -229,6 +230,26 @@ TEST(GarmentFlattener, TakesNothingFromAnotherFile) {
     Garment edited = garmentOfMeshes({test::bentPanel(20)}, 11);
     edited.pieces.push_back(second.pieces[1]);
     EXPECT_EQ(flat(flattener, edited, Method::Isometric)[1], after[1]);
+}
+
+TEST(GarmentFlattener, TellsOfEveryPieceThatItSolves) {
+    GarmentFlattener flattener;
+    std::vector<std::string> begun;
+    std::vector<int> done;
+    const auto note = [&](int flat, int count, const Piece& piece) {
+        EXPECT_LT(flat, count);
+        begun.push_back(piece.name);
+        done.push_back(flat);
+    };
+    const Garment whole = fourPieces();
+    Progress progress;
+    flattener.flatten(whole, {Method::Curvature}, progress, 0, {}, {}, note);
+    EXPECT_TRUE(std::ranges::is_sorted(done));
+    std::ranges::sort(begun);
+    EXPECT_EQ(begun, (std::vector<std::string>{"piece 1", "piece 2", "piece 3", "piece 4"}));
+    begun.clear();
+    flattener.flatten(whole, {Method::Curvature}, progress, 0, {}, {}, note);
+    EXPECT_TRUE(begun.empty());
 }
 
 TEST(GarmentFlattener, TakesWhatCannotBeFlattened) {
