@@ -29,6 +29,8 @@ namespace toile::app {
 
 namespace {
 
+constexpr int kMeasuredRows = 60;  ///< that columns are made wide enough for, around those in sight
+
 QString row(const QString& name, const QString& value) {
     return QString(
                "<tr><td style='padding-right:12px'>%1</td><td "
@@ -95,6 +97,7 @@ void PiecesPanel::makeTable() {
     table_->sortByColumn(-1, Qt::AscendingOrder);  // the garment's order until asked otherwise
     table_->header()->setStretchLastSection(false);
     table_->header()->setMinimumSectionSize(46);
+    table_->header()->setResizeContentsPrecision(kMeasuredRows);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &PiecesPanel::selectInDocument);
     connect(table_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {

@@ -59,6 +59,7 @@ protected:
 
 PiecesView::PiecesView(QWidget* parent) : QTreeView(parent) {
     setEditTriggers(DoubleClicked | EditKeyPressed);
+    setItemDelegate(new CellDelegate(this));
     setItemDelegateForColumn(PiecesModel::Quantity, new QuantityDelegate(this));
     setItemDelegateForColumn(PiecesModel::Pair, new PairDelegate(this));
 }

@@ -2,8 +2,14 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "app/actions/project_actions.h"
+#include "app/document/piece_edits.h"
+#include "app/jobs/ready_checker.h"
+#include "app/widgets/busy_sheet.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/processor_time.h"
@@ -18,7 +24,11 @@ namespace {
 /// The window answers within this, whatever is going on.
 constexpr double kBar = 50;  // milliseconds
 constexpr std::size_t kRemembered = 6;
-constexpr int kSide = 354;  ///< squares: a quarter of a million triangles
+/// What is asked for shows something within this.
+constexpr double kSeenBar = 100;  // milliseconds
+constexpr int kSide = 354;        ///< squares: a quarter of a million triangles
+constexpr int kPieces = 400;      ///< of another garment of a million triangles
+constexpr int kSideOfMany = 35;   ///< of each of these
 
 struct Event {
     double milliseconds = 0;
@@ -33,6 +43,12 @@ public:
     using QApplication::QApplication;
 
     bool notify(QObject* receiver, QEvent* event) override {
+        if (event->type() == QEvent::Paint) {
+            noteSeen(receiver);
+            if (qobject_cast<SceneView*>(receiver) && !isInView_) {
+                return paintView(receiver, event);
+            }
+        }
         const bool paints = isPainting(event->type());
         if (isInside_ && !(paints && !isPainting_)) {
             return QApplication::notify(receiver, event);
@@ -66,10 +82,36 @@ public:
     double longestPainting() const { return longestPainting_; }
     int events() const { return events_; }
 
+    /// From now on; see `seenAfter`.
+    void watch(const QWidget& widget) {
+        watched_ = &widget;
+        seenAfter_.reset();
+        watchedFrom_ = test::processorTime();
+        views_ = 0;
+    }
+    /// What the thread has done, milliseconds, until the watched widget was painted, painting of
+    /// the views aside; none: not yet.
+    const std::optional<double>& seenAfter() const { return seenAfter_; }
+
 private:
     static bool isPainting(QEvent::Type type) {
         return type == QEvent::Paint || type == QEvent::UpdateRequest ||
                type == QEvent::UpdateLater || type == QEvent::Expose;
+    }
+
+    void noteSeen(const QObject* receiver) {
+        if (receiver == watched_ && !seenAfter_) {
+            seenAfter_ = test::processorTime() - watchedFrom_ - views_;
+        }
+    }
+
+    bool paintView(QObject* view, QEvent* event) {
+        isInView_ = true;
+        const double start = test::processorTime();
+        const bool done = notify(view, event);
+        views_ += test::processorTime() - start;
+        isInView_ = false;
+        return done;
     }
 
     void remember(Event event) {
@@ -84,6 +126,10 @@ private:
     double painted_ = 0, longestPainting_ = 0;
     int events_ = 0;
     bool isInside_ = false, isPainting_ = false;
+    const QObject* watched_ = nullptr;
+    std::optional<double> seenAfter_;
+    double watchedFrom_ = 0, views_ = 0;
+    bool isInView_ = false;
 };
 
 TimedApplication& application() {
@@ -158,6 +204,68 @@ class ResponsivenessTest : public QObject {
         const QString worst = lines.join("; ");
         application().reset();
         QVERIFY2(longest <= kBar, qPrintable(QString("%1: %2").arg(when, worst)));
+    }
+
+    /// A garment of as many triangles in many pieces.
+    void writeManyPieces() {
+        std::vector<std::pair<std::string, MeshArrays>> pieces;
+        for (int i = 0; i < kPieces; ++i) {
+            const Eigen::Vector3d corner(60.0 * (i % 20), 60.0 * (i / 20), 0);
+            pieces.emplace_back("piece " + std::to_string(i + 1),
+                                test::makeSheet(50, 50, kSideOfMany, kSideOfMany, corner));
+        }
+        test::writeObj(fixture_.path("many.obj").toStdString(), pieces);
+    }
+
+    void trigger(ActionId id) {
+        asEvent([this, id] { fixture_.action(id).trigger(); });
+    }
+
+    /// What the menus of pieces and the dialogs do.
+    void useIt() {
+        for (const Overlay overlay : {Overlay::Area, Overlay::Warp, Overlay::Principal,
+                                      Overlay::Dirichlet, Overlay::Normal, Overlay::Checker}) {
+            asEvent([this, overlay] { document().setOverlay(overlay); });
+            fidgetUntilDone(8);
+        }
+        demand("All overlays");
+        asEvent([this] { document().setSelection({1}); });
+        for (const ActionId id : {ActionId::HidePieces, ActionId::ShowAllPieces,
+                                  ActionId::ShowOnlyThese, ActionId::ShowAllPieces}) {
+            asEvent([this] { document().setSelection({1}); });
+            trigger(id);
+            fidgetUntilDone(4);
+        }
+        asEvent([this] { renamePiece(document(), 0, "Vorderteil"); });
+        fidgetUntilDone(4);
+        demand("Pieces shown, hidden and renamed");
+        asEvent([this] { document().setSelection({1}); });
+        trigger(ActionId::LeaveOut);
+        fidgetUntilDone(20);
+        trigger(ActionId::TakeIn);
+        fidgetUntilDone(20);
+        QVERIFY(document().isFlattened());
+        demand("A piece left out and taken in");
+        trigger(ActionId::GoToProblems);
+        fidgetUntilDone(10);
+        QVERIFY(QTest::qWaitFor([this] { return fixture_.window().checker().isUpToDate(); },
+                                test::kPatience));
+        fidgetUntilDone(10);
+        demand("Findings");
+        asEvent([this] {
+            fixture_.window().garmentActions().project().session().save(
+                std::filesystem::path(fixture_.path("kept.toile").toStdString()));
+        });
+        fidgetUntilDone(20);
+        demand("Saving");
+        for (const ActionId id : {ActionId::ExportPattern, ActionId::PrintPattern}) {
+            trigger(id);
+            QVERIFY(QApplication::activeModalWidget());
+            fidgetUntilDone(30);
+            asEvent([] { QApplication::activeModalWidget()->close(); });
+            fidgetUntilDone(4);
+        }
+        demand("Export and print");
     }
 
 private slots:
@@ -240,11 +348,59 @@ private slots:
         QVERIFY(!document().loading().seams.cuts.empty());
         demand("A cut");
 
+        useIt();
+
         asEvent([this] {
             fixture_.window().openFiles({TOILE_SOURCE_DIR "/resources/samples/cap.obj"});
         });
         fidgetUntilDone(20);
         demand("Another garment, and all that was kept of this one goes");
+    }
+
+    void theWindowAnswersWithFourHundredPieces() {
+        writeManyPieces();
+        fixture_.window().setUpdatesEnabled(false);
+        application().reset();
+        asEvent([this] { fixture_.window().openFiles({fixture_.path("many.obj")}); });
+        fidgetUntilDone(10);
+        QCOMPARE(document().pieceCount(), kPieces);
+        demand("Opening and flattening");
+        QTest::keyClick(&patternView(), Qt::Key_A, Qt::ControlModifier);
+        fidgetUntilDone(10);
+        demand("Selecting all");
+        useIt();
+    }
+
+    void whatIsGoingOnIsSeenSoon() {
+        fixture_.close();
+        fixture_.open();
+        auto& page = fixture_.find<BusySheet>("busyPage");
+        const auto seen = [] { return application().seenAfter().has_value(); };
+        application().watch(page);
+        fixture_.window().openFiles({fixture_.path("million.obj")});
+        QVERIFY(QTest::qWaitFor(seen, test::kPatience));
+        QVERIFY(page.task().contains("million.obj"));
+        const double reading = *application().seenAfter();
+
+        double firstFrame = -1;
+        connect(&document(), &Document::changed, &page, [this](DocumentChanges what) {
+            if (what.testFlag(DocumentChange::Opened)) {
+                application().watch(garmentView());
+            }
+        });
+        QVERIFY(QTest::qWaitFor([this, &seen] { return document().garment() && seen(); },
+                                test::kPatience));
+        firstFrame = *application().seenAfter();
+        QVERIFY(fixture_.waitForResults());
+
+        application().watch(fixture_.find<QWidget>("colourBar"));
+        document().setOverlay(Overlay::Warp);
+        QVERIFY(QTest::qWaitFor(seen, test::kPatience));
+        const double overlay = *application().seenAfter();
+        qInfo("Seen after: what is read %.1f ms, the first frame %.1f ms, the overlay %.1f ms",
+              reading, firstFrame, overlay);
+        QVERIFY2(std::max({reading, firstFrame, overlay}) <= kSeenBar,
+                 qPrintable(QString("%1, %2, %3 ms").arg(reading).arg(firstFrame).arg(overlay)));
     }
 };
 

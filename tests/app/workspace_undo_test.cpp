@@ -274,6 +274,7 @@ private slots:
             }
         }
         workspace().setMethod(Method::Isometric);
+        document().setLines(seed == 1 ? LineSettings{} : withPattern({}), "Lines");
         QVERIFY(waitUntilDone());
         const test::Moment before = test::momentOf(document());
         ProjectSession session(workspace());
@@ -285,6 +286,12 @@ private slots:
         QVERIFY(QTest::qWaitFor([this] { return document().garment() != nullptr; }, kPatience));
         QVERIFY(waitUntilDone());
         QCOMPARE(test::pointsDifference(document().results(), before.derived.results), QString());
+        QCOMPARE(document().settings().size(), before.derived.garment->pieces.size());
+        for (std::size_t k = 0; k < document().settings().size(); ++k) {
+            const auto said = before.state.settings.find(document().garment()->pieces[k]->id);
+            QVERIFY(said != before.state.settings.end());
+            QVERIFY(document().settings()[k] == said->second);
+        }
         QCOMPARE(differenceToAnew(), QString());
     }
 
@@ -294,14 +301,15 @@ private:
         Progress progress;
         const DocumentState& state = document().state();
         const auto garment = makeGarment(state.inputs, progress);
-        return garment ? test::pointsDifference(document().results(),
-                                                flattenGarment(*garment, state.options, progress))
+        return garment ? test::pointsDifference(
+                             document().results(),
+                             flattenGarment(*garment, state.options, progress, 0, state.lines))
                        : QString("no garment");
     }
 
     void doSomething(std::mt19937& random) {
         const auto any = [&random](std::size_t count) { return random() % count; };
-        switch (any(9)) {
+        switch (any(10)) {
             case 0:
             case 1:
             case 2: {
@@ -334,6 +342,9 @@ private:
                 break;
             case 6:
                 workspace().setUnit(any(2) == 0 ? LengthUnit::Millimetre : LengthUnit::Inch);
+                break;
+            case 7:
+                document().setLines(any(2) == 0 ? withPattern({}) : LineSettings{}, "Lines");
                 break;
             default:
                 any(3) == 0 ? document().history().redo() : document().history().undo();

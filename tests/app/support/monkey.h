@@ -4,6 +4,7 @@
 #include <QPointer>
 #include <QStringList>
 #include <QTimer>
+#include <QWidget>
 #include <deque>
 #include <functional>
 #include <vector>
@@ -12,7 +13,7 @@
 #include "core/cut/user_cuts.h"
 #include "tests/core/support/generator.h"
 
-class QWidget;
+class QAction;
 
 namespace toile::app {
 class Document;
@@ -60,7 +61,11 @@ private:
     Qt::MouseButton someButton();
     /// Most widgets of the window may be gone or hidden the next moment.
     template <class Widget>
-    Widget* someVisible(const char* name = nullptr);
+    Widget* someVisible() {
+        const auto is = [](QWidget* widget) { return qobject_cast<Widget*>(widget) != nullptr; };
+        return qobject_cast<Widget*>(someVisible(is));
+    }
+    QWidget* someVisible(const std::function<bool(QWidget*)>& isMeant);
 
     void triggerAction();
     void flattenOtherwise();
@@ -87,6 +92,14 @@ private:
     void decideOnLines();
     void decideOnSymmetry();
     void layOut();
+    void openMenu();
+    /// In the menu that is open, if any, and in those below it.
+    void chooseInMenu();
+    bool isLeftAlone(const QAction& action) const;
+    void typeNameOfPiece();
+    void hideOrLeaveOut();
+    void leaveOutSmall();
+    void pressRemedy();
     void exportPattern();
     void choosePreference();
     void touchFrame();

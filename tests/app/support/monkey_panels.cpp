@@ -24,11 +24,10 @@ namespace toile::test {
 
 using namespace app;
 
-template <class Widget>
-Widget* Monkey::someVisible(const char* name) {
-    std::vector<Widget*> found;
-    for (Widget* widget : window_.findChildren<Widget*>(QString::fromLatin1(name))) {
-        if (widget->isVisible() && widget->isEnabled()) {
+QWidget* Monkey::someVisible(const std::function<bool(QWidget*)>& isMeant) {
+    std::vector<QWidget*> found;
+    for (QWidget* widget : window_.findChildren<QWidget*>()) {
+        if (widget->isVisible() && widget->isEnabled() && isMeant(widget)) {
             found.push_back(widget);
         }
     }

@@ -5,8 +5,6 @@
 
 namespace toile::test {
 
-using namespace app;
-
 int countPixels(const QImage& image, const QColor& colour, int tolerance) {
     int count = 0;
     for (int y = 0; y < image.height(); ++y) {

@@ -6,8 +6,6 @@
 
 namespace toile::test {
 
-using namespace app;
-
 /// How many pixels have a colour, to within this many steps of 255 in each channel.
 int countPixels(const QImage& image, const QColor& colour, int tolerance);
 
