@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QProgressBar>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
@@ -15,6 +16,7 @@
 #include <thread>
 
 #include "app/document/document.h"
+#include "app/document/piece_edits.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/window/window_status.h"
 #include "core/pipeline/garment_flattener.h"
@@ -381,6 +383,23 @@ private slots:
         shared.setShare(0, 0.5);
         (void)flattenGarment(*document.garment(), {}, shared);
         QVERIFY(std::abs(shared.fraction() - 0.5) < 1e-12);
+    }
+
+    void flatteningSaysWhichPieceItIsAt() {
+        Document document;
+        test::setGarment(document, test::makeSewnCap(), nullptr);
+        for (int k = 0; k < 2; ++k) {
+            renamePiece(document, k, "Teil");
+        }
+        const std::unique_ptr<Job> job =
+            recomputeJob(document, {.flatten = true}, std::make_shared<GarmentFlattener>(), {},
+                         [](const Derivation&) {});
+        QVERIFY(job->detail().isEmpty());
+        Progress progress;
+        QVERIFY(job->process(progress));
+        const QString said = job->detail();  // the last that was begun, maybe beside the other
+        QVERIFY2(QRegularExpression("^[12] of 2: Teil( 2)?$").match(said).hasMatch(),
+                 qPrintable(said));
     }
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/actions/autosave.h"
 #include "app/actions/project_actions.h"
 #include "app/document/piece_edits.h"
 #include "app/jobs/ready_checker.h"
@@ -282,6 +283,7 @@ private slots:
             pieces.emplace_back("panel " + std::to_string(i + 1), std::move(mesh));
         }
         fixture_.open();
+        fixture_.window().keepRecoveryFiles(fixture_.path("recovery"), AutosaveTimes{30, 200, 100});
         // The views' first frame has the driver start, whatever is in it.
         QVERIFY(fixture_.openAndWait(TOILE_SOURCE_DIR "/resources/samples/cap.obj"));
         test::writeObj(fixture_.path("million.obj").toStdString(), pieces);
