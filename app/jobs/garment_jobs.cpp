@@ -174,10 +174,11 @@ std::unique_ptr<Job> grainJob(
             }
             found.grains[piece] = grain;
             if (rule == GrainRule::LeastStrain && result->flat) {
-                const auto add = [&](StrainedArea& sum, double angle) {
+                const auto add = [&shown = *result,
+                                  &fabric = fabrics[static_cast<std::size_t>(piece)]](
+                                     StrainedArea& sum, double angle) {
                     const StrainedArea one =
-                        strainedArea(result->piece->mesh, result->flat->Q,
-                                     fabrics[static_cast<std::size_t>(piece)], angle);
+                        strainedArea(shown.piece->mesh, shown.flat->Q, fabric, angle);
                     sum.all += one.all;
                     sum.beyond += one.beyond;
                 };
