@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "core/cut/surface_paths.h"
+#include "core/geometry/segment.h"
 #include "core/io/soup.h"
 #include "core/io/triangulate.h"
 #include "core/mesh/edge_table.h"
@@ -13,6 +15,22 @@
 
 namespace toile {
 namespace {
+
+/// Sum of the angles by which a line turns in space.
+double turningOf(const MeshArrays& mesh, const PathPolyline& path) {
+    std::vector<Eigen::Vector3d> points;
+    for (const SurfacePoint& point : path.points) {
+        const Eigen::Vector3d at = positionOf(mesh, point);
+        if (points.empty() || (at - points.back()).norm() > 1e-9 * path.length) {
+            points.push_back(at);
+        }
+    }
+    double sum = 0;
+    for (std::size_t i = 2; i < points.size(); ++i) {
+        sum += geometry::angleBetween(points[i - 1] - points[i - 2], points[i] - points[i - 1]);
+    }
+    return sum;
+}
 
 void expectPiecesOpen(const std::filesystem::path& path, int components, int expectedCuts) {
     const std::string name = path.filename().string();
@@ -30,11 +48,16 @@ void expectPiecesOpen(const std::filesystem::path& path, int components, int exp
     int cuts = 0;
     for (int part = 0; part < components; ++part) {
         const MeshArrays piece = test::without(all, [&](int f) { return labels[f] != part; });
+        const EdgeTable table = buildEdgeTable(piece.F, static_cast<int>(piece.V.rows()));
+        const SurfaceLinks links(piece, table);
         const AutoCut proposal = test::expectOneDisk(piece, name);
         cuts += static_cast<int>(proposal.cuts.size());
         for (const PathPolyline& cut : proposal.cuts) {
             const Eigen::RowVector3d size =
                 piece.V.colwise().maxCoeff() - piece.V.colwise().minCoeff();
+            const auto shortest = geodesicPath(links, cut.points.front(), cut.points.back());
+            ASSERT_TRUE(shortest);
+            EXPECT_LE(turningOf(piece, cut), 1.5 * turningOf(piece, *shortest));  // no saw-tooth
             EXPECT_LT(cut.length, size.norm());  // no way around: seams of a leg, an arm, a front
         }
     }
